@@ -1,0 +1,73 @@
+"""What can go wrong, and how it is said.
+
+Every complaint about input is built by one class from the same four parts, so that each is one sentence
+that names the field, its value, the condition it breaks and the way out.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+class NonhertzError(Exception):
+    """Anything that this package raises on purpose."""
+
+
+class InputError(NonhertzError, ValueError):
+    """A value that cannot be used.
+
+    Parameters
+    ----------
+    field : str
+        Name of the input as the user wrote it, such as ``"diameter"`` or ``"body.a.length"``.
+    value : object
+        The value that was given.
+    condition : str
+        What the value must do, to follow "must": ``"be positive"``.
+    remedy : str
+        The way out, a clause without a full stop.
+
+    Examples
+    --------
+    >>> str(InputError("length", -5.0, "be positive", "give the distance between the side faces in mm"))
+    'length = -5.0 must be positive: give the distance between the side faces in mm.'
+    """
+
+    def __init__(self, field: str, value: object, condition: str, remedy: str) -> None:
+        self.field = field
+        self.value = value
+        self.condition = condition
+        self.remedy = remedy
+        super().__init__(field, value, condition, remedy)
+
+    def __str__(self) -> str:
+        return f"{self.field} = {_shown(self.value)} must {self.condition}: {self.remedy}."
+
+    def within(self, place: str) -> InputError:
+        """Return the same complaint with the field named inside ``place``, such as ``"body.a"``."""
+        return InputError(f"{place}.{self.field}", self.value, self.condition, self.remedy)
+
+
+class ConvergenceError(NonhertzError):
+    """The solver stopped short of a solution; ``solution`` holds what it had by then.
+
+    Parameters
+    ----------
+    message : str
+        One sentence for the user.
+    solution : nonhertz.Solution
+        The unconverged result, its ``status`` saying why the loop ended.
+    """
+
+    def __init__(self, message: str, solution: Any) -> None:
+        self.solution = solution
+        super().__init__(message)
+
+
+class AccuracyWarning(UserWarning):
+    """The answer is a converged one, but of a model stretched beyond its validity."""
+
+
+def _shown(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."

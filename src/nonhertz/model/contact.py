@@ -1,0 +1,89 @@
+"""Two bodies in contact."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.model.body import Body
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Two bodies that are about to touch along the y axis.
+
+    Parameters
+    ----------
+    a, b : Body
+        The two bodies; the order only matters for what is reported of each.
+
+    Raises
+    ------
+    InputError
+        If the bodies share no axial interval, or are nowhere closer than conforming.
+
+    Examples
+    --------
+    >>> from nonhertz.model.body import Plate, Roller
+    >>> contact = Contact(Roller(diameter=20, length=20), Plate())
+    >>> contact.interval
+    (-10.0, 10.0)
+    >>> float(contact.curvature(0.0))
+    0.1
+    """
+
+    a: Body
+    b: Body
+
+    def __post_init__(self) -> None:
+        for name, body in (("a", self.a), ("b", self.b)):
+            if not isinstance(body, Body):
+                raise InputError(name, body, "be a Body", "make one with Roller, Ring, Plate or Body")
+        low, high = self.interval
+        if not low < high:
+            raise InputError(
+                "position", self.b.position, "let the bodies overlap along y", "move one body or lengthen it"
+            )
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """The axial interval [mm] on which both bodies can touch; infinite where neither ends."""
+        (low_a, high_a), (low_b, high_b) = self.a.interval, self.b.interval
+        return (max(low_a, low_b), min(high_a, high_b))
+
+    @property
+    def bends(self) -> tuple[float, ...]:
+        """Axial positions [mm] where either relief bends, ascending."""
+        return tuple(sorted({*self.a.bends, *self.b.bends}))
+
+    @property
+    def compliance(self) -> float:
+        """Sum of both half-space compliances K = (1 - nu^2) / (pi E) [1/MPa]."""
+        return self.a.material.compliance + self.b.material.compliance
+
+    def separation(self, y: ArrayLike) -> Array:
+        """Return the undeformed separation h [mm] on the centre line: the sum of both reliefs."""
+        return self.a.relief(y) + self.b.relief(y)
+
+    def curvature(self, y: ArrayLike) -> Array:
+        """Return the combined curvature 1/rho = 1/rho_a + 1/rho_b [1/mm] across the contact.
+
+        Raises
+        ------
+        InputError
+            If it is not positive somewhere: the surfaces conform there and the method does not hold.
+        """
+        combined = self.a.curvature(y) + self.b.curvature(y)
+        if np.any(combined <= 0.0):
+            raise InputError(
+                "diameter",
+                (self.a.diameter, self.b.diameter),
+                "leave a positive combined curvature",
+                "make the concave body's diameter larger than the convex one's",
+            )
+        return combined
