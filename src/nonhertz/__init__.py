@@ -1,0 +1,75 @@
+"""Elastic contact of rollers, raceways, gear teeth and wheels whose shape no Hertz formula fits.
+
+Units are mm, N, MPa and rad throughout. Positive relief is material taken away.
+
+Examples
+--------
+>>> import nonhertz as nh
+>>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))
+>>> solution = nh.solve(nh.Contact(roller, nh.Plate()), load=20e3)
+>>> round(solution.approach, 4)
+0.0322
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from nonhertz import hertz
+    from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError, NonhertzError
+    from nonhertz.model import profile
+    from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter
+    from nonhertz.model.contact import Contact
+    from nonhertz.model.material import MATERIALS, Material
+    from nonhertz.solution import ErrorEstimate, Solution, Status
+    from nonhertz.solve import solve
+    from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
+
+__version__ = "0.1.0"
+
+# Where each public name lives. Nothing is imported before it is asked for, so that `import nonhertz` costs
+# milliseconds and the command line answers `--help` without loading a compiler.
+_HOMES = {
+    "AccuracyWarning": "nonhertz.errors",
+    "Body": "nonhertz.model.body",
+    "Contact": "nonhertz.model.contact",
+    "ConvergenceError": "nonhertz.errors",
+    "ErrorEstimate": "nonhertz.solution",
+    "InputError": "nonhertz.errors",
+    "MATERIALS": "nonhertz.model.material",
+    "Material": "nonhertz.model.material",
+    "NonhertzError": "nonhertz.errors",
+    "PARABOLIC": "nonhertz.strip.element",
+    "Plate": "nonhertz.model.body",
+    "Ring": "nonhertz.model.body",
+    "Roller": "nonhertz.model.body",
+    "SEMI_ELLIPTIC": "nonhertz.strip.element",
+    "Solution": "nonhertz.solution",
+    "Status": "nonhertz.solution",
+    "TabulatedDiameter": "nonhertz.model.body",
+    "solve": "nonhertz.solve",
+}
+_MODULES = {"hertz": "nonhertz.hertz", "profile": "nonhertz.model.profile"}
+
+__all__ = [  # noqa: PLE0604  (the names are strings; ruff cannot see through the star)
+    *_HOMES,
+    *_MODULES,
+    "__version__",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _MODULES:
+        value: Any = importlib.import_module(_MODULES[name])
+    elif name in _HOMES:
+        value = getattr(importlib.import_module(_HOMES[name]), name)
+    else:
+        raise AttributeError(f"module 'nonhertz' has no attribute {name!r}")
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -1,0 +1,161 @@
+"""What a solve returns: a read-only value with the strip results and everything derived from them."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass, fields
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.model.contact import Contact
+from nonhertz.strip.element import Element
+
+Array = NDArray[np.float64]
+
+
+class Status(enum.Enum):
+    """How a solve ended; each member's value is the sentence that the user reads."""
+
+    CONVERGED = "The solution satisfies every contact condition."
+    ITERATION_LIMIT = "The Newton loop reached its limit of steps before the contact conditions were met."
+    STAGNATED = "The Newton loop could not reduce the residual any further."
+
+    @property
+    def label(self) -> str:
+        """The member's name as files and tables write it, such as ``"converged"``."""
+        return self.name.lower().replace("_", "-")
+
+
+@dataclass(frozen=True)
+class ErrorEstimate:
+    """Estimated discretisation errors, relative, from the same solve on about half as many strips.
+
+    Attributes
+    ----------
+    approach : float
+        |error of approach| / approach.
+    max_pressure : float
+        |error of maximum pressure| / maximum pressure. Infinite where a sharp end makes the pressure
+        singular: every refinement raises the maximum, so that it has no error but no limit.
+    """
+
+    approach: float
+    max_pressure: float
+
+
+@dataclass(frozen=True, eq=False)
+class Solution:
+    """A solved contact.
+
+    Attributes
+    ----------
+    contact : Contact
+        What was solved.
+    element : Element
+        The strip element it was solved with.
+    status : Status
+        How the solve ended.
+    approach : float
+        delta [mm], how much nearer the bodies came on the line y = 0 than first touch of a zero separation.
+    tilt : float
+        gamma [rad] about x; positive tilt loads the side of positive y.
+    load : float
+        Q [N], integral of the pressure.
+    moment : float
+        T [N mm], integral of pressure times y.
+    stiffness : ndarray, shape (2, 2)
+        d(load, moment) / d(approach, tilt) [[N/mm, N/rad], [N mm/mm, N mm/rad]], exact for the strips.
+    y : ndarray, shape (strips,)
+        Strip centres [mm], ascending.
+    strip_width : ndarray, shape (strips,)
+        Strip widths along y [mm].
+    line_load : ndarray, shape (strips,)
+        q [N/mm], zero out of contact.
+    element_half_width : ndarray, shape (strips,)
+        Half-width a [mm] of the element's own pressure shape.
+    gap : ndarray, shape (strips,)
+        Deformed gap on the centre line [mm]; zero in contact.
+    iterations : int
+        Newton steps on the grid of the result.
+    error_estimate : ErrorEstimate
+        Discretisation errors that the solve estimates of itself.
+    warnings : tuple of str
+        What strains the model in this case; empty when nothing does.
+    """
+
+    contact: Contact
+    element: Element
+    status: Status
+    approach: float
+    tilt: float
+    load: float
+    moment: float
+    stiffness: Array
+    y: Array
+    strip_width: Array
+    line_load: Array
+    element_half_width: Array
+    gap: Array
+    iterations: int
+    error_estimate: ErrorEstimate
+    warnings: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        for item in fields(self):
+            value = getattr(self, item.name)
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
+
+    @property
+    def strips(self) -> int:
+        """Number of strips."""
+        return int(self.y.size)
+
+    @cached_property
+    def half_width(self) -> Array:
+        """Half-width b [mm] at each strip: that of the semi-ellipse, or the Hertz equivalent of a parabola."""
+        return _read_only(self.element.hertz_ratio * self.element_half_width)
+
+    @cached_property
+    def peak_pressure(self) -> Array:
+        """Pressure p0 = 2 q / (pi b) on the centre line [MPa] at each strip."""
+        touching = self.half_width > 0.0
+        pressure = np.zeros_like(self.line_load)
+        pressure[touching] = 2.0 * self.line_load[touching] / (np.pi * self.half_width[touching])
+        return _read_only(pressure)
+
+    @property
+    def max_pressure(self) -> float:
+        """The largest strip pressure [MPa]."""
+        return float(self.peak_pressure.max())
+
+    @property
+    def max_pressure_y(self) -> float:
+        """Where the largest strip pressure is [mm]."""
+        return float(self.y[self.peak_pressure.argmax()])
+
+    @cached_property
+    def contact_y(self) -> tuple[tuple[float, float], ...]:
+        """The intervals [mm] along y that are in contact, ascending, to the resolution of the strips."""
+        touching = np.concatenate([[False], self.line_load > 0.0, [False]])
+        starts = np.flatnonzero(~touching[:-1] & touching[1:])
+        ends = np.flatnonzero(touching[:-1] & ~touching[1:]) - 1
+        low, high = self.y - 0.5 * self.strip_width, self.y + 0.5 * self.strip_width
+        return tuple((float(low[i]), float(high[j])) for i, j in zip(starts, ends, strict=True))
+
+    @property
+    def interference(self) -> Array:
+        """Undeformed interference d = approach + tilt y - separation [mm] at each strip."""
+        return self.approach + self.tilt * self.y - self.contact.separation(self.y)
+
+    @property
+    def displacement(self) -> Array:
+        """Elastic displacement of both surfaces together on the centre line [mm] at each strip."""
+        return self.gap + self.interference
+
+
+def _read_only(array: Array) -> Array:
+    array.flags.writeable = False
+    return array

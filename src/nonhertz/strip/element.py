@@ -1,0 +1,255 @@
+"""The two strip elements, each four functions of one variable.
+
+A strip is uniform along y between two edges and carries, across the contact, a pressure of fixed shape phi on
+|x| <= a. Seen from a point on the centre line at the signed distance y' of one of its edges, everything it does
+there is a function of t = y'/a alone, and the strip's effect is the difference between its two edges (theory:
+docs/explain/theory.md). With a load q per unit length and a half-space compliance K,
+
+    displacement            w             = K q [A]             A'(t)   = int phi / sqrt(xi^2 + t^2) dxi
+    curvature               -d2w/dx2      = K q [B] / a^2       B(t)    = int psi t / sqrt(xi^2 + t^2) dxi
+    derivatives by a        through tA' and tB'                 t B'(t) = int psi t xi^2 / (xi^2 + t^2)^(3/2) dxi
+
+where psi = -phi'/xi. Both shapes have closed forms, but the solver asks for millions of values: it reads all
+four functions from one table of polynomials, eight intervals to the octave of t, found from the bits of t
+without a logarithm; beyond t = 8 the moments of phi give a series in 1/t^2. The table is made once, when an
+element is first used, from the closed forms where these do not cancel.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.strip.compiled import compiled
+
+Array = NDArray[np.float64]
+
+# Beyond FAR = 2^3 the series takes over; below SMALL = 2^-30 the leading terms are exact to rounding.
+SMALL_EXPONENT, FAR_EXPONENT = -30, 3
+SMALL, FAR = 2.0**SMALL_EXPONENT, 2.0**FAR_EXPONENT
+INTERVALS_PER_OCTAVE = 8
+DEGREE = 10
+SERIES_TERMS = 10
+
+A, T_DA, B, T_DB = range(4)
+
+
+@dataclass(frozen=True)
+class Element:
+    """A strip with a fixed pressure shape across the contact.
+
+    Attributes
+    ----------
+    name : str
+        ``"semi-elliptic"`` or ``"parabolic"``.
+    line_factor : float
+        kappa = 2 B(infinity): in a line contact a^2 = kappa K q rho; 4 (Hertz) or 6.
+    hertz_ratio : float
+        b / a, from the element's half-width to that of the Hertz line contact of equal load: 1 or sqrt(2/3).
+
+    References
+    ----------
+    J. M. de Mul, J. J. Kalker, G. M. Vree, An orthogonal uniform/parabolic surface pressure half-space element
+    for the analysis of non-Hertzian contact, Computational Mechanics, CIMNE, Barcelona 1998: Eqs. (24), (25),
+    (32), (33) are the parabolic element, Eqs. (59)-(62) the limits. The semi-elliptic one is Reusner's.
+
+    Examples
+    --------
+    >>> displacement, *_ = SEMI_ELLIPTIC.functions(2.0)
+    >>> round(float(displacement), 12)
+    2.594183213168
+    """
+
+    name: str
+    line_factor: float
+    hertz_ratio: float
+    centre_factor: float
+    """p(0) = centre_factor * q / a, the pressure that the element itself has on the centre line."""
+    _constant: float = field(repr=False)
+    """A(t) - ln(2 t) at infinity, -int phi ln|xi|."""
+    _moments: tuple[Callable[[int], float], Callable[[int], float]] = field(repr=False)
+    """k -> int phi xi^2k and k -> int psi xi^2k."""
+    _closed_forms: Callable[[Array], tuple[Array, Array, Array]] = field(repr=False)
+    """t in [SMALL, FAR] -> A', B, t B'."""
+    _leading: tuple[float, float, float, float] = field(repr=False)
+    """For t -> 0: A' = l0 ln(l1/t), B = l2 t ln(l3/t)."""
+
+    def functions(self, t: ArrayLike) -> tuple[Array, Array, Array, Array]:
+        """Return A, t A', B and t B' at ``t``, arrays of its shape, odd in t.
+
+        The relative error is below 1e-12 for |t| from 1e-8 to 1e8.
+        """
+        t = np.asarray(t, dtype=float)
+        values = np.empty((t.size, 4))
+        _evaluate_all(np.ascontiguousarray(t).ravel(), self.table, values)
+        return tuple(values[:, k].reshape(t.shape) for k in range(4))  # type: ignore[return-value]
+
+    @cached_property
+    def table(self) -> tuple[Array, Array, Array]:
+        """Coefficients that the compiled core reads: polynomials, far series, leading terms."""
+        return (self._polynomials(), self._series(), np.array([*self._leading, self._constant]))
+
+    def _polynomials(self) -> Array:
+        """Return polynomial coefficients, shape (intervals, DEGREE + 1, 4), highest power first.
+
+        On each interval the variable runs over [-1, 1]. The interval is short against the distance to the
+        nearest singularity (t = 0 and t = +-i), so the Chebyshev interpolant reaches rounding at this degree.
+        """
+        octaves = np.arange(SMALL_EXPONENT, FAR_EXPONENT)
+        low = (2.0**octaves[:, None] * (1.0 + np.arange(INTERVALS_PER_OCTAVE) / INTERVALS_PER_OCTAVE)).ravel()
+        half = np.repeat(2.0**octaves, INTERVALS_PER_OCTAVE) / (2 * INTERVALS_PER_OCTAVE)
+        nodes = np.polynomial.chebyshev.chebpts1(DEGREE + 1)
+        t = low[:, None] + half[:, None] * (1.0 + nodes)
+        slope, curvature, t_db = self._closed_forms(t)
+        values = np.stack([self._integrated(slope, low, half, nodes), t * slope, curvature, t_db], axis=-1)
+        to_powers = np.linalg.inv(np.polynomial.chebyshev.chebvander(nodes, DEGREE))
+        chebyshev = np.einsum("kn,inf->ikf", to_powers, values)
+        powers = np.zeros((DEGREE + 1, DEGREE + 1))
+        for k in range(DEGREE + 1):
+            powers[k, : k + 1] = np.polynomial.chebyshev.cheb2poly([0.0] * k + [1.0])
+        coefficients = np.einsum("kp,ikf->ipf", powers, chebyshev)
+        return np.ascontiguousarray(coefficients[:, ::-1, :])
+
+    def _integrated(self, slope: Array, low: Array, half: Array, nodes: Array) -> Array:
+        """Return A at the nodes: the integral of A' from 0, interval by interval."""
+        fit = np.linalg.inv(np.polynomial.chebyshev.chebvander(nodes, DEGREE))
+        integral = np.polynomial.chebyshev.chebint(fit @ slope.T, lbnd=-1.0) * half
+        within = np.polynomial.chebyshev.chebval(nodes, integral)
+        whole = np.polynomial.chebyshev.chebval(1.0, integral)
+        l0, l1, *_ = self._leading
+        start = l0 * SMALL * (math.log(l1 / SMALL) + 1.0)
+        before = start + np.concatenate([[0.0], np.cumsum(whole)[:-1]])
+        return np.asarray(before[:, None] + within, dtype=float)
+
+    def _series(self) -> Array:
+        """Return the far series in 1/t^2, shape (SERIES_TERMS, 4), highest power first; A without ln(2t)."""
+        of_phi, of_psi = self._moments
+        rows = np.zeros((SERIES_TERMS, 4))
+        binomial = 1.0
+        for k in range(SERIES_TERMS):
+            rows[k, A] = self._constant if k == 0 else -binomial * of_phi(k) / (2 * k)
+            rows[k, T_DA] = binomial * of_phi(k)
+            rows[k, B] = binomial * of_psi(k)
+            rows[k, T_DB] = -2 * k * binomial * of_psi(k)
+            binomial *= -(0.5 + k) / (k + 1)  # binomial(-1/2, k + 1)
+        return np.ascontiguousarray(rows[::-1])
+
+
+@compiled
+def evaluate(t: float, table: tuple[Array, Array, Array]) -> tuple[float, float, float, float]:
+    """Return A, t A', B and t B' at one ``t`` from an element's table."""
+    polynomials, series, leading = table
+    size = abs(t)
+    sign = 1.0 if t >= 0.0 else -1.0
+    if size >= FAR:
+        x = 1.0 / (size * size)
+        a = ta = b = tb = 0.0
+        for k in range(SERIES_TERMS):
+            a = a * x + series[k, 0]
+            ta = ta * x + series[k, 1]
+            b = b * x + series[k, 2]
+            tb = tb * x + series[k, 3]
+        return (sign * (a + math.log(2.0 * size)), sign * ta, sign * b, sign * tb)
+    if size < SMALL:
+        if size == 0.0:
+            return (0.0, 0.0, 0.0, 0.0)
+        slope = leading[0] * math.log(leading[1] / size)
+        b_slope = leading[2] * math.log(leading[3] / size)
+        return (
+            t * (slope + leading[0]),
+            t * slope,
+            t * b_slope,
+            t * (b_slope - leading[2]),
+        )
+    mantissa, exponent = math.frexp(size)  # size = mantissa 2^exponent, mantissa in [1/2, 1)
+    place = (2.0 * mantissa - 1.0) * INTERVALS_PER_OCTAVE
+    step = int(place)
+    x = 2.0 * (place - step) - 1.0
+    row = polynomials[(exponent - 1 - SMALL_EXPONENT) * INTERVALS_PER_OCTAVE + step]
+    a = ta = b = tb = 0.0
+    for k in range(DEGREE + 1):
+        a = a * x + row[k, 0]
+        ta = ta * x + row[k, 1]
+        b = b * x + row[k, 2]
+        tb = tb * x + row[k, 3]
+    return (sign * a, sign * ta, sign * b, sign * tb)
+
+
+@compiled
+def _evaluate_all(t: Array, table: tuple[Array, Array, Array], values: Array) -> None:
+    for i in range(t.size):
+        values[i, 0], values[i, 1], values[i, 2], values[i, 3] = evaluate(t[i], table)
+
+
+def _semi_elliptic_closed_forms(t: Array) -> tuple[Array, Array, Array]:
+    from scipy.special import ellipe, ellipkm1  # noqa: PLC0415  (a slow import, wanted once)
+
+    square = t * t
+    k2, k2_other = 1.0 / (1.0 + square), square / (1.0 + square)
+    first, second = ellipkm1(k2_other), ellipe(k2)
+    slope = 4.0 / np.pi * np.sqrt(1.0 + square) * (first - second)
+    b = 4.0 / np.pi * np.sqrt(k2_other) * first
+    t_db = 4.0 / np.pi * t * k2**1.5 * (first - (second - k2_other * first) / k2)
+    return slope, b, t_db
+
+
+def _parabolic_closed_forms(t: Array) -> tuple[Array, Array, Array]:
+    root = np.sqrt(1.0 + t * t)
+    inverse = np.arcsinh(1.0 / t)
+    slope = 1.0 / root + 1.5 * ((1.0 + 0.5 * t * t) * inverse - (1.0 + t * t / 6.0) / root)
+    slope -= 0.25 * (root + t * t / root)
+    return slope, 3.0 * t * inverse, 3.0 * t * (inverse - 1.0 / root)
+
+
+def _semi_elliptic_moment(k: int) -> float:
+    """Return int (2/pi) sqrt(1 - xi^2) xi^2k."""
+    return math.comb(2 * k, k) / (4.0**k * (k + 1))
+
+
+def _semi_elliptic_slope_moment(k: int) -> float:
+    """Return int (2/pi) xi^2k / sqrt(1 - xi^2)."""
+    return 2.0 * math.comb(2 * k, k) / 4.0**k
+
+
+def _parabolic_moment(k: int) -> float:
+    """Return int (3/4) (1 - xi^2) xi^2k."""
+    return 3.0 / ((2 * k + 1) * (2 * k + 3))
+
+
+def _parabolic_slope_moment(k: int) -> float:
+    """Return int (3/2) xi^2k."""
+    return 3.0 / (2 * k + 1)
+
+
+#: Reusner's element: semi-elliptic across, exact for line contacts and elliptical Hertz contacts.
+SEMI_ELLIPTIC = Element(
+    name="semi-elliptic",
+    line_factor=4.0,
+    hertz_ratio=1.0,
+    centre_factor=2.0 / math.pi,
+    _constant=math.log(2.0) + 0.5,
+    _moments=(_semi_elliptic_moment, _semi_elliptic_slope_moment),
+    _closed_forms=_semi_elliptic_closed_forms,
+    # A' = (4/pi) (ln(4/t) - 1), B = (4/pi) t ln(4/t)
+    _leading=(4.0 / math.pi, 4.0 / math.e, 4.0 / math.pi, 4.0),
+)
+
+#: The paper's element: parabolic across, with the bias that its shape costs (see docs/explain/theory.md).
+PARABOLIC = Element(
+    name="parabolic",
+    line_factor=6.0,
+    hertz_ratio=math.sqrt(2.0 / 3.0),
+    centre_factor=0.75,
+    _constant=4.0 / 3.0,
+    _moments=(_parabolic_moment, _parabolic_slope_moment),
+    _closed_forms=_parabolic_closed_forms,
+    # A' = 3/2 (ln(2/t) - 1) + 1 - 1/4 = 3/2 (ln(2/t) - 1/2), B = 3 t ln(2/t)
+    _leading=(1.5, 2.0 / math.sqrt(math.e), 3.0, 2.0),
+)
+
+ELEMENTS = {element.name: element for element in (SEMI_ELLIPTIC, PARABOLIC)}
