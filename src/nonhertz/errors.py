@@ -6,6 +6,7 @@ that names the field, its value, the condition it breaks and the way out.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 
@@ -46,6 +47,29 @@ class InputError(NonhertzError, ValueError):
     def within(self, place: str) -> InputError:
         """Return the same complaint with the field named inside ``place``, such as ``"body.a"``."""
         return InputError(f"{place}.{self.field}", self.value, self.condition, self.remedy)
+
+
+class CaseError(NonhertzError):
+    """A case file that cannot be used, with everything that is wrong in it.
+
+    Parameters
+    ----------
+    mistakes : iterable of str
+        The mistakes, one sentence each.
+
+    Examples
+    --------
+    >>> error = CaseError(["title = 3 must be text: put it in quotes.", "[load] must be given: add it."])
+    >>> len(error.mistakes)
+    2
+    """
+
+    def __init__(self, mistakes: Iterable[str]) -> None:
+        self.mistakes = tuple(mistakes)
+        super().__init__(self.mistakes)
+
+    def __str__(self) -> str:
+        return "\n".join(self.mistakes)
 
 
 class ConvergenceError(NonhertzError):

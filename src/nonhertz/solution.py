@@ -35,13 +35,16 @@ class ErrorEstimate:
     Attributes
     ----------
     approach : float
-        |error of approach| / approach.
+        |error of approach| / approach; zero where the approach is prescribed.
+    load : float
+        |error of load| / load; zero where the load is prescribed.
     max_pressure : float
         |error of maximum pressure| / maximum pressure. Infinite where a sharp end makes the pressure
         singular: every refinement raises the maximum, so that it has no error but no limit.
     """
 
     approach: float
+    load: float
     max_pressure: float
 
 

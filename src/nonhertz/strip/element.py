@@ -181,6 +181,12 @@ def evaluate(t: float, table: tuple[Array, Array, Array]) -> tuple[float, float,
 
 
 @compiled
+def evaluate_displacement(t: float, table: tuple[Array, Array, Array]) -> float:
+    """Return A alone at one ``t``."""
+    return evaluate(t, table)[0]
+
+
+@compiled
 def _evaluate_all(t: Array, table: tuple[Array, Array, Array], values: Array) -> None:
     for i in range(t.size):
         values[i, 0], values[i, 1], values[i, 2], values[i, 3] = evaluate(t[i], table)

@@ -1,0 +1,154 @@
+"""The commands and their arguments.
+
+The docstrings are what ``--help`` prints.
+"""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import App, CycloptsError, Parameter
+
+import nonhertz
+from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
+from nonhertz.errors import AccuracyWarning, CaseError, ConvergenceError, InputError
+
+if TYPE_CHECKING:
+    from nonhertz.io.casefile import Case
+    from nonhertz.solution import Solution
+
+app = App(
+    name="nonhertz",
+    help="Elastic contact of rollers, raceways, gear teeth and wheels whose shape no Hertz formula fits.",
+    version=nonhertz.__version__,
+    exit_on_error=False,
+    print_error=False,
+    result_action="return_value",
+)
+
+
+def run(words: Sequence[str]) -> int:
+    """Run one command and return its exit code."""
+    try:
+        code = app(list(words))
+    except CycloptsError as error:
+        print(f"{' '.join(str(error).split()).rstrip('.')}; see 'nonhertz --help'.", file=sys.stderr)
+        return BAD_INPUT
+    return code if isinstance(code, int) else FINE
+
+
+@app.command
+def solve(
+    case: Path,
+    /,
+    *,
+    out: Path | None = None,
+    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+) -> int:
+    """Solve a case file and print a summary.
+
+    Exit codes: 0 fine, 1 not converged, 2 bad input, 3 internal error.
+
+    Parameters
+    ----------
+    case : Path
+        The case file; see 'nonhertz new'.
+    out : Path
+        Directory for result.json, table.csv and the figures; made if it does not exist.
+    as_json : bool
+        Print one JSON object with all numbers in place of the summary.
+    """
+    from nonhertz.io.casefile import read_case  # noqa: PLC0415
+    from nonhertz.io.results import as_json as json_text  # noqa: PLC0415
+
+    problem = read_case(case)
+    solution, complaint = _solved(problem)
+    written = _written(out, solution, problem.title) if out is not None else ()
+    if as_json:
+        print(json_text(solution, problem.title))
+    else:
+        from nonhertz.cli.summary import print_summary  # noqa: PLC0415
+
+        print_summary(solution, problem.title)
+        for path in written:
+            print(f"wrote {path}")
+    if complaint:
+        sys.stdout.flush()
+        print(complaint, file=sys.stderr)
+    return NOT_CONVERGED if complaint else FINE
+
+
+@app.command
+def check(case: Path, /) -> int:
+    """List all mistakes in a case file.
+
+    Parameters
+    ----------
+    case : Path
+        The case file.
+    """
+    from nonhertz.io.casefile import read_case  # noqa: PLC0415
+
+    try:
+        problem = read_case(case)
+        # What only the solver can see, such as a contact that nothing ends. It takes milliseconds.
+        _solved(problem)
+    except CaseError as error:
+        for number, mistake in enumerate(error.mistakes, start=1):
+            print(f"{number}. {mistake}")
+        return BAD_INPUT
+    low, high = problem.contact.interval
+    given = ", ".join(f"{name} = {value:g}" for name, value in problem.prescribed.items())
+    print(
+        f"{case} is fine: {problem.title!r}, bodies face each other from y = {low:g} to {high:g} mm, {given}."
+    )
+    return FINE
+
+
+@app.command
+def new(path: Path | None = None, /) -> int:
+    """Write a commented case file to start from.
+
+    Parameters
+    ----------
+    path : Path
+        Where to; an existing file is never overwritten. Left out, the file is printed.
+    """
+    from nonhertz.io.casefile import starting_case, write_starting_case  # noqa: PLC0415
+
+    if path is None:
+        print(starting_case(), end="")
+    else:
+        write_starting_case(path)
+        print(f"wrote {path}; solve it with: nonhertz solve {path}")
+    return FINE
+
+
+def _solved(case: Case) -> tuple[Solution, str]:
+    """Return the solution and, if it has not converged, what to say about that."""
+    with warnings.catch_warnings():
+        # The solution carries them, in words for people.
+        warnings.simplefilter("ignore", AccuracyWarning)
+        try:
+            return nonhertz.solve(case.contact, **case.prescribed, **case.solver), ""
+        except ConvergenceError as error:
+            return error.solution, str(error)
+        except InputError as error:
+            from nonhertz.io.casefile import placed  # noqa: PLC0415
+
+            raise CaseError([placed(error)]) from None
+
+
+def _written(directory: Path, solution: Solution, title: str) -> tuple[Path, ...]:
+    from nonhertz.io.results import write_results  # noqa: PLC0415
+    from nonhertz.plot import figures, save  # noqa: PLC0415
+
+    def draw(folder: Path) -> None:
+        for name, figure in figures(solution, title).items():
+            save(figure, folder / name)
+
+    return write_results(directory, solution, title, draw)

@@ -1,0 +1,70 @@
+"""The summary that ``nonhertz solve`` prints for people."""
+
+from __future__ import annotations
+
+import math
+
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from nonhertz.solution import Solution
+
+
+def print_summary(solution: Solution, title: str) -> None:
+    """Print what a solve found, with the errors that it estimates of itself."""
+    console = Console(highlight=False)
+    console.print(Text(title, style="bold"))
+    table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
+    for row in summary_rows(solution):
+        table.add_row(*(Text(cell) for cell in row))
+    console.print(table)
+    for warning in solution.warnings:
+        console.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
+
+
+def summary_rows(solution: Solution) -> list[tuple[str, str, str]]:
+    """Return name, value and remark of everything in the summary."""
+    estimate = solution.error_estimate
+    (by_approach, by_tilt), (moment_by_approach, moment_by_tilt) = solution.stiffness.tolist()
+    touching = "; ".join(f"{digits(low)} to {digits(high)}" for low, high in solution.contact_y)
+    return [
+        ("status", solution.status.label, solution.status.value),
+        ("approach", f"{digits(solution.approach)} mm", _error(estimate.approach)),
+        ("", f"{digits(1e3 * solution.approach)} um", ""),
+        ("tilt", f"{digits(1e3 * solution.tilt)} mrad", ""),
+        ("load", f"{digits(solution.load)} N", ""),
+        ("moment", f"{digits(solution.moment)} N mm", ""),
+        ("maximum pressure", f"{digits(solution.max_pressure)} MPa", _error(estimate.max_pressure)),
+        ("", f"at y = {digits(solution.max_pressure_y)} mm", ""),
+        ("largest half-width", f"{digits(float(solution.half_width.max()))} mm", ""),
+        ("contact along y", f"{touching} mm" if touching else "none", ""),
+        ("d load / d approach", f"{digits(by_approach)} N/mm", ""),
+        ("d load / d tilt", f"{digits(by_tilt)} N/rad", ""),
+        ("d moment / d approach", f"{digits(moment_by_approach)} N mm/mm", ""),
+        ("d moment / d tilt", f"{digits(moment_by_tilt)} N mm/rad", ""),
+        ("strips", str(solution.strips), solution.element.name),
+        ("Newton steps", str(solution.iterations), ""),
+    ]
+
+
+def digits(value: float, significant: int = 5) -> str:
+    """Return a number with so many significant digits, without an exponent where that can be read.
+
+    Examples
+    --------
+    >>> digits(0.0322131), digits(20000.0), digits(1.23456789e9), digits(0.0)
+    ('0.032213', '20000', '1.2346e+09', '0')
+    """
+    if value == 0.0 or not math.isfinite(value):
+        return f"{value:g}".replace("-0", "0")
+    decade = math.floor(math.log10(abs(value)))
+    if not -4 <= decade < 8:
+        return f"{value:.{significant - 1}e}"
+    return f"{value:.{max(0, significant - 1 - decade)}f}"
+
+
+def _error(relative: float) -> str:
+    if not math.isfinite(relative):
+        return "no limit: it grows with every refinement, as at a sharp end"
+    return f"discretisation error about {100.0 * relative:.1g} %"

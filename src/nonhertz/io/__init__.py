@@ -1,0 +1,1 @@
+"""Files in and out: case files, units, and results on disk."""

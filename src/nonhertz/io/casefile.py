@@ -1,0 +1,185 @@
+"""Case files: a TOML file to a `Contact` and what to solve it for.
+
+All mistakes of a file are found at once and raised together, in the words that the Python classes use.
+"""
+
+from __future__ import annotations
+
+import sys
+import tomllib
+from dataclasses import dataclass
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from nonhertz.errors import CaseError, InputError
+from nonhertz.model.contact import Contact
+
+_SECTIONS = {
+    "body": ("diameter", "length", "position"),
+    "load": ("load", "approach", "tilt", "moment"),
+    "solver": ("element", "strips"),
+}
+
+
+@dataclass(frozen=True)
+class Case:
+    """What a case file says.
+
+    Attributes
+    ----------
+    title : str
+        The title; the file's name if it has none.
+    contact : Contact
+        The two bodies.
+    prescribed : dict
+        Load or approach, tilt or moment: keywords for `nonhertz.solve`.
+    solver : dict
+        Element and strips: keywords for `nonhertz.solve`.
+    path : Path
+        The file.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder, "case.toml")
+    ...     _ = path.write_text(starting_case())
+    ...     case = read_case(path)
+    >>> case.prescribed["load"], case.contact.interval
+    (20000.0, (-10.0, 10.0))
+    """
+
+    title: str
+    contact: Contact
+    prescribed: dict[str, float]
+    solver: dict[str, Any]
+    path: Path
+
+
+def read_case(path: str | Path) -> Case:
+    """Return the case in a file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file; see docs/reference/case-file.md.
+
+    Returns
+    -------
+    Case
+        The contact and what to solve it for.
+
+    Raises
+    ------
+    CaseError
+        With every mistake in the file, one sentence each.
+    """
+    path = Path(path)
+    document = _parsed(path)
+
+    # Here and not above: pydantic and its schemas take a tenth of a second.
+    from pydantic import ValidationError  # noqa: PLC0415
+
+    from nonhertz.io.document import CaseTable  # noqa: PLC0415
+    from nonhertz.io.mistakes import mistakes_in  # noqa: PLC0415
+    from nonhertz.strip.element import ELEMENTS  # noqa: PLC0415
+
+    try:
+        table = CaseTable.model_validate(document, context={"folder": path.parent})
+    except ValidationError as error:
+        found = sorted(mistakes_in(error, CaseTable), key=lambda mistake: _position(document, mistake.place))
+        raise CaseError(mistake.sentence for mistake in found) from None
+    return Case(
+        title=table.title or path.stem,
+        contact=table.body.contact(),
+        prescribed=table.load.prescribed(),
+        solver={"element": ELEMENTS[table.solver.element], "strips": table.solver.strips},
+        path=path,
+    )
+
+
+def schema() -> dict[str, Any]:
+    """Return the JSON schema of a case file, with the meaning and the unit of every key."""
+    from nonhertz.io.document import CaseTable  # noqa: PLC0415  (pydantic is slow to import)
+
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | CaseTable.model_json_schema()
+
+
+def starting_case() -> str:
+    """Return a commented case file to start from."""
+    return resources.files("nonhertz.io").joinpath("starting_case.toml").read_text(encoding="utf-8")
+
+
+def write_starting_case(path: str | Path) -> None:
+    """Write `starting_case` to a new file.
+
+    Raises
+    ------
+    InputError
+        If there is such a file already, or it cannot be written.
+    """
+    text = starting_case()
+    try:
+        with Path(path).open("x", encoding="utf-8") as file:
+            file.write(text)
+    except FileExistsError:
+        remedy = "choose another name, since nothing is overwritten"
+        raise InputError("PATH", str(path), "not exist yet", remedy) from None
+    except (OSError, ValueError) as error:
+        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        raise InputError(
+            "PATH", str(path), f"be a file to write to ({reason})", "choose another name"
+        ) from None
+
+
+def placed(error: InputError) -> str:
+    """Return the sentence of a complaint that `nonhertz.solve` made, with the field as the file names it."""
+    for section, fields in _SECTIONS.items():
+        if error.field in fields:
+            return str(error.within(section))
+    return str(error)
+
+
+def _position(document: Any, place: tuple[str | int, ...]) -> tuple[int, ...]:
+    """Return where in the file a place comes, to sort by; what is missing comes after what is there."""
+    positions: list[int] = []
+    for part in place:
+        if isinstance(document, dict) and part in document:
+            positions.append(list(document).index(part))
+            document = document[part]
+        elif isinstance(document, list) and isinstance(part, int):
+            positions.append(part)
+            document = document[part - 1]
+        else:
+            return (*positions, sys.maxsize)
+    return tuple(positions)
+
+
+def _parsed(path: Path) -> dict[str, Any]:
+    try:
+        text = path.read_bytes().decode("utf-8-sig")
+    except FileNotFoundError:
+        way_out = "give the path of a case file, or begin with one from 'nonhertz new'"
+        raise CaseError([f"{path} must exist: {way_out}."]) from None
+    except IsADirectoryError:
+        raise CaseError([f"{path} must be a file, not a directory: give the path of a case file."]) from None
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        raise CaseError(
+            [f"{path}, line {line}, must be text in UTF-8: save the file with that encoding."]
+        ) from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise CaseError(
+            [f"{path} must be readable ({reason.lower()}): check path and permissions."]
+        ) from None
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        reason = str(error).rstrip(".")
+    except RecursionError:
+        reason = "lists or tables are nested too deeply"
+    except ValueError:  # Python's limit on the digits of an integer
+        reason = "a number has thousands of digits"
+    raise CaseError([f"{path} must be valid TOML: {reason[:1].lower()}{reason[1:]}."])

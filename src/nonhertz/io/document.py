@@ -1,0 +1,317 @@
+"""The tables of a case file, one class each, and what each key means.
+
+These classes are the border: pydantic finds unknown, missing and misplaced keys, and every value is put to
+the model's own check at once, key by key, so that one mistake does not hide the next. Keys that depend on
+others come after them. What a key means is written here once, for the JSON schema, the messages and the
+reference.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated, Any, Self, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Field,
+    PlainValidator,
+    ValidationError,
+    ValidationInfo,
+    ValidatorFunctionWrapHandler,
+    WithJsonSchema,
+    field_validator,
+    model_validator,
+)
+
+from nonhertz.errors import InputError
+from nonhertz.io.mistakes import Mistake, TableError, missing, mistake_in, mistakes_in, nearest, unknown
+from nonhertz.io.profiles import BROKEN, profile_schema, quantity_schema, read_profile
+from nonhertz.io.units import in_unit
+from nonhertz.model.body import Body, TabulatedDiameter
+from nonhertz.model.checks import finite, positive
+from nonhertz.model.contact import Contact
+from nonhertz.model.material import MATERIALS, STEEL, Material
+from nonhertz.model.profile import Profile, straight
+
+_FAR_AWAY = 1e3  # mm; how far an unbounded contact is looked at before it is solved
+
+
+class Table(BaseModel):
+    """A table of a case file; unknown keys are mistakes."""
+
+    model_config = ConfigDict(extra="forbid", arbitrary_types_allowed=True)
+
+
+AnyTable = TypeVar("AnyTable", bound=Table)
+
+
+def _read_table(table: type[AnyTable], value: Any) -> AnyTable:
+    try:
+        return table.model_validate(value)
+    except ValidationError as error:
+        raise TableError(mistakes_in(error, table)) from None
+
+
+def _quantity(unit: str) -> PlainValidator:
+    def read(value: Any, info: ValidationInfo) -> Any:
+        return in_unit(str(info.field_name), value, unit)
+
+    return PlainValidator(read)
+
+
+def _quantities(unit: str) -> PlainValidator:
+    def read(value: Any, info: ValidationInfo) -> Any:
+        name = str(info.field_name)
+        if not isinstance(value, list):
+            raise InputError(name, value, "be a list of numbers", f"write [..., ...], in {unit}")
+        values = [in_unit(name, entry, unit) for entry in value]
+        for entry in values:
+            finite(name, entry, f"give numbers in {unit}")
+        return tuple(values)
+
+    return PlainValidator(read)
+
+
+def _list_schema(unit: str) -> WithJsonSchema:
+    return WithJsonSchema({"type": "array", "items": quantity_schema(unit), "minItems": 2})
+
+
+Number = Annotated[float, _quantity(""), WithJsonSchema(quantity_schema(""))]
+Length = Annotated[float, _quantity("mm"), WithJsonSchema(quantity_schema("mm"))]
+Lengths = Annotated[tuple[float, ...], _quantities("mm"), _list_schema("mm")]
+Stress = Annotated[float, _quantity("MPa"), WithJsonSchema(quantity_schema("MPa"))]
+Force = Annotated[float, _quantity("N"), WithJsonSchema(quantity_schema("N"))]
+Angle = Annotated[float, _quantity("rad"), WithJsonSchema(quantity_schema("rad"))]
+Moment = Annotated[float, _quantity("N mm"), WithJsonSchema(quantity_schema("N mm"))]
+# For the body's own checks to refuse.
+Word = Annotated[str, PlainValidator(lambda value: value), WithJsonSchema({"type": "string"})]
+
+
+class MaterialTable(Table):
+    """A linear elastic material."""
+
+    modulus: Stress = Field(description="Young's modulus [MPa]")
+    poisson: Number = Field(description="Poisson's ratio, in (-1, 0.5]")
+
+    @field_validator("modulus", "poisson")
+    @classmethod
+    def _check(cls, value: float, info: ValidationInfo) -> float:
+        dataclasses.replace(STEEL, **{str(info.field_name): value})
+        return value
+
+
+def _read_material(value: Any) -> Material:
+    if isinstance(value, dict):
+        table = _read_table(MaterialTable, value)
+        return Material(modulus=table.modulus, poisson=table.poisson)
+    if not isinstance(value, str):
+        remedy = "give a name such as 'steel' or a table { modulus = 207000, poisson = 0.3 }"
+        raise InputError("material", value, "be a name or a table", remedy)
+    if value not in MATERIALS:
+        raise unknown("material", value, "material", value, MATERIALS)
+    return MATERIALS[value]
+
+
+class DiameterTable(Table):
+    """A diameter that changes along the axis, linear between points."""
+
+    y: Lengths = Field(description="axial positions from the middle of the body [mm], ascending")
+    diameter: Lengths = Field(description="diameters there [mm], all of one sign")
+
+
+def _read_diameter(value: Any) -> Any:
+    if not isinstance(value, dict):
+        return in_unit("diameter", value, "mm")
+    table = _read_table(DiameterTable, value)
+    try:
+        return TabulatedDiameter(y=table.y, diameter=table.diameter)
+    except InputError as error:
+        raise TableError([mistake_in(error.field, error, None)]) from None
+
+
+def _read_profile(value: Any, info: ValidationInfo) -> Profile:
+    # A key that was refused is not among the data.
+    body = {name: info.data.get(name, BROKEN) for name in ("length", "diameter")}
+    folder = (info.context or {}).get("folder", Path())
+    return read_profile(value, body, folder)
+
+
+class BodyTable(Table):
+    """One of the two bodies."""
+
+    diameter: Annotated[
+        Any, PlainValidator(_read_diameter, json_schema_input_type=Length | DiameterTable)
+    ] = Field(
+        default=None,
+        description="diameter across the contact [mm], negative where concave, or a table of y and diameter; "
+        "a flat body has none",
+    )
+    length: Length | None = Field(
+        default=None, description="distance between the side faces [mm]; an unbounded body has none"
+    )
+    effective_length: Length | None = Field(
+        default=None,
+        description="length in the middle that can touch [mm]; chamfers or undercuts take the rest away",
+    )
+    position: Length = Field(default=0.0, description="axial position of the middle of the body [mm]")
+    material: Annotated[
+        Material, PlainValidator(_read_material, json_schema_input_type=Word | MaterialTable)
+    ] = Field(default=STEEL, description="name of a material, or a table of modulus and poisson")
+    profile: Annotated[Profile, PlainValidator(_read_profile), WithJsonSchema(profile_schema())] = Field(
+        default_factory=straight, description="relief along the axis: a list of profiles, which add"
+    )
+    side_faces: Word = Field(default="none", description="correction for finite length: 'none'")
+    depth: Word = Field(default="none", description="correction for finite thickness: 'none'")
+
+    @field_validator("diameter", "length", "position", "side_faces", "depth")
+    @classmethod
+    def _check(cls, value: Any, info: ValidationInfo) -> Any:
+        Body(**{str(info.field_name): value})
+        return value
+
+    @field_validator("effective_length")
+    @classmethod
+    def _check_effective_length(cls, value: float, info: ValidationInfo) -> float:
+        Body(effective_length=value, length=info.data.get("length"))
+        return value
+
+    def body(self) -> Body:
+        """Return the body."""
+        return Body(**{name: getattr(self, name) for name in type(self).model_fields})
+
+
+class BodiesTable(Table):
+    """The two bodies."""
+
+    a: BodyTable = Field(description="one body")
+    b: BodyTable = Field(description="the other body")
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        try:
+            contact = self.contact()
+            contact.curvature(_sampled(contact.interval))
+        except InputError as error:
+            place = ("b", error.field) if error.field == "position" else (error.field,)
+            raise TableError([Mistake(place, error)]) from None
+        return self
+
+    def contact(self) -> Contact:
+        """Return the contact of both bodies."""
+        return Contact(self.a.body(), self.b.body())
+
+
+def _sampled(interval: tuple[float, float]) -> NDArray[np.float64]:
+    """Return positions to try a contact at; the solver tries its own strips again."""
+    low, high = (min(max(end, -_FAR_AWAY), _FAR_AWAY) for end in interval)
+    return np.linspace(low, high, 1001)
+
+
+# In the words of `nonhertz.solve`, which refuses the same values.
+_LOAD_CHECKS: dict[str, tuple[Callable[[str, float, str], None], str]] = {
+    "load": (positive, "give the force in N that presses the bodies together"),
+    "approach": (finite, "give the approach in mm"),
+    "tilt": (finite, "give the tilt in rad"),
+    "moment": (finite, "give the moment in N mm"),
+}
+
+
+class LoadTable(Table):
+    """What presses the bodies together: load or approach, and tilt or moment."""
+
+    load: Force | None = Field(default=None, description="load that presses the bodies together [N]")
+    approach: Length | None = Field(default=None, description="approach of the bodies [mm], in place of load")
+    tilt: Angle | None = Field(
+        default=None, description="tilt [rad], positive loads the side of positive y; 0 if left out"
+    )
+    moment: Moment | None = Field(
+        default=None, description="moment of the pressure about y = 0 [N mm], in place of tilt"
+    )
+
+    @field_validator("load", "approach", "tilt", "moment")
+    @classmethod
+    def _check(cls, value: float, info: ValidationInfo) -> float:
+        name = str(info.field_name)
+        check, remedy = _LOAD_CHECKS[name]
+        check(name, value, remedy)
+        return value
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _check_pairs(cls, value: Any, read: ValidatorFunctionWrapHandler) -> LoadTable:
+        if not isinstance(value, dict):
+            refused: LoadTable = read(value)
+            return refused
+        mistakes = _pair_mistakes(value)
+        try:
+            table: LoadTable = read(value)
+        except ValidationError as error:
+            mistakes = mistakes_in(error, cls) + mistakes
+        if mistakes:
+            raise TableError(mistakes)
+        return table
+
+    def prescribed(self) -> dict[str, float]:
+        """Return the quantities that are given."""
+        return {name: value for name, value in self if value is not None}
+
+
+def _pair_mistakes(given: dict[str, Any]) -> list[Mistake]:
+    mistakes = [
+        Mistake(
+            (second,), InputError(second, given[second], f"not stand beside {first}", "leave one of them out")
+        )
+        for first, second in (("load", "approach"), ("tilt", "moment"))
+        if first in given and second in given
+    ]
+    # An unknown key that looks like one of them is complained of already.
+    meant = {nearest(key, LoadTable.model_fields) for key in given}
+    if not meant & {"load", "approach"}:
+        mistakes.append(missing(("load",), "give the load in N, or an approach in mm"))
+    return mistakes
+
+
+def _read_element(value: Any) -> str:
+    # Here and not above: the elements bring the compiler along, which takes a third of a second.
+    from nonhertz.strip.element import ELEMENTS  # noqa: PLC0415
+
+    if not isinstance(value, str) or value not in ELEMENTS:
+        raise unknown("element", value, "element", str(value), ELEMENTS)
+    return value
+
+
+def _read_strips(value: Any) -> int | str:
+    if value == "auto":
+        return "auto"
+    if isinstance(value, int) and not isinstance(value, bool) and 3 <= value <= 2000:
+        return value
+    raise InputError(
+        "strips", value, "be 'auto' or a whole number from 3 to 2000", "leave it out for an automatic grid"
+    )
+
+
+class SolverTable(Table):
+    """How it is solved."""
+
+    element: Annotated[str, PlainValidator(_read_element), WithJsonSchema({"type": "string"})] = Field(
+        default="semi-elliptic", description="strip element: 'semi-elliptic' or 'parabolic'"
+    )
+    strips: Annotated[
+        int | str,
+        PlainValidator(_read_strips),
+        WithJsonSchema({"anyOf": [{"const": "auto"}, {"type": "integer", "minimum": 3, "maximum": 2000}]}),
+    ] = Field(default="auto", description="'auto', or a number: that many, equally wide")
+
+
+class CaseTable(Table):
+    """A case file."""
+
+    title: str = Field(default="", description="what the case is called in tables and figures")
+    body: BodiesTable = Field(description="the two bodies")
+    load: LoadTable = Field(description="what presses them together")
+    solver: SolverTable = Field(default_factory=SolverTable, description="how it is solved")

@@ -1,0 +1,176 @@
+"""What is wrong in a case file, gathered with its place and told in the package's own words.
+
+pydantic walks a file's tables and collects what its validators refuse; here its findings become sentences of
+the one shape that all complaints have, `InputError`, so that a file and a Python call are answered alike.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from nonhertz.errors import InputError
+
+Place = tuple[str | int, ...]
+
+_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+
+
+class InFile(str):
+    """A place inside a file that a key names; not a key itself."""
+
+    __slots__ = ()
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """One thing that is wrong, at a place in the file.
+
+    Parameters
+    ----------
+    place : tuple of str and int
+        Keys from the outside in; positions in lists count from 1, as people do.
+    error : InputError
+        The complaint. Its own field name is replaced by the place.
+    absent : bool
+        Whether there is no value to show, because the key is missing.
+    """
+
+    place: Place
+    error: InputError
+    absent: bool = False
+
+    def within(self, place: Place) -> Mistake:
+        """Return the same mistake with its place inside ``place``."""
+        return Mistake((*place, *self.place), self.error, self.absent)
+
+    @property
+    def sentence(self) -> str:
+        """What the user reads."""
+        path = path_of(self.place)
+        if self.absent:
+            return f"{path} must {self.error.condition}: {self.error.remedy}."
+        return str(InputError(path, self.error.value, self.error.condition, self.error.remedy))
+
+
+class TableError(ValueError):
+    """Several mistakes in one part of a file; what a validator raises that found more than one."""
+
+    def __init__(self, mistakes: Iterable[Mistake]) -> None:
+        self.mistakes = tuple(mistakes)
+        super().__init__(self.mistakes)
+
+
+def path_of(place: Place) -> str:
+    """Return a place as people read it.
+
+    Examples
+    --------
+    >>> path_of(("body", "a", "profile", 1, "radius"))
+    'body.a.profile[1].radius'
+    """
+    path = ""
+    for part in place:
+        if isinstance(part, int):
+            path += f"[{part}]"
+        elif isinstance(part, InFile):
+            path += f", {part}"
+        else:
+            path += ("." if path else "") + (part if _BARE_KEY.fullmatch(part) else json.dumps(part))
+    return path
+
+
+def nearest(word: str, known: Iterable[str]) -> str | None:
+    """Return the known word that looks most like ``word``, None if none does."""
+    spelled = {name.lower(): name for name in known}
+    begun = [name for name in spelled if len(word) > 2 and name.startswith(word.lower())]
+    matches = difflib.get_close_matches(word.lower(), spelled, n=1) or (begun if len(begun) == 1 else [])
+    return spelled[matches[0]] if matches else None
+
+
+def unknown(field: str, value: object, what: str, word: str, known: Iterable[str]) -> InputError:
+    """Return the complaint about a word that is not among the known ones; it suggests the nearest."""
+    known = tuple(known)
+    match = nearest(word, known)
+    remedy = f"the nearest is '{match}'" if match else "known are " + ", ".join(f"'{name}'" for name in known)
+    return InputError(field, value, f"be a known {what}", remedy)
+
+
+def missing(place: Place, remedy: str) -> Mistake:
+    """Return the complaint about a key that is not there."""
+    return Mistake(place, InputError("", None, "be given", remedy), absent=True)
+
+
+def mistake_in(field: str, error: InputError, value: object) -> Mistake:
+    """Return the mistake that a field's own check found, showing text as the user wrote it."""
+    shown = value if isinstance(value, str) else error.value
+    place = (field,) if error.field == field else (field, error.field)
+    return Mistake(place, InputError(error.field, shown, error.condition, error.remedy))
+
+
+def mistakes_in(error: ValidationError, table: type[BaseModel]) -> list[Mistake]:
+    """Return what pydantic found wrong with a table, in the package's words.
+
+    A missing key is not mentioned where an unknown one looks like it: that is one mistake, not two.
+    """
+    found: list[Mistake] = []
+    misspelled: set[Place] = set()
+    absent: list[Mistake] = []
+    for item in error.errors(include_url=False):
+        place: Place = tuple(part + 1 if isinstance(part, int) else part for part in item["loc"])
+        if item["type"] == "missing":
+            absent.append(missing(place, _way_out(table, place)))
+        elif item["type"] == "extra_forbidden":
+            known = _table_at(table, place[:-1]).model_fields
+            word = str(place[-1])
+            found.append(Mistake(place, unknown(word, item["input"], "key", word, known)))
+            misspelled.add((*place[:-1], nearest(word, known) or word))
+        else:
+            found.extend(_told(item, place))
+    return found + [mistake for mistake in absent if mistake.place not in misspelled]
+
+
+def _told(item: Any, place: Place) -> list[Mistake]:
+    value = item["input"]
+    match item["type"]:
+        case "model_type" | "model_attributes_type" | "dict_type":
+            remedy = f"write it under a heading [{path_of(place)}]"
+            return [Mistake(place, InputError("", value, "be a section", remedy))]
+        case "string_type":
+            return [Mistake(place, InputError("", value, "be text", "put it in quotes"))]
+    raised = item.get("ctx", {}).get("error")
+    if isinstance(raised, TableError):
+        return [mistake.within(place) for mistake in raised.mistakes]
+    if isinstance(raised, InputError):
+        if place and raised.field == place[-1]:
+            return [mistake_in(raised.field, raised, value).within(place[:-1])]
+        return [Mistake((*place, raised.field), raised)]
+    raise AssertionError(f"no words for pydantic's {item['type']!r} at {path_of(place)}")
+
+
+def _table_at(table: type[BaseModel], place: Place) -> type[BaseModel]:
+    for part in place:
+        inner = table.model_fields[str(part)].annotation
+        assert isinstance(inner, type)
+        assert issubclass(inner, BaseModel)
+        table = inner
+    return table
+
+
+def _way_out(table: type[BaseModel], place: Place) -> str:
+    field = _table_at(table, place[:-1]).model_fields[str(place[-1])]
+    if not _is_table(field.annotation):
+        return f"give {field.description}"
+    inner = _table_at(table, place).model_fields
+    headings = [f"[{path_of((*place, name))}]" for name in inner if _is_table(inner[name].annotation)]
+    return "write it under a heading " + (" and ".join(headings) or f"[{path_of(place)}]")
+
+
+def _is_table(annotation: object) -> bool:
+    return isinstance(annotation, type) and issubclass(annotation, BaseModel)

@@ -1,0 +1,287 @@
+"""Profile tables of a case file: ``{ kind = "crown", radius = 4000.0 }`` to a `Profile`.
+
+The catalogue's functions say which parameters a kind takes, their defaults and their meaning; nothing of that
+is repeated here, so that a profile added to the catalogue can be written in a case file at once.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from nonhertz.errors import InputError
+from nonhertz.io.mistakes import InFile, Mistake, TableError, missing, mistake_in, nearest, unknown
+from nonhertz.io.units import in_unit
+from nonhertz.model.profile import CATALOGUE, PARAMETER_UNITS, Profile, from_file
+
+#: Stands for a value of the body that is itself mistaken.
+BROKEN = object()
+
+_LIST_REMEDY = "write a list of tables such as [{ kind = 'crown', radius = 4000.0 }]"
+# What every table may carry beside its kind's own parameters.
+_COMMON_UNITS = {"shift": "mm", "scale": ""}
+_COMMON_MEANINGS = {
+    "shift": "How far to move the profile towards positive y [mm].",
+    "scale": "Factor on the relief.",
+}
+_FILE_MEANING = "Text file of two columns, y and relief [mm]; its path is relative to the case file."
+# Parameters that say how large the body is; left out of a table, they are taken from the body.
+_OF_THE_BODY = ("length", "diameter")
+# Harmless values for parameters that are missing or mistaken, tried to learn whether the others are sound.
+_STAND_INS = (0.5, 1e-3, 7.0, 1e4)
+
+
+def read_profile(value: Any, body: Mapping[str, Any], folder: Path) -> Profile:
+    """Return the sum of the profiles in a list of tables, or the profile of one table.
+
+    Parameters
+    ----------
+    value : object
+        What the case file holds.
+    body : mapping
+        The body's own ``length`` and ``diameter``: a number, None where it has none, or `BROKEN`.
+    folder : Path
+        What file names are relative to.
+
+    Returns
+    -------
+    Profile
+        The sum.
+
+    Raises
+    ------
+    TableError
+        Everything that is wrong, placed relative to ``value``.
+    """
+    if isinstance(value, dict):
+        return _read_table(value, body, folder)
+    if not isinstance(value, list):
+        raise InputError("profile", value, "be a list of tables", _LIST_REMEDY)
+    total: Profile = CATALOGUE["straight"]()
+    mistakes: list[Mistake] = []
+    for position, table in enumerate(value, start=1):
+        try:
+            total += _read_table(table, body, folder)
+        except TableError as found:
+            mistakes += (mistake.within((position,)) for mistake in found.mistakes)
+    if mistakes:
+        raise TableError(mistakes)
+    return total
+
+
+def profile_schema() -> dict[str, Any]:
+    """Return the JSON schema of what `read_profile` takes."""
+    tables = {"anyOf": [_kind_schema(kind) for kind in CATALOGUE]}
+    return {"anyOf": [tables, {"type": "array", "items": tables}]}
+
+
+def quantity_schema(unit: str) -> dict[str, Any]:
+    """Return the JSON schema of a quantity in ``unit``."""
+    if not unit:
+        return {"type": "number"}
+    return {"anyOf": [{"type": "number"}, {"type": "string"}], "unit": unit}
+
+
+def _read_table(table: Any, body: Mapping[str, Any], folder: Path) -> Profile:
+    if not isinstance(table, dict):
+        raise TableError([Mistake((), InputError("", table, "be a table", _LIST_REMEDY))])
+    if "kind" not in table:
+        raise TableError([missing(("kind",), "name the profile, such as kind = 'crown'")])
+    kind = table["kind"]
+    if not isinstance(kind, str) or kind not in CATALOGUE:
+        raise TableError([Mistake(("kind",), unknown("kind", kind, "profile", str(kind), CATALOGUE))])
+    return _Reader(kind, table, body, folder).read()
+
+
+class _Reader:
+    """Reads one table, going on after a mistake as far as it can see."""
+
+    def __init__(self, kind: str, table: Mapping[str, Any], body: Mapping[str, Any], folder: Path) -> None:
+        self.kind = kind
+        self.table = {key: value for key, value in table.items() if key != "kind"}
+        self.body = body
+        self.folder = folder
+        self.parameters = inspect.signature(CATALOGUE[kind]).parameters
+        self.values: dict[str, Any] = {}
+        self.mistaken: set[str] = set()
+        self.mistakes: list[Mistake] = []
+
+    def read(self) -> Profile:
+        """Return the profile, or raise `TableError`."""
+        self._take_values()
+        from_points = self.kind == "tabulated" and "file" in self.table
+        if from_points:
+            self._refuse_points_beside_file()
+        else:
+            self._take_from_body()
+        common = {name: self.values.pop(name) for name in _COMMON_UNITS if name in self.values}
+        profile = self._from_file() if from_points else self._made()
+        for name, change in (("scale", profile.scaled), ("shift", profile.shifted)):
+            if name in common:
+                try:
+                    profile = change(common[name])
+                except InputError as error:
+                    self._note(name, InputError(name, error.value, error.condition, error.remedy))
+        if self.mistakes:
+            raise TableError(self.mistakes)
+        return profile
+
+    def _note(self, name: str, error: InputError) -> None:
+        self.mistaken.add(name)
+        self.values.pop(name, None)
+        self.mistakes.append(mistake_in(name, error, self.table.get(name)))
+
+    def _take_values(self) -> None:
+        known = _known_keys(self.kind)
+        for name, value in self.table.items():
+            if name not in known:
+                error = unknown(name, value, f"parameter of '{self.kind}'", name, known)
+                self.mistakes.append(Mistake((name,), error))
+                # Whoever writes "radus" has not forgotten the radius.
+                self.mistaken |= {nearest(name, known) or name}
+                continue
+            try:
+                self.values[name] = self._value(name, value)
+            except InputError as error:
+                self._note(name, error)
+
+    def _value(self, name: str, value: Any) -> Any:
+        unit = _COMMON_UNITS.get(name, PARAMETER_UNITS.get(name))
+        if unit is not None:
+            if isinstance(value, list):
+                return [in_unit(name, entry, unit) for entry in value]
+            return in_unit(name, value, unit)
+        if name in self.parameters and isinstance(self.parameters[name].default, bool):
+            if not isinstance(value, bool):
+                raise InputError(name, value, "be true or false", "write it without quotes")
+        elif not isinstance(value, str):
+            raise InputError(name, value, "be text", "put it in quotes")
+        return value
+
+    def _refuse_points_beside_file(self) -> None:
+        for name in ("y", "relief"):
+            if name in self.values:
+                self._note(
+                    name, InputError(name, self.table[name], "not stand beside file", "keep one of them")
+                )
+
+    def _take_from_body(self) -> None:
+        for name, parameter in self.parameters.items():
+            if name in self.values or name in self.mistaken or parameter.default is not parameter.empty:
+                continue
+            own = self.body.get(name) if name in _OF_THE_BODY else None
+            if own is BROKEN:
+                self.mistaken.add(name)
+            elif isinstance(own, float):
+                self.values[name] = own
+            else:
+                self.mistaken.add(name)
+                if self.kind != "tabulated" or name == "y" or "y" in self.table:
+                    self.mistakes.append(missing((name,), self._way_out(name)))
+
+    def _way_out(self, name: str) -> str:
+        if self.kind == "tabulated":
+            return "give the lists y and relief, or a file"
+        unit = PARAMETER_UNITS.get(name)
+        here = f"'{self.kind}' needs it" + (f", in {unit}" if unit else "")
+        return f"{here}, unless the body has one" if name in _OF_THE_BODY else here
+
+    def _from_file(self) -> Profile:
+        options = {name: self.values[name] for name in ("interpolation",) if name in self.values}
+        name = self.values.get("file")
+        if name is None:
+            return CATALOGUE["straight"]()
+        try:
+            return from_file(self.folder / name, **options)
+        except InputError as error:
+            if error.field == "path":
+                self._note("file", InputError("file", name, error.condition, error.remedy))
+            elif error.field in options:
+                self._note(error.field, error)
+            else:
+                self.mistakes.append(Mistake(("file", InFile(error.field)), error))
+        except ValueError:  # what no file can be called, such as a name with a null character
+            self._note("file", InputError("file", name, "be the name of a file", "correct it"))
+        return CATALOGUE["straight"]()
+
+    def _made(self) -> Profile:
+        make = CATALOGUE[self.kind]
+        # Each round finds one more mistaken parameter; its value is not used in the next.
+        for _ in range(len(self.parameters) + 1):
+            made = self._attempt(make)
+            if isinstance(made, Profile):
+                return made
+            if made is None:
+                break
+            self._note(made.field, made)
+        return CATALOGUE["straight"]()
+
+    def _attempt(self, make: Callable[..., Profile]) -> Profile | InputError | None:
+        """Return the profile, or a complaint about a parameter not complained of so far; None if neither.
+
+        With mistaken parameters replaced by stand-ins, a complaint counts only if it comes whatever they are:
+        it is then about a value that the user gave, and not about how that value goes with a stand-in.
+        """
+        open_names = [
+            name
+            for name, parameter in self.parameters.items()
+            if name in self.mistaken and parameter.default is parameter.empty
+        ]
+        complaints: list[InputError] = []
+        for stand_in in _STAND_INS if open_names else (0.0,):
+            try:
+                return make(**self.values, **dict.fromkeys(open_names, stand_in))
+            except InputError as error:
+                complaints.append(error)
+            except (ArithmeticError, TypeError, ValueError):
+                if not open_names:
+                    raise
+        about = [error for error in complaints if error.field not in self.mistaken]
+        return about[0] if about and all(error.field == about[0].field for error in about) else None
+
+
+def _known_keys(kind: str) -> tuple[str, ...]:
+    parameters = inspect.signature(CATALOGUE[kind]).parameters
+    return (*parameters, *_COMMON_UNITS, *(("file",) if kind == "tabulated" else ()))
+
+
+def _kind_schema(kind: str) -> dict[str, Any]:
+    function = CATALOGUE[kind]
+    meanings = _meanings(function)
+    properties: dict[str, Any] = {"kind": {"const": kind}}
+    required = ["kind"]
+    for name, parameter in inspect.signature(function).parameters.items():
+        properties[name] = _parameter_schema(name, parameter) | {"description": meanings.get(name, "")}
+        if parameter.default is parameter.empty and name not in _OF_THE_BODY and kind != "tabulated":
+            required.append(name)
+    for name, unit in _COMMON_UNITS.items():
+        properties[name] = quantity_schema(unit) | {"description": _COMMON_MEANINGS[name]}
+    if kind == "tabulated":
+        properties["file"] = {"type": "string", "description": _FILE_MEANING}
+    return {
+        "type": "object",
+        "title": kind,
+        "description": re.sub(r"^Return (the|an?) ", "", (inspect.getdoc(function) or "").partition("\n")[0]),
+        "properties": properties,
+        "required": required,
+        "additionalProperties": False,
+    }
+
+
+def _parameter_schema(name: str, parameter: inspect.Parameter) -> dict[str, Any]:
+    if name not in PARAMETER_UNITS:
+        return {"type": "boolean" if isinstance(parameter.default, bool) else "string"}
+    schema = quantity_schema(PARAMETER_UNITS[name])
+    return {"type": "array", "items": schema} if "Sequence" in str(parameter.annotation) else schema
+
+
+def _meanings(function: Callable[..., Any]) -> dict[str, str]:
+    """Return what a function's docstring says of each parameter."""
+    section = re.search(
+        r"^Parameters\n-+\n(.*?)(?:\n\n|\Z)", inspect.getdoc(function) or "", re.DOTALL | re.MULTILINE
+    )
+    entries = re.findall(r"^(\w+) : .*\n((?:    .*\n?)+)", section[1] if section else "", re.MULTILINE)
+    return {name: " ".join(text.split()) for name, text in entries}

@@ -1,0 +1,174 @@
+"""A solution as text and on disk: one JSON object, one table, and whatever figures the caller draws."""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import io
+import json
+import math
+import os
+import shutil
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nonhertz.errors import InputError
+from nonhertz.solution import Solution
+
+#: Units of the numbers in a result; what has no unit is left out.
+UNITS: dict[str, Any] = {
+    "approach": "mm",
+    "tilt": "rad",
+    "load": "N",
+    "moment": "N mm",
+    "max_pressure": "MPa",
+    "max_pressure_y": "mm",
+    "contact_y": "mm",
+    "stiffness": [["N/mm", "N/rad"], ["N mm/mm", "N mm/rad"]],
+    "y": "mm",
+    "strip_width": "mm",
+    "line_load": "N/mm",
+    "peak_pressure": "MPa",
+    "half_width": "mm",
+    "gap": "mm",
+}
+_COLUMNS = ("y", "strip_width", "line_load", "peak_pressure", "half_width", "gap")
+_OUT_REMEDY = "give a directory to write to"
+
+
+def as_object(solution: Solution, title: str) -> dict[str, Any]:
+    """Return a solution as plain numbers, text, lists and dictionaries.
+
+    Numbers are as the solver has them; one that is not finite is None, since JSON has no infinity. Such is
+    the error estimate of the maximum pressure where a sharp end makes the pressure singular.
+    """
+    return {
+        "title": title,
+        "status": solution.status.label,
+        "element": solution.element.name,
+        "approach": _plain(solution.approach),
+        "tilt": _plain(solution.tilt),
+        "load": _plain(solution.load),
+        "moment": _plain(solution.moment),
+        "max_pressure": _plain(solution.max_pressure),
+        "max_pressure_y": _plain(solution.max_pressure_y),
+        "contact_y": _plain(solution.contact_y),
+        "stiffness": _plain(solution.stiffness),
+        "iterations": int(solution.iterations),
+        "strips": solution.strips,
+        "error_estimate": {name: _plain(value) for name, value in vars(solution.error_estimate).items()},
+        "warnings": list(solution.warnings),
+        "units": UNITS,
+        **{name: _plain(getattr(solution, name)) for name in _COLUMNS},
+    }
+
+
+def as_json(solution: Solution, title: str) -> str:
+    """Return `as_object` as JSON text, one key to a line."""
+    entries = (
+        f"  {json.dumps(key)}: {json.dumps(value, allow_nan=False)}"
+        for key, value in as_object(solution, title).items()
+    )
+    return "{\n" + ",\n".join(entries) + "\n}"
+
+
+def as_table(solution: Solution) -> str:
+    """Return the strips as comma-separated values, a line of names and units first."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(f"{name} [{UNITS[name]}]" for name in _COLUMNS)
+    columns = (getattr(solution, name).tolist() for name in _COLUMNS)
+    writer.writerows(zip(*columns, strict=True))
+    return text.getvalue()
+
+
+def write_results(
+    directory: str | Path, solution: Solution, title: str, draw: Callable[[Path], object] | None = None
+) -> tuple[Path, ...]:
+    """Write result.json, table.csv and what ``draw`` writes into a directory, all of them or none.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Where to; made if it does not exist. Files of the same names are replaced.
+    solution : Solution
+        What to write.
+    title : str
+        What it is called.
+    draw : callable or None
+        Writes further files, figures that is, into the directory that it is given.
+
+    Returns
+    -------
+    tuple of Path
+        The files.
+
+    Raises
+    ------
+    InputError
+        If the directory cannot be written to.
+    """
+    directory = Path(directory)
+    try:
+        with _directory(directory), _drafts(directory) as drafts:
+            (drafts / "result.json").write_text(as_json(solution, title) + "\n", encoding="utf-8")
+            (drafts / "table.csv").write_text(as_table(solution), encoding="utf-8")
+            if draw is not None:
+                draw(drafts)
+            return _moved(drafts, directory)
+    except OSError as error:
+        reason = (error.strerror or str(error)).lower()
+        raise InputError(
+            "--out", str(directory), f"be a directory to write to ({reason})", "choose another"
+        ) from None
+
+
+@contextlib.contextmanager
+def _directory(directory: Path) -> Iterator[None]:
+    """Make a directory, and take it away again if what follows fails."""
+    if directory.exists() and not directory.is_dir():
+        raise InputError("--out", str(directory), "be a directory, not a file", _OUT_REMEDY)
+    made = [path for path in (directory, *directory.parents) if not path.exists()]
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+        yield
+    except BaseException:
+        for path in made:
+            with contextlib.suppress(OSError):
+                path.rmdir()
+        raise
+
+
+@contextlib.contextmanager
+def _drafts(directory: Path) -> Iterator[Path]:
+    # Inside the directory and not beside it: moving is only whole within one file system.
+    drafts = Path(tempfile.mkdtemp(prefix=".nonhertz-", dir=directory))
+    try:
+        yield drafts
+    finally:
+        shutil.rmtree(drafts, ignore_errors=True)
+
+
+def _moved(drafts: Path, directory: Path) -> tuple[Path, ...]:
+    files = [(draft, directory / draft.name) for draft in sorted(drafts.iterdir())]
+    for _, target in files:
+        if target.is_dir():
+            raise InputError(
+                "--out", str(directory), f"not hold a directory named {target.name}", _OUT_REMEDY
+            )
+    for draft, target in files:
+        os.replace(draft, target)  # noqa: PTH105  (says that it replaces)
+    return tuple(target for _, target in files)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, np.ndarray):
+        return _plain(value.tolist())
+    if isinstance(value, list | tuple):
+        return [_plain(entry) for entry in value]
+    number = float(value)
+    return number if math.isfinite(number) else None

@@ -1,0 +1,134 @@
+"""Quantities as people write them: a number, or text such as ``"0.5 mrad"``, to a number in the base units.
+
+Everything inside the package is in mm, N, MPa and rad. This module alone knows other units, and alone imports
+pint, which takes a quarter of a second: not before a text with a unit comes along.
+Text is taken apart here and pint sees the unit alone, because its own reader evaluates arithmetic and would
+happily work for hours on ``"9**9**9 mm"``.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+import re
+from typing import TYPE_CHECKING, Any
+
+from nonhertz.errors import InputError
+
+if TYPE_CHECKING:
+    import pint
+
+_KINDS = {
+    "mm": ("length", "20 mm"),
+    "N": ("force", "20 kN"),
+    "MPa": ("stress", "207 GPa"),
+    "1/MPa": ("inverse stress", "2.8e-6 1/MPa"),
+    "rad": ("angle", "0.5 mrad"),
+    "N mm": ("moment", "5 N m"),
+}
+_QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*", re.DOTALL)
+_FACTOR = r"(?:[A-Za-zµμ°%]+(?:(?:\^|\*\*)?-?\d|[²³])?)"
+_UNIT = re.compile(rf"(?:1\s*/\s*|/\s*)?{_FACTOR}(?:(?:\s*[*·/]\s*|\s+){_FACTOR})*")
+_LONGEST = 40
+# pint knows "Nm" as a measure of yarn and "Nmm" not at all; on drawings both are moments.
+_RUN_TOGETHER = re.compile(r"\b([kM]?N)(m|cm|mm)\b")
+_BARE_EXPONENT = re.compile(r"(?<=[A-Za-zµμ])(-?\d)")
+
+
+def in_unit(field: str, value: Any, unit: str) -> Any:
+    """Return a quantity as a number in ``unit``.
+
+    Parameters
+    ----------
+    field : str
+        Name of the input, for the message.
+    value : object
+        A number, already in ``unit``, or text of a number and a unit. Anything else is returned unchanged,
+        for the model to refuse in its own words.
+    unit : str
+        ``"mm"``, ``"N"``, ``"MPa"``, ``"1/MPa"``, ``"rad"``, ``"N mm"``, or ``""`` for a plain number.
+
+    Returns
+    -------
+    object
+        A float, where ``value`` is a number or text.
+
+    Raises
+    ------
+    InputError
+        If the text is no quantity, has no unit or one of another kind. A number in quotes without a unit is
+        refused too: whoever writes a text means a unit, and guessing a wrong one goes unnoticed.
+
+    Examples
+    --------
+    >>> in_unit("tilt", 0.0005, "rad")
+    0.0005
+    >>> in_unit("tilt", "0.5 mrad", "rad")
+    0.0005
+    >>> in_unit("moment", "5 N m", "N mm")
+    5000.0
+    """
+    if isinstance(value, bool):
+        return value
+    if isinstance(value, int):
+        try:
+            return float(value)
+        except OverflowError:
+            return math.inf if value > 0 else -math.inf
+    if not isinstance(value, str):
+        return value
+    if unit == "":
+        raise InputError(field, value, "be a plain number", "write it without quotes and without a unit")
+    return _converted(field, value, unit)
+
+
+def _converted(field: str, text: str, unit: str) -> float:
+    kind, example = _KINDS[unit]
+    remedy = f"write a number in {unit}, or text with a unit of {kind} such as '{example}'"
+    taken_apart = _QUANTITY.fullmatch(text)
+    if taken_apart is None:
+        raise InputError(field, text, "be a number with a unit", remedy)
+    number, written = float(taken_apart[1]), taken_apart[2]
+    if not written:
+        raise InputError(
+            field, text, "have a unit", f"write {taken_apart[1]} without quotes if it is in {unit}"
+        )
+    try:
+        factor = _factor(written, unit)
+    except ValueError as error:
+        raise InputError(field, text, str(error), remedy) from None
+    # A division where the factor is below one keeps "12 um" at 0.012, which 12 * 0.001 is too, and "0.1 um"
+    # at 0.0001, which the product is not.
+    inverse = 1.0 / factor
+    return number / round(inverse) if factor < 1.0 and round(inverse) * factor == 1.0 else number * factor
+
+
+@functools.lru_cache(maxsize=256)
+def _factor(written: str, unit: str) -> float:
+    """Return how many of ``unit`` one of ``written`` is; ValueError says what the quantity must do."""
+    if len(written) > _LONGEST or _UNIT.fullmatch(written) is None:
+        raise ValueError("be a number with a unit")
+    import pint  # noqa: PLC0415  (slow, and most case files hold numbers only)
+
+    spelled = _RUN_TOGETHER.sub(r"\1 \2", written)
+    spelled = _BARE_EXPONENT.sub(r"^\1", spelled.replace("**", "^"))
+    spelled = "1" + spelled if spelled.startswith("/") else spelled
+    try:
+        quantity = _registry().Quantity(1.0, _registry().parse_units(spelled))
+        factor = float(quantity.to(unit).magnitude)
+        # Degrees Celsius and decibels convert, but not by a factor.
+        linear = math.isclose(float((2.0 * quantity).to(unit).magnitude), 2.0 * factor)
+    except pint.UndefinedUnitError:
+        raise ValueError("have a known unit") from None
+    except (pint.PintError, ValueError, TypeError, AssertionError, ArithmeticError):
+        linear = False
+    if not linear:
+        raise ValueError(f"have a unit of {_KINDS[unit][0]}")
+    return factor
+
+
+@functools.cache
+def _registry() -> pint.UnitRegistry[float]:
+    import pint  # noqa: PLC0415
+
+    return pint.UnitRegistry()

@@ -1,0 +1,104 @@
+"""Relief along the axis: how much material is taken away at each y.
+
+A profile is a function of the axial coordinate y [mm], measured from the middle of its body, whose value is
+the relief [mm], positive where material is taken away. Profiles are values: they add (``crown(...) +
+chamfer(...)``), shift along the axis and scale, and each change makes a new one. Beside its function a
+profile knows its *bends*, the places where slope or curvature jump, because the strips must be refined there,
+and its *extent*, outside of which there is nothing to touch. An infinite relief says the same: no body here.
+
+The lower-case functions are the catalogue: what engineers call a profile by, each with its source. Those that
+are drawn for a design load take it in the same four words: load [N], length [mm], radius (combined, across
+the contact) [mm] and compliance (of both bodies) [1/MPa].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from nonhertz.model.profile.base import Profile, Scaled, Shifted, Straight, Sum
+from nonhertz.model.profile.circular import Arcs, crown, partial_crown, two_radius
+from nonhertz.model.profile.linear import Conical, TaperedEnds, chamfer, conical, straight, tapered_ends
+from nonhertz.model.profile.logarithm import (
+    Logarithmic,
+    fujiwara_kawase,
+    iso_logarithmic,
+    iso_tapered,
+    iso_thrust,
+    johns_gohar,
+    logarithmic,
+)
+from nonhertz.model.profile.table import Tabulated, from_file, tabulated
+from nonhertz.model.profile.uniform_pressure import UniformPressure, lundberg
+
+#: Profiles that a case file may call by name.
+CATALOGUE: dict[str, Callable[..., Profile]] = {
+    "straight": straight,
+    "crown": crown,
+    "partial-crown": partial_crown,
+    "two-radius": two_radius,
+    "logarithmic": logarithmic,
+    "lundberg": lundberg,
+    "johns-gohar": johns_gohar,
+    "fujiwara-kawase": fujiwara_kawase,
+    "iso-logarithmic": iso_logarithmic,
+    "iso-tapered": iso_tapered,
+    "iso-thrust": iso_thrust,
+    "conical": conical,
+    "tapered-ends": tapered_ends,
+    "chamfer": chamfer,
+    "tabulated": tabulated,
+}
+
+#: Unit of every numeric parameter in the catalogue; a name has the same unit in all of its functions.
+PARAMETER_UNITS: dict[str, str] = {
+    "amplitude": "mm",
+    "angle": "rad",
+    "centre": "mm",
+    "compliance": "1/MPa",
+    "diameter": "mm",
+    "end_radius": "mm",
+    "fraction": "",
+    "k1": "",
+    "k2": "",
+    "length": "mm",
+    "load": "N",
+    "middle": "mm",
+    "radius": "mm",
+    "relief": "mm",
+    "straight": "mm",
+    "width": "mm",
+    "y": "mm",
+    "zm": "mm",
+}
+
+__all__ = [
+    "CATALOGUE",
+    "PARAMETER_UNITS",
+    "Arcs",
+    "Conical",
+    "Logarithmic",
+    "Profile",
+    "Scaled",
+    "Shifted",
+    "Straight",
+    "Sum",
+    "Tabulated",
+    "TaperedEnds",
+    "UniformPressure",
+    "chamfer",
+    "conical",
+    "crown",
+    "from_file",
+    "fujiwara_kawase",
+    "iso_logarithmic",
+    "iso_tapered",
+    "iso_thrust",
+    "johns_gohar",
+    "logarithmic",
+    "lundberg",
+    "partial_crown",
+    "straight",
+    "tabulated",
+    "tapered_ends",
+    "two_radius",
+]

@@ -1,0 +1,137 @@
+"""What a profile is, and how profiles add, shift and scale."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.model.checks import finite
+
+Array = NDArray[np.float64]
+
+
+class Profile(ABC):
+    """Relief along the axis of a body; `nonhertz.model.profile` has the catalogue."""
+
+    @abstractmethod
+    def relief(self, y: ArrayLike) -> Array:
+        """Return the relief [mm] at the axial positions ``y`` [mm], an array of the same shape."""
+
+    @property
+    def bends(self) -> tuple[float, ...]:
+        """Axial positions [mm] where slope or curvature of the relief jump."""
+        return ()
+
+    @property
+    def extent(self) -> tuple[float, float]:
+        """The interval [mm] on which the relief is defined; infinite for most kinds."""
+        return (-np.inf, np.inf)
+
+    def shifted(self, by: float) -> Profile:
+        """Return this profile moved by ``by`` [mm] towards positive y."""
+        finite("by", by, "give the shift in mm")
+        return Shifted(self, float(by))
+
+    def scaled(self, by: float) -> Profile:
+        """Return this profile with its relief multiplied by ``by``; infinite relief stays what it is."""
+        finite("by", by, "give a factor")
+        return Scaled(self, float(by))
+
+    def __add__(self, other: Profile) -> Profile:
+        if not isinstance(other, Profile):
+            return NotImplemented
+        parts = (*_parts(self), *_parts(other))
+        return parts[0] if len(parts) == 1 else Sum(parts)
+
+
+def _parts(profile: Profile) -> tuple[Profile, ...]:
+    if isinstance(profile, Sum):
+        return profile.parts
+    return () if isinstance(profile, Straight) else (profile,)
+
+
+@dataclass(frozen=True)
+class Straight(Profile):
+    """No relief."""
+
+    def relief(self, y: ArrayLike) -> Array:
+        """Return zeros."""
+        return np.zeros_like(np.asarray(y, dtype=float))
+
+
+@dataclass(frozen=True)
+class Sum(Profile):
+    """Several profiles on top of one another."""
+
+    parts: tuple[Profile, ...]
+
+    def relief(self, y: ArrayLike) -> Array:
+        """Return the sum of the parts' reliefs."""
+        y = np.asarray(y, dtype=float)
+        total = np.zeros_like(y)
+        for part in self.parts:
+            total += part.relief(y)
+        return total
+
+    @property
+    def bends(self) -> tuple[float, ...]:
+        """The bends of all parts."""
+        return tuple(sorted({bend for part in self.parts for bend in part.bends}))
+
+    @property
+    def extent(self) -> tuple[float, float]:
+        """The interval on which every part is defined."""
+        extents = [part.extent for part in self.parts]
+        return (max((e[0] for e in extents), default=-np.inf), min((e[1] for e in extents), default=np.inf))
+
+
+@dataclass(frozen=True)
+class Shifted(Profile):
+    """A profile moved along the axis."""
+
+    profile: Profile
+    by: float
+
+    def relief(self, y: ArrayLike) -> Array:
+        """Return the relief of the profile ``by`` further back."""
+        return self.profile.relief(np.asarray(y, dtype=float) - self.by)
+
+    @property
+    def bends(self) -> tuple[float, ...]:
+        """The profile's bends, moved."""
+        return tuple(bend + self.by for bend in self.profile.bends)
+
+    @property
+    def extent(self) -> tuple[float, float]:
+        """The profile's extent, moved."""
+        low, high = self.profile.extent
+        return (low + self.by, high + self.by)
+
+
+@dataclass(frozen=True)
+class Scaled(Profile):
+    """A profile with its relief multiplied; where that is infinite there is no body, whatever the factor."""
+
+    profile: Profile
+    by: float
+
+    def relief(self, y: ArrayLike) -> Array:
+        """Return ``by`` times the profile's relief."""
+        relief = self.profile.relief(y)
+        # A plain product would turn "no body here" into NaN (factor 0) or into a peak without end (factor <
+        # 0).
+        present = np.isfinite(relief)
+        return np.where(present, self.by * np.where(present, relief, 0.0), np.inf)
+
+    @property
+    def bends(self) -> tuple[float, ...]:
+        """The profile's bends."""
+        return self.profile.bends
+
+    @property
+    def extent(self) -> tuple[float, float]:
+        """The profile's extent."""
+        return self.profile.extent

@@ -1,0 +1,193 @@
+"""Profiles made of circular arcs: crowned, partially crowned, and two radii."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from nonhertz.errors import InputError
+from nonhertz.model.checks import finite, not_negative, positive
+from nonhertz.model.profile.base import Array, Profile
+
+
+def _drop(radius: float, y: ArrayLike) -> Array:
+    """Drop [mm] of a circle at the distance ``y`` from its summit; infinite where the circle has ended."""
+    size, distance = abs(radius), np.abs(np.asarray(y, dtype=float))
+    inside = np.maximum((size - distance) * (size + distance), 0.0)
+    # R - sqrt(R^2 - y^2) would lose all digits of the few micrometres that matter out of metres of radius.
+    drop = distance**2 / (size + np.sqrt(inside))
+    return np.where(distance <= size, math.copysign(1.0, radius) * drop, np.inf)
+
+
+@dataclass(frozen=True)
+class Arcs(Profile):
+    """A middle and two ends, each a circular arc, the same on both sides.
+
+    The middle has its summit at y = 0 and ends at ``junction``; the arc of the positive end has its summit at
+    ``end_summit`` (it is drawn from ``junction`` on only). An infinite ``radius`` makes a straight middle.
+    """
+
+    radius: float
+    end_radius: float
+    junction: float
+    end_summit: float
+
+    def relief(self, y: ArrayLike) -> Array:
+        """Return the relief [mm]; infinite beyond the place where an arc turns vertical."""
+        distance = np.abs(np.asarray(y, dtype=float))
+        middle = _drop(self.radius, np.minimum(distance, self.junction))
+        end = _drop(self.end_radius, np.maximum(distance, self.junction) - self.end_summit)
+        return np.asarray(middle + end - _drop(self.end_radius, self.junction - self.end_summit))
+
+    @property
+    def bends(self) -> tuple[float, ...]:
+        """The places where the arcs meet, if there is a middle."""
+        return (-self.junction, self.junction) if self.junction > 0.0 else ()
+
+
+def crown(radius: float, centre: float = 0.0) -> Profile:
+    """Return a crowned profile: one circular arc over the whole length.
+
+    Relief = R - sqrt(R^2 - (y - y0)^2), about (y - y0)^2 / (2 R); infinite for abs(y - y0) > abs(R).
+
+    Parameters
+    ----------
+    radius : float
+        Crown radius R along the axis [mm], positive for a crown, negative for a hollow whose ends stand out.
+    centre : float
+        Position y0 of the summit [mm] from the middle of the body.
+
+    Returns
+    -------
+    Profile
+        The profile.
+
+    Raises
+    ------
+    InputError
+        If ``radius`` is zero or a value is not finite.
+
+    References
+    ----------
+    Geometry of the circle; "fully crowned" in T. A. Harris and M. N. Kotzalas, Rolling Bearing Analysis, 5th
+    edition, CRC Press 2006.
+
+    Examples
+    --------
+    >>> round(float(crown(radius=1000).relief(10.0)), 9)
+    0.05000125
+    """
+    remedy = "give the crown radius in mm, negative for a hollow profile"
+    finite("radius", radius, remedy)
+    if radius == 0.0:
+        raise InputError("radius", radius, "not be zero", remedy)
+    finite("centre", centre, "give the position of the summit in mm")
+    profile = Arcs(math.inf, float(radius), junction=0.0, end_summit=0.0)
+    return profile.shifted(centre) if centre != 0.0 else profile
+
+
+def partial_crown(radius: float, straight: float, blended: bool = True) -> Profile:
+    """Return a partially crowned profile: a straight middle and a circular arc at either end.
+
+    Two shapes go by this name. Blended, the arcs begin at the ends of the straight middle without a slope
+    ("tangential"): relief = R - sqrt(R^2 - s^2) with s = abs(y) - straight / 2. Not blended, both ends belong
+    to one arc with its summit in the middle of the body, of which the straight part cuts the top off, so that
+    they meet it at the angle asin(straight / (2 R)): relief = sqrt(R^2 - straight^2 / 4) - sqrt(R^2 - y^2).
+
+    Parameters
+    ----------
+    radius : float
+        Radius R of the arcs along the axis [mm], positive.
+    straight : float
+        Length of the straight middle [mm], not negative; 0 makes a `crown`.
+    blended : bool
+        Whether the arcs leave the straight middle tangentially.
+
+    Returns
+    -------
+    Profile
+        The profile.
+
+    Raises
+    ------
+    InputError
+        If a value is out of range, or the arc that is not blended ends within the straight middle.
+
+    References
+    ----------
+    The two shapes are "tangential crowning" and "crowning" in the manual of the MESYS bearing software,
+    https://www.mesys.ag/manual/crowning.html.
+
+    Examples
+    --------
+    >>> round(float(partial_crown(radius=500, straight=10).relief(10.0)), 9)
+    0.025000625
+    >>> round(float(partial_crown(radius=500, straight=10, blended=False).relief(10.0)), 9)
+    0.075009377
+    """
+    positive("radius", radius, "give the radius of the end arcs in mm")
+    not_negative("straight", straight, "give the length of the straight middle in mm, 0 for none")
+    half = 0.5 * float(straight)
+    if blended:
+        return Arcs(math.inf, float(radius), junction=half, end_summit=half)
+    if half > radius:
+        raise InputError(
+            "straight",
+            straight,
+            f"not exceed twice the radius of {radius} mm",
+            "shorten it or raise the radius",
+        )
+    return Arcs(math.inf, float(radius), junction=half, end_summit=0.0)
+
+
+def two_radius(radius: float, end_radius: float, middle: float) -> Profile:
+    """Return a profile of two radii: one arc in the middle, another at the ends, tangential where they meet.
+
+    For abs(y) <= y1 = middle / 2 the relief is R1 - sqrt(R1^2 - y^2); beyond it follows the circle of radius
+    R2 that has the same slope there, whose summit lies at y1 (1 - R2 / R1).
+
+    Parameters
+    ----------
+    radius : float
+        Radius R1 of the middle arc along the axis [mm], positive, usually the larger one.
+    end_radius : float
+        Radius R2 of the end arcs along the axis [mm], positive.
+    middle : float
+        Length of the middle arc [mm], positive and below twice ``radius``.
+
+    Returns
+    -------
+    Profile
+        The profile.
+
+    Raises
+    ------
+    InputError
+        If a value is out of range.
+
+    References
+    ----------
+    "Two tangential radii" in the manual of the MESYS bearing software,
+    https://www.mesys.ag/manual/crowning.html.
+
+    Examples
+    --------
+    >>> profile = two_radius(radius=5000, end_radius=500, middle=10)
+    >>> round(float(profile.relief(5.0)), 7), round(float(profile.relief(10.0)), 7)
+    (0.0025, 0.0325009)
+    """
+    positive("radius", radius, "give the radius of the middle arc in mm")
+    positive("end_radius", end_radius, "give the radius of the end arcs in mm")
+    positive("middle", middle, "give the length of the middle arc in mm")
+    if middle >= 2.0 * radius:
+        raise InputError(
+            "middle",
+            middle,
+            f"be less than twice the radius of {radius} mm",
+            "shorten it or raise the radius",
+        )
+    half = 0.5 * float(middle)
+    return Arcs(float(radius), float(end_radius), half, end_summit=half * (1.0 - end_radius / radius))

@@ -1,0 +1,190 @@
+"""Profiles made of straight lines: straight, conical, tapered ends, chamfer."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from nonhertz.errors import InputError
+from nonhertz.model.checks import finite, not_negative, positive
+from nonhertz.model.profile.base import Array, Profile, Straight
+
+_ANGLE_REMEDY = "give the angle in rad, 1 degree is 0.01745"
+
+
+@dataclass(frozen=True)
+class Conical(Profile):
+    """A relief that grows along the whole axis at one angle."""
+
+    angle: float
+
+    def relief(self, y: ArrayLike) -> Array:
+        """Return ``tan(angle) * y`` [mm]."""
+        return np.asarray(math.tan(self.angle) * np.asarray(y, dtype=float))
+
+
+@dataclass(frozen=True)
+class TaperedEnds(Profile):
+    """A straight middle and two conical ends."""
+
+    straight: float
+    angle: float
+
+    def relief(self, y: ArrayLike) -> Array:
+        """Return the relief [mm], zero in the straight middle."""
+        past = np.maximum(np.abs(np.asarray(y, dtype=float)) - 0.5 * self.straight, 0.0)
+        return np.asarray(math.tan(self.angle) * past)
+
+    @property
+    def bends(self) -> tuple[float, ...]:
+        """Both ends of the straight middle."""
+        if self.angle == 0.0:
+            return ()
+        return (-0.5 * self.straight, 0.5 * self.straight) if self.straight > 0.0 else (0.0,)
+
+
+def straight() -> Profile:
+    """Return a straight profile: no relief anywhere.
+
+    Returns
+    -------
+    Profile
+        The profile.
+
+    Examples
+    --------
+    >>> float(straight().relief(3.0))
+    0.0
+    """
+    return Straight()
+
+
+def conical(angle: float) -> Profile:
+    """Return a conical profile: a taper over the whole length, such as a grinding error.
+
+    Relief = tan(angle) y. It is zero in the middle of the body, which keeps its nominal diameter, and
+    negative on the side where the body is thicker than that.
+
+    Parameters
+    ----------
+    angle : float
+        Angle of the surface to its nominal direction [rad], in (-pi/2, pi/2); positive: thinner towards
+        positive y.
+
+    Returns
+    -------
+    Profile
+        The profile.
+
+    Raises
+    ------
+    InputError
+        If ``angle`` is out of range.
+
+    References
+    ----------
+    Geometry. In a contact, a taper is the same as a tilt by ``-tan(angle)``.
+
+    Examples
+    --------
+    >>> round(float(conical(angle=0.5e-3).relief(10.0)), 9)
+    0.005
+    """
+    finite("angle", angle, _ANGLE_REMEDY)
+    if abs(angle) >= 0.5 * math.pi:
+        raise InputError("angle", angle, "lie in (-pi/2, pi/2)", _ANGLE_REMEDY)
+    return Conical(float(angle))
+
+
+def tapered_ends(straight: float, angle: float) -> Profile:
+    """Return a profile with a straight middle and tapered (conical) ends.
+
+    Relief = tan(angle) (abs(y) - straight / 2) outside the straight middle.
+
+    Parameters
+    ----------
+    straight : float
+        Length of the straight middle [mm], not negative.
+    angle : float
+        Angle of the ends to the middle [rad], in [0, pi/2).
+
+    Returns
+    -------
+    Profile
+        The profile.
+
+    Raises
+    ------
+    InputError
+        If a value is out of range.
+
+    References
+    ----------
+    "Tapered-end" roller profile in J. V. Poplawski, S. M. Peters and E. V. Zaretsky, Effect of roller profile
+    on cylindrical roller bearing life prediction, NASA/TM-2000-210368 (2000).
+
+    Examples
+    --------
+    >>> round(float(tapered_ends(straight=10, angle=1e-3).relief(-8.0)), 9)
+    0.003000001
+    """
+    not_negative("straight", straight, "give the length of the straight middle in mm, 0 for none")
+    _acute(angle)
+    return TaperedEnds(float(straight), float(angle))
+
+
+def chamfer(length: float, width: float, angle: float = 0.25 * math.pi) -> Profile:
+    """Return the chamfers at both ends of a body, to be added to the profile between them.
+
+    Relief = tan(angle) (abs(y) - length / 2 + width) over the last ``width`` before either end.
+
+    Parameters
+    ----------
+    length : float
+        Length of the body, chamfers included [mm], positive.
+    width : float
+        Length of one chamfer along the axis [mm], positive, at most half of ``length``.
+    angle : float
+        Angle of the chamfer to the axis [rad], in [0, pi/2); 45 degrees if left out.
+
+    Returns
+    -------
+    Profile
+        The profile.
+
+    Raises
+    ------
+    InputError
+        If a value is out of range.
+
+    References
+    ----------
+    Geometry. Contact ends where a chamfer begins: the surfaces bend by micrometres there, the chamfer drops
+    by tenths of a millimetre.
+
+    Examples
+    --------
+    >>> profile = conical(angle=1e-4) + chamfer(length=20, width=0.5)
+    >>> profile.bends
+    (-9.5, 9.5)
+    """
+    positive("length", length, "give the length of the body in mm")
+    positive("width", width, "give the length of one chamfer along the axis in mm")
+    if 2.0 * width > length:
+        raise InputError(
+            "width",
+            width,
+            f"not exceed half of the length of {length} mm",
+            "give the length of one chamfer in mm",
+        )
+    _acute(angle)
+    return TaperedEnds(float(length) - 2.0 * float(width), float(angle))
+
+
+def _acute(angle: float) -> None:
+    finite("angle", angle, _ANGLE_REMEDY)
+    if not 0.0 <= angle < 0.5 * math.pi:
+        raise InputError("angle", angle, "lie in [0, pi/2)", _ANGLE_REMEDY)

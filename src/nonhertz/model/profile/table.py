@@ -1,0 +1,248 @@
+"""Measured profiles: points along the axis, given or read from a file, and a curve through them."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from nonhertz.errors import InputError
+from nonhertz.model.checks import one_of
+from nonhertz.model.profile.base import Array, Profile
+
+_INTERPOLATIONS = ("pchip", "linear", "cubic")
+_MOST_BENDS = 20
+_COLUMNS = "write one point a line, y and relief in mm"
+_SMALL_UNIT = re.compile(r"(?<![a-z])(um|µm|μm|nm|microns?|micromet(?:er|re)s?)(?![a-z])", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class Tabulated(Profile):
+    """A curve through given points; outside of them there is no body."""
+
+    y: tuple[float, ...]
+    values: tuple[float, ...]
+    interpolation: str = "pchip"
+
+    def relief(self, y: ArrayLike) -> Array:
+        """Return the relief [mm]; infinite outside the table."""
+        y = np.asarray(y, dtype=float)
+        inside = (y >= self.y[0]) & (y <= self.y[-1])
+        return np.where(inside, self._curve(np.where(inside, y, self.y[0])), np.inf)
+
+    @property
+    def bends(self) -> tuple[float, ...]:
+        """The kinks of a linear interpolation: where the slope jumps by over a tenth of its whole range.
+
+        A smooth curve sampled densely has none. Where more than twenty points qualify, the table is rough
+        rather than kinked, and no point deserves more attention than its neighbours.
+        """
+        if self.interpolation != "linear" or len(self.y) < 3:
+            return ()
+        slopes = np.diff(self.values) / np.diff(self.y)
+        kinks = np.flatnonzero(np.abs(np.diff(slopes)) > 0.1 * np.ptp(slopes)) + 1
+        return tuple(self.y[kink] for kink in kinks) if len(kinks) <= _MOST_BENDS else ()
+
+    @property
+    def extent(self) -> tuple[float, float]:
+        """The interval that the points span."""
+        return (self.y[0], self.y[-1])
+
+    @cached_property
+    def _curve(self) -> Callable[[Array], Array]:
+        if self.interpolation == "linear":
+            return _Polyline(np.array(self.y), np.array(self.values))
+        # Here and not above: importing scipy.interpolate takes half a second.
+        from scipy.interpolate import CubicSpline, PchipInterpolator  # noqa: PLC0415
+
+        make = PchipInterpolator if self.interpolation == "pchip" else CubicSpline
+        with np.errstate(over="ignore"):  # pchip divides by slopes and means zero by what overflows
+            curve: Callable[[Array], Array] = make(np.array(self.y), np.array(self.values))
+        return curve
+
+
+@dataclass(frozen=True, eq=False)
+class _Polyline:
+    y: Array
+    values: Array
+
+    def __call__(self, y: Array) -> Array:
+        return np.asarray(np.interp(y, self.y, self.values))
+
+
+def tabulated(y: Sequence[float], relief: Sequence[float], interpolation: str = "pchip") -> Profile:
+    """Return a profile through given points, such as a measured one.
+
+    Parameters
+    ----------
+    y : sequence of float
+        Axial positions [mm] from the middle of the body, two at least, all different, in any order.
+    relief : sequence of float
+        Relief there [mm], positive where material is taken away.
+    interpolation : str
+        The curve through the points: ``"pchip"``, a smooth one that never overshoots them; ``"linear"``; or
+        ``"cubic"``, the spline with continuous curvature, which may overshoot.
+
+    Returns
+    -------
+    Profile
+        The profile. It is defined between the outermost points, and contact cannot reach beyond them.
+
+    Raises
+    ------
+    InputError
+        If the lists differ in length, are too short, hold something else than finite numbers or a position
+        twice.
+
+    References
+    ----------
+    F. N. Fritsch and J. Butland, A method for constructing local monotone piecewise cubic interpolants, SIAM
+    Journal on Scientific and Statistical Computing 5 (1984) 300-304, doi:10.1137/0905021, for ``"pchip"``.
+
+    Examples
+    --------
+    >>> profile = tabulated(y=[-10, 0, 10], relief=[0.01, 0.0, 0.01], interpolation="linear")
+    >>> float(profile.relief(5.0)), profile.extent
+    (0.005, (-10.0, 10.0))
+    """
+    positions, reliefs = _numbers("y", y), _numbers("relief", relief)
+    one_of("interpolation", interpolation, _INTERPOLATIONS, "choose the curve through the points")
+    if len(positions) != len(reliefs):
+        raise InputError(
+            "relief", relief, f"hold as many numbers as y, {len(positions)}", "give one relief per position"
+        )
+    if len(positions) < 2:
+        raise InputError("y", y, "hold two positions at least", "give the measured points in mm")
+    order = np.argsort(positions, kind="stable")
+    positions, reliefs = positions[order], reliefs[order]
+    twice = np.flatnonzero(np.diff(positions) <= 0.0)
+    if len(twice):
+        raise InputError("y", y, f"not hold {positions[twice[0]]} twice", "keep one point per position")
+    return Tabulated(tuple(positions.tolist()), tuple(reliefs.tolist()), interpolation)
+
+
+def from_file(path: str | os.PathLike[str], interpolation: str = "pchip") -> Profile:
+    r"""Return a profile read from a text file of two columns, y and relief, both in mm.
+
+    Columns are separated by semicolon, tab, comma or blanks; with semicolon or tab the decimal sign may be a
+    comma. Blank lines, what follows a ``#``, and one line of column names at the top are skipped.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        The file, in UTF-8.
+    interpolation : str
+        The curve through the points, as in `tabulated`.
+
+    Returns
+    -------
+    Profile
+        The profile, with y = 0 the middle of the body. A file of heights in micrometres becomes a relief in
+        mm by ``.scaled(-0.001)``, and ``.shifted`` puts its middle in place.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read or a line is not two numbers; the sentence names file and line.
+
+    References
+    ----------
+    See `tabulated`.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder, "roller.csv")
+    ...     _ = path.write_text("y, relief  # mm\n-5, 0.01\n0, 0\n5, 0.01\n")
+    ...     float(from_file(path).relief(5.0))
+    0.01
+    """
+    if not isinstance(path, str | os.PathLike):
+        raise InputError("path", path, "be the name of a file", "give a string or a pathlib.Path")
+    path = Path(path)
+    points = _read(path)
+    if len(points) < 2:
+        found = f"{path.name} holds {'one point only' if points else 'no data'}"
+        raise InputError("path", str(path), f"name a file of two points at least ({found})", _COLUMNS)
+    y, relief = zip(*points, strict=True)
+    try:
+        return tabulated(y, relief, interpolation)
+    except InputError as error:
+        raise error.within(path.name) from None
+
+
+def _numbers(field: str, values: Sequence[float]) -> Array:
+    remedy = "give a list of numbers in mm"
+    try:
+        numbers = np.asarray(values)
+    except ValueError:  # lists of unequal length in one another
+        raise InputError(field, values, "be a list of numbers", remedy) from None
+    if numbers.ndim != 1 or (numbers.size and numbers.dtype.kind not in "iuf"):
+        raise InputError(field, values, "be a list of numbers", remedy)
+    numbers = numbers.astype(float)
+    if not np.all(np.isfinite(numbers)):
+        raise InputError(
+            field, values, "hold finite numbers only", "leave out the points that were not measured"
+        )
+    return numbers
+
+
+def _read(path: Path) -> list[tuple[float, float]]:
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except OSError as error:
+        reason = f"{path.name}: {(error.strerror or 'unreadable').lower()}"
+        raise InputError("path", str(path), f"name a file that can be read ({reason})", "check it") from None
+    except ValueError:  # not text, or a name that no file can have
+        raise InputError("path", str(path), "name a text file in UTF-8", "export the points as CSV") from None
+    points: list[tuple[float, float]] = []
+    header_allowed = True
+    for number, line in enumerate(text.split("\n"), start=1):
+        content = line.split("#", 1)[0].strip()
+        if not content:
+            continue
+        cells = _cells(content)
+        values = [_value(cell) for cell in cells]
+        place = f"line {number} of {path.name}"
+        if header_allowed and all(value is None for value in values):
+            _check_header(place, content)
+        else:
+            points.append(_point(place, content, values))
+        header_allowed = False
+    return points
+
+
+def _cells(content: str) -> list[str]:
+    for separator in (";", "\t"):
+        if separator in content:
+            return content.replace(",", ".").rstrip(separator + " ").split(separator)
+    return content.rstrip(", ").split(",") if "," in content else content.split()
+
+
+def _value(cell: str) -> float | None:
+    try:
+        return float(cell)
+    except ValueError:
+        return None
+
+
+def _point(place: str, content: str, values: list[float | None]) -> tuple[float, float]:
+    match values:
+        case [float(y), float(relief)] if np.isfinite(y) and np.isfinite(relief):
+            return y, relief
+    raise InputError(place, content, "hold two finite numbers", _COLUMNS)
+
+
+def _check_header(place: str, content: str) -> None:
+    # Micrometres read as millimetres would be a thousandfold relief, and no later check could tell.
+    if _SMALL_UNIT.search(content):
+        raise InputError(
+            place, content, "name mm as the unit", "convert both columns to mm, or delete the line"
+        )

@@ -1,0 +1,175 @@
+"""What every drawing along the axis shares: the range of y, the bodies' ends, the heading and the numbers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.plot.style import END_DASHES, FAINT_INK, SMALL_SIZE, THIN
+from nonhertz.solution import Solution, Status
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+Array = NDArray[np.float64]
+
+AXIAL_LABEL = "Axial position $y$ [mm]"
+
+Alignment = Literal["left", "center", "right"]
+
+LETTER = 0.55 * SMALL_SIZE / 72.0
+"""Mean width of a small letter [inch]."""
+
+MARGIN = 0.06
+"""Share of the drawn range left free at each side; the names of the bodies' ends stand there."""
+
+
+def axial_range(solution: Solution) -> tuple[float, float]:
+    """Return the range of y [mm] to draw.
+
+    It is that of the strips, with the bodies' ends if these are near. Where the contact is a small part of
+    the strips it is the contact's neighbourhood, so that the contact can be read.
+    """
+    edges = strip_edges(solution)
+    low, high = float(edges[0]), float(edges[-1])
+    if solution.contact_y:
+        first, last = solution.contact_y[0][0], solution.contact_y[-1][1]
+        if last - first < 0.25 * (high - low):
+            reach = last - first
+            low, high = max(low, first - reach), min(high, last + reach)
+    near = 0.25 * (high - low)
+    ends = [end for end, _ in body_ends(solution) if low - near < end < high + near]
+    low, high = min([low, *ends]), max([high, *ends])
+    margin = MARGIN * (high - low)
+    return (low - margin, high + margin)
+
+
+def strip_edges(solution: Solution) -> Array:
+    """Return the edges of the strips [mm], shape (strips + 1,)."""
+    low = solution.y - 0.5 * solution.strip_width
+    return np.append(low, solution.y[-1] + 0.5 * solution.strip_width[-1])
+
+
+def body_ends(solution: Solution) -> list[tuple[float, str]]:
+    """Return where a body ends along y [mm] and the name of the body, ascending."""
+    bodies = {"a": solution.contact.a, "b": solution.contact.b}
+    kinds = [type(body).__name__.lower() for body in bodies.values()]
+    distinct = kinds[0] != kinds[1] and "body" not in kinds
+    ends = []
+    for (letter, body), kind in zip(bodies.items(), kinds, strict=True):
+        name = kind if distinct else f"body {letter}"
+        faces = () if body.length is None else tuple(body.position + s * body.length for s in (-0.5, 0.5))
+        for end in body.interval:
+            if np.isfinite(end):
+                # An effective length, or a profile defined no further, ends the contact before the face.
+                is_face = any(np.isclose(end, face) for face in faces)
+                ends.append((float(end), f"end of {name}" if is_face else f"usable end of {name}"))
+    return sorted(ends)
+
+
+def draw_body_ends(solution: Solution, ax: Axes, *, named: bool = True) -> None:
+    """Draw a dash-dot line where a body ends, its name beside it on the side away from the contact."""
+    low, high = axial_range(solution)
+    middle = 0.5 * (low + high)
+    drawn = [(end, name) for end, name in body_ends(solution) if low < end < high]
+    for end in dict.fromkeys(end for end, _ in drawn):
+        ax.axvline(end, color=FAINT_INK, linewidth=THIN, linestyle=END_DASHES, zorder=1.5)
+    if not named:
+        return
+    for side in (-1.0, 1.0):
+        here = [(end, name) for end, name in drawn if side * (end - middle) > 0.0]
+        for where, name in _merged(here, side, 0.03 * (high - low)):
+            ax.annotate(
+                name,
+                (where, 0.5),
+                xycoords=ax.get_xaxis_transform(),
+                xytext=(side * 3.0, 0.0),
+                textcoords="offset points",
+                rotation=90.0,
+                ha="right" if side < 0.0 else "left",
+                va="center",
+                fontsize=SMALL_SIZE,
+                color=FAINT_INK,
+            )
+
+
+def _merged(ends: list[tuple[float, str]], side: float, near: float) -> list[tuple[float, str]]:
+    """Return one name for ends so near to one another that two would be written over each other."""
+    if len(ends) == 2 and ends[1][0] - ends[0][0] < near:
+        (low, first), (high, second) = ends
+        return [(low if side < 0.0 else high, f"{first}, {second}")]
+    return ends
+
+
+def conditions(solution: Solution) -> str:
+    """Return the line that says what was solved: load, tilt, and whatever is out of the ordinary."""
+    words = [f"Load {_load(solution.load)}", f"tilt {number(1e3 * solution.tilt)} mrad"]
+    if solution.element.name != "semi-elliptic":
+        words.append(f"{solution.element.name} strips")
+    if solution.status is not Status.CONVERGED:
+        words.append("NOT CONVERGED")
+    return ", ".join(words)
+
+
+def head(
+    solution: Solution, ax: Axes, handles: Sequence[Artist], labels: Sequence[str], *, remark: str = ""
+) -> None:
+    """Write the conditions above the axes and below them, outside too, the key: neither can cover a curve."""
+    ax.legend(
+        handles,
+        labels,
+        loc="lower left",
+        bbox_to_anchor=(0.0, 1.0),
+        ncols=len(labels),
+        borderaxespad=0.2,
+        borderpad=0.2,
+        handlelength=2.2,
+        columnspacing=1.6,
+        frameon=False,
+        fontsize=SMALL_SIZE,
+    )
+    words = conditions(solution)
+    ax.set_title(f"{words}; {remark}" if remark else words, loc="left", pad=18.0)
+
+
+def number(value: float, digits: int = 4) -> str:
+    """Return ``value`` to so many significant digits as a reader expects it, with a true minus sign.
+
+    Examples
+    --------
+    >>> number(-8.31249), number(2431.7), number(0.0)
+    ('−8.312', '2432', '0')
+    """
+    if value == 0.0 or not np.isfinite(value):
+        return "0" if value == 0.0 else ("−∞" if value < 0 else "∞")
+    decimals = max(0, digits - 1 - int(np.floor(np.log10(abs(value)))))
+    text = f"{value:.{decimals}f}"
+    text = text.rstrip("0").rstrip(".") if "." in text else text
+    return text.replace("-", "−")
+
+
+def _load(load: float) -> str:
+    return f"{number(load)} N" if abs(load) < 1e3 else f"{number(1e-3 * load)} kN"
+
+
+def place(y: float, span: tuple[float, float]) -> str:
+    """Return a position [mm] with as many decimals as the drawn ``span`` can show."""
+    decimals = max(0, 2 - int(np.floor(np.log10(span[1] - span[0]))) + 1)
+    text = f"{y:.{decimals}f}"
+    return (text[1:] if float(text) == 0.0 and text.startswith("-") else text).replace("-", "−")
+
+
+def alignment(ax: Axes, y: float, span: tuple[float, float], words: str) -> Alignment:
+    """Return how to align small ``words`` at ``y`` so that they stay inside the axes."""
+    # Measuring a text needs a renderer, which axes have not before they are drawn; an average letter will do.
+    width = ax.bbox.width / ax.figure.dpi
+    half = 0.5 * len(words) * LETTER / width
+    share = (y - span[0]) / (span[1] - span[0])
+    if share < half:
+        return "left"
+    return "right" if share > 1.0 - half else "center"

@@ -1,0 +1,161 @@
+"""The contact area, seen along the common normal."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, number
+from nonhertz.plot.style import COLOUR_MAP, HINT_DASHES, INK, SMALL_SIZE, THIN
+from nonhertz.solution import Solution
+from nonhertz.strip.element import PARABOLIC
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Array = NDArray[np.float64]
+
+PRESSURE_LABEL = "Pressure $p$ [MPa]"
+
+# Points across the contact at which the pressure is coloured, equally spaced in the angle whose sine is x/a:
+# the semi-ellipse falls vertically at its edge.
+ACROSS = 65
+
+
+def footprint(solution: Solution, ax: Axes, *, stretch: float = 1.0, colour_bar: bool = True) -> Axes:
+    """Draw the contact area in true proportions, y to the right and x upwards, coloured by its pressure.
+
+    The outline is the half-width at the strips' centres. In x the pressure is the strip element's own,
+    ``p0 sqrt(1 - x^2/b^2)`` for the semi-elliptic one. The parabolic one, ``p(0) (1 - x^2/c^2)``, is wider
+    than the Hertz contact of equal load: the area drawn is its own and the dotted line is the half-width b.
+
+    Parameters
+    ----------
+    solution : Solution
+        A solved contact.
+    ax : matplotlib.axes.Axes
+        Where to draw; the limits are widened to its shape.
+    stretch : float
+        Factor by which x is drawn larger than y; the axes say so unless it is 1.
+    colour_bar : bool
+        Whether to draw a colour bar below, which takes room from ``ax``.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        ``ax``.
+    """
+    from matplotlib.colors import Normalize  # noqa: PLC0415  (slow, and only wanted where something is drawn)
+
+    pieces = outlines(solution)
+    reach = 1.15 * float(solution.element_half_width.max()) or 1.0
+    highest = max((float(piece.pressure.max()) for piece in pieces), default=1.0)
+    draw_body_ends(solution, ax, named=False)
+    for piece in pieces:
+        # Thousands of small polygons in an SVG file would show seams; the pressure becomes an image there.
+        mesh = ax.pcolormesh(
+            *_field(solution, piece),
+            shading="gouraud",
+            cmap=COLOUR_MAP,
+            norm=Normalize(0.0, highest),
+            rasterized=True,
+            zorder=1.0,
+        )
+        ax.plot(*piece.closed(), color=INK, linewidth=THIN, solid_joinstyle="round")
+        if _parabolic(solution):
+            for sign in (-1.0, 1.0):
+                hertz = sign * PARABOLIC.hertz_ratio * piece.half_width
+                ax.plot(piece.y, hertz, color="white", linewidth=THIN, linestyle=HINT_DASHES)
+    ax.locator_params(steps=[1, 2, 5, 10])
+    # Automatic limits stay on, or matplotlib would complain when it widens these to the shape of the axes.
+    ax.set_xlim(axial_range(solution), auto=True)
+    ax.set_ylim(-reach, reach, auto=True)
+    ax.set_aspect(stretch, adjustable="datalim")
+    ax.set_xlabel(AXIAL_LABEL)
+    ax.set_ylabel("$x$ [mm]")
+    ax.set_title(_scale(solution, stretch), loc="left", fontsize=SMALL_SIZE)
+    if colour_bar and pieces:
+        ax.figure.colorbar(mesh, ax=ax, orientation="horizontal", label=PRESSURE_LABEL, aspect=40)
+    return ax
+
+
+@dataclass(frozen=True, eq=False)
+class Outline:
+    """One connected piece of the contact area.
+
+    Attributes
+    ----------
+    y : ndarray, shape (points,)
+        Axial positions [mm]: one end, the centres of the strips, the other end.
+    half_width : ndarray, shape (points,)
+        Half-width a [mm] of the element's own pressure shape.
+    pressure : ndarray, shape (points,)
+        The element's own pressure [MPa] at x = 0.
+    """
+
+    y: Array
+    half_width: Array
+    pressure: Array
+
+    def closed(self) -> tuple[Array, Array]:
+        """Return the closed line around the piece."""
+        along = np.concatenate([self.y, self.y[::-1], self.y[:1]])
+        across = np.concatenate([self.half_width, -self.half_width[::-1], self.half_width[:1]])
+        return along, across
+
+
+def outlines(solution: Solution) -> list[Outline]:
+    """Return the pieces of the contact area, ascending in y.
+
+    Between the centres of its first and last strips a piece is what the strips say. Beyond, it comes to a
+    point at the strip's outer edge where the surfaces part, and is cut off square where the strips, and so a
+    body, end.
+    """
+    touching = np.flatnonzero(solution.line_load > 0.0)
+    if touching.size == 0:
+        return []
+    pieces = []
+    for strips in np.split(touching, np.flatnonzero(np.diff(touching) > 1) + 1):
+        first, last = strips[0], strips[-1]
+        y = solution.y[strips]
+        half_width = solution.element_half_width[strips]
+        pressure = solution.element.centre_factor * solution.line_load[strips] / half_width
+        cut = (float(first == 0), float(last == solution.strips - 1))
+        pieces.append(
+            Outline(
+                np.concatenate(
+                    [
+                        [y[0] - 0.5 * solution.strip_width[first]],
+                        y,
+                        [y[-1] + 0.5 * solution.strip_width[last]],
+                    ]
+                ),
+                np.concatenate([[cut[0] * half_width[0]], half_width, [cut[1] * half_width[-1]]]),
+                np.concatenate([[cut[0] * pressure[0]], pressure, [cut[1] * pressure[-1]]]),
+            )
+        )
+    return pieces
+
+
+def _field(solution: Solution, piece: Outline) -> tuple[Array, Array, Array]:
+    """Return y, x [mm] and the pressure [MPa] on a grid that fits the piece, shape (ACROSS, points)."""
+    angle = np.linspace(-0.5 * np.pi, 0.5 * np.pi, ACROSS)[:, None]
+    # x = a sin(angle), and so sqrt(1 - x^2/a^2) is the cosine.
+    shape = np.cos(angle) ** (2 if _parabolic(solution) else 1)
+    y = np.broadcast_to(piece.y, (ACROSS, piece.y.size))
+    return y, np.sin(angle) * piece.half_width, shape * piece.pressure
+
+
+def _parabolic(solution: Solution) -> bool:
+    # By name: a solution that came from another process brings an element of its own.
+    return solution.element.name == PARABOLIC.name
+
+
+def _scale(solution: Solution, stretch: float) -> str:
+    words = "True proportions" if stretch == 1.0 else f"$x$ stretched {number(stretch)} times"
+    if _parabolic(solution):
+        words += "; the parabolic strips' own width, dotted: Hertz half-width $b$"
+    return words

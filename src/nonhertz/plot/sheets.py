@@ -1,0 +1,136 @@
+"""Finished figures, laid out for the width of a page, and how they are written to disk."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from nonhertz.plot.axial import axial_range, conditions
+from nonhertz.plot.centre_line import pressure
+from nonhertz.plot.contact_area import PRESSURE_LABEL, footprint
+from nonhertz.plot.style import SIZE, TITLE_SIZE, sheet_style
+from nonhertz.plot.surfaces import profile
+from nonhertz.solution import Solution
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+# All lengths in inches; the width is that of a journal's page, 170 mm.
+WIDTH, HEIGHT = 6.7, 3.7
+LEFT, RIGHT, BOTTOM = 0.75, 0.75, 0.55
+HEAD, FOOTPRINT_HEAD, TITLE = 0.43, 0.48, 0.22
+BETWEEN = 0.6
+LOWEST_PANEL, HIGHEST_PANEL, HIGHEST_STRETCHED = 0.5, 3.2, 1.9
+BAR, BAR_GAP, BAR_ROOM = 0.11, 0.12, 0.95
+
+STRETCHES = tuple(step * decade for decade in (1, 10, 100, 1000) for step in (1, 1.5, 2, 2.5, 3, 4, 5, 6, 8))
+
+PNG_DPI = 220
+
+
+def figures(solution: Solution, title: str = "") -> dict[str, Figure]:
+    """Return one finished figure each of pressure, footprint and profile.
+
+    Parameters
+    ----------
+    solution : Solution
+        A solved contact.
+    title : str
+        Heading of every figure; none if empty.
+
+    Returns
+    -------
+    dict of str to matplotlib.figure.Figure
+        By the names ``"pressure"``, ``"footprint"`` and ``"profile"``; `save` writes them.
+    """
+    with sheet_style():
+        return {
+            "pressure": _sheet(solution, title, pressure),
+            "footprint": _footprint_sheet(solution, title),
+            "profile": _sheet(solution, title, profile),
+        }
+
+
+def save(figure: Figure, stem: str | Path) -> tuple[Path, Path]:
+    """Write a figure as ``stem``.svg and ``stem``.png and return both paths.
+
+    The same figure gives the same SVG file every time: it holds no date and no random identifiers.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        One of `figures`, or any other.
+    stem : str or Path
+        Path of the files without their ending; a full stop in it is kept.
+    """
+    stem = Path(stem)
+    svg, png = (stem.with_name(stem.name + ending) for ending in (".svg", ".png"))
+    with sheet_style():
+        figure.savefig(svg, dpi=PNG_DPI, metadata={"Date": None})
+        figure.savefig(png, dpi=PNG_DPI)
+    return svg, png
+
+
+def _sheet(solution: Solution, title: str, draw: Callable[[Solution, Axes], Axes]) -> Figure:
+    height = HEIGHT + (TITLE if title else 0.0)
+    figure = _blank(height)
+    panel = _panel(figure, LEFT, BOTTOM, WIDTH - LEFT - RIGHT, HEIGHT - BOTTOM - HEAD)
+    draw(solution, panel)
+    _write_title(figure, title)
+    return figure
+
+
+def _footprint_sheet(solution: Solution, title: str) -> Figure:
+    """Return the contact area in true proportions and, where that is a thin band, stretched below it.
+
+    A roller's contact is 50 times as long as wide. The panels' shapes are worked out here, so that the axes'
+    limits need not be widened to fit them.
+    """
+    low, high = axial_range(solution)
+    width = WIDTH - LEFT - BAR_ROOM
+    across = 2.3 * float(solution.element_half_width.max())
+    natural = width * across / (high - low)
+    stretch = max((step for step in STRETCHES if step * natural <= HIGHEST_STRETCHED), default=1.0)
+    heights = [min(max(natural, LOWEST_PANEL), HIGHEST_PANEL)]
+    if stretch >= 2.0 and solution.contact_y:
+        heights.append(stretch * natural)
+    top_room = FOOTPRINT_HEAD + (TITLE if title else 0.0)
+    figure = _blank(top_room + sum(heights) + BETWEEN * (len(heights) - 1) + BOTTOM)
+    bottom = figure.get_figheight() - top_room
+    for count, height in enumerate(heights):
+        bottom -= height + (BETWEEN if count else 0.0)
+        panel = _panel(figure, LEFT, bottom, width, height)
+        footprint(solution, panel, stretch=stretch if count else 1.0, colour_bar=False)
+        if count < len(heights) - 1:
+            panel.set_xlabel("")
+    if panel.collections:
+        bar = _panel(figure, LEFT + width + BAR_GAP, bottom, BAR, heights[-1])
+        figure.colorbar(panel.collections[-1], cax=bar, label=PRESSURE_LABEL)
+    _write_title(figure, title, conditions(solution))
+    return figure
+
+
+def _blank(height: float) -> Figure:
+    from matplotlib.figure import Figure  # noqa: PLC0415  (slow, and only wanted where something is drawn)
+
+    return Figure(figsize=(WIDTH, height))
+
+
+def _panel(figure: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
+    whole = figure.get_figheight()
+    panel = figure.add_axes((left / WIDTH, bottom / whole, width / WIDTH, height / whole))
+    # Ticks are chosen when the figure is drawn, by then perhaps under other settings.
+    panel.tick_params(labelsize=SIZE)
+    return panel
+
+
+def _write_title(figure: Figure, title: str, conditions: str = "") -> None:
+    whole = figure.get_figheight()
+    line = whole - 0.08
+    if title:
+        figure.text(LEFT / WIDTH, line / whole, title, va="top", weight="bold", fontsize=TITLE_SIZE)
+        line -= TITLE
+    if conditions:
+        figure.text(LEFT / WIDTH, line / whole, conditions, va="top")

@@ -1,0 +1,76 @@
+"""The look that all figures share: colours, line widths and the settings of the finished sheets.
+
+The colours are told apart with any colour vision (Okabe and Ito's blue and vermilion, and the cividis map),
+and every pair of lines differs in dash pattern as well, for print in grey.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+FIRST, SECOND = "#0072B2", "#D55E00"
+INK, FAINT_INK, PALE = "#222222", "#777777", "#E9EEF2"
+COLOUR_MAP = "cividis"
+
+LINE, THIN, HAIR = 1.3, 0.7, 0.4
+END_DASHES = (0, (7, 2, 1.5, 2))  # the draughtsman's dash-dot
+HINT_DASHES = (0, (1, 2))
+
+# Behind words that may stand on a thin line.
+BACKING: dict[str, Any] = {"facecolor": "white", "alpha": 0.85, "edgecolor": "none", "pad": 1.0}
+
+SIZE, SMALL_SIZE, TITLE_SIZE = 8.5, 7.5, 10.0
+
+# DejaVu Sans comes with matplotlib: a figure looks the same on every machine. Letters become outlines in SVG
+# for the same reason. The salt makes the identifiers in an SVG file, random by default, a function of its
+# content.
+SETTINGS: Any = {
+    "font.family": "DejaVu Sans",
+    "font.size": SIZE,
+    "mathtext.fontset": "dejavusans",
+    "axes.labelsize": SIZE,
+    "axes.titlesize": SIZE,
+    "axes.titleweight": "normal",
+    "axes.linewidth": 0.6,
+    "axes.edgecolor": INK,
+    "axes.labelcolor": INK,
+    "axes.facecolor": "white",
+    "axes.grid": False,
+    "axes.unicode_minus": True,
+    "text.color": INK,
+    "text.usetex": False,
+    "xtick.labelsize": SIZE,
+    "ytick.labelsize": SIZE,
+    "xtick.direction": "out",
+    "ytick.direction": "out",
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "xtick.major.size": 3.0,
+    "ytick.major.size": 3.0,
+    "legend.fontsize": SMALL_SIZE,
+    "legend.frameon": False,
+    "figure.facecolor": "white",
+    "figure.dpi": 100.0,
+    "savefig.facecolor": "white",
+    "savefig.bbox": None,
+    "svg.fonttype": "path",
+    "svg.hashsalt": "nonhertz",
+}
+
+# matplotlib's settings belong to the whole process. Two threads that change and restore them at the same time
+# (two requests to the web page) could each restore the other's.
+_LOCK = threading.RLock()
+
+
+@contextmanager
+def sheet_style() -> Iterator[None]:
+    """Draw the body of a ``with`` statement in the style of the finished sheets, then put everything back."""
+    import matplotlib as mpl  # noqa: PLC0415  (slow, and only wanted where something is drawn)
+
+    with _LOCK, mpl.rc_context(SETTINGS):
+        yield

@@ -1,0 +1,96 @@
+"""Both surfaces on the centre line, before and after loading."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, head, number
+from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, PALE, SECOND
+from nonhertz.solution import Solution
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Array = NDArray[np.float64]
+
+MICROMETRES = 1e3
+
+LARGEST_CLEARANCE, CUT_CLEARANCE = 1.4, 1.0
+"""Clearance, as a multiple of the deepest interference, up to which all is drawn; where the axis is cut if
+there is more, so that what yields fills half of the axes."""
+
+
+def profile(solution: Solution, ax: Axes) -> Axes:
+    """Draw the surfaces' distance on the centre line, undeformed and deformed, in micrometres against y.
+
+    The undeformed distance is ``h - (delta + gamma y)``, negative where the bodies would overlap if they did
+    not yield; the deformed one is the gap, zero in contact (shaded). What lies between them is the elastic
+    displacement of both surfaces. Where the relief is far larger than the interference the axis is cut, and
+    the heading says how far the distance goes on.
+
+    Parameters
+    ----------
+    solution : Solution
+        A solved contact.
+    ax : matplotlib.axes.Axes
+        Where to draw.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        ``ax``.
+    """
+    span = axial_range(solution)
+    undeformed = -MICROMETRES * solution.interference
+    # An infinite relief has no place on paper; matplotlib leaves a line out where it is not a number.
+    drawn = np.isfinite(undeformed) & np.isfinite(solution.gap)
+    before = np.where(drawn, undeformed, np.nan)
+    after = np.where(drawn, MICROMETRES * solution.gap, np.nan)
+
+    for count, (low, high) in enumerate(solution.contact_y):
+        label = "in contact" if count == 0 else None
+        ax.axvspan(low, high, facecolor=PALE, edgecolor="none", zorder=0.5, label=label)
+    ax.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
+    draw_body_ends(solution, ax)
+    label = r"undeformed, $h - (\delta + \gamma y)$"
+    ax.plot(solution.y, before, color=SECOND, linewidth=LINE, linestyle="--", label=label)
+    ax.plot(solution.y, after, color=FIRST, linewidth=LINE, label="deformed gap")
+    label = "elastic displacement"
+    ax.fill_between(solution.y, before, after, facecolor=FIRST, alpha=0.16, linewidth=0.0, label=label)
+
+    bottom, top = _limits(before, after)
+    ax.locator_params(axis="x", steps=[1, 2, 5, 10])
+    ax.set_xlim(span)
+    ax.set_ylim(bottom, top)
+    ax.set_xlabel(AXIAL_LABEL)
+    ax.set_ylabel("Distance of the surfaces [µm]")
+    for side in ("top", "right"):
+        ax.spines[side].set_visible(False)
+    inside = (solution.y >= span[0]) & (solution.y <= span[1])
+    largest = float(undeformed[inside].max())
+    handles, labels = ax.get_legend_handles_labels()
+    order = [1, 2, 3, 0] if solution.contact_y else [0, 1, 2]
+    remark = _cut(largest) if largest > top else ""
+    head(solution, ax, [handles[k] for k in order], [labels[k] for k in order], remark=remark)
+    return ax
+
+
+def _cut(largest: float) -> str:
+    if np.isinf(largest):
+        return "axis cut, the relief is infinite at an end"
+    return f"axis cut, the undeformed distance reaches {number(largest, 3)} µm"
+
+
+def _limits(before: Array, after: Array) -> tuple[float, float]:
+    """Return the range of distances [micrometre] to draw, so that what happens in contact fills it."""
+    depth = max(-float(np.nanmin(before)), 0.0)
+    clearance = float(np.nanmax(np.maximum(before, after)))
+    if depth == 0.0:
+        return (-0.1 * clearance, 1.1 * clearance)
+    if clearance > LARGEST_CLEARANCE * depth:
+        return (-1.12 * depth, CUT_CLEARANCE * depth)
+    # A little above zero even where nothing stands clear, so that the line of the gap is not the axes' edge.
+    return (-1.12 * depth, 1.08 * max(clearance, 0.15 * depth))

@@ -1,0 +1,321 @@
+"""Where the strips lie.
+
+A grid is made from a *size function*, the strip width wanted at each y: small where the contact ends, at sharp
+ends, at kinks and where the profile bends hard, growing in proportion to the distance from there, and nowhere
+narrower than a fraction of the half-width, below which strips stop being strips. The edges then follow from
+walking along y in steps of that width. A strip is centred on y = 0 where that is in contact, so that the centre
+pressure is a strip's own value, and edges lie on the ends of the bodies and on kinks.
+
+The sizes come from a solution on a coarser grid, beginning with equal strips on the part of the bodies that
+touches.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.strip.compiled import compiled
+from nonhertz.strip.state import Problem, State
+
+Array = NDArray[np.float64]
+
+# Tuned on Hertz contacts and on sharp ends over two decades of load; the figures behind them are in
+# docs/explain/grid.md.
+STRIPS_PER_CONTACT = 66.0  # the widest strips in contact
+NARROWEST = 1.0 / 24.0  # of the half-width, at sharp ends and kinks
+END_SHARE = 0.068  # of the distance in which m falls from half its summit to zero
+GROWTH = 0.15  # of the distance from a feature
+GROWTH_OUTSIDE = 0.8
+SAG = 1e-3  # of the interference: how much the profile may sag between the edges of one strip
+KINK_SHARE = 0.05
+STRIP_LIMIT = 87
+LOOSEST = 64.0
+SAMPLES = 600
+MOST_BENDS = 12
+
+
+@dataclass(frozen=True)
+class Sizes:
+    """A size function: features, a sampled bound, and the intervals in contact."""
+
+    places: Array
+    widths: Array
+    sample_y: Array
+    sample_width: Array
+    contact: Array
+    largest: float
+    largest_outside: float
+    growth: float
+
+    def loosened(self, by: float) -> Sizes:
+        """Return the function with wider strips away from the features, the features themselves kept."""
+        return Sizes(
+            self.places,
+            self.widths,
+            self.sample_y,
+            self.sample_width * np.sqrt(by),
+            self.contact,
+            self.largest * by,
+            self.largest_outside * by,
+            min(self.growth * np.sqrt(by), 1.0),
+        )
+
+
+def uniform(low: float, high: float, count: int) -> Array:
+    """Return the edges of ``count`` equal strips."""
+    return np.linspace(low, high, count + 1)
+
+
+def ends_of_contact(state: State) -> list[tuple[float, float]]:
+    """Return the intervals in contact, their ends where m, continued linearly, vanishes."""
+    touching = np.concatenate([[False], state.m > 0.0, [False]])
+    first = np.flatnonzero(~touching[:-1] & touching[1:])
+    last = np.flatnonzero(touching[:-1] & ~touching[1:]) - 1
+    return [(_end(state, i, j, -1), _end(state, j, i, 1)) for i, j in zip(first, last, strict=True)]
+
+
+def _end(state: State, at: int, other: int, side: int) -> float:
+    """Return where the contact around strip ``at`` ends on the given side, at most one strip away."""
+    edge = float(state.edges[at + (side > 0)])
+    next_in = at - side
+    next_out = at + side
+    bodies_end = not 0 <= next_out < state.m.size
+    limit = edge if bodies_end else float(state.y[next_out])
+    if at == other or state.m[next_in] <= state.m[at]:
+        return edge
+    run = state.m[at] * abs(state.y[at] - state.y[next_in]) / (state.m[next_in] - state.m[at])
+    return float(side * min(side * (state.y[at] + side * run), side * limit))
+
+
+def reaches(state: State, side: int) -> bool:
+    """Return whether the contact is still open at the outer edge of the strips on that side."""
+    at = -1 if side > 0 else 0
+    if state.m[at] == 0.0:
+        return False
+    if state.m.size < 2:
+        return True
+    next_in = -2 if side > 0 else 1
+    fall = (state.m[next_in] - state.m[at]) / abs(state.y[next_in] - state.y[at])
+    return bool(state.m[at] - 0.5 * fall * state.width[at] > 0.0)
+
+
+def sizes(problem: Problem, state: State, bends: tuple[float, ...]) -> Sizes:
+    """Return the size function that a coarse solution asks for."""
+    half_width = np.sqrt(state.m)
+    contact = np.array(ends_of_contact(state))
+    length = float(contact[-1, 1] - contact[0, 0])
+    low, high = state.edges[0], state.edges[-1]
+    places, widths = [], []
+    for interval in contact:
+        inside = (state.y >= interval[0]) & (state.y <= interval[1]) & (state.m > 0.0)
+        for end, side in zip(interval, (-1, 1), strict=True):
+            floor = NARROWEST * _near(state, half_width, end)
+            sharp = end in (low, high) and reaches(state, side)
+            places.append(end)
+            widths.append(floor if sharp else max(floor, END_SHARE * _fall(state, inside, end)))
+    for bend, width in _kinks(problem, state, contact, half_width, bends, length):
+        places.append(bend)
+        widths.append(width)
+    sample_y, sample_width = _bending(problem, state, half_width)
+    return Sizes(
+        np.array(places),
+        np.minimum(widths, length / 8.0),
+        sample_y,
+        sample_width,
+        contact,
+        length / STRIPS_PER_CONTACT,
+        float(high - low) / 24.0,
+        GROWTH,
+    )
+
+
+def _near(state: State, half_width: Array, place: float) -> float:
+    """Return the half-width of the widest of the strips in contact nearest to ``place``."""
+    touching = np.flatnonzero(state.m > 0.0)
+    nearest = touching[np.argsort(np.abs(state.y[touching] - place))[:3]]
+    return float(np.max(half_width[nearest]))
+
+
+def _fall(state: State, inside: NDArray[np.bool_], end: float) -> float:
+    """Return the distance from ``end`` at which m has half the value of the nearest summit."""
+    order = np.flatnonzero(inside)
+    if order.size == 0:
+        return float(np.min(state.width))
+    order = order[np.argsort(np.abs(state.y[order] - end))]
+    m = state.m[order]
+    falling = np.flatnonzero(np.diff(m) < 0.0)
+    summit = falling[0] if falling.size else m.size - 1
+    at = int(np.argmax(m >= 0.5 * m[summit]))
+    distance = np.abs(state.y[order] - end)
+    if at == 0:
+        return float(distance[0])
+    share = (0.5 * m[summit] - m[at - 1]) / (m[at] - m[at - 1])
+    return float(distance[at - 1] + share * (distance[at] - distance[at - 1]))
+
+
+def _kinks(
+    problem: Problem,
+    state: State,
+    contact: Array,
+    half_width: Array,
+    bends: tuple[float, ...],
+    length: float,
+) -> list[tuple[float, float]]:
+    """Return places and widths at bends in contact where the slope of the profile jumps."""
+    low, high = state.edges[0], state.edges[-1]
+    inside = np.array([b for b in bends if low < b < high and np.any((contact[:, 0] <= b) & (b <= contact[:, 1]))])
+    if inside.size == 0 or inside.size > MOST_BENDS:
+        return []
+    step = 1e-5 * length
+    h = problem.separation(np.concatenate([inside - step, inside, inside + step])).reshape(3, -1)
+    jump = np.abs(h[2] - 2.0 * h[1] + h[0]) / step
+    depth = float(np.max(state.rigid[0] + state.rigid[1] * state.y - problem.separation(state.y)))
+    kinks = []
+    for bend, turn in zip(inside, jump, strict=True):
+        width = KINK_SHARE * depth / turn if turn > 0.0 else np.inf
+        if width < length / STRIPS_PER_CONTACT:
+            kinks.append((float(bend), max(width, NARROWEST * _near(state, half_width, bend))))
+    return kinks
+
+
+def _bending(problem: Problem, state: State, half_width: Array) -> tuple[Array, Array]:
+    """Return samples along y and the width at which the profile sags by no more than SAG of the interference."""
+    y = np.linspace(state.edges[0], state.edges[-1], SAMPLES + 1)
+    h = problem.separation(y)
+    step = y[1] - y[0]
+    depth = state.rigid[0] + state.rigid[1] * y - h
+    with np.errstate(invalid="ignore"):
+        bend = np.abs(h[2:] - 2.0 * h[1:-1] + h[:-2]) / step**2
+    bend[~np.isfinite(bend)] = 0.0
+    with np.errstate(divide="ignore"):
+        width = np.sqrt(8.0 * SAG * np.max(depth) / bend)
+    width[depth[1:-1] < 0.0] = np.inf
+    return y[1:-1], np.maximum(width, NARROWEST * np.max(half_width))
+
+
+def graded(wanted: Sizes, low: float, high: float, centre: float, limit: int, share: float = 1.0) -> Array:
+    """Return the edges of a graded grid of at most ``limit`` strips.
+
+    Parameters
+    ----------
+    wanted : Sizes
+        The size function.
+    low, high : float
+        Ends of the grid [mm].
+    centre : float
+        Centre of one strip [mm].
+    limit : int
+        Most strips; where the sizes ask for more, they are loosened away from the features.
+    share : float
+        Fraction of the strips to make, for the coarser grid of a pair.
+    """
+    by = 1.0
+    walk = _Walk(wanted, low, high, centre)
+    while walk.count > limit and by < LOOSEST:
+        by *= 1.25
+        walk = _Walk(wanted.loosened(by), low, high, centre)
+    return walk.edges(share * min(1.0, limit / walk.count))
+
+
+class _Walk:
+    """The walk along y in steps of the wanted width, and the strips that come of it."""
+
+    def __init__(self, wanted: Sizes, low: float, high: float, centre: float) -> None:
+        self.low, self.high, self.centre = low, high, centre
+        arguments = (
+            wanted.places, wanted.widths, wanted.sample_y, wanted.sample_width, wanted.contact,
+            wanted.largest, wanted.largest_outside, wanted.growth,
+        )  # fmt: skip
+        self.right = _walk(centre, high, *arguments)
+        self.left = _walk(centre, low, *arguments)
+        self.count = float(self.right[1][-1] + self.left[1][-1])
+
+    def edges(self, share: float) -> Array:
+        """Return edges, ``share`` times as many strips as the walk has."""
+        half = 0.5 / share
+        reach = min(
+            float(np.interp(half, self.right[1], self.right[0])) - self.centre,
+            self.centre - float(np.interp(half, self.left[1], self.left[0])),
+        )
+        right = _cut(self.right, self.centre + reach, share)
+        left = _cut(self.left, self.centre - reach, share)
+        return np.concatenate([left[::-1], right])
+
+
+def _cut(side: tuple[Array, Array], start: float, share: float) -> Array:
+    """Return edges from ``start`` outward, a whole number of strips."""
+    y, count = side
+    outward = 1.0 if y[-1] > y[0] else -1.0
+    begin = float(np.interp(outward * start, outward * y, count))
+    pieces = max(1, round(share * (count[-1] - begin)))
+    edges = np.interp(np.linspace(begin, count[-1], pieces + 1), count, y)
+    edges[0], edges[-1] = start, y[-1]
+    return edges
+
+
+@compiled
+def _walk(
+    start: float,
+    stop: float,
+    places: Array,
+    widths: Array,
+    sample_y: Array,
+    sample_width: Array,
+    contact: Array,
+    largest: float,
+    largest_outside: float,
+    growth: float,
+) -> tuple[Array, Array]:
+    """Return positions from ``start`` to ``stop`` and how many strips lie between ``start`` and each."""
+    outward = 1.0 if stop > start else -1.0
+    steps_per_strip = 4.0
+    room = 20000
+    y, count = np.empty(room), np.empty(room)
+    y[0], count[0] = start, 0.0
+    used = 1
+    while used < room:
+        here = y[used - 1]
+        step = _size(here, places, widths, sample_y, sample_width, contact, largest, largest_outside, growth)
+        there = here + outward * step / steps_per_strip
+        last = outward * (there - stop) >= 0.0 or used == room - 1
+        if last:
+            there = stop
+        middle = _size(
+            0.5 * (here + there), places, widths, sample_y, sample_width, contact, largest, largest_outside, growth
+        )
+        y[used] = there
+        count[used] = count[used - 1] + abs(there - here) / middle
+        used += 1
+        if last:
+            break
+    return y[:used].copy(), count[:used].copy()
+
+
+@compiled
+def _size(
+    y: float,
+    places: Array,
+    widths: Array,
+    sample_y: Array,
+    sample_width: Array,
+    contact: Array,
+    largest: float,
+    largest_outside: float,
+    growth: float,
+) -> float:
+    """Return the strip width wanted at ``y``."""
+    inside = False
+    for k in range(contact.shape[0]):
+        inside = inside or (contact[k, 0] <= y <= contact[k, 1])
+    rate = growth if inside else GROWTH_OUTSIDE
+    width = largest if inside else largest_outside
+    for k in range(places.size):
+        width = min(width, widths[k] + rate * abs(y - places[k]))
+    if inside:
+        place = (y - sample_y[0]) / (sample_y[1] - sample_y[0])
+        k = min(max(int(place), 0), sample_y.size - 1)
+        width = min(width, sample_width[k])
+    return width

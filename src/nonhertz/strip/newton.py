@@ -1,0 +1,371 @@
+"""The one loop: a semi-smooth Newton method for loads and half-widths of all strips at once.
+
+Unknown are, per strip, m = a^2 and r = K q / a^2, and for the whole contact the approach and the tilt. In an
+elliptical Hertz contact r is constant and m a parabola; both stay bounded where the contact ends, where the
+pressure summit of the paper's formulation goes to infinity. For every strip in contact the gap and its
+second derivative across vanish on the centre line; a strip out of contact has no load and drops out. Which
+strips touch is settled within the loop, as in a primal-dual active set method: a strip whose m would turn
+negative leaves, a strip whose gap is negative enters. Because a strip's own effect, m [A](m), is a concave
+function through zero, a leaving or entering strip takes the m that its own equation asks for, which
+stops the flutter of nearly idle strips.
+
+The steps are taken in relative changes of r and q = r m. The approach and the tilt border the system: each
+step solves it for three right-hand sides, the residual and the two rigid motions, and a 2 x 2 system then
+serves any of the four pairs of prescribed quantities. The two extra solutions are the stiffness matrix.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.strip.compiled import compiled
+from nonhertz.strip.influence import Table, coefficients, displacement, self_displacement
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+
+CONVERGED, ITERATION_LIMIT, STAGNATED = range(3)
+
+TOLERANCE = 1e-11
+# Once the residual is this small, one more step is exact to rounding and the Jacobian's stiffness to this.
+NEARLY = 1e-8
+STEP_LIMIT = 60
+
+
+@compiled
+def newton(
+    y: Array,
+    low: Array,
+    high: Array,
+    curvature: Array,
+    separation: Array,
+    prescribed: Flags,
+    target: Array,
+    terms: Array,
+    table: Table,
+    r: Array,
+    m: Array,
+    rigid: Array,
+    gap: Array,
+    stiffness: Array,
+    relaxation: float,
+) -> tuple[int, int, float]:
+    """Solve the contact of strips, starting from and overwriting ``r``, ``m`` and ``rigid``.
+
+    Lengths may be in any one unit; loads are counted times the compliance K, so that K q has the unit of a
+    length, K Q that of its square.
+
+    Parameters
+    ----------
+    y, low, high, curvature, separation : ndarray, shape (n,)
+        Strip centres, edges, 1/rho and h.
+    prescribed : ndarray of bool, shape (2,)
+        Whether the load (else the approach) and the moment (else the tilt) are prescribed.
+    target : ndarray, shape (2,)
+        K Q or delta, K T or gamma.
+    terms, table
+        See `nonhertz.strip.influence`.
+    r, m : ndarray, shape (n,)
+        K q / a^2 and a^2; m = 0 marks a strip out of contact.
+    rigid : ndarray, shape (2,)
+        Approach and tilt.
+    gap : ndarray, shape (n,)
+        Result: gap on the centre line.
+    stiffness : ndarray, shape (2, 2)
+        Result: K d(Q, T) / d(approach, tilt).
+    relaxation : float
+        Longest fraction of a Newton step to take; 1 unless a case resists.
+
+    Returns
+    -------
+    status, steps, residual
+        One of CONVERGED, ITERATION_LIMIT, STAGNATED; Newton steps taken; largest relative residual.
+    """
+    half = 0.5 * (high[-1] - low[0])
+    residual = np.inf
+    for step in range(STEP_LIMIT):
+        _keep_two(y, high - low, prescribed, target, r, m)
+        active = np.flatnonzero(m > 0.0)
+        if active.size == 0:
+            return STAGNATED, step, residual
+        k = active.size
+        blocks = np.empty((4, k, k))
+        coefficients(y, low, high, m, active, terms, table, blocks)
+        width, ra = (high - low)[active], r[active]
+        qa = ra * m[active]
+        lever = y[active] / half
+        depth = _interference(y, separation, rigid, active)
+        scale = np.max(depth)
+        if not scale > 0.0:
+            scale = abs(rigid[0]) + abs(rigid[1]) * half
+        gap_residual = blocks[0] @ qa - depth
+        curvature_residual = blocks[2] @ ra - curvature[active]
+        load = np.sum(qa * width)
+        moment = np.sum(qa * width * lever)
+        off = _balance_residual(prescribed, target, rigid, load, moment, half)
+        _idle_gaps(y, low, high, separation, rigid, r, m, active, terms, table, gap)
+        reference = target[0] if prescribed[0] else load
+        residual = max(
+            max(np.max(np.abs(gap_residual)), -np.min(gap)) / scale,
+            np.max(np.abs(curvature_residual) / curvature[active]),
+            _relative(off, prescribed, reference),
+        )
+        if not math.isfinite(residual):
+            return STAGNATED, step, residual
+
+        solution = _directions(blocks, ra, qa, gap_residual, curvature_residual, lever, scale)
+        d_r, d_q = solution[:k], solution[k:]
+        weights = qa * width
+        response = _border(weights, lever, d_q)
+        _store_stiffness(response, half, stiffness)
+        if residual < TOLERANCE:
+            _finish_gaps(gap_residual, active, gap)
+            return CONVERGED, step, residual
+
+        motion = _rigid_step(response, off, prescribed, weights, lever, d_q)
+        rho = d_r[:, 0] + motion[0] * d_r[:, 1] + motion[1] * d_r[:, 2]
+        sigma = d_q[:, 0] + motion[0] * d_q[:, 1] + motion[1] * d_q[:, 2]
+        rigid[0] += relaxation * motion[0]
+        rigid[1] += relaxation * motion[1] / half
+        changed = _update(blocks, active, width, rho, sigma, relaxation, table, r, m)
+        entered = _enter(y, high - low, curvature, gap, active, table, r, m)
+        if residual < NEARLY and not changed and not entered:
+            left = _check(y, low, high, separation, prescribed, target, rigid, r, m, terms, table, gap)
+            if left < TOLERANCE:
+                return CONVERGED, step + 1, left
+    return ITERATION_LIMIT, STEP_LIMIT, residual
+
+
+@compiled
+def _interference(y: Array, separation: Array, rigid: Array, active: Indices) -> Array:
+    return rigid[0] + rigid[1] * y[active] - separation[active]
+
+
+@compiled
+def _keep_two(y: Array, width: Array, prescribed: Flags, target: Array, r: Array, m: Array) -> None:
+    """Let a neighbour join a lone strip that should carry load and moment, since one strip cannot."""
+    if not (prescribed[0] and prescribed[1]):
+        return
+    active = np.flatnonzero(m > 0.0)
+    if active.size != 1:
+        return
+    alone = active[0]
+    arm = target[1] / target[0] - y[alone]
+    other = alone + (1 if arm > 0.0 else -1)
+    if abs(arm) > 1e-12 * width[alone] and 0 <= other < y.size:
+        m[other] = 1e-3 * m[alone]
+        r[other] = r[alone]
+
+
+@compiled
+def _balance_residual(
+    prescribed: Flags, target: Array, rigid: Array, load: float, moment: float, half: float
+) -> Array:
+    """Return what approach or load, tilt or moment lack; tilts are counted as approach at the end."""
+    off = np.empty(2)
+    off[0] = target[0] - load if prescribed[0] else target[0] - rigid[0]
+    off[1] = target[1] / half - moment if prescribed[1] else (target[1] - rigid[1]) * half
+    return off
+
+
+@compiled
+def _relative(off: Array, prescribed: Flags, load: float) -> float:
+    """Return the largest relative imbalance; a prescribed motion is met exactly after one step."""
+    largest = 0.0
+    for k in range(2):
+        if prescribed[k]:
+            largest = max(largest, abs(off[k]) / load)
+    return largest
+
+
+@compiled
+def _idle_gaps(
+    y: Array,
+    low: Array,
+    high: Array,
+    separation: Array,
+    rigid: Array,
+    r: Array,
+    m: Array,
+    active: Indices,
+    terms: Array,
+    table: Table,
+    gap: Array,
+) -> None:
+    """Fill ``gap`` for the strips out of contact, zero for those in contact."""
+    for i in range(y.size):
+        gap[i] = 0.0
+        if m[i] == 0.0:
+            gap[i] = separation[i] - rigid[0] - rigid[1] * y[i]
+            if np.isfinite(gap[i]):
+                gap[i] += displacement(y[i], low, high, r, m, active, terms, table)
+
+
+@compiled
+def _directions(
+    blocks: Array,
+    ra: Array,
+    qa: Array,
+    gap_residual: Array,
+    curvature_residual: Array,
+    lever: Array,
+    scale: float,
+) -> Array:
+    """Return relative changes of r (upper half) and q (lower) for the residual and both rigid motions."""
+    k = ra.size
+    matrix = np.empty((2 * k, 2 * k))
+    for i in range(k):
+        for j in range(k):
+            a, ta, b, tb = blocks[0, i, j], blocks[1, i, j], blocks[2, i, j], blocks[3, i, j]
+            matrix[i, j] = ra[j] * (b + 0.5 * tb)
+            matrix[i, j + k] = -0.5 * ra[j] * tb
+            matrix[i + k, j] = 0.5 * qa[j] * ta / scale
+            matrix[i + k, j + k] = qa[j] * (a - 0.5 * ta) / scale
+    sides = np.zeros((2 * k, 3))
+    sides[:k, 0] = -curvature_residual
+    sides[k:, 0] = -gap_residual / scale
+    sides[k:, 1] = 1.0 / scale
+    sides[k:, 2] = lever / scale
+    return np.linalg.solve(matrix, sides)
+
+
+@compiled
+def _border(weights: Array, lever: Array, d_q: Array) -> Array:
+    """Return d(load, moment / half) / d(approach, tilt half)."""
+    response = np.empty((2, 2))
+    for k in range(2):
+        response[0, k] = np.sum(weights * d_q[:, k + 1])
+        response[1, k] = np.sum(weights * lever * d_q[:, k + 1])
+    return response
+
+
+@compiled
+def _store_stiffness(response: Array, half: float, stiffness: Array) -> None:
+    stiffness[0, 0] = response[0, 0]
+    stiffness[0, 1] = response[0, 1] * half
+    stiffness[1, 0] = response[1, 0] * half
+    stiffness[1, 1] = response[1, 1] * half * half
+
+
+@compiled
+def _rigid_step(
+    response: Array, off: Array, prescribed: Flags, weights: Array, lever: Array, d_q: Array
+) -> Array:
+    """Return the changes of approach and of tilt times half length that meet the prescribed pair."""
+    matrix = np.eye(2)
+    side = off.copy()
+    # A single strip resists tilt no more than a ball: the least rise of the diagonal keeps its tilt as it is.
+    ridge = 1e-14 * abs(response[0, 0])
+    if prescribed[0]:
+        matrix[0] = response[0]
+        matrix[0, 0] += ridge
+        side[0] -= np.sum(weights * d_q[:, 0])
+    if prescribed[1]:
+        matrix[1] = response[1]
+        matrix[1, 1] += ridge
+        side[1] -= np.sum(weights * lever * d_q[:, 0])
+    determinant = matrix[0, 0] * matrix[1, 1] - matrix[0, 1] * matrix[1, 0]
+    motion = np.empty(2)
+    motion[0] = (side[0] * matrix[1, 1] - side[1] * matrix[0, 1]) / determinant
+    motion[1] = (side[1] * matrix[0, 0] - side[0] * matrix[1, 0]) / determinant
+    return motion
+
+
+@compiled
+def _update(
+    blocks: Array,
+    active: Indices,
+    width: Array,
+    rho: Array,
+    sigma: Array,
+    relaxation: float,
+    table: Table,
+    r: Array,
+    m: Array,
+) -> bool:
+    """Apply relative steps ``rho`` of r and ``sigma`` of q; return whether a strip left or was held back."""
+    changed = False
+    for k in range(active.size):
+        i = active[k]
+        mu = relaxation * (sigma[k] - rho[k])
+        old_r, old_m = r[i], m[i]
+        r[i] = old_r * min(max(1.0 + relaxation * rho[k], 0.3), 3.0)
+        if mu > 15.0:
+            changed = True
+            m[i] = 16.0 * old_m
+        elif mu < -0.9:
+            changed = True
+            wanted = blocks[0, k, k] * (1.0 + relaxation * sigma[k]) - 0.5 * blocks[1, k, k] * mu
+            m[i] = _own_width(old_m * wanted * old_r / r[i], width[k], table) if wanted > 0.0 else 0.0
+        else:
+            m[i] = old_m * (1.0 + mu)
+    return changed
+
+
+@compiled
+def _enter(
+    y: Array, width: Array, curvature: Array, gap: Array, active: Indices, table: Table, r: Array, m: Array
+) -> bool:
+    """Put strips with a negative gap in contact, with r from their nearest neighbour there."""
+    entered = False
+    for i in range(y.size):
+        if gap[i] < 0.0:
+            entered = True
+            nearest = active[np.argmin(np.abs(active - i))]
+            r[i] = r[nearest] * curvature[i] / curvature[nearest]
+            m[i] = _own_width(-gap[i] / r[i], width[i], table)
+    return entered
+
+
+@compiled
+def _own_width(wanted: float, width: float, table: Table) -> float:
+    """Return m with m [A](m) = ``wanted``, by Newton's method on a concave increasing function."""
+    m = 0.25 * wanted
+    for _ in range(40):
+        value, slope = self_displacement(width, m, table)
+        better = max(m - (m * value - wanted) / slope, 0.05 * m)
+        if abs(better - m) < 1e-6 * m:
+            return better
+        m = better
+    return m
+
+
+@compiled
+def _finish_gaps(gap_residual: Array, active: Indices, gap: Array) -> None:
+    for k in range(active.size):
+        gap[active[k]] = gap_residual[k]
+
+
+@compiled
+def _check(
+    y: Array,
+    low: Array,
+    high: Array,
+    separation: Array,
+    prescribed: Flags,
+    target: Array,
+    rigid: Array,
+    r: Array,
+    m: Array,
+    terms: Array,
+    table: Table,
+    gap: Array,
+) -> float:
+    """Fill ``gap`` everywhere and return the largest relative violation of contact and balance."""
+    half = 0.5 * (high[-1] - low[0])
+    active = np.flatnonzero(m > 0.0)
+    depth = _interference(y, separation, rigid, active)
+    _idle_gaps(y, low, high, separation, rigid, r, m, active, terms, table, gap)
+    worst = max(-np.min(gap), 0.0)
+    for k in range(active.size):
+        i = active[k]
+        gap[i] = displacement(y[i], low, high, r, m, active, terms, table) - depth[k]
+        worst = max(worst, abs(gap[i]))
+    loads = r[active] * m[active] * (high - low)[active]
+    load = np.sum(loads)
+    off = _balance_residual(prescribed, target, rigid, load, np.sum(loads * y[active]) / half, half)
+    return max(worst / np.max(depth), _relative(off, prescribed, target[0] if prescribed[0] else load))

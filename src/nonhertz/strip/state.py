@@ -1,0 +1,178 @@
+"""A problem of strips in plain arrays, and the state that the Newton loop leaves it in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.strip.element import Element
+from nonhertz.strip.influence import HALF_SPACE
+from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, newton
+from nonhertz.strip.start import prolong, springs
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What the strips have to satisfy, whatever the grid.
+
+    Attributes
+    ----------
+    separation, curvature : callable
+        y [mm] -> h [mm] and 1/rho [1/mm].
+    element : Element
+        The strip element.
+    prescribed : ndarray of bool, shape (2,)
+        Whether the load (else the approach) and the moment (else the tilt) are given.
+    target : ndarray, shape (2,)
+        K Q [mm^2] or delta [mm]; K T [mm^3] or gamma [rad].
+    terms : ndarray, shape (terms, 3)
+        How strips act; see `nonhertz.strip.influence`.
+    """
+
+    separation: Callable[[Array], Array]
+    curvature: Callable[[Array], Array]
+    element: Element
+    prescribed: Flags
+    target: Array
+    terms: Array
+
+    def with_share(self, share: float) -> Problem:
+        """Return the problem with its prescribed load and moment multiplied by ``share``."""
+        target = np.where(self.prescribed, share * self.target, self.target)
+        return Problem(self.separation, self.curvature, self.element, self.prescribed, target, self.terms)
+
+
+@dataclass(frozen=True)
+class State:
+    """Strips with their unknowns: the start of a Newton loop, or its end."""
+
+    edges: Array
+    r: Array
+    m: Array
+    rigid: Array
+    gap: Array
+    stiffness: Array
+    status: int
+    steps: int
+    residual: float
+
+    @cached_property
+    def y(self) -> Array:
+        """Strip centres [mm]."""
+        return 0.5 * (self.edges[1:] + self.edges[:-1])
+
+    @cached_property
+    def width(self) -> Array:
+        """Strip widths [mm]."""
+        return np.diff(self.edges)
+
+    @property
+    def converged(self) -> bool:
+        """Whether every contact condition is met."""
+        return self.status == CONVERGED
+
+    @property
+    def load(self) -> float:
+        """K Q [mm^2]."""
+        return float(np.sum(self.r * self.m * self.width))
+
+    @property
+    def moment(self) -> float:
+        """K T [mm^3]."""
+        return float(np.sum(self.r * self.m * self.width * self.y))
+
+    @cached_property
+    def pressure(self) -> Array:
+        """q / a on each strip, in units of 1 / K; proportional to the pressure."""
+        return self.r * np.sqrt(self.m)
+
+
+def settle(problem: Problem, edges: Array, near: State | None = None, *, patient: bool = True) -> State:
+    """Return the solved state on the strips between ``edges``, starting from a ``near`` one if there is one.
+
+    Where the loop fails from one start, the next is tried: springs, springs with shortened steps, and last the
+    load raised in steps from a small one. The last two only if ``patient``.
+    """
+    y = 0.5 * (edges[1:] + edges[:-1])
+    curvature, separation = problem.curvature(y), problem.separation(y)
+    state = None
+    if near is not None:
+        state = _loop(problem, edges, y, curvature, separation, near)
+    if state is None or not state.converged:
+        state = _loop(problem, edges, y, curvature, separation)
+    if patient and not state.converged:
+        state = _better(state, _loop(problem, edges, y, curvature, separation, relaxation=0.5))
+    if patient and not state.converged and problem.prescribed[0]:
+        state = _better(state, _raised(problem, edges, y, curvature, separation))
+    return state
+
+
+def sprung(problem: Problem, edges: Array) -> State:
+    """Return the answer of independent springs between ``edges``, unsolved."""
+    y, n = 0.5 * (edges[1:] + edges[:-1]), edges.size - 1
+    r, m, rigid = np.empty(n), np.zeros(n), np.zeros(2)
+    springs(
+        y, np.diff(edges), problem.curvature(y), problem.separation(y), problem.element.line_factor,
+        problem.prescribed, problem.target, r, m, rigid,
+    )  # fmt: skip
+    return State(edges, r, m, rigid, np.zeros(n), np.zeros((2, 2)), ITERATION_LIMIT, 0, np.inf)
+
+
+def _better(one: State, other: State) -> State:
+    if other.converged != one.converged:
+        return other if other.converged else one
+    return other if other.residual < one.residual else one
+
+
+def _raised(problem: Problem, edges: Array, y: Array, curvature: Array, separation: Array) -> State:
+    """Return the state reached by raising the load in steps, each the start of the next."""
+    near = None
+    for share in (0.01, 0.03, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0):
+        state = _loop(problem.with_share(share), edges, y, curvature, separation, near)
+        near = state if state.converged else near
+    return state
+
+
+def _loop(
+    problem: Problem,
+    edges: Array,
+    y: Array,
+    curvature: Array,
+    separation: Array,
+    near: State | None = None,
+    relaxation: float = 1.0,
+) -> State:
+    n = y.size
+    low, high = edges[:-1], edges[1:]
+    r, m, rigid = np.empty(n), np.zeros(n), np.zeros(2)
+    if near is not None:
+        prolong(near.y, near.r, near.m, y, r, m)
+        m[~np.isfinite(separation)] = 0.0
+        rigid[:] = np.where(problem.prescribed, near.rigid, problem.target)
+    if not np.any(m > 0.0):
+        factor = problem.element.line_factor
+        springs(y, high - low, curvature, separation, factor, problem.prescribed, problem.target, r, m, rigid)
+    gap, stiffness = np.zeros(n), np.zeros((2, 2))
+    status, steps, residual = newton(
+        y, low, high, curvature, separation, problem.prescribed, problem.target, problem.terms,
+        problem.element.table, r, m, rigid, gap, stiffness, relaxation,
+    )  # fmt: skip
+    return State(edges, r, m, rigid, gap, stiffness, status, steps, residual)
+
+
+def half_space_problem(
+    separation: Callable[[Array], Array],
+    curvature: Callable[[Array], Array],
+    element: Element,
+    prescribed: Flags,
+    target: Array,
+) -> Problem:
+    """Return the problem in which both bodies answer as half-spaces."""
+    return Problem(separation, curvature, element, prescribed, target, HALF_SPACE)

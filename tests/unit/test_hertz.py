@@ -1,0 +1,301 @@
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+
+from nonhertz.errors import InputError
+from nonhertz.hertz import (
+    LineContact,
+    PointContact,
+    half_space_line_compression,
+    line_contact,
+    plane_strain_cylinder_compression,
+    point_contact,
+)
+from nonhertz.model.body import Plate, Roller
+from nonhertz.model.contact import Contact
+from nonhertz.model.material import SILICON_NITRIDE, STEEL
+
+COMPLIANCE = 2.0 * STEEL.compliance
+# Slender both ways, nearly circular and circular.
+RADII_Y = [1e-11, 1e-7, 0.3, 10.0 - 1e-9, 10.0, 10.0 + 1e-9, 85.0, 1e9, 1e13]
+
+
+def ellipse(**changes: float) -> PointContact:
+    return point_contact(
+        **{"load": 1000.0, "radius_x": 10.0, "radius_y": 100.0, "compliance": COMPLIANCE, **changes}
+    )
+
+
+def line(**changes: float) -> LineContact:
+    return line_contact(**{"line_load": 800.0, "radius": 7.5, "compliance": COMPLIANCE, **changes})
+
+
+# Point contact
+
+
+@pytest.mark.parametrize("radius", [1e-3, 10.0, 1e6])
+def test_equal_radii_give_the_closed_form_of_the_sphere(radius):
+    # Johnson 1985, Eqs. (4.22)-(4.24), with the contact modulus E* = 1 / (pi K). The tolerance is rounding.
+    modulus = 1.0 / (math.pi * COMPLIANCE)
+    contact = ellipse(radius_x=radius, radius_y=radius)
+    assert contact.half_width == contact.half_length
+    np.testing.assert_allclose(contact.half_width, (3000.0 * radius / (4.0 * modulus)) ** (1 / 3), rtol=1e-14)
+    np.testing.assert_allclose(contact.approach, contact.half_width**2 / radius, rtol=1e-14)
+    pressure = (6000.0 * modulus**2 / (math.pi**3 * radius**2)) ** (1 / 3)
+    np.testing.assert_allclose(contact.max_pressure, pressure, rtol=1e-14)
+
+
+def test_nearly_equal_radii_keep_their_digits():
+    # Near the circle a/b = (Ry/Rx)^(2/3); the second-order term is below 1e-20 and doubles resolve 2e-16.
+    contact = ellipse(radius_x=10.0, radius_y=10.0 * (1.0 + 1e-10))
+    assert contact.ellipticity - 1.0 == pytest.approx(2e-10 / 3.0, rel=0.0, abs=1e-15)
+
+
+def test_a_slender_ellipse_is_a_line_contact_in_its_middle():
+    # The difference is of the order (b/a)^2 ln(a/b), 2e-10 here.
+    contact = ellipse(radius_y=1e11)
+    middle = line_contact(line_load=float(contact.line_load_at(0.0)), radius=10.0, compliance=COMPLIANCE)
+    assert contact.ellipticity > 1e5
+    np.testing.assert_allclose(contact.half_width, middle.half_width, rtol=1e-9)
+    np.testing.assert_allclose(contact.max_pressure, middle.max_pressure, rtol=1e-9)
+
+
+@pytest.mark.parametrize("radius_y", RADII_Y)
+def test_swapped_radii_swap_the_axes_and_nothing_else(radius_y):
+    contact, turned = ellipse(radius_y=radius_y), ellipse(radius_x=radius_y, radius_y=10.0)
+    assert (contact.half_width, contact.half_length) == (turned.half_length, turned.half_width)
+    assert (contact.max_pressure, contact.approach) == (turned.max_pressure, turned.approach)
+
+
+def test_the_longer_axis_lies_along_the_larger_radius():
+    assert ellipse(radius_y=100.0).ellipticity > 1.0
+    assert ellipse(radius_y=1.0).ellipticity < 1.0
+
+
+@pytest.mark.parametrize("radius_y", RADII_Y)
+def test_the_approach_leads_back_to_the_load(radius_y):
+    contact = ellipse(radius_y=radius_y)
+    back = point_contact(approach=contact.approach, radius_x=10.0, radius_y=radius_y, compliance=COMPLIANCE)
+    # One solution reached by two ways; they differ by a few roundings.
+    np.testing.assert_allclose(dataclasses.astuple(back), dataclasses.astuple(contact), rtol=1e-14)
+
+
+@pytest.mark.parametrize("radius_y", [0.3, 10.0, 1e9])
+def test_scaling_with_load_and_size(radius_y):
+    # 8 and 2 are powers of two: only the cube root rounds.
+    contact, loaded = ellipse(radius_y=radius_y), ellipse(radius_y=radius_y, load=8000.0)
+    grown = ellipse(radius_x=20.0, radius_y=2.0 * radius_y, load=4000.0)
+    for name, by_load, by_size in (
+        ("half_width", 2.0, 2.0),
+        ("half_length", 2.0, 2.0),
+        ("max_pressure", 2.0, 1.0),
+        ("approach", 4.0, 2.0),
+        ("stiffness", 2.0, 2.0),
+    ):
+        start = getattr(contact, name)
+        np.testing.assert_allclose(getattr(loaded, name), by_load * start, rtol=1e-14, err_msg=name)
+        np.testing.assert_allclose(getattr(grown, name), by_size * start, rtol=1e-14, err_msg=name)
+
+
+def test_load_and_compliance_enter_the_shape_as_a_product():
+    soft, pressed = ellipse(compliance=3.0 * COMPLIANCE), ellipse(load=3000.0)
+    np.testing.assert_allclose(soft.half_width, pressed.half_width, rtol=1e-14)
+    np.testing.assert_allclose(soft.approach, pressed.approach, rtol=1e-14)
+    np.testing.assert_allclose(soft.max_pressure, pressed.max_pressure / 3.0, rtol=1e-14)
+
+
+@pytest.mark.parametrize("radius_y", [1e-7, 10.0, 85.0])
+def test_stiffness_is_the_slope_of_load_over_approach(radius_y):
+    contact, step = ellipse(radius_y=radius_y), 1e-4
+    low, high = (ellipse(radius_y=radius_y, load=1000.0 * (1.0 + s)) for s in (-step, step))
+    slope = (high.load - low.load) / (high.approach - low.approach)
+    # Central difference: error step^2 / 27.
+    np.testing.assert_allclose(contact.stiffness, slope, rtol=1e-9)
+
+
+@pytest.mark.parametrize("radius_y", [0.3, 10.0, 1e9])
+def test_pressure_across_adds_up_to_the_line_load_and_that_to_the_load(radius_y):
+    contact = ellipse(radius_y=radius_y)
+    y = contact.half_length * np.array([-0.9, 0.0, 0.5])
+    # x = b(y) sin t makes the integrand cos^2, for which equal steps are exact.
+    t = np.linspace(-0.5 * math.pi, 0.5 * math.pi, 65)
+    width = contact.half_width_at(y)[:, None]
+    across = np.trapezoid(contact.pressure(y[:, None], width * np.sin(t)) * np.cos(t), t) * width[:, 0]
+    np.testing.assert_allclose(contact.line_load_at(y), across, rtol=1e-13)
+    nodes, weights = np.polynomial.legendre.leggauss(2)
+    along = contact.half_length * weights @ contact.line_load_at(contact.half_length * nodes)
+    np.testing.assert_allclose(along, contact.load, rtol=1e-14)
+
+
+def test_nothing_is_carried_outside_the_ellipse():
+    contact = ellipse()
+    y = contact.half_length * np.array([-3.0, -1.0, 1.0, 1.001])
+    for values in (contact.pressure(y), contact.half_width_at(y), contact.line_load_at(y)):
+        assert values.tolist() == [0.0, 0.0, 0.0, 0.0]
+    assert float(contact.pressure(0.0, contact.half_width)) == 0.0
+    assert float(contact.pressure(0.8 * contact.half_length, 0.7 * contact.half_width)) == 0.0
+
+
+def test_the_middle_has_the_greatest_pressure_and_width():
+    contact = ellipse()
+    assert float(contact.pressure(0.0)) == contact.max_pressure
+    assert float(contact.half_width_at(0.0)) == contact.half_width
+
+
+def test_positions_broadcast():
+    contact = ellipse()
+    assert contact.pressure(np.zeros((3, 1)), np.zeros(4)).shape == (3, 4)
+    assert contact.half_width_at([0.0, 0.1]).shape == (2,)
+
+
+def test_whole_numbers_and_numpy_numbers_become_floats():
+    contact = point_contact(load=np.float32(1000), radius_x=10, radius_y=np.int64(100), compliance=COMPLIANCE)
+    assert contact == ellipse()
+    assert all(type(value) is float for value in dataclasses.astuple(contact))
+
+
+def test_a_contact_of_the_model_gives_its_compliance():
+    model = Contact(Roller(diameter=20, length=20), Plate(material=SILICON_NITRIDE))
+    mixed = ellipse(compliance=model.compliance)
+    assert ellipse().approach > mixed.approach > ellipse(compliance=STEEL.compliance).approach
+
+
+@pytest.mark.parametrize("result", [ellipse(), line()])
+def test_results_are_frozen(result):
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        result.half_width = 1.0
+
+
+@pytest.mark.parametrize(
+    ("changes", "sentence"),
+    [
+        (
+            {"radius_y": math.inf},
+            "radius_y = inf must be a finite number: give the combined radius 1 / (1/R_a + 1/R_b) in mm, "
+            "or use line_contact for straight bodies.",
+        ),
+        (
+            {"radius_x": -10.0},
+            "radius_x = -10.0 must be positive: give the combined radius 1 / (1/R_a + 1/R_b) in mm, "
+            "or use line_contact for straight bodies.",
+        ),
+        (
+            {"radius_y": 1e102},
+            "radius_y = 1e+102 must lie within a factor of 1e100 of radius_x = 10.0: use line_contact for "
+            "straight bodies.",
+        ),
+        (
+            {"compliance": 0.0},
+            "compliance = 0.0 must be positive: give the sum of both bodies' (1 - nu^2) / (pi E) in 1/MPa, "
+            "which is Contact.compliance.",
+        ),
+        ({"load": 0}, "load = 0 must be positive: give the load in N, or the approach in mm instead."),
+        (
+            {"load": "1 kN"},
+            "load = '1 kN' must be a finite number: give the load in N, or the approach in mm instead.",
+        ),
+        ({"load": None}, "load = None must be given: give either the load in N or the approach in mm."),
+        (
+            {"approach": 0.01},
+            "load = 1000.0 must be left out where approach = 0.01 is given: give either the load in N or the "
+            "approach in mm.",
+        ),
+        (
+            {"load": None, "approach": -0.01},
+            "approach = -0.01 must be positive: give the approach in mm, or the load in N instead.",
+        ),
+    ],
+)
+def test_a_point_contact_refuses_input_in_one_sentence(changes, sentence):
+    with pytest.raises(InputError) as raised:
+        ellipse(**changes)
+    assert str(raised.value) == sentence
+
+
+def test_the_most_slender_contact_allowed_is_still_exact():
+    # Only rounding sets it apart from a line contact; the radius ratio's logarithm, 230, costs two digits.
+    contact = ellipse(radius_x=1e-40, radius_y=1e60)
+    middle = line_contact(line_load=float(contact.line_load_at(0.0)), radius=1e-40, compliance=COMPLIANCE)
+    np.testing.assert_allclose(contact.half_width, middle.half_width, rtol=2e-13)
+    np.testing.assert_allclose(contact.max_pressure, middle.max_pressure, rtol=2e-13)
+
+
+# Line contact
+
+
+def test_line_contact_with_the_contact_modulus():
+    # Johnson 1985, Eq. (4.45) in terms of p0: p0^2 = q E* / (pi rho), a form that the code does not use.
+    contact, modulus = line(), 1.0 / (math.pi * COMPLIANCE)
+    np.testing.assert_allclose(contact.max_pressure**2, 800.0 * modulus / (math.pi * 7.5), rtol=1e-14)
+    np.testing.assert_allclose(contact.half_width, 2.0 * 7.5 * contact.max_pressure / modulus, rtol=1e-14)
+
+
+def test_line_pressure_adds_up_to_the_line_load_and_ends_at_the_edge():
+    contact = line()
+    # As for the ellipse: equal steps are exact in t.
+    t = np.linspace(-0.5 * math.pi, 0.5 * math.pi, 65)
+    across = np.trapezoid(contact.pressure(contact.half_width * np.sin(t)) * np.cos(t), t)
+    np.testing.assert_allclose(across * contact.half_width, contact.line_load, rtol=1e-13)
+    assert contact.pressure(contact.half_width * np.array([-1.5, -1.0, 0.0, 1.0])).tolist() == [
+        0.0,
+        0.0,
+        contact.max_pressure,
+        0.0,
+    ]
+
+
+@pytest.mark.parametrize(
+    ("changes", "field"),
+    [
+        ({"line_load": -1.0}, "line_load"),
+        ({"radius": math.inf}, "radius"),
+        ({"radius": 0.0}, "radius"),
+        ({"compliance": math.nan}, "compliance"),
+    ],
+)
+def test_a_line_contact_refuses_input(changes, field):
+    with pytest.raises(InputError, match=rf"^{field} = .* must be (a finite number|positive): give .*\.$"):
+        line(**changes)
+
+
+# Compression
+
+
+def test_a_larger_cylinder_and_a_longer_strip_give_in_by_a_logarithm():
+    contact = line()
+    cylinders = [
+        plane_strain_cylinder_compression(contact, diameter=d, material=STEEL) for d in (15.0, 150.0)
+    ]
+    strips = [half_space_line_compression(contact, length=length) for length in (15.0, 150.0)]
+    tenfold = 2.0 * contact.line_load * math.log(10.0)
+    # Differences of numbers ten times as large: three digits less than rounding.
+    np.testing.assert_allclose(cylinders[1] - cylinders[0], tenfold * STEEL.compliance, rtol=1e-13)
+    np.testing.assert_allclose(strips[1] - strips[0], tenfold * COMPLIANCE, rtol=1e-13)
+
+
+def test_each_cylinder_counts_with_its_own_material():
+    contact = line(compliance=STEEL.compliance + SILICON_NITRIDE.compliance)
+    steel, ceramic = (
+        plane_strain_cylinder_compression(contact, diameter=15.0, material=material)
+        for material in (STEEL, SILICON_NITRIDE)
+    )
+    np.testing.assert_allclose(steel / ceramic, STEEL.compliance / SILICON_NITRIDE.compliance, rtol=1e-14)
+
+
+def test_a_cylinder_narrower_than_the_contact_is_refused():
+    contact = line()
+    with pytest.raises(InputError, match=r"^diameter = 0.1 must exceed the width of contact of 0\.5\d* mm: "):
+        plane_strain_cylinder_compression(contact, diameter=0.1, material=STEEL)
+    with pytest.raises(InputError, match=r"^length = 0.1 must exceed the width of contact of 0\.5\d* mm: "):
+        half_space_line_compression(contact, length=0.1)
+
+
+def test_a_compression_refuses_what_is_not_a_line_contact_or_a_material():
+    with pytest.raises(
+        InputError, match=r"^contact = 800.0 must be a LineContact: make one with line_contact\.$"
+    ):
+        half_space_line_compression(800.0, length=20.0)  # type: ignore[arg-type]
+    with pytest.raises(InputError, match=r"^material = 207000.0 must be a Material: "):
+        plane_strain_cylinder_compression(line(), diameter=15.0, material=207000.0)  # type: ignore[arg-type]

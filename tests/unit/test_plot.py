@@ -1,0 +1,523 @@
+"""Drawings of a solution: what is drawn is what the solution says, and files come out the same every time."""
+
+from __future__ import annotations
+
+import copy
+import gc
+import subprocess
+import sys
+import weakref
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.collections import QuadMesh
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle, StepPatch
+from matplotlib.text import Text
+from matplotlib.transforms import Bbox
+from numpy.testing import assert_allclose
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz import plot
+from nonhertz.model.body import Body, Plate, Roller
+from nonhertz.model.contact import Contact
+from nonhertz.model.profile import Profile
+from nonhertz.plot.style import INK
+from nonhertz.solution import ErrorEstimate, Solution, Status
+from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Even(Profile):
+    """Relief ``second y^2 + fourth y^4``: a crown, or with a negative ``second`` a hollow between crests."""
+
+    second: float
+    fourth: float = 0.0
+
+    def relief(self, y: ArrayLike) -> Array:
+        y = np.asarray(y, dtype=float)
+        return self.second * y**2 + self.fourth * y**4
+
+
+@dataclass(frozen=True)
+class EndlessAtEnds(Profile):
+    """A logarithmic relief, infinite at |y| = half and beyond."""
+
+    amplitude: float
+    half: float
+
+    def relief(self, y: ArrayLike) -> Array:
+        rest = 1.0 - (np.asarray(y, dtype=float) / self.half) ** 2
+        return np.where(rest > 0.0, -self.amplitude * np.log(np.where(rest > 0.0, rest, 1.0)), np.inf)
+
+
+@dataclass(frozen=True)
+class Waves(Profile):
+    """Crests, one after another along the axis."""
+
+    amplitude: float
+    length: float
+
+    def relief(self, y: ArrayLike) -> Array:
+        return self.amplitude * (1.0 - np.cos(2.0 * np.pi * np.asarray(y, dtype=float) / self.length))
+
+
+def springs(
+    contact: Contact,
+    approach: float,
+    tilt: float = 0.0,
+    strips: int = 61,
+    reach: float = 10.0,
+    element: Element = SEMI_ELLIPTIC,
+    status: Status = Status.CONVERGED,
+    singular: bool = False,
+) -> Solution:
+    """Return a solution in which every strip answers for itself: right in shape, without the solver.
+
+    A strip with interference d has the half-width of a Hertz contact that is d deep and the load of a line
+    contact.
+    """
+    edges = -reach * np.cos(np.linspace(0.0, np.pi, strips + 1))
+    y, width = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
+    interference = approach + tilt * y - contact.separation(y)
+    touching = interference > 0.0
+    curvature = contact.curvature(y)
+    half_width = np.sqrt(np.where(touching, interference, 0.0) / (5.0 * curvature))
+    line_load = half_width**2 * curvature / (4.0 * contact.compliance)
+    return Solution(
+        contact=contact,
+        element=element,
+        status=status,
+        approach=approach,
+        tilt=tilt,
+        load=float(line_load @ width),
+        moment=float((line_load * y) @ width),
+        stiffness=np.eye(2),
+        y=y,
+        strip_width=width,
+        line_load=line_load,
+        element_half_width=half_width / element.hertz_ratio,
+        gap=np.where(touching, 0.0, -0.8 * interference),
+        iterations=7,
+        error_estimate=ErrorEstimate(approach=1e-4, load=0.0, max_pressure=np.inf if singular else 1e-3),
+        warnings=(),
+    )
+
+
+def crowned(**options: object) -> Solution:
+    roller = Roller(diameter=20.0, length=20.0, profile=Even(1.0 / 4000.0))
+    return springs(Contact(roller, Plate()), approach=0.03, tilt=0.5e-3, **options)  # type: ignore[arg-type]
+
+
+CASES = {
+    "crowned": crowned(),
+    "parabolic": crowned(element=PARABOLIC),
+    "point": springs(Contact(Body(diameter=20.0), Body(profile=Even(1.0 / 60.0))), approach=0.02, reach=1.4),
+    "sharp": springs(Contact(Roller(diameter=20.0, length=20.0), Plate()), 0.03, tilt=1e-3, singular=True),
+    "lifted": springs(
+        Contact(Roller(diameter=20.0, length=20.0), Plate(length=20.3)), 0.01, tilt=2.5e-3, strips=41
+    ),
+    "hollow": springs(
+        Contact(Roller(diameter=20.0, length=20.0, profile=Even(-4e-4, 4e-6)), Plate()),
+        approach=-0.003,
+        tilt=2e-4,
+    ),
+    "endless": springs(
+        Contact(Roller(diameter=20.0, length=20.0, profile=EndlessAtEnds(0.006, 9.95)), Plate()),
+        0.025,
+        tilt=-7e-4,
+    ),
+}
+
+WAVY = springs(
+    Contact(Roller(diameter=20.0, length=20.0, profile=Waves(0.004, 6.0)), Plate()), 0.004, tilt=1e-4
+)
+
+
+@pytest.fixture(params=CASES)
+def solution(request: pytest.FixtureRequest) -> Solution:
+    return CASES[request.param]
+
+
+@pytest.fixture
+def ax() -> Axes:
+    return Figure().add_subplot()
+
+
+def words(figure: Figure) -> list[str]:
+    return [text.get_text() for text in figure.findobj(Text) if text.get_text()]
+
+
+def drawn_words(figure: Figure) -> list[tuple[str, Bbox]]:
+    """Return every text that shows ink, with its box in pixels, ticks beyond the axes' limits left out."""
+    figure.draw_without_rendering()
+    hidden = set()
+    for axes in figure.axes:
+        for axis, (low, high) in (
+            (axes.xaxis, sorted(axes.get_xlim())),
+            (axes.yaxis, sorted(axes.get_ylim())),
+        ):
+            slack = 1e-9 * (high - low)
+            for tick in axis.get_major_ticks():
+                if not low - slack <= tick.get_loc() <= high + slack:
+                    hidden |= {tick.label1, tick.label2}
+    texts = [
+        text for text in figure.findobj(Text) if text.get_text() and text.get_visible() and text not in hidden
+    ]
+    return [(text.get_text(), Text.get_window_extent(text)) for text in texts]
+
+
+class TestPressure:
+    def test_lines_are_the_strips(self, solution: Solution, ax: Axes) -> None:
+        assert plot.pressure(solution, ax) is ax
+        left, right = ax.figure.axes
+        pressure, half_width = left.lines, right.lines[0]
+        line = next(line for line in pressure if len(line.get_xdata()) == solution.strips)
+        assert_allclose(line.get_xdata(), solution.y, rtol=0, atol=0)
+        assert_allclose(line.get_ydata(), solution.peak_pressure, rtol=0, atol=0)
+        assert_allclose(half_width.get_xdata(), solution.y, rtol=0, atol=0)
+        assert_allclose(half_width.get_ydata(), solution.half_width, rtol=0, atol=0)
+
+    def test_steps_are_as_wide_as_the_strips(self, solution: Solution, ax: Axes) -> None:
+        plot.pressure(solution, ax)
+        for steps in (patch for patch in ax.patches if isinstance(patch, StepPatch)):
+            values, edges, _ = steps.get_data()
+            assert_allclose(np.diff(edges), solution.strip_width, rtol=1e-12)
+            assert_allclose(values, solution.peak_pressure, rtol=0, atol=0)
+
+    def test_everything_is_inside_the_axes_and_starts_from_zero(self, solution: Solution, ax: Axes) -> None:
+        plot.pressure(solution, ax)
+        left, right = ax.figure.axes
+        assert left.get_ylim()[0] == right.get_ylim()[0] == 0.0
+        assert left.get_ylim()[1] > solution.max_pressure
+        assert right.get_ylim()[1] > solution.half_width.max()
+        low, high = left.get_xlim()
+        assert low < solution.contact_y[0][0]
+        assert high > solution.contact_y[-1][1]
+
+    def test_axes_say_what_and_in_which_unit(self, ax: Axes) -> None:
+        plot.pressure(CASES["crowned"], ax)
+        left, right = ax.figure.axes
+        assert left.get_xlabel() == "Axial position $y$ [mm]"
+        assert left.get_ylabel() == "Centre-line pressure $p_0$ [MPa]"
+        assert right.get_ylabel() == "Half-width $b$ [mm]"
+
+    def test_heading_gives_load_and_tilt(self, ax: Axes) -> None:
+        plot.pressure(CASES["crowned"], ax)
+        load = 1e-3 * CASES["crowned"].load
+        assert ax.get_title(loc="left") == f"Load {load:.3f} kN, tilt 0.5 mrad"
+
+    def test_maximum_and_ends_are_labelled(self, ax: Axes) -> None:
+        solution = CASES["hollow"]
+        plot.pressure(solution, ax)
+        (first, second) = solution.contact_y
+        expected = f"contact {first[0]:.2f} to {first[1]:.2f} mm and {second[0]:.2f} to {second[1]:.2f} mm"
+        shown = [text.get_text() for text in ax.texts]
+        assert expected.replace("-", "−") in shown
+        assert f"{solution.max_pressure:.1f} MPa at $y$ = {solution.max_pressure_y:.2f} mm" in shown
+        marker = next(line for line in ax.lines if line.get_marker() == "o")
+        assert_allclose(
+            marker.get_xydata(), [[solution.max_pressure_y, solution.max_pressure]], rtol=0, atol=0
+        )
+
+    def test_many_intervals_are_counted_instead(self, ax: Axes) -> None:
+        plot.pressure(WAVY, ax)
+        assert any("contact on 3 intervals" in text.get_text() for text in ax.texts)
+
+    def test_singular_maximum_says_so(self, ax: Axes) -> None:
+        plot.pressure(CASES["sharp"], ax)
+        assert any("rises with refinement" in text.get_text() for text in ax.texts)
+
+    @pytest.mark.parametrize(
+        ("name", "expected"),
+        [
+            ("crowned", {-10.0: "end of roller", 10.0: "end of roller"}),
+            ("lifted", {-10.15: "end of plate, end of roller", 10.15: "end of roller, end of plate"}),
+            ("point", {}),
+        ],
+    )
+    def test_ends_of_bodies(self, name: str, expected: dict[float, str], ax: Axes) -> None:
+        plot.pressure(CASES[name], ax)
+        shown = {text.xy[0]: text.get_text() for text in ax.texts if "end of" in text.get_text()}  # type: ignore[attr-defined]
+        assert shown == expected
+
+    def test_an_effective_length_is_not_called_the_end(self, ax: Axes) -> None:
+        contact = Contact(Body(diameter=20.0, length=20.0, effective_length=18.0), Body(length=30.0))
+        plot.pressure(springs(contact, 0.02, reach=9.0), ax)
+        assert [text.get_text() for text in ax.texts if "end of" in text.get_text()] == [
+            "usable end of body a"
+        ] * 2
+
+    def test_unconverged_result_says_so(self, ax: Axes) -> None:
+        plot.pressure(crowned(status=Status.STAGNATED), ax)
+        assert ax.get_title(loc="left").endswith("NOT CONVERGED")
+
+
+class TestFootprint:
+    @pytest.mark.parametrize("stretch", [1.0, 12.0])
+    @pytest.mark.parametrize("shape", [(6.0, 1.0), (4.0, 4.0), (1.5, 5.0)])
+    def test_proportions_are_true_or_as_said(
+        self, solution: Solution, stretch: float, shape: tuple[float, float], caplog: pytest.LogCaptureFixture
+    ) -> None:
+        ax = Figure(figsize=shape).add_subplot()
+        assert plot.footprint(solution, ax, stretch=stretch, colour_bar=False) is ax
+        ax.figure.draw_without_rendering()
+        origin, along, across = ax.transData.transform([(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)])
+        assert_allclose((across - origin)[1], stretch * (along - origin)[0], rtol=1e-2)
+        assert not caplog.records
+
+    def test_all_of_the_area_is_inside_the_axes(self, solution: Solution, ax: Axes) -> None:
+        plot.footprint(solution, ax)
+        ax.figure.draw_without_rendering()
+        low, high = ax.get_xlim()
+        assert low < solution.contact_y[0][0] < solution.contact_y[-1][1] < high
+        assert ax.get_ylim()[1] > solution.element_half_width.max()
+        assert ax.get_ylim()[0] == -ax.get_ylim()[1]
+
+    def test_outline_is_the_half_width(self, solution: Solution, ax: Axes) -> None:
+        plot.footprint(solution, ax)
+        pieces = [line.get_xydata() for line in ax.lines if line.get_color() == INK]
+        assert len(pieces) == len(solution.contact_y)
+        for piece, (low, high) in zip(pieces, solution.contact_y, strict=True):
+            assert_allclose(piece[0], piece[-1], rtol=0, atol=0)
+            assert_allclose((piece[:, 0].min(), piece[:, 0].max()), (low, high), rtol=0, atol=1e-9)
+            inside = (solution.y > low) & (solution.y < high)
+            for sign in (-1.0, 1.0):
+                side = {y: x for y, x in piece if sign * x > 0.0}
+                assert_allclose(
+                    [side[y] for y in solution.y[inside]],
+                    sign * solution.element_half_width[inside],
+                    rtol=1e-15,
+                )
+
+    def test_area_is_cut_square_only_where_a_body_ends(self, ax: Axes) -> None:
+        plot.footprint(CASES["lifted"], ax)
+        (line,) = (line.get_xydata() for line in ax.lines if line.get_color() == INK)
+        assert_allclose(line[line[:, 0].argmin()][1], 0.0, rtol=0, atol=0)
+        assert_allclose(
+            np.abs(line[line[:, 0] > 9.9999999][:, 1]), CASES["lifted"].half_width[-1], rtol=1e-12
+        )
+
+    def test_colours_are_the_pressure(self, solution: Solution, ax: Axes) -> None:
+        plot.footprint(solution, ax)
+        meshes = [item for item in ax.collections if isinstance(item, QuadMesh)]
+        highest = max(float(mesh.get_array().max()) for mesh in meshes)
+        # At equal load the parabola's middle is 3/4 q/a against 2/pi q/b.
+        own = 0.75 * np.pi / 2.0 * np.sqrt(2.0 / 3.0) if solution.element is PARABOLIC else 1.0
+        assert_allclose(highest, own * solution.max_pressure, rtol=1e-12)
+        for mesh in meshes:
+            assert mesh.get_clim() == (0.0, highest)
+
+    @pytest.mark.parametrize(("name", "factor"), [("crowned", np.pi / 2.0), ("parabolic", 4.0 / 3.0)])
+    def test_integral_of_the_colours_is_the_line_load(self, name: str, factor: float, ax: Axes) -> None:
+        solution = CASES[name]
+        plot.footprint(solution, ax)
+        (mesh,) = (item for item in ax.collections if isinstance(item, QuadMesh))
+        across = mesh.get_coordinates()[:, 1:-1, 1]
+        field = mesh.get_array()[:, 1:-1]
+        integral = np.trapezoid(field, across, axis=0)
+        touching = solution.line_load > 0.0
+        assert_allclose(integral, solution.line_load[touching], rtol=2e-3)
+        assert_allclose(integral, factor * field[field.shape[0] // 2] * across[-1], rtol=2e-3)
+
+    def test_parabola_shows_the_hertz_half_width_as_well(self, ax: Axes) -> None:
+        solution = CASES["parabolic"]
+        plot.footprint(solution, ax)
+        dotted = [line for line in ax.lines if line.get_color() == "white"]
+        assert_allclose(
+            dotted[1].get_ydata()[1:-1], solution.half_width[solution.line_load > 0.0], rtol=1e-12
+        )
+        assert "parabolic strips' own width" in ax.get_title(loc="left")
+
+    def test_scale_is_written(self, ax: Axes) -> None:
+        plot.footprint(CASES["crowned"], ax)
+        assert ax.get_title(loc="left") == "True proportions"
+        plot.footprint(CASES["crowned"], ax, stretch=12.0)
+        assert ax.get_title(loc="left") == "$x$ stretched 12 times"
+
+    def test_colour_bar_is_labelled(self, ax: Axes) -> None:
+        plot.footprint(CASES["hollow"], ax)
+        assert [axes.get_xlabel() for axes in ax.figure.axes] == [
+            "Axial position $y$ [mm]",
+            "Pressure $p$ [MPa]",
+        ]
+
+
+class TestProfile:
+    def test_lines_are_the_surfaces_in_micrometres(self, solution: Solution, ax: Axes) -> None:
+        assert plot.profile(solution, ax) is ax
+        before, after = (line for line in ax.lines if len(line.get_xdata()) == solution.strips)
+        finite = np.isfinite(solution.interference)
+        for line, expected in ((before, -1e3 * solution.interference), (after, 1e3 * solution.gap)):
+            assert_allclose(line.get_xdata(), solution.y, rtol=0, atol=0)
+            assert_allclose(line.get_ydata()[finite], expected[finite], rtol=1e-15)
+            assert np.all(np.isnan(line.get_ydata()[~finite]))
+
+    def test_contact_is_shaded(self, solution: Solution, ax: Axes) -> None:
+        plot.profile(solution, ax)
+        spans = [patch for patch in ax.patches if isinstance(patch, Rectangle)]
+        assert_allclose(
+            [(span.get_x(), span.get_x() + span.get_width()) for span in spans],
+            solution.contact_y,
+            rtol=1e-12,
+        )
+
+    def test_contact_fills_a_good_part_of_the_height(self, solution: Solution, ax: Axes) -> None:
+        plot.profile(solution, ax)
+        low, high = ax.get_ylim()
+        depth = 1e3 * solution.interference.max()
+        assert low < -depth
+        assert high > 0.0
+        assert depth > 0.35 * (high - low)
+
+    def test_a_cut_axis_says_so(self, ax: Axes) -> None:
+        plot.profile(CASES["endless"], ax)
+        assert ax.get_title(loc="left").endswith("; axis cut, the relief is infinite at an end")
+        steep = springs(Contact(Roller(diameter=20.0, length=20.0, profile=Even(1e-3)), Plate()), 0.01)
+        plot.profile(steep, ax)
+        reach = 1e3 * (steep.contact.separation(steep.y[-1]) - steep.approach)
+        assert ax.get_title(loc="left").endswith(
+            f"; axis cut, the undeformed distance reaches {reach:.1f} µm"
+        )
+
+    def test_an_axis_that_is_not_cut_does_not(self, ax: Axes) -> None:
+        plot.profile(CASES["crowned"], ax)
+        assert "cut" not in ax.get_title(loc="left")
+
+    def test_axes_say_what_and_in_which_unit(self, ax: Axes) -> None:
+        plot.profile(CASES["crowned"], ax)
+        assert (ax.get_xlabel(), ax.get_ylabel()) == (
+            "Axial position $y$ [mm]",
+            "Distance of the surfaces [µm]",
+        )
+        assert [text.get_text() for text in ax.get_legend().get_texts()] == [
+            r"undeformed, $h - (\delta + \gamma y)$",
+            "deformed gap",
+            "elastic displacement",
+            "in contact",
+        ]
+
+
+class TestRange:
+    def test_a_small_contact_on_long_strips_is_looked_at_closely(self, ax: Axes) -> None:
+        solution = springs(
+            Contact(Roller(diameter=20.0, length=20.0, profile=Even(0.01)), Plate()), 0.01, strips=201
+        )
+        plot.pressure(solution, ax)
+        low, high = ax.get_xlim()
+        (interval,) = solution.contact_y
+        assert high - low < 4.0 * (interval[1] - interval[0])
+
+    def test_a_lifted_side_is_shown(self, ax: Axes) -> None:
+        plot.pressure(CASES["lifted"], ax)
+        assert ax.get_xlim()[0] < -10.0
+
+
+class TestFigures:
+    def test_names_and_title(self, solution: Solution) -> None:
+        sheets = plot.figures(solution, title="A roller")
+        assert list(sheets) == ["pressure", "footprint", "profile"]
+        for sheet in sheets.values():
+            assert "A roller" in words(sheet)
+            assert any(text.startswith("Load ") for text in words(sheet))
+
+    def test_no_words_overlap_or_leave_the_paper(self, solution: Solution) -> None:
+        for name, sheet in plot.figures(solution, title="A roller").items():
+            placed = drawn_words(sheet)
+            for count, (text, box) in enumerate(placed):
+                assert box.x0 >= 0.0 and box.y0 >= 0.0, (name, text)  # noqa: PT018
+                assert box.x1 <= sheet.bbox.x1 and box.y1 <= sheet.bbox.y1, (name, text)  # noqa: PT018
+                for other, other_box in placed[count + 1 :]:
+                    assert not box.overlaps(other_box), (name, text, other)
+
+    def test_footprint_has_a_true_panel_and_a_stretched_one(self) -> None:
+        sheet = plot.figures(CASES["crowned"])["footprint"]
+        sheet.draw_without_rendering()
+        true, stretched, _ = sheet.axes
+        assert true.get_title(loc="left") == "True proportions"
+        factor = float(stretched.get_title(loc="left").split()[2])
+        assert factor >= 5.0
+        for axes, expected in ((true, 1.0), (stretched, factor)):
+            origin, along, across = axes.transData.transform([(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)])
+            assert_allclose((across - origin)[1] / (along - origin)[0], expected, rtol=1e-2)
+        assert_allclose(true.get_xlim(), stretched.get_xlim(), rtol=1e-2)
+
+    def test_a_round_footprint_needs_no_second_panel(self) -> None:
+        ball = Contact(Body(diameter=20.0), Body(profile=Even(0.25)))
+        sheet = plot.figures(springs(ball, 0.01, reach=0.3))["footprint"]
+        assert [axes.get_title(loc="left") for axes in sheet.axes] == ["True proportions", ""]
+
+    def test_same_view_of_a_contact_wider_than_long(self) -> None:
+        narrow = Contact(Roller(diameter=200.0, length=0.5), Plate())
+        sheet = plot.figures(springs(narrow, 0.01, reach=0.25))["footprint"]
+        assert sheet.get_figheight() < 8.0
+
+    def test_nothing_in_contact_is_drawn_too(self, tmp_path: Path) -> None:
+        apart = springs(Contact(Roller(diameter=20.0, length=20.0), Plate()), -0.01)
+        for name, sheet in plot.figures(apart).items():
+            plot.save(sheet, tmp_path / name)
+
+    def test_settings_of_the_process_stay(self, tmp_path: Path) -> None:
+        before = dict(mpl.rcParams)
+        plot.save(plot.figures(CASES["crowned"])["pressure"], tmp_path / "pressure")
+        assert dict(mpl.rcParams) == before
+
+    def test_neither_pyplot_nor_matplotlib_is_imported_before_drawing(self) -> None:
+        check = "import sys, nonhertz.plot; sys.exit('matplotlib' in sys.modules)"
+        subprocess.run([sys.executable, "-c", check], check=True)
+        check = (
+            "import sys, matplotlib.figure, nonhertz.plot.sheets as s; s._blank(3.0); "
+            "sys.exit('matplotlib.pyplot' in sys.modules)"
+        )
+        subprocess.run([sys.executable, "-c", check], check=True)
+
+
+class TestSave:
+    def test_writes_both_files_beside_the_stem(self, tmp_path: Path) -> None:
+        sheet = plot.figures(CASES["point"])["footprint"]
+        svg, png = plot.save(sheet, tmp_path / "case.v2")
+        assert (svg, png) == (tmp_path / "case.v2.svg", tmp_path / "case.v2.png")
+        assert svg.read_text(encoding="utf-8").rstrip().endswith("</svg>")
+        assert png.read_bytes().startswith(b"\x89PNG")
+        assert png.stat().st_size > 10_000
+
+    @pytest.mark.parametrize("name", ["pressure", "footprint", "profile"])
+    def test_same_solution_gives_the_same_file(self, name: str, tmp_path: Path) -> None:
+        first, again, anew = tmp_path / "first", tmp_path / "again", tmp_path / "anew"
+        sheet = plot.figures(CASES["hollow"], title="Twice")[name]
+        svg, _ = plot.save(sheet, first)
+        assert plot.save(sheet, again)[0].read_bytes() == svg.read_bytes()
+        assert (
+            plot.save(plot.figures(CASES["hollow"], title="Twice")[name], str(anew))[0].read_bytes()
+            == svg.read_bytes()
+        )
+
+    def test_file_does_not_depend_on_the_settings_around(self, tmp_path: Path) -> None:
+        sheets = plot.figures(CASES["hollow"])
+        svg = {name: plot.save(sheet, tmp_path / name)[0].read_bytes() for name, sheet in sheets.items()}
+        with mpl.rc_context({"font.size": 14.0, "font.family": "DejaVu Serif", "svg.hashsalt": None}):
+            for name, sheet in plot.figures(CASES["hollow"]).items():
+                assert plot.save(sheet, tmp_path / name)[0].read_bytes() == svg[name]
+
+    def test_solution_is_not_touched(self, solution: Solution, tmp_path: Path) -> None:
+        before = copy.deepcopy(
+            {name: getattr(solution, name) for name in ("y", "line_load", "gap", "half_width")}
+        )
+        for name, sheet in plot.figures(solution).items():
+            plot.save(sheet, tmp_path / name)
+        for name, value in before.items():
+            assert_allclose(getattr(solution, name), value, rtol=0, atol=0)
+
+    def test_figures_leave_nothing_behind(self) -> None:
+        sheet = plot.figures(CASES["crowned"])["pressure"]
+        remains = weakref.ref(sheet)
+        sheet.draw_without_rendering()
+        del sheet
+        gc.collect()
+        assert remains() is None

@@ -1,0 +1,490 @@
+"""Profiles: what each kind does at its landmarks, how they combine, and what they refuse."""
+
+from __future__ import annotations
+
+import inspect
+import math
+import pickle
+import subprocess
+import sys
+import typing
+
+import numpy as np
+import pytest
+
+from nonhertz.errors import InputError
+from nonhertz.model import profile as catalogue
+from nonhertz.model.profile import (
+    CATALOGUE,
+    PARAMETER_UNITS,
+    Profile,
+    Straight,
+    Sum,
+    chamfer,
+    conical,
+    crown,
+    from_file,
+    fujiwara_kawase,
+    iso_logarithmic,
+    iso_tapered,
+    iso_thrust,
+    johns_gohar,
+    logarithmic,
+    lundberg,
+    partial_crown,
+    straight,
+    tabulated,
+    tapered_ends,
+    two_radius,
+)
+
+DESIGN = {"load": 20e3, "length": 20.0, "radius": 10.0}
+ONE_OF_EACH = {
+    "straight": straight(),
+    "crown": crown(2000.0),
+    "hollow": crown(-2000.0),
+    "off-centre crown": crown(2000.0, centre=1.5),
+    "partial-crown": partial_crown(500.0, 8.0),
+    "cut partial-crown": partial_crown(500.0, 8.0, blended=False),
+    "two-radius": two_radius(5000.0, 500.0, 10.0),
+    "logarithmic": logarithmic(0.004, 20.0, 0.999),
+    "lundberg": lundberg(**DESIGN),
+    "johns-gohar": johns_gohar(**DESIGN),
+    "fujiwara-kawase": fujiwara_kawase(20e3, 20.0, k1=1.5, k2=0.6, zm=0.03),
+    "iso-logarithmic": iso_logarithmic(10.0, 20.0),
+    "long iso-logarithmic": iso_logarithmic(5.0, 20.0),
+    "iso-tapered": iso_tapered(10.0, 20.0),
+    "iso-thrust": iso_thrust(10.0, 20.0),
+    "conical": conical(1e-3),
+    "tapered-ends": tapered_ends(10.0, 1e-3),
+    "chamfer": chamfer(20.0, 0.5),
+    "pchip": tabulated([-10.0, 0.0, 10.0], [0.02, 0.0, 0.01]),
+    "linear": tabulated([-10.0, 0.0, 10.0], [0.02, 0.0, 0.01], "linear"),
+    "cubic": tabulated([-10.0, -2.0, 3.0, 10.0], [0.02, 0.0, 0.0, 0.01], "cubic"),
+}
+
+
+def at(profile: Profile, y: float) -> float:
+    return float(profile.relief(y))
+
+
+def slope(profile: Profile, y: float, step: float = 1e-4) -> float:
+    return (at(profile, y + step) - at(profile, y - step)) / (2.0 * step)
+
+
+class TestEveryKind:
+    @pytest.mark.parametrize("profile", ONE_OF_EACH.values(), ids=ONE_OF_EACH)
+    def test_keeps_the_shape_of_y(self, profile):
+        for shape in ((), (0,), (5,), (2, 3)):
+            relief = profile.relief(np.zeros(shape))
+            assert isinstance(relief, np.ndarray)
+            assert relief.shape == shape
+            assert relief.dtype == np.float64
+
+    @pytest.mark.parametrize("profile", ONE_OF_EACH.values(), ids=ONE_OF_EACH)
+    def test_takes_integers_and_lists(self, profile):
+        assert np.array_equal(profile.relief([-3, 0, 3]), profile.relief(np.array([-3.0, 0.0, 3.0])))
+
+    @pytest.mark.parametrize("profile", ONE_OF_EACH.values(), ids=ONE_OF_EACH)
+    def test_is_never_nan_and_never_minus_infinity(self, profile):
+        y = np.concatenate([np.linspace(-12.0, 12.0, 481), [-1e4, -10.0, 10.0, 1e4], profile.bends])
+        relief = profile.relief(y)
+        assert not np.any(np.isnan(relief))
+        assert not np.any(np.isneginf(relief))
+
+    @pytest.mark.parametrize("profile", ONE_OF_EACH.values(), ids=ONE_OF_EACH)
+    def test_is_a_value(self, profile):
+        before = pickle.loads(pickle.dumps(profile))
+        profile.relief(1.0)  # fills the interpolator's cache, which must not count
+        after = pickle.loads(pickle.dumps(profile))
+        assert before == profile == after
+        assert hash(before) == hash(profile) == hash(after)
+        assert np.array_equal(after.relief([0.5, 9.9]), profile.relief([0.5, 9.9]))
+        with pytest.raises(AttributeError):
+            profile.amplitude = 1.0
+
+    @pytest.mark.parametrize("profile", ONE_OF_EACH.values(), ids=ONE_OF_EACH)
+    def test_slope_is_steady_away_from_its_bends(self, profile):
+        y = np.linspace(-9.0, 9.0, 3601)
+        y = y[np.all(np.abs(y[:, None] - np.array([*profile.bends, 99.0])) > 0.02, axis=1)]
+        if isinstance(profile, catalogue.Tabulated) and profile.interpolation == "pchip":
+            y = y[np.abs(y) > 0.02]  # its curvature jumps at every point, too little to refine for
+        step = 1e-3
+        curvature = profile.relief(y + step) - 2.0 * profile.relief(y) + profile.relief(y - step)
+        assert np.max(np.abs(curvature)) < 0.01 * step  # a kink of 1e-3 rad would show as 1e-3 * step or more
+
+    def test_import_leaves_scipy_alone(self):
+        code = "import sys, nonhertz.model.profile; sys.exit('scipy' in sys.modules)"
+        assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+class TestStraight:
+    def test_adds_nothing(self):
+        assert straight() + crown(1000.0) == crown(1000.0)
+        assert crown(1000.0) + straight() == crown(1000.0)
+        assert at(straight() + straight(), 4.0) == 0.0
+
+    def test_of_no_parts_is_defined_everywhere(self):
+        assert Sum(()).extent == (-math.inf, math.inf)
+
+
+class TestCircularArcs:
+    def test_crown_keeps_its_digits_on_a_huge_radius(self):
+        # R - sqrt(R^2 - y^2) as written gives 5.005e-08 here; the series y^2/2R (1 + y^2/4R^2) is exact.
+        assert at(crown(1e6), 0.31622776601683794) == pytest.approx(5e-8, rel=1e-12)
+
+    def test_hollow_stands_out_at_its_ends(self):
+        assert at(crown(-1000.0), 10.0) == -at(crown(1000.0), 10.0)
+
+    @pytest.mark.parametrize("radius", [12.0, -12.0])
+    def test_crown_ends_where_its_circle_does(self, radius):
+        assert at(crown(radius), 12.0) == radius
+        assert at(crown(radius), 12.0 + 1e-9) == math.inf
+
+    def test_crown_has_its_summit_at_the_centre(self):
+        assert at(crown(1000.0, centre=2.0), 2.0) == 0.0
+        assert at(crown(1000.0, centre=2.0), 7.0) == at(crown(1000.0), 5.0)
+
+    @pytest.mark.parametrize("blended", [True, False])
+    def test_partial_crown_without_a_straight_part_is_a_crown(self, blended):
+        y = np.linspace(-10.0, 10.0, 41)
+        np.testing.assert_array_equal(
+            partial_crown(700.0, 0.0, blended).relief(y), crown(700.0).relief(y), strict=True
+        )
+        assert partial_crown(700.0, 0.0, blended).bends == ()
+
+    @pytest.mark.parametrize("blended", [True, False])
+    def test_partial_crown_is_straight_in_the_middle(self, blended):
+        profile = partial_crown(700.0, 6.0, blended)
+        assert np.all(profile.relief(np.linspace(-3.0, 3.0, 13)) == 0.0)
+        assert profile.bends == (-3.0, 3.0)
+
+    def test_blended_arc_starts_without_slope(self):
+        assert slope(partial_crown(500.0, 8.0), 4.0) == pytest.approx(0.0, abs=1e-7)
+
+    def test_cut_arc_starts_at_an_angle(self):
+        ahead = partial_crown(500.0, 8.0, blended=False).relief([4.0, 4.001])
+        assert np.diff(ahead)[0] / 0.001 == pytest.approx(4.0 / math.sqrt(500.0**2 - 16.0), rel=2e-4)
+
+    def test_two_radii_meet_without_a_kink(self):
+        profile = two_radius(5000.0, 500.0, 10.0)
+        before, after = profile.relief(5.0 - 1e-3), profile.relief(5.0 + 1e-3)
+        assert (at(profile, 5.0) - before) / 1e-3 == pytest.approx(1e-3, rel=1e-3)
+        assert (after - at(profile, 5.0)) / 1e-3 == pytest.approx(1e-3, rel=2e-3)
+
+    def test_two_equal_radii_are_one(self):
+        y = np.linspace(-10.0, 10.0, 41)
+        np.testing.assert_allclose(
+            two_radius(800.0, 800.0, 7.0).relief(y), crown(800.0).relief(y), rtol=1e-13
+        )
+
+    def test_two_radii_approach_the_partial_crown(self):
+        y = np.linspace(-10.0, 10.0, 41)
+        np.testing.assert_allclose(
+            two_radius(1e12, 500.0, 8.0).relief(y), partial_crown(500.0, 8.0).relief(y), atol=1e-10
+        )
+
+
+class TestStraightLines:
+    def test_conical_keeps_the_middle(self):
+        assert at(conical(2e-3), 0.0) == 0.0
+        assert at(conical(2e-3), 5.0) == -at(conical(2e-3), -5.0) > 0.0
+
+    def test_tapered_ends(self):
+        profile = tapered_ends(10.0, 0.25 * math.pi)
+        np.testing.assert_allclose(profile.relief([-7.0, 0.0, 5.0, 6.0]), [2.0, 0.0, 0.0, 1.0], atol=1e-15)
+        assert profile.bends == (-5.0, 5.0)
+
+    def test_tapered_ends_without_a_middle_are_a_roof(self):
+        assert tapered_ends(0.0, 1e-3).bends == (0.0,)
+        assert tapered_ends(5.0, 0.0).bends == ()
+
+    def test_chamfer_starts_its_width_before_the_end(self):
+        profile = chamfer(length=20.0, width=0.5)
+        assert profile.bends == (-9.5, 9.5)
+        np.testing.assert_allclose(profile.relief([9.5, 9.75, -10.0]), [0.0, 0.25, 0.5], atol=1e-15)
+
+
+class TestLogarithmic:
+    def test_end_is_infinite_for_a_fraction_of_one(self):
+        assert at(logarithmic(0.005, 20.0), 10.0) == math.inf
+        assert at(logarithmic(0.005, 20.0), 10.0 - 1e-9) < math.inf
+
+    def test_middle_is_zero_and_not_minus_zero(self):
+        assert math.copysign(1.0, at(iso_logarithmic(4.0, 40.0), 0.0)) == 1.0
+
+    def test_long_iso_roller_is_straight_but_for_two_and_a_half_diameters(self):
+        profile = iso_logarithmic(diameter=4.0, length=25.0)
+        assert profile.bends == (-7.5, 7.5)
+        assert at(profile, 7.5) == 0.0 < at(profile, 7.6)
+        assert at(profile, 12.5) == math.inf
+
+    def test_iso_branches_divide_at_two_and_a_half_diameters(self):
+        assert iso_logarithmic(8.0, 20.0).bends == ()
+        assert iso_logarithmic(8.0, 20.001).bends != ()
+
+    def test_fujiwara_kawase_has_the_drop_it_is_told(self):
+        # zm/A = 107: one minus exp(-107) is one in doubles, and the drop would be infinite if stored so.
+        profile = fujiwara_kawase(20e3, 20.0, k1=0.1, zm=0.03)
+        assert at(profile, 10.0) == pytest.approx(0.03, rel=1e-12)
+
+    def test_fujiwara_kawase_needs_no_radius_for_a_given_drop(self):
+        assert fujiwara_kawase(20e3, 20.0, zm=0.03) == fujiwara_kawase(20e3, 20.0, radius=5.0, zm=0.03)
+
+    def test_fujiwara_kawase_scales_with_k1_before_its_own_drop(self):
+        once, twice = (fujiwara_kawase(20e3, 20.0, 10.0, k1=k1) for k1 in (1.0, 2.0))
+        assert at(twice, 6.0) == pytest.approx(2.0 * at(once, 6.0), rel=1e-14)
+
+    def test_steel_on_steel_is_the_default(self):
+        steel = 2.0 * (1.0 - 0.3**2) / (math.pi * 207000.0)
+        for make in (lundberg, johns_gohar, fujiwara_kawase):
+            explicit = make(**DESIGN, compliance=steel).relief([3.0, 10.0])
+            np.testing.assert_allclose(make(**DESIGN).relief([3.0, 10.0]), explicit, rtol=1e-14)
+
+
+class TestLundberg:
+    def test_end_is_finite_and_goes_on(self):
+        profile = lundberg(**DESIGN)
+        relief = profile.relief([9.99, 10.0, 10.01, 12.0, 1000.0])
+        assert np.all(np.isfinite(relief))
+        assert np.all(np.diff(relief) > 0.0)
+
+    def test_is_smooth_where_its_table_hands_over_to_the_series(self):
+        # b = 0.1: the arguments (10 +- y) / b pass 64 at y = 3.6 and 1e-5 at 1e-6 before the end.
+        profile = lundberg(load=447.0, length=20.0, radius=40.0)
+        for y in (3.6, 10.0 - 1e-6 * profile.half_width * 10.0):
+            around = profile.relief(y + np.linspace(-1e-7, 1e-7, 41))
+            steps = np.diff(around)
+            assert np.max(steps) < 1.5 * np.median(steps) + 1e-16
+            assert np.min(steps) > 0.5 * np.median(steps) - 1e-16
+
+
+class TestTabulated:
+    def test_passes_through_its_points(self):
+        y, relief = [-5.0, -1.0, 2.0, 6.0], [0.03, 0.0, 0.001, 0.02]
+        for interpolation in ("pchip", "linear", "cubic"):
+            np.testing.assert_allclose(tabulated(y, relief, interpolation).relief(y), relief, atol=1e-17)
+
+    def test_sorts_its_points(self):
+        assert tabulated([2.0, -2.0, 0.0], [1.0, 3.0, 2.0]) == tabulated([-2.0, 0.0, 2.0], [3.0, 2.0, 1.0])
+
+    def test_two_points_make_a_line(self):
+        for interpolation in ("pchip", "linear", "cubic"):
+            assert at(tabulated([-1.0, 1.0], [0.0, 2.0], interpolation), 0.5) == pytest.approx(1.5, rel=1e-15)
+
+    def test_pchip_does_not_overshoot(self):
+        y = np.linspace(-5.0, 5.0, 501)
+        relief = tabulated([-5.0, -1.0, 1.0, 5.0], [1.0, 0.0, 0.0, 1.0]).relief(y)
+        assert np.min(relief) == 0.0
+        assert np.min(tabulated([-5.0, -1.0, 1.0, 5.0], [1.0, 0.0, 0.0, 1.0], "cubic").relief(y)) < 0.0
+
+    def test_is_no_body_outside(self):
+        profile = tabulated([-1.0, 1.0], [0.0, 0.0])
+        assert profile.extent == (-1.0, 1.0)
+        np.testing.assert_array_equal(profile.relief([-1.001, -1.0, 1.0, 1.001]), [np.inf, 0.0, 0.0, np.inf])
+
+    def test_bends_are_the_kinks_of_a_polyline(self):
+        y, relief = [-10.0, -5.0, 0.0, 5.0, 10.0], [0.01, 0.0, 0.0, 0.0, 0.01]
+        assert tabulated(y, relief, "linear").bends == (-5.0, 5.0)
+        assert tabulated(y, relief, "pchip").bends == ()
+
+    def test_smooth_and_rough_data_have_no_bends(self):
+        y = np.linspace(-10.0, 10.0, 201)
+        assert tabulated(y, y**2 / 2000.0, "linear").bends == ()
+        rough = np.random.default_rng(1).normal(0.0, 1e-4, 201)
+        assert tabulated(y, rough, "linear").bends == ()
+        assert tabulated([0.0, 1.0, 2.0], [0.0, 1.0, 2.0], "linear").bends == ()
+
+    def test_takes_arrays(self):
+        y = np.array([-1, 0, 1])
+        assert tabulated(y, np.abs(y)) == tabulated([-1.0, 0.0, 1.0], [1.0, 0.0, 1.0])
+
+
+class TestFile:
+    @pytest.mark.parametrize(
+        "text",
+        [
+            "-1,0.5\n0,0\n1,0.5\n",
+            "-1;0.5\n0;0\n1;0.5",
+            "-1;0,5;\n0;0;\n1;0,5;\n",
+            "-1\t0,5\r\n0\t0\r\n1\t0,5\r\n",
+            "-1\t0.5\r0\t0\r1\t0.5\t\r",
+            "  -1   0.5\n\n 0 0\n 1 5e-1  \n",
+            "# measured in Aachen\ny [mm], relief [mm]\n-1, 0.5  # left end\n0, 0\n1, 0.5,\n",
+            "\ufeff1,0.5\n0,0\n-1,0.5\n",
+        ],
+    )
+    def test_separators_decimals_comments_and_header(self, tmp_path, text):
+        path = tmp_path / "roller.csv"
+        path.write_bytes(text.encode("utf-8"))
+        assert from_file(path) == tabulated([-1.0, 0.0, 1.0], [0.5, 0.0, 0.5])
+        assert from_file(str(path), "linear").interpolation == "linear"
+
+    @pytest.mark.parametrize(
+        ("content", "told"),
+        [
+            (b"", "two points at least (roller.csv holds no data)"),
+            (b"\n# nothing\n\n", "holds no data"),
+            (b"y, relief\n", "holds no data"),
+            (b"1, 2\n", "holds one point only"),
+            (b"1, 2\n3, x\n", "line 2 of roller.csv = '3, x' must hold two finite numbers"),
+            (b"1, 2\n\n3\n", "line 3 of roller.csv = '3' must"),
+            (b"1, 2, 3\n", "line 1 of roller.csv = '1, 2, 3' must"),
+            (b"1,5 0,1\n", "line 1 of roller.csv"),
+            (b"y relief\ny relief\n", "line 2 of roller.csv"),
+            (b"1, x\n2, 3\n", "line 1 of roller.csv"),
+            (b"1, 2\n2, nan\n", "line 2 of roller.csv"),
+            (b"1, 2\n2, inf\n", "line 2 of roller.csv"),
+            (b"1, 2\n1, 3\n", "roller.csv.y = (1.0, 1.0) must not hold 1.0 twice"),
+            ("y [mm]; relief [µm]\n1; 2\n".encode(), "must name mm as the unit"),
+            (b"y/mm, relief/um\n1, 2\n", "must name mm as the unit"),
+            (b"\xff\xfe1\x00", "must name a text file in UTF-8"),
+        ],
+    )
+    def test_what_is_wrong_is_told_in_one_sentence(self, tmp_path, content, told):
+        path = tmp_path / "roller.csv"
+        path.write_bytes(content)
+        with pytest.raises(InputError) as caught:
+            from_file(path)
+        sentence = str(caught.value)
+        assert told in sentence
+        assert sentence.endswith(".")
+        assert "\n" not in sentence
+
+    def test_missing_file_folder_and_nonsense(self, tmp_path):
+        for path in (tmp_path / "missing.csv", tmp_path, "a\0b", None, 3):
+            with pytest.raises(InputError, match=r"^path = "):
+                from_file(path)
+
+    def test_words_like_column_or_minimum_are_no_units(self, tmp_path):
+        path = tmp_path / "roller.csv"
+        path.write_text("column, minimum\n0, 0\n1, 1\n")
+        assert from_file(path) == tabulated([0.0, 1.0], [0.0, 1.0])
+
+
+class TestAlgebra:
+    def test_sum_is_flat_and_collects(self):
+        total = partial_crown(500.0, 8.0) + chamfer(20.0, 0.5) + tabulated([-9.0, 9.0], [0.0, 0.0])
+        assert isinstance(total, Sum)
+        assert len(total.parts) == 3
+        assert total.bends == (-9.5, -4.0, 4.0, 9.5)
+        assert total.extent == (-9.0, 9.0)
+        assert at(total, 9.5) == math.inf
+
+    def test_shift_and_scale(self):
+        profile = tabulated([-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], "linear").shifted(5.0).scaled(3.0)
+        assert profile.extent == (4.0, 6.0)
+        assert profile.bends == (5.0,)
+        assert at(profile, 5.5) == 1.5
+
+    @pytest.mark.parametrize("factor", [-1.0, 0.0, 2.0])
+    def test_scaling_leaves_the_end_of_a_body_alone(self, factor):
+        assert at(iso_logarithmic(10.0, 10.0).scaled(factor), 5.0) == math.inf
+        assert at(tabulated([0.0, 1.0], [0.0, 1.0]).scaled(factor), 2.0) == math.inf
+
+    def test_only_profiles_add(self):
+        with pytest.raises(TypeError):
+            crown(1000.0) + 1.0
+
+    @pytest.mark.parametrize("by", [math.nan, math.inf, "1", None, True])
+    def test_refuses_nonsense(self, by):
+        with pytest.raises(InputError, match=r"^by = "):
+            crown(1000.0).shifted(by)
+        with pytest.raises(InputError, match=r"^by = "):
+            crown(1000.0).scaled(by)
+
+
+class TestRefusals:
+    @pytest.mark.parametrize(
+        ("field", "make"),
+        [
+            ("radius", lambda: crown(0.0)),
+            ("radius", lambda: partial_crown(-500.0, 8.0)),
+            ("straight", lambda: partial_crown(500.0, -1.0)),
+            ("straight", lambda: partial_crown(5.0, 10.1, blended=False)),
+            ("end_radius", lambda: two_radius(5000.0, 0.0, 10.0)),
+            ("middle", lambda: two_radius(5000.0, 500.0, 0.0)),
+            ("middle", lambda: two_radius(5.0, 500.0, 10.0)),
+            ("amplitude", lambda: logarithmic(-1e-3, 20.0)),
+            ("fraction", lambda: logarithmic(1e-3, 20.0, 1.1)),
+            ("fraction", lambda: logarithmic(1e-3, 20.0, 0.0)),
+            ("straight", lambda: logarithmic(1e-3, 20.0, straight=-1.0)),
+            ("load", lambda: lundberg(0.0, 20.0, 10.0)),
+            ("load", lambda: lundberg(1e9, 20.0, 10.0)),
+            ("load", lambda: johns_gohar(1e9, 20.0, 10.0)),
+            ("compliance", lambda: johns_gohar(20e3, 20.0, 10.0, compliance=-1e-6)),
+            ("radius", lambda: johns_gohar(20e3, 20.0, 0.0)),
+            ("k1", lambda: fujiwara_kawase(20e3, 20.0, 10.0, k1=0.0)),
+            ("k2", lambda: fujiwara_kawase(20e3, 20.0, 10.0, k2=1.2)),
+            ("k2", lambda: fujiwara_kawase(20e3, 20.0, 10.0, k2=0.0)),
+            ("zm", lambda: fujiwara_kawase(20e3, 20.0, 10.0, zm=0.0)),
+            ("zm", lambda: fujiwara_kawase(20e3, 20.0)),
+            ("diameter", lambda: iso_logarithmic(0.0, 20.0)),
+            ("length", lambda: iso_tapered(10.0, -20.0)),
+            ("angle", lambda: conical(2.0)),
+            ("angle", lambda: tapered_ends(10.0, -1e-3)),
+            ("angle", lambda: chamfer(20.0, 0.5, angle=45.0)),
+            ("width", lambda: chamfer(20.0, 10.1)),
+            ("y", lambda: tabulated([0.0], [0.0])),
+            ("y", lambda: tabulated([], [])),
+            ("y", lambda: tabulated([0.0, 1.0, 1.0], [0.0, 1.0, 2.0])),
+            ("y", lambda: tabulated([0.0, math.nan], [0.0, 1.0])),
+            ("y", lambda: tabulated([[0.0, 1.0]], [0.0, 1.0])),
+            ("y", lambda: tabulated([[0.0], [1.0, 2.0]], [0.0, 1.0])),
+            ("y", lambda: tabulated("01", [0.0, 1.0])),
+            ("relief", lambda: tabulated([0.0, 1.0], ["0", "1"])),
+            ("relief", lambda: tabulated([0.0, 1.0], [0.0, math.inf])),
+            ("relief", lambda: tabulated([0.0, 1.0], [0.0, None])),
+            ("relief", lambda: tabulated([0.0, 1.0], [0.0, 1.0, 2.0])),
+            ("interpolation", lambda: tabulated([0.0, 1.0], [0.0, 1.0], "quintic")),
+        ],
+    )
+    def test_names_the_field_in_one_sentence(self, field, make):
+        with pytest.raises(InputError) as caught:
+            make()
+        sentence = str(caught.value)
+        assert sentence.startswith(f"{field} = ")
+        assert " must " in sentence
+        assert ": " in sentence
+        assert "\n" not in sentence
+
+    @pytest.mark.parametrize("name", CATALOGUE)
+    def test_every_number_is_checked(self, name):
+        good = {"relief": [1.0, 2.0], "y": [1.0, 2.0], "angle": 0.1, "k2": 0.5, "fraction": 0.5, "width": 0.1}
+        good |= {"load": 10.0, "compliance": 1e-5}
+        parameters = inspect.signature(CATALOGUE[name]).parameters
+        hints = typing.get_type_hints(CATALOGUE[name])
+        arguments = {key: good.get(key, 1.0) for key in parameters if hints[key] in (float, float | None)}
+        arguments |= {key: good[key] for key in ("y", "relief") if key in parameters}
+        CATALOGUE[name](**arguments)
+        for key in arguments:
+            for nonsense in (math.nan, -math.inf, "ten", "1"):
+                with pytest.raises(InputError, match=f"^{key} = "):
+                    CATALOGUE[name](**arguments | {key: nonsense})
+
+
+class TestCatalogue:
+    def test_names_are_those_of_case_files(self):
+        assert set(CATALOGUE) == {
+            "straight", "crown", "partial-crown", "two-radius", "logarithmic", "lundberg", "johns-gohar",
+            "fujiwara-kawase", "iso-logarithmic", "iso-tapered", "iso-thrust", "conical", "tapered-ends",
+            "chamfer", "tabulated",
+        }  # fmt: skip
+        for name, make in CATALOGUE.items():
+            assert make is getattr(catalogue, name.replace("-", "_"))
+
+    def test_every_number_has_a_unit_and_nothing_else_has(self):
+        numbers = {"y", "relief"}
+        for make in CATALOGUE.values():
+            hints = typing.get_type_hints(make)
+            assert hints.pop("return") is Profile
+            numbers |= {name for name, hint in hints.items() if hint in (float, float | None)}
+            others = {name for name, hint in hints.items() if hint not in (float, float | None)}
+            assert others <= {"y", "relief", "interpolation", "blended"}
+        assert numbers == set(PARAMETER_UNITS)
+        assert set(PARAMETER_UNITS.values()) == {"mm", "N", "1/MPa", "rad", ""}
+
+    def test_all_are_public_and_return_profiles(self):
+        assert isinstance(straight(), Straight)
+        for name in catalogue.__all__:
+            assert getattr(catalogue, name) is not None
