@@ -76,8 +76,17 @@ def read_case(path: str | Path) -> Case:
         With every mistake in the file, one sentence each.
     """
     path = Path(path)
-    document = _parsed(path)
+    return case_in(_parsed(path), path)
 
+
+def case_in(document: dict[str, Any], path: Path) -> Case:
+    """Return the case in a document that is parsed already; ``path`` is where it came from.
+
+    Raises
+    ------
+    CaseError
+        With every mistake in the document, one sentence each.
+    """
     # Here and not above: pydantic and its schemas take a tenth of a second.
     from pydantic import ValidationError  # noqa: PLC0415
 

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
 
 AXIAL_LABEL = "Axial position $y$ [mm]"
 
@@ -53,6 +54,23 @@ def strip_edges(solution: Solution) -> Array:
     """Return the edges of the strips [mm], shape (strips + 1,)."""
     low = solution.y - 0.5 * solution.strip_width
     return np.append(low, solution.y[-1] + 0.5 * solution.strip_width[-1])
+
+
+def regular(solution: Solution) -> Bools:
+    """Return which strips' pressures have a meaning of their own, shape (strips,).
+
+    At a sharp end the pressure grows with every refinement and would set the scale of the whole drawing. The
+    strips within one half-width of such an end are left out, as long as any others are in contact.
+    """
+    touching = solution.line_load > 0.0
+    if not np.isinf(solution.error_estimate.max_pressure):
+        return touching
+    away = touching.copy()
+    edges = strip_edges(solution)
+    for end, edge in ((0, edges[0]), (-1, edges[-1])):
+        if touching[end]:
+            away &= np.abs(solution.y - edge) > solution.half_width[end]
+    return away if np.any(away) else touching
 
 
 def body_ends(solution: Solution) -> list[tuple[float, str]]:

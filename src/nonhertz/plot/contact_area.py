@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, number
+from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, number, regular
 from nonhertz.plot.style import COLOUR_MAP, HINT_DASHES, INK, SMALL_SIZE, THIN
 from nonhertz.solution import Solution
 from nonhertz.strip.element import PARABOLIC
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.collections import QuadMesh
 
 Array = NDArray[np.float64]
 
@@ -52,7 +53,7 @@ def footprint(solution: Solution, ax: Axes, *, stretch: float = 1.0, colour_bar:
 
     pieces = outlines(solution)
     reach = 1.15 * float(solution.element_half_width.max()) or 1.0
-    highest = max((float(piece.pressure.max()) for piece in pieces), default=1.0)
+    highest = colour_limit(solution)
     draw_body_ends(solution, ax, named=False)
     for piece in pieces:
         # Thousands of small polygons in an SVG file would show seams; the pressure becomes an image there.
@@ -78,8 +79,21 @@ def footprint(solution: Solution, ax: Axes, *, stretch: float = 1.0, colour_bar:
     ax.set_ylabel("$x$ [mm]")
     ax.set_title(_scale(solution, stretch), loc="left", fontsize=SMALL_SIZE)
     if colour_bar and pieces:
-        ax.figure.colorbar(mesh, ax=ax, orientation="horizontal", label=PRESSURE_LABEL, aspect=40)
+        draw_colour_bar(solution, mesh, ax=ax, orientation="horizontal", aspect=40)
     return ax
+
+
+def colour_limit(solution: Solution) -> float:
+    """Return the pressure [MPa] of the last colour: the largest, strips at a singular end not counted."""
+    counted = regular(solution)
+    line_load, half_width = solution.line_load[counted], solution.element_half_width[counted]
+    return float((solution.element.centre_factor * line_load / half_width).max(initial=0.0)) or 1.0
+
+
+def draw_colour_bar(solution: Solution, mesh: QuadMesh, **where: Any) -> None:
+    """Draw a colour bar, pointed where pressures go on beyond the last colour."""
+    beyond = any(piece.pressure.max() > colour_limit(solution) for piece in outlines(solution))
+    mesh.figure.colorbar(mesh, label=PRESSURE_LABEL, extend="max" if beyond else "neither", **where)
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from nonhertz.plot.axial import axial_range, conditions
 from nonhertz.plot.centre_line import pressure
-from nonhertz.plot.contact_area import PRESSURE_LABEL, footprint
+from nonhertz.plot.contact_area import draw_colour_bar, footprint
 from nonhertz.plot.style import SIZE, TITLE_SIZE, sheet_style
 from nonhertz.plot.surfaces import profile
 from nonhertz.solution import Solution
@@ -105,9 +105,9 @@ def _footprint_sheet(solution: Solution, title: str) -> Figure:
         footprint(solution, panel, stretch=stretch if count else 1.0, colour_bar=False)
         if count < len(heights) - 1:
             panel.set_xlabel("")
-    if panel.collections:
+    if solution.contact_y:
         bar = _panel(figure, LEFT + width + BAR_GAP, bottom, BAR, heights[-1])
-        figure.colorbar(panel.collections[-1], cax=bar, label=PRESSURE_LABEL)
+        draw_colour_bar(solution, drawn_area(panel), cax=bar)
     _write_title(figure, title, conditions(solution))
     return figure
 

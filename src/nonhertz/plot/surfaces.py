@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 MICROMETRES = 1e3
 
-LARGEST_CLEARANCE, CUT_CLEARANCE = 1.4, 1.0
+LARGEST_CLEARANCE, CUT_CLEARANCE = 2.0, 1.0
 """Clearance, as a multiple of the deepest interference, up to which all is drawn; where the axis is cut if
 there is more, so that what yields fills half of the axes."""
 
