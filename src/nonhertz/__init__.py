@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from nonhertz.model.contact import Contact
     from nonhertz.model.material import MATERIALS, Material
     from nonhertz.solution import ErrorEstimate, Solution, Status
-    from nonhertz.solve import solve
+    from nonhertz.solver import solve
     from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
 
 __version__ = "0.1.0"
@@ -49,7 +49,7 @@ _HOMES = {
     "Solution": "nonhertz.solution",
     "Status": "nonhertz.solution",
     "TabulatedDiameter": "nonhertz.model.body",
-    "solve": "nonhertz.solve",
+    "solve": "nonhertz.solver",
 }
 _MODULES = {"hertz": "nonhertz.hertz", "profile": "nonhertz.model.profile"}
 

@@ -70,16 +70,17 @@ class Solution:
         T [N mm], integral of pressure times y.
     stiffness : ndarray, shape (2, 2)
         d(load, moment) / d(approach, tilt) [[N/mm, N/rad], [N mm/mm, N mm/rad]], exact for the strips.
-    y : ndarray, shape (strips,)
-        Strip centres [mm], ascending.
-    strip_width : ndarray, shape (strips,)
-        Strip widths along y [mm].
+    edges : ndarray, shape (strips + 1,)
+        Edges of the strips [mm], ascending; usable as ``strips`` of another solve.
     line_load : ndarray, shape (strips,)
         q [N/mm], zero out of contact.
     element_half_width : ndarray, shape (strips,)
         Half-width a [mm] of the element's own pressure shape.
     gap : ndarray, shape (strips,)
         Deformed gap on the centre line [mm]; zero in contact.
+    contact_y : tuple of (float, float)
+        The intervals [mm] along y that are in contact, ascending; an end inside the bodies lies where m = a^2,
+        continued linearly, vanishes.
     iterations : int
         Newton steps on the grid of the result.
     error_estimate : ErrorEstimate
@@ -96,11 +97,11 @@ class Solution:
     load: float
     moment: float
     stiffness: Array
-    y: Array
-    strip_width: Array
+    edges: Array
     line_load: Array
     element_half_width: Array
     gap: Array
+    contact_y: tuple[tuple[float, float], ...]
     iterations: int
     error_estimate: ErrorEstimate
     warnings: tuple[str, ...]
@@ -114,7 +115,17 @@ class Solution:
     @property
     def strips(self) -> int:
         """Number of strips."""
-        return int(self.y.size)
+        return int(self.edges.size) - 1
+
+    @cached_property
+    def y(self) -> Array:
+        """Strip centres [mm], ascending."""
+        return _read_only(0.5 * (self.edges[1:] + self.edges[:-1]))
+
+    @cached_property
+    def strip_width(self) -> Array:
+        """Strip widths along y [mm]."""
+        return _read_only(np.diff(self.edges))
 
     @cached_property
     def half_width(self) -> Array:
@@ -138,15 +149,6 @@ class Solution:
     def max_pressure_y(self) -> float:
         """Where the largest strip pressure is [mm]."""
         return float(self.y[self.peak_pressure.argmax()])
-
-    @cached_property
-    def contact_y(self) -> tuple[tuple[float, float], ...]:
-        """The intervals [mm] along y that are in contact, ascending, to the resolution of the strips."""
-        touching = np.concatenate([[False], self.line_load > 0.0, [False]])
-        starts = np.flatnonzero(~touching[:-1] & touching[1:])
-        ends = np.flatnonzero(touching[:-1] & ~touching[1:]) - 1
-        low, high = self.y - 0.5 * self.strip_width, self.y + 0.5 * self.strip_width
-        return tuple((float(low[i]), float(high[j])) for i, j in zip(starts, ends, strict=True))
 
     @property
     def interference(self) -> Array:

@@ -111,7 +111,7 @@ def random_case(seed):
 def faults(solution, prescribed):
     """What an independent look at the answer finds wrong with it."""
     touching = solution.line_load > 0.0
-    low, high = solution.y - 0.5 * solution.strip_width, solution.y + 0.5 * solution.strip_width
+    low, high = solution.edges[:-1], solution.edges[1:]
     a = solution.element_half_width[touching]
     upper = solution.element.functions((high[touching] - solution.y[:, None]) / a)
     lower = solution.element.functions((low[touching] - solution.y[:, None]) / a)

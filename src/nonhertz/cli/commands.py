@@ -27,6 +27,7 @@ app = App(
     version=nonhertz.__version__,
     exit_on_error=False,
     print_error=False,
+    suppress_keyboard_interrupt=False,
     result_action="return_value",
 )
 

@@ -52,7 +52,7 @@ class Case:
 
     title: str
     contact: Contact
-    prescribed: dict[str, float]
+    prescribed: dict[str, Any]
     solver: dict[str, Any]
     path: Path
 

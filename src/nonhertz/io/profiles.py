@@ -117,17 +117,24 @@ class _Reader:
             self._refuse_points_beside_file()
         else:
             self._take_from_body()
-        common = {name: self.values.pop(name) for name in _COMMON_UNITS if name in self.values}
+        scale, shift = self.values.pop("scale", 1.0), self.values.pop("shift", 0.0)
         profile = self._from_file() if from_points else self._made()
-        for name, change in (("scale", profile.scaled), ("shift", profile.shifted)):
-            if name in common:
-                try:
-                    profile = change(common[name])
-                except InputError as error:
-                    self._note(name, InputError(name, error.value, error.condition, error.remedy))
+        profile = self._changed(profile, "scale", Profile.scaled, scale)
+        profile = self._changed(profile, "shift", Profile.shifted, shift)
         if self.mistakes:
             raise TableError(self.mistakes)
         return profile
+
+    def _changed(
+        self, profile: Profile, name: str, change: Callable[[Profile, Any], Profile], by: Any
+    ) -> Profile:
+        if name not in self.table:
+            return profile
+        try:
+            return change(profile, by)
+        except InputError as error:
+            self._note(name, InputError(name, error.value, error.condition, error.remedy))
+            return profile
 
     def _note(self, name: str, error: InputError) -> None:
         self.mistaken.add(name)

@@ -27,7 +27,7 @@ _KINDS = {
     "N mm": ("moment", "5 N m"),
 }
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*", re.DOTALL)
-_FACTOR = r"(?:[A-Za-zµμ°%]+(?:(?:\^|\*\*)?-?\d|[²³])?)"
+_FACTOR = r"(?:[A-Za-zµμ°%]+(?:(?:\^|\*\*)?-?[1-9]|[²³])?)"
 _UNIT = re.compile(rf"(?:1\s*/\s*|/\s*)?{_FACTOR}(?:(?:\s*[*·/]\s*|\s+){_FACTOR})*")
 _LONGEST = 40
 # pint knows "Nm" as a measure of yarn and "Nmm" not at all; on drawings both are moments.
@@ -120,7 +120,7 @@ def _factor(written: str, unit: str) -> float:
         linear = math.isclose(float((2.0 * quantity).to(unit).magnitude), 2.0 * factor)
     except pint.UndefinedUnitError:
         raise ValueError("have a known unit") from None
-    except (pint.PintError, ValueError, TypeError, AssertionError, ArithmeticError):
+    except (pint.PintError, ValueError, TypeError, AssertionError, ArithmeticError, LookupError):
         linear = False
     if not linear:
         raise ValueError(f"have a unit of {_KINDS[unit][0]}")

@@ -53,7 +53,8 @@ class TabulatedDiameter:
 
     def __call__(self, y: ArrayLike) -> Array:
         """Return the diameter [mm] at ``y`` [mm]; constant beyond the outer points."""
-        return np.asarray(np.interp(y, self.y, self.diameter), dtype=float)
+        diameter: Array = np.interp(np.asarray(y, dtype=np.float64), self.y, self.diameter)
+        return diameter
 
 
 @dataclass(frozen=True, kw_only=True)

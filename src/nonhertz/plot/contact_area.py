@@ -15,7 +15,6 @@ from nonhertz.strip.element import PARABOLIC
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.collections import QuadMesh
 
 Array = NDArray[np.float64]
 
@@ -32,6 +31,8 @@ def footprint(solution: Solution, ax: Axes, *, stretch: float = 1.0, colour_bar:
     The outline is the half-width at the strips' centres. In x the pressure is the strip element's own,
     ``p0 sqrt(1 - x^2/b^2)`` for the semi-elliptic one. The parabolic one, ``p(0) (1 - x^2/c^2)``, is wider
     than the Hertz contact of equal load: the area drawn is its own and the dotted line is the half-width b.
+    Where a sharp end makes the pressure singular, the strips there have the last colour and the colour bar is
+    pointed.
 
     Parameters
     ----------
@@ -49,19 +50,18 @@ def footprint(solution: Solution, ax: Axes, *, stretch: float = 1.0, colour_bar:
     matplotlib.axes.Axes
         ``ax``.
     """
-    from matplotlib.colors import Normalize  # noqa: PLC0415  (slow, and only wanted where something is drawn)
-
     pieces = outlines(solution)
     reach = 1.15 * float(solution.element_half_width.max()) or 1.0
     highest = colour_limit(solution)
     draw_body_ends(solution, ax, named=False)
     for piece in pieces:
         # Thousands of small polygons in an SVG file would show seams; the pressure becomes an image there.
-        mesh = ax.pcolormesh(
+        ax.pcolormesh(
             *_field(solution, piece),
             shading="gouraud",
             cmap=COLOUR_MAP,
-            norm=Normalize(0.0, highest),
+            vmin=0.0,
+            vmax=highest,
             rasterized=True,
             zorder=1.0,
         )
@@ -79,7 +79,7 @@ def footprint(solution: Solution, ax: Axes, *, stretch: float = 1.0, colour_bar:
     ax.set_ylabel("$x$ [mm]")
     ax.set_title(_scale(solution, stretch), loc="left", fontsize=SMALL_SIZE)
     if colour_bar and pieces:
-        draw_colour_bar(solution, mesh, ax=ax, orientation="horizontal", aspect=40)
+        draw_colour_bar(solution, ax, ax=ax, orientation="horizontal", aspect=40)
     return ax
 
 
@@ -90,10 +90,15 @@ def colour_limit(solution: Solution) -> float:
     return float((solution.element.centre_factor * line_load / half_width).max(initial=0.0)) or 1.0
 
 
-def draw_colour_bar(solution: Solution, mesh: QuadMesh, **where: Any) -> None:
-    """Draw a colour bar, pointed where pressures go on beyond the last colour."""
-    beyond = any(piece.pressure.max() > colour_limit(solution) for piece in outlines(solution))
-    mesh.figure.colorbar(mesh, label=PRESSURE_LABEL, extend="max" if beyond else "neither", **where)
+def draw_colour_bar(solution: Solution, area: Axes, **where: Any) -> None:
+    """Draw the colour bar of an ``area`` in its figure, pointed if pressures go on beyond the last colour."""
+    from matplotlib.cm import ScalarMappable  # noqa: PLC0415  (slow, and only wanted where something is drawn)
+    from matplotlib.colors import Normalize  # noqa: PLC0415
+
+    highest = colour_limit(solution)
+    beyond = any(piece.pressure.max() > highest for piece in outlines(solution))
+    colours = ScalarMappable(Normalize(0.0, highest), COLOUR_MAP)
+    area.figure.colorbar(colours, label=PRESSURE_LABEL, extend="max" if beyond else "neither", **where)
 
 
 @dataclass(frozen=True, eq=False)

@@ -107,7 +107,7 @@ def _footprint_sheet(solution: Solution, title: str) -> Figure:
             panel.set_xlabel("")
     if solution.contact_y:
         bar = _panel(figure, LEFT + width + BAR_GAP, bottom, BAR, heights[-1])
-        draw_colour_bar(solution, drawn_area(panel), cax=bar)
+        draw_colour_bar(solution, panel, cax=bar)
     _write_title(figure, title, conditions(solution))
     return figure
 
@@ -130,7 +130,9 @@ def _write_title(figure: Figure, title: str, conditions: str = "") -> None:
     whole = figure.get_figheight()
     line = whole - 0.08
     if title:
-        figure.text(LEFT / WIDTH, line / whole, title, va="top", weight="bold", fontsize=TITLE_SIZE)
+        # The user's own words: a dollar sign in them is a dollar sign.
+        place = (LEFT / WIDTH, line / whole)
+        figure.text(*place, title, va="top", weight="bold", fontsize=TITLE_SIZE, parse_math=False)
         line -= TITLE
     if conditions:
         figure.text(LEFT / WIDTH, line / whole, conditions, va="top")

@@ -10,9 +10,10 @@ docs/explain/theory.md). With a load q per unit length and a half-space complian
     derivatives by a        through tA' and tB'                 t B'(t) = int psi t xi^2 / (xi^2 + t^2)^(3/2) dxi
 
 where psi = -phi'/xi. Both shapes have closed forms, but the solver asks for millions of values: it reads all
-four functions from one table of polynomials, eight intervals to the octave of t, found from the bits of t
-without a logarithm; beyond t = 8 the moments of phi give a series in 1/t^2. The table is made once, when an
-element is first used, from the closed forms where these do not cancel.
+four functions from one table of polynomials, eight intervals to the octave of t, found from the bits of t without
+a logarithm. The table is made once, when an element is first used: from the closed forms up to t = 8,
+from a series in 1/t^2, whose coefficients are moments of phi, where these begin to cancel. Beyond t = 256 three
+terms of the series are all there is.
 """
 
 from __future__ import annotations
@@ -29,12 +30,17 @@ from nonhertz.strip.compiled import compiled
 
 Array = NDArray[np.float64]
 
-# Beyond FAR = 2^3 the series takes over; below SMALL = 2^-30 the leading terms are exact to rounding.
-SMALL_EXPONENT, FAR_EXPONENT = -30, 3
+# The table covers [SMALL, FAR]; below it the leading terms are exact to rounding, beyond it a short series.
+SMALL_EXPONENT, FAR_EXPONENT = -30, 8
 SMALL, FAR = 2.0**SMALL_EXPONENT, 2.0**FAR_EXPONENT
 INTERVALS_PER_OCTAVE = 8
-DEGREE = 10
-SERIES_TERMS = 10
+DEGREE = 8
+# The closed forms cancel beyond this; the series has this many terms where the table is made from it.
+CANCELLING, LONG_SERIES = 8.0, 11
+SHORT_SERIES = 4
+# Where the parts of the table begin.
+SERIES_AT = (FAR_EXPONENT - SMALL_EXPONENT) * INTERVALS_PER_OCTAVE * (DEGREE + 1) * 4
+LEADING_AT = SERIES_AT + SHORT_SERIES * 4
 
 A, T_DA, B, T_DB = range(4)
 
@@ -75,7 +81,7 @@ class Element:
     _moments: tuple[Callable[[int], float], Callable[[int], float]] = field(repr=False)
     """k -> int phi xi^2k and k -> int psi xi^2k."""
     _closed_forms: Callable[[Array], tuple[Array, Array, Array]] = field(repr=False)
-    """t in [SMALL, FAR] -> A', B, t B'."""
+    """t in [SMALL, CANCELLING] -> A', B, t B'."""
     _leading: tuple[float, float, float, float] = field(repr=False)
     """For t -> 0: A' = l0 ln(l1/t), B = l2 t ln(l3/t)."""
 
@@ -90,12 +96,12 @@ class Element:
         return tuple(values[:, k].reshape(t.shape) for k in range(4))  # type: ignore[return-value]
 
     @cached_property
-    def table(self) -> tuple[Array, Array, Array]:
-        """Coefficients that the compiled core reads: polynomials, far series, leading terms."""
-        return (self._polynomials(), self._series(), np.array([*self._leading, self._constant]))
+    def table(self) -> Array:
+        """Coefficients that the compiled core reads, in one row: polynomials, far series, leading terms."""
+        return np.concatenate([self._polynomials(), self._series(SHORT_SERIES).ravel(), self._leading])
 
     def _polynomials(self) -> Array:
-        """Return polynomial coefficients, shape (intervals, DEGREE + 1, 4), highest power first.
+        """Return polynomial coefficients, (intervals, DEGREE + 1, 4) in one row, highest power first.
 
         On each interval the variable runs over [-1, 1]. The interval is short against the distance to the
         nearest singularity (t = 0 and t = +-i), so the Chebyshev interpolant reaches rounding at this degree.
@@ -105,15 +111,22 @@ class Element:
         half = np.repeat(2.0**octaves, INTERVALS_PER_OCTAVE) / (2 * INTERVALS_PER_OCTAVE)
         nodes = np.polynomial.chebyshev.chebpts1(DEGREE + 1)
         t = low[:, None] + half[:, None] * (1.0 + nodes)
-        slope, curvature, t_db = self._closed_forms(t)
-        values = np.stack([self._integrated(slope, low, half, nodes), t * slope, curvature, t_db], axis=-1)
+        near = low < CANCELLING
+        values = np.empty((*t.shape, 4))
+        slope, values[near, :, B], values[near, :, T_DB] = self._closed_forms(t[near])
+        values[near, :, T_DA] = t[near] * slope
+        values[near, :, A] = self._integrated(slope, low[near], half[near], nodes)
+        values[~near] = np.polynomial.polynomial.polyval(t[~near] ** -2.0, self._series(LONG_SERIES)[::-1]).transpose(
+            1, 2, 0
+        )
+        values[~near, :, A] += np.log(2.0 * t[~near])
         to_powers = np.linalg.inv(np.polynomial.chebyshev.chebvander(nodes, DEGREE))
         chebyshev = np.einsum("kn,inf->ikf", to_powers, values)
         powers = np.zeros((DEGREE + 1, DEGREE + 1))
         for k in range(DEGREE + 1):
             powers[k, : k + 1] = np.polynomial.chebyshev.cheb2poly([0.0] * k + [1.0])
         coefficients = np.einsum("kp,ikf->ipf", powers, chebyshev)
-        return np.ascontiguousarray(coefficients[:, ::-1, :])
+        return np.ascontiguousarray(coefficients[:, ::-1, :]).ravel()
 
     def _integrated(self, slope: Array, low: Array, half: Array, nodes: Array) -> Array:
         """Return A at the nodes: the integral of A' from 0, interval by interval."""
@@ -126,12 +139,12 @@ class Element:
         before = start + np.concatenate([[0.0], np.cumsum(whole)[:-1]])
         return np.asarray(before[:, None] + within, dtype=float)
 
-    def _series(self) -> Array:
-        """Return the far series in 1/t^2, shape (SERIES_TERMS, 4), highest power first; A without ln(2t)."""
+    def _series(self, terms: int) -> Array:
+        """Return the far series in 1/t^2, shape (terms, 4), highest power first; A without ln(2t)."""
         of_phi, of_psi = self._moments
-        rows = np.zeros((SERIES_TERMS, 4))
+        rows = np.zeros((terms, 4))
         binomial = 1.0
-        for k in range(SERIES_TERMS):
+        for k in range(terms):
             rows[k, A] = self._constant if k == 0 else -binomial * of_phi(k) / (2 * k)
             rows[k, T_DA] = binomial * of_phi(k)
             rows[k, B] = binomial * of_psi(k)
@@ -140,54 +153,82 @@ class Element:
         return np.ascontiguousarray(rows[::-1])
 
 
+# The table is one flat array on purpose: taking a tuple apart or slicing a row costs a reference count each
+# time, which is more than all the arithmetic.
+
+
 @compiled
-def evaluate(t: float, table: tuple[Array, Array, Array]) -> tuple[float, float, float, float]:
+def evaluate(t: float, table: Array) -> tuple[float, float, float, float]:
     """Return A, t A', B and t B' at one ``t`` from an element's table."""
-    polynomials, series, leading = table
     size = abs(t)
-    sign = 1.0 if t >= 0.0 else -1.0
     if size >= FAR:
-        x = 1.0 / (size * size)
-        a = ta = b = tb = 0.0
-        for k in range(SERIES_TERMS):
-            a = a * x + series[k, 0]
-            ta = ta * x + series[k, 1]
-            b = b * x + series[k, 2]
-            tb = tb * x + series[k, 3]
-        return (sign * (a + math.log(2.0 * size)), sign * ta, sign * b, sign * tb)
+        return _far(t, size, table)
     if size < SMALL:
-        if size == 0.0:
-            return (0.0, 0.0, 0.0, 0.0)
-        slope = leading[0] * math.log(leading[1] / size)
-        b_slope = leading[2] * math.log(leading[3] / size)
-        return (
-            t * (slope + leading[0]),
-            t * slope,
-            t * b_slope,
-            t * (b_slope - leading[2]),
-        )
-    mantissa, exponent = math.frexp(size)  # size = mantissa 2^exponent, mantissa in [1/2, 1)
-    place = (2.0 * mantissa - 1.0) * INTERVALS_PER_OCTAVE
-    step = int(place)
-    x = 2.0 * (place - step) - 1.0
-    row = polynomials[(exponent - 1 - SMALL_EXPONENT) * INTERVALS_PER_OCTAVE + step]
+        return _small(t, size, table)
+    first, x = _locate(size)
     a = ta = b = tb = 0.0
     for k in range(DEGREE + 1):
-        a = a * x + row[k, 0]
-        ta = ta * x + row[k, 1]
-        b = b * x + row[k, 2]
-        tb = tb * x + row[k, 3]
-    return (sign * a, sign * ta, sign * b, sign * tb)
+        at = first + np.uint64(4 * k)
+        a = a * x + table[at]
+        ta = ta * x + table[at + np.uint64(1)]
+        b = b * x + table[at + np.uint64(2)]
+        tb = tb * x + table[at + np.uint64(3)]
+    if t < 0.0:
+        return (-a, -ta, -b, -tb)
+    return (a, ta, b, tb)
 
 
 @compiled
-def evaluate_displacement(t: float, table: tuple[Array, Array, Array]) -> float:
+def _far(t: float, size: float, table: Array) -> tuple[float, float, float, float]:
+    x = 1.0 / (size * size)
+    a = ta = b = tb = 0.0
+    for k in range(SHORT_SERIES):
+        a = a * x + table[SERIES_AT + 4 * k]
+        ta = ta * x + table[SERIES_AT + 4 * k + 1]
+        b = b * x + table[SERIES_AT + 4 * k + 2]
+        tb = tb * x + table[SERIES_AT + 4 * k + 3]
+    sign = math.copysign(1.0, t)
+    return (sign * (a + math.log(2.0 * size)), sign * ta, sign * b, sign * tb)
+
+
+@compiled
+def _small(t: float, size: float, table: Array) -> tuple[float, float, float, float]:
+    if size == 0.0:
+        return (0.0, 0.0, 0.0, 0.0)
+    slope = table[LEADING_AT] * math.log(table[LEADING_AT + 1] / size)
+    b_slope = table[LEADING_AT + 2] * math.log(table[LEADING_AT + 3] / size)
+    return (t * (slope + table[LEADING_AT]), t * slope, t * b_slope, t * (b_slope - table[LEADING_AT + 2]))
+
+
+@compiled
+def _locate(size: float) -> tuple[np.uint64, float]:
+    """Return where the polynomials of ``size`` begin in the table, and their variable in [-1, 1).
+
+    The bits of a double are its exponent and, below it, the place within the octave: shifted so that the top
+    three bits of that place remain, they number the intervals. Unsigned numbers spare a check for negative
+    indices in the innermost loop of all.
+    """
+    bits = np.float64(size).view(np.uint64)
+    interval = (bits >> np.uint64(49)) - np.uint64((1023 + SMALL_EXPONENT) * INTERVALS_PER_OCTAVE)
+    place = np.float64(bits & np.uint64((1 << 49) - 1))
+    return interval * np.uint64(4 * (DEGREE + 1)), place * (2.0 / (1 << 49)) - 1.0
+
+
+@compiled
+def evaluate_displacement(t: float, table: Array) -> float:
     """Return A alone at one ``t``."""
-    return evaluate(t, table)[0]
+    size = abs(t)
+    if size >= FAR or size < SMALL:
+        return evaluate(t, table)[0]
+    first, x = _locate(size)
+    a = 0.0
+    for k in range(DEGREE + 1):
+        a = a * x + table[first + np.uint64(4 * k)]
+    return a if t >= 0.0 else -a
 
 
 @compiled
-def _evaluate_all(t: Array, table: tuple[Array, Array, Array], values: Array) -> None:
+def _evaluate_all(t: Array, table: Array, values: Array) -> None:
     for i in range(t.size):
         values[i, 0], values[i, 1], values[i, 2], values[i, 3] = evaluate(t[i], table)
 

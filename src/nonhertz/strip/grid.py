@@ -25,13 +25,12 @@ Array = NDArray[np.float64]
 # Tuned on Hertz contacts and on sharp ends over two decades of load; the figures behind them are in
 # docs/explain/grid.md.
 STRIPS_PER_CONTACT = 66.0  # the widest strips in contact
-NARROWEST = 1.0 / 24.0  # of the half-width, at sharp ends and kinks
+NARROWEST = 1.0 / 40.0  # of the half-width, at sharp ends and kinks
 END_SHARE = 0.068  # of the distance in which m falls from half its summit to zero
 GROWTH = 0.15  # of the distance from a feature
 GROWTH_OUTSIDE = 0.8
 SAG = 1e-3  # of the interference: how much the profile may sag between the edges of one strip
 KINK_SHARE = 0.05
-STRIP_LIMIT = 87
 LOOSEST = 64.0
 SAMPLES = 600
 MOST_BENDS = 12
@@ -74,7 +73,7 @@ def ends_of_contact(state: State) -> list[tuple[float, float]]:
     touching = np.concatenate([[False], state.m > 0.0, [False]])
     first = np.flatnonzero(~touching[:-1] & touching[1:])
     last = np.flatnonzero(touching[:-1] & ~touching[1:]) - 1
-    return [(_end(state, i, j, -1), _end(state, j, i, 1)) for i, j in zip(first, last, strict=True)]
+    return [(_end(state, int(i), int(j), -1), _end(state, int(j), int(i), 1)) for i, j in zip(first, last, strict=True)]
 
 
 def _end(state: State, at: int, other: int, side: int) -> float:
@@ -196,7 +195,7 @@ def _bending(problem: Problem, state: State, half_width: Array) -> tuple[Array, 
     return y[1:-1], np.maximum(width, NARROWEST * np.max(half_width))
 
 
-def graded(wanted: Sizes, low: float, high: float, centre: float, limit: int, share: float = 1.0) -> Array:
+def graded(wanted: Sizes, low: float, high: float, limit: int, share: float = 1.0) -> Array:
     """Return the edges of a graded grid of at most ``limit`` strips.
 
     Parameters
@@ -205,19 +204,26 @@ def graded(wanted: Sizes, low: float, high: float, centre: float, limit: int, sh
         The size function.
     low, high : float
         Ends of the grid [mm].
-    centre : float
-        Centre of one strip [mm].
     limit : int
         Most strips; where the sizes ask for more, they are loosened away from the features.
     share : float
         Fraction of the strips to make, for the coarser grid of a pair.
     """
     by = 1.0
+    centre = _centre(wanted.contact, low, high)
     walk = _Walk(wanted, low, high, centre)
     while walk.count > limit and by < LOOSEST:
         by *= 1.25
         walk = _Walk(wanted.loosened(by), low, high, centre)
     return walk.edges(share * min(1.0, limit / walk.count))
+
+
+def _centre(contact: Array, low: float, high: float) -> float:
+    """Return y = 0 where it is in contact, else the middle of the longest interval in contact."""
+    if np.any((contact[:, 0] < 0.0) & (contact[:, 1] > 0.0)) and low < 0.0 < high:
+        return 0.0
+    longest = contact[np.argmax(contact[:, 1] - contact[:, 0])]
+    return float(0.5 * (longest[0] + longest[1]))
 
 
 class _Walk:

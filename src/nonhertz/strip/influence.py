@@ -20,7 +20,6 @@ from nonhertz.strip.element import evaluate, evaluate_displacement
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
-Table = tuple[Array, Array, Array]
 
 #: The direct effect alone: two half-spaces.
 HALF_SPACE = np.array([[1.0, 0.0, 1.0]])
@@ -28,7 +27,7 @@ HALF_SPACE = np.array([[1.0, 0.0, 1.0]])
 
 @compiled
 def coefficients(
-    y: Array, low: Array, high: Array, m: Array, active: Indices, terms: Array, table: Table, out: Array
+    y: Array, low: Array, high: Array, m: Array, active: Indices, terms: Array, table: Array, out: Array
 ) -> None:
     """Fill ``out[:, i, j]`` with [A], [t A'], [B], [t B'] of strip j at the centre of strip i.
 
@@ -42,7 +41,7 @@ def coefficients(
         The strips that take part.
     terms : ndarray, shape (terms, 3)
         Rows (sign, offset, weight); see the module.
-    table : tuple
+    table : ndarray
         The element's table.
     out : ndarray, shape (4, k, k)
         Result.
@@ -66,7 +65,7 @@ def coefficients(
 
 @compiled
 def displacement(
-    y: float, low: Array, high: Array, r: Array, m: Array, active: Indices, terms: Array, table: Table
+    y: float, low: Array, high: Array, r: Array, m: Array, active: Indices, terms: Array, table: Array
 ) -> float:
     """Return the displacement per unit of compliance at ``y`` of all ``active`` strips."""
     total = 0.0
@@ -82,7 +81,7 @@ def displacement(
 
 
 @compiled
-def self_displacement(width: float, m: float, table: Table) -> tuple[float, float]:
+def self_displacement(width: float, m: float, table: Array) -> tuple[float, float]:
     """Return [A] of a strip at its own centre and d(m [A])/dm."""
     a, ta, _, _ = evaluate(0.5 * width / math.sqrt(m), table)
     return 2.0 * a, 2.0 * a - ta

@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.strip.compiled import compiled
-from nonhertz.strip.influence import Table, coefficients, displacement, self_displacement
+from nonhertz.strip.influence import coefficients, displacement, self_displacement
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -31,8 +31,8 @@ Flags = NDArray[np.bool_]
 CONVERGED, ITERATION_LIMIT, STAGNATED = range(3)
 
 TOLERANCE = 1e-11
-# Once the residual is this small, one more step is exact to rounding and the Jacobian's stiffness to this.
-NEARLY = 1e-8
+# Once residual and step are this small, what the step leaves is its square, and the stiffness is exact to this.
+NEARLY, SMALL_STEP = 1e-8, 1e-5
 STEP_LIMIT = 60
 
 
@@ -46,7 +46,7 @@ def newton(
     prescribed: Flags,
     target: Array,
     terms: Array,
-    table: Table,
+    table: Array,
     r: Array,
     m: Array,
     rigid: Array,
@@ -133,7 +133,8 @@ def newton(
         rigid[1] += relaxation * motion[1] / half
         changed = _update(blocks, active, width, rho, sigma, relaxation, table, r, m)
         entered = _enter(y, high - low, curvature, gap, active, table, r, m)
-        if residual < NEARLY and not changed and not entered:
+        small = max(np.max(np.abs(rho)), np.max(np.abs(sigma - rho))) < SMALL_STEP
+        if residual < NEARLY and small and not changed and not entered:
             left = _check(y, low, high, separation, prescribed, target, rigid, r, m, terms, table, gap)
             if left < TOLERANCE:
                 return CONVERGED, step + 1, left
@@ -142,7 +143,8 @@ def newton(
 
 @compiled
 def _interference(y: Array, separation: Array, rigid: Array, active: Indices) -> Array:
-    return rigid[0] + rigid[1] * y[active] - separation[active]
+    depth: Array = rigid[0] + rigid[1] * y[active] - separation[active]
+    return depth
 
 
 @compiled
@@ -193,7 +195,7 @@ def _idle_gaps(
     m: Array,
     active: Indices,
     terms: Array,
-    table: Table,
+    table: Array,
     gap: Array,
 ) -> None:
     """Fill ``gap`` for the strips out of contact, zero for those in contact."""
@@ -230,7 +232,8 @@ def _directions(
     sides[k:, 0] = -gap_residual / scale
     sides[k:, 1] = 1.0 / scale
     sides[k:, 2] = lever / scale
-    return np.linalg.solve(matrix, sides)
+    directions: Array = np.linalg.solve(matrix, sides)
+    return directions
 
 
 @compiled
@@ -256,7 +259,7 @@ def _rigid_step(
     response: Array, off: Array, prescribed: Flags, weights: Array, lever: Array, d_q: Array
 ) -> Array:
     """Return the changes of approach and of tilt times half length that meet the prescribed pair."""
-    matrix = np.eye(2)
+    matrix: Array = np.eye(2)
     side = off.copy()
     # A single strip resists tilt no more than a ball: the least rise of the diagonal keeps its tilt as it is.
     ridge = 1e-14 * abs(response[0, 0])
@@ -283,7 +286,7 @@ def _update(
     rho: Array,
     sigma: Array,
     relaxation: float,
-    table: Table,
+    table: Array,
     r: Array,
     m: Array,
 ) -> bool:
@@ -308,7 +311,7 @@ def _update(
 
 @compiled
 def _enter(
-    y: Array, width: Array, curvature: Array, gap: Array, active: Indices, table: Table, r: Array, m: Array
+    y: Array, width: Array, curvature: Array, gap: Array, active: Indices, table: Array, r: Array, m: Array
 ) -> bool:
     """Put strips with a negative gap in contact, with r from their nearest neighbour there."""
     entered = False
@@ -322,7 +325,7 @@ def _enter(
 
 
 @compiled
-def _own_width(wanted: float, width: float, table: Table) -> float:
+def _own_width(wanted: float, width: float, table: Array) -> float:
     """Return m with m [A](m) = ``wanted``, by Newton's method on a concave increasing function."""
     m = 0.25 * wanted
     for _ in range(40):
@@ -352,7 +355,7 @@ def _check(
     r: Array,
     m: Array,
     terms: Array,
-    table: Table,
+    table: Array,
     gap: Array,
 ) -> float:
     """Fill ``gap`` everywhere and return the largest relative violation of contact and balance."""

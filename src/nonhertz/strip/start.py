@@ -34,7 +34,7 @@ def springs(
     rigid: Array,
 ) -> None:
     """Fill ``r``, ``m`` and ``rigid`` with the answer of independent springs; arguments as in `newton`."""
-    half = 0.5 * np.sum(width)
+    half = 0.5 * float(np.sum(width))
     usable = np.flatnonzero(np.isfinite(separation))
     y_used, width_used, separation_used = y[usable], width[usable], separation[usable]
     r[:] = curvature / line_factor
@@ -73,10 +73,10 @@ def _balance(
                 low = middle
             else:
                 high = middle
-    # Of the two ends of the bracket, keep one where something touches.
+    # A moment may vanish because nothing touches; any other asks for the end of the bracket where something does.
     rigid[1] = high
     rigid[0] = _approach(y, stiffness, separation, prescribed, target, high)
-    if np.max(rigid[0] + rigid[1] * y - separation) <= 0.0:
+    if target[1] != 0.0 and np.max(rigid[0] + rigid[1] * y - separation) <= 0.0:
         rigid[1] = low
         rigid[0] = _approach(y, stiffness, separation, prescribed, target, low)
 
@@ -87,7 +87,7 @@ def _approach(
 ) -> float:
     """Return the approach at this tilt: the prescribed one, or the one at which springs carry the load."""
     if not prescribed[0]:
-        return target[0]
+        return float(target[0])
     height = separation - tilt * y
     order = np.argsort(height)
     total = weighted = 0.0
@@ -106,7 +106,8 @@ def _excess_moment(
     y: Array, stiffness: Array, separation: Array, prescribed: Flags, target: Array, tilt: float
 ) -> float:
     approach = _approach(y, stiffness, separation, prescribed, target, tilt)
-    return np.sum(stiffness * y * np.maximum(approach + tilt * y - separation, 0.0)) - target[1]
+    loads = stiffness * np.maximum(approach + tilt * y - separation, 0.0)
+    return float(np.sum(loads * y) - target[1])
 
 
 @compiled

@@ -132,11 +132,16 @@ def _better(one: State, other: State) -> State:
 
 
 def _raised(problem: Problem, edges: Array, y: Array, curvature: Array, separation: Array) -> State:
-    """Return the state reached by raising the load in steps, each the start of the next."""
-    near = None
-    for share in (0.01, 0.03, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0):
+    """Return the state reached by raising the load from a small one, in steps as long as the loop allows."""
+    near, reached, share = None, 0.0, 0.01
+    for _ in range(40):
         state = _loop(problem.with_share(share), edges, y, curvature, separation, near)
-        near = state if state.converged else near
+        if state.converged and share == 1.0:
+            break
+        if state.converged:
+            near, reached, share = state, share, min(1.0, 2.0 * share)
+        else:
+            share = 0.5 * (reached + share)
     return state
 
 

@@ -14,7 +14,7 @@ from nonhertz.model.checks import finite, positive
 from nonhertz.model.contact import Contact
 from nonhertz.solution import ErrorEstimate, Solution, Status
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
-from nonhertz.strip.grid import ends_of_contact, graded, reaches, sizes, uniform
+from nonhertz.strip.grid import Sizes, ends_of_contact, graded, reaches, sizes, uniform
 from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, STAGNATED
 from nonhertz.strip.state import Problem, State, half_space_problem, settle, sprung
 
@@ -24,6 +24,7 @@ FEWEST_STRIPS, MOST_STRIPS = 3, 2000
 STRIP_LIMIT = 87  # of an automatic grid on one interval of contact
 COARSE_STRIPS = 24
 COARSEST_LEVEL = 10
+ROUGH_SHARE = 0.35  # of the strips, on the grid from which the final one is learnt
 WELL_FILLED = 0.4  # of the region by the contact, before a grid is graded from it
 MOST_OF_RADIUS = 0.3
 _STATUS = {CONVERGED: Status.CONVERGED, ITERATION_LIMIT: Status.ITERATION_LIMIT, STAGNATED: Status.STAGNATED}
@@ -161,17 +162,7 @@ def _equal(contact: Contact, problem: Problem, count: int) -> _Pair:
         remedy = "leave it out for an automatic grid"
         raise InputError("strips", count, f"lie between {FEWEST_STRIPS} and {MOST_STRIPS}", remedy)
     low, high = _region(contact, problem)
-    _refuse_infeasible(problem, uniform(low, high, count))
-    counts = [count, max(count // 2, 2)]
-    while counts[-1] // 2 >= COARSEST_LEVEL:
-        counts.append(counts[-1] // 2)
-    coarse: State | None = None
-    state: State | None = None
-    for level in reversed(counts[1:]):
-        edges = uniform(low, high, level)
-        coarse = settle(problem, edges, state, patient=False) if _feasible(problem, edges) else None
-        state = coarse if coarse is not None and coarse.converged else None
-    return _Pair(settle(problem, uniform(low, high, count), state), state)
+    return _raised_levels(problem, [uniform(low, high, level) for level in _levels(count)])
 
 
 def _given(contact: Contact, problem: Problem, edges: Array) -> _Pair:
@@ -184,33 +175,50 @@ def _given(contact: Contact, problem: Problem, edges: Array) -> _Pair:
         raise InputError("strips", edges.tolist(), "ascend and be finite", remedy)
     if edges[0] < low or edges[-1] > high:
         raise InputError("strips", (float(edges[0]), float(edges[-1])), f"lie between {low} and {high}", remedy)
-    _refuse_infeasible(problem, edges)
-    half = np.unique(np.concatenate([edges[:-1:2], edges[-1:]]))
-    coarse = settle(problem, half, patient=False) if _feasible(problem, half) else None
-    near = coarse if coarse is not None and coarse.converged else None
-    return _Pair(settle(problem, edges, near), near)
+    levels = [edges]
+    while len(levels) < 2 or levels[-1].size // 2 > COARSEST_LEVEL:
+        levels.append(np.unique(np.concatenate([levels[-1][:-1:2], edges[-1:]])))
+    return _raised_levels(problem, levels)
+
+
+def _levels(count: int) -> list[int]:
+    """Return numbers of strips, each half the one before."""
+    counts = [count, max(count // 2, 2)]
+    while counts[-1] // 2 >= COARSEST_LEVEL:
+        counts.append(counts[-1] // 2)
+    return counts
+
+
+def _raised_levels(problem: Problem, levels: list[Array]) -> _Pair:
+    """Solve on the finest level first named, each level starting from the next coarser one.
+
+    On strips that are wide against the half-width the loop converges from springs; on narrow ones it wants a
+    start that has the shape of the contact, which the coarser level gives it.
+    """
+    finest = levels[0]
+    _refuse_infeasible(problem, finest)
+    coarse: State | None = None
+    for edges in reversed(levels[1:]):
+        if _feasible(problem, edges):
+            state = settle(problem, edges, coarse, patient=False)
+            coarse = state if state.converged else None
+    return _Pair(settle(problem, finest, coarse), coarse)
 
 
 def _automatic(contact: Contact, problem: Problem) -> _Pair:
-    """Solve on a graded grid: equal strips to find the contact, then half the strips, then all."""
-    states = [_located(contact, problem, *_region(contact, problem))]
-    low, high = float(states[0].edges[0]), float(states[0].edges[-1])
-    for share in (0.5, 1.0):
-        if not states[-1].converged:
+    """Solve on a graded grid: find the contact on equal strips, learn its features, then solve on half and all."""
+    state = _located(contact, problem, *_region(contact, problem))
+    coarse: State | None = None
+    wanted: Sizes | None = None
+    for learn, share in ((True, ROUGH_SHARE), (True, 0.5), (False, 1.0)):
+        if not state.converged:
             break
-        wanted = sizes(problem, states[-1], contact.bends)
+        if learn or wanted is None:
+            wanted = sizes(problem, state, contact.bends)
         limit = STRIP_LIMIT if len(wanted.contact) == 1 else 2 * STRIP_LIMIT
-        edges = graded(wanted, low, high, _centre(wanted.contact, low, high), limit, share)
-        states.append(settle(problem, edges, states[-1]))
-    return _Pair(states[-1], states[-2] if len(states) == 3 else None)
-
-
-def _centre(contact: Array, low: float, high: float) -> float:
-    """Return y = 0 where it is in contact, else the middle of the longest interval in contact."""
-    if np.any((contact[:, 0] < 0.0) & (contact[:, 1] > 0.0)) and low < 0.0 < high:
-        return 0.0
-    longest = contact[np.argmax(contact[:, 1] - contact[:, 0])]
-    return float(0.5 * (longest[0] + longest[1]))
+        edges = graded(wanted, float(state.edges[0]), float(state.edges[-1]), limit, share)
+        coarse, state = state, settle(problem, edges, state)
+    return _Pair(state, coarse)
 
 
 def _located(contact: Contact, problem: Problem, low: float, high: float) -> State:
@@ -280,6 +288,10 @@ def _refuse_infeasible(problem: Problem, edges: Array) -> None:
     elif by_moment:
         if (second > 0.0 and usable[-1] <= 0.0) or (second < 0.0 and usable[0] >= 0.0):
             raise InputError("moment", "of this sign", "come from strips on that side", "turn its sign")
+        if second == 0.0 and not np.any(sprung(problem, edges).m > 0.0):
+            raise InputError(
+                "approach", float(first), "make the bodies touch at the tilt of zero moment", "raise it, or give a tilt"
+            )
     elif not by_load and not np.any(first + second * y - separation > 0.0):
         _refuse_no_contact(problem, edges)
 
@@ -308,15 +320,17 @@ def _solution(contact: Contact, element: Element, pair: _Pair) -> Solution:
         load=state.load / compliance,
         moment=state.moment / compliance,
         stiffness=state.stiffness / compliance,
-        y=state.y,
-        strip_width=state.width,
+        edges=state.edges.copy(),
         line_load=state.r * state.m / compliance,
         element_half_width=np.sqrt(state.m),
         gap=state.gap,
+        contact_y=tuple(ends_of_contact(state)),
         iterations=state.steps,
         error_estimate=estimate,
         warnings=(),
     )
+    if not state.converged:
+        return solution
     return replace(solution, warnings=(*_strains(solution), *_sharp_ends(contact, state)))
 
 
@@ -328,7 +342,7 @@ def _error_estimate(pair: _Pair) -> ErrorEstimate:
     singular = reaches(fine, -1) or reaches(fine, 1)
     summit, coarse_summit = float(np.max(fine.pressure)), float(np.max(coarse.pressure))
     return ErrorEstimate(
-        approach=abs(coarse.rigid[0] / fine.rigid[0] - 1.0) if fine.rigid[0] != 0.0 else math.inf,
+        approach=float(abs(coarse.rigid[0] / fine.rigid[0] - 1.0)) if fine.rigid[0] != 0.0 else math.inf,
         load=abs(coarse.load / fine.load - 1.0),
         max_pressure=math.inf if singular else abs(coarse_summit / summit - 1.0),
     )

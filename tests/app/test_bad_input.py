@@ -1,0 +1,390 @@
+"""Bad input through the command line: each mistake one sentence, exit code 2, and nothing solved."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import nonhertz as nh
+from nonhertz.cli import main
+
+A = "[body.a]\ndiameter = 20.0\nlength = 20.0\n"
+B = "[body.b]\n"
+LOAD = "[load]\nload = 20000.0\n"
+LENGTH = "a number in mm, or text with a unit of length such as '20 mm'"
+LENGTH_REMEDY = "give the distance between the side faces in mm, or leave it out for an unbounded body"
+DIAMETER_REMEDY = "give the diameter in mm, negative for a concave surface, or leave it out for a flat one"
+STRIPS = "be 'auto' or a whole number from 3 to 2000: leave it out for an automatic grid"
+KEYS_OF_MATERIAL = "known are 'modulus', 'poisson'"
+
+
+def profile(table: str) -> str:
+    return f"{A}profile = [{table}]\n{B}{LOAD}"
+
+
+MISTAKES = {
+    # Numbers
+    "negative length": (
+        f"[body.a]\ndiameter = 20.0\nlength = -5.0\n{B}{LOAD}",
+        [f"body.a.length = -5.0 must be positive: {LENGTH_REMEDY}."],
+    ),
+    "negative length in a unit": (
+        f"[body.a]\nlength = '-5 um'\n{B}diameter = 20\n{LOAD}",
+        [f"body.a.length = '-5 um' must be positive: {LENGTH_REMEDY}."],
+    ),
+    "nan": (
+        f"[body.a]\ndiameter = nan\n{B}{LOAD}",
+        [f"body.a.diameter = nan must be a finite number: {DIAMETER_REMEDY}."],
+    ),
+    "inf": (
+        f"[body.a]\ndiameter = -inf\n{B}{LOAD}",
+        [f"body.a.diameter = -inf must be a finite number: {DIAMETER_REMEDY}."],
+    ),
+    "nan as the load": (
+        f"{A}{B}[load]\nload = nan\n",
+        ["load.load = nan must be a finite number: give the force in N that presses the bodies together."],
+    ),
+    "boolean": (
+        f"[body.a]\nlength = true\n{B}diameter = 20\n{LOAD}",
+        [f"body.a.length = True must be a finite number: {LENGTH_REMEDY}."],
+    ),
+    "list": (
+        f"[body.a]\nlength = [20.0]\n{B}diameter = 20\n{LOAD}",
+        [f"body.a.length = [20.0] must be a finite number: {LENGTH_REMEDY}."],
+    ),
+    "zero diameter": (
+        f"[body.a]\ndiameter = 0\n{B}{LOAD}",
+        [f"body.a.diameter = 0.0 must not be zero: {DIAMETER_REMEDY}."],
+    ),
+    "effective length beyond the length": (
+        f"{A}effective_length = 21\n{B}{LOAD}",
+        [
+            "body.a.effective_length = 21.0 must not exceed the length of 20.0 mm: "
+            "give the length that can touch in mm, or leave it out for all of the body."
+        ],
+    ),
+    # Units
+    "unit of another kind": (
+        f"[body.a]\ndiameter = '5 kg'\n{B}{LOAD}",
+        [f"body.a.diameter = '5 kg' must have a unit of length: write {LENGTH}."],
+    ),
+    "no quantity": (
+        f"[body.a]\ndiameter = 'twenty'\n{B}{LOAD}",
+        [f"body.a.diameter = 'twenty' must be a number with a unit: write {LENGTH}."],
+    ),
+    "number in quotes": (
+        f"[body.a]\ndiameter = '20'\n{B}{LOAD}",
+        ["body.a.diameter = '20' must have a unit: write 20 without quotes if it is in mm."],
+    ),
+    "unknown unit": (
+        f"[body.a]\ndiameter = '20 mmm'\n{B}{LOAD}",
+        [f"body.a.diameter = '20 mmm' must have a known unit: write {LENGTH}."],
+    ),
+    "moment without a length": (
+        f"{A}{B}{LOAD}moment = '5 N'\n",
+        [
+            "load.moment = '5 N' must have a unit of moment: "
+            "write a number in N mm, or text with a unit of moment such as '5 N m'."
+        ],
+    ),
+    # Materials
+    "poisson above a half": (
+        f"{A}material = {{ modulus = 207000, poisson = 0.51 }}\n{B}{LOAD}",
+        ["body.a.material.poisson = 0.51 must lie in (-1, 0.5]: give Poisson's ratio, 0.3 for steel."],
+    ),
+    "poisson of -1": (
+        f"{A}material = {{ modulus = 207000, poisson = -1 }}\n{B}{LOAD}",
+        ["body.a.material.poisson = -1.0 must lie in (-1, 0.5]: give Poisson's ratio, 0.3 for steel."],
+    ),
+    "unknown material": (
+        f"{A}material = 'Stel'\n{B}{LOAD}",
+        ["body.a.material = 'Stel' must be a known material: the nearest is 'steel'."],
+    ),
+    "half a material": (
+        f"{A}material = {{ modulus = 207000 }}\n{B}{LOAD}",
+        ["body.a.material.poisson must be given: give Poisson's ratio, in (-1, 0.5]."],
+    ),
+    "material of another type": (
+        f"{A}material = 207000\n{B}{LOAD}",
+        [
+            "body.a.material = 207000 must be a name or a table: "
+            "give a name such as 'steel' or a table { modulus = 207000, poisson = 0.3 }."
+        ],
+    ),
+    # Profiles
+    "unknown profile": (
+        profile("{ kind = 'crwon', radius = 4000 }"),
+        ["body.a.profile[1].kind = 'crwon' must be a known profile: the nearest is 'crown'."],
+    ),
+    "profile without a kind": (
+        profile("{ kind = 'straight' }, { radius = 4000 }"),
+        ["body.a.profile[2].kind must be given: name the profile, such as kind = 'crown'."],
+    ),
+    "unknown profile parameter": (
+        profile("{ kind = 'crown', radus = 4000 }"),
+        ["body.a.profile[1].radus = 4000 must be a known parameter of 'crown': the nearest is 'radius'."],
+    ),
+    "missing profile parameter": (
+        profile("{ kind = 'crown' }"),
+        ["body.a.profile[1].radius must be given: 'crown' needs it, in mm."],
+    ),
+    "profile on a body without a length": (
+        f"[body.a]\ndiameter = 20\nprofile = {{ kind = 'iso-logarithmic' }}\n{B}{LOAD}",
+        ["body.a.profile.length must be given: 'iso-logarithmic' needs it, in mm, unless the body has one."],
+    ),
+    "profile that is no table": (
+        f"{A}profile = 'crown'\n{B}{LOAD}",
+        [
+            "body.a.profile = 'crown' must be a list of tables: "
+            "write a list of tables such as [{ kind = 'crown', radius = 4000.0 }]."
+        ],
+    ),
+    "empty profile file": (
+        profile("{ kind = 'tabulated', file = 'empty.csv' }"),
+        [
+            "body.a.profile[1].file = 'empty.csv' must name a file of two points at least "
+            "(empty.csv holds no data): write one point a line, y and relief in mm."
+        ],
+    ),
+    "profile file with a word": (
+        profile("{ kind = 'tabulated', file = 'word.csv' }"),
+        [
+            "body.a.profile[1].file, line 2 of word.csv = '1,x' must hold two finite numbers: "
+            "write one point a line, y and relief in mm."
+        ],
+    ),
+    "points and a file": (
+        profile("{ kind = 'tabulated', file = 'two.csv', y = [0, 1] }"),
+        ["body.a.profile[1].y = [0, 1] must not stand beside file: keep one of them."],
+    ),
+    "table without points": (
+        profile("{ kind = 'tabulated' }"),
+        ["body.a.profile[1].y must be given: give the lists y and relief, or a file."],
+    ),
+    "nan in a table": (
+        profile("{ kind = 'tabulated', y = [0, 1], relief = [0, nan] }"),
+        [
+            "body.a.profile[1].relief = [0.0, nan] must hold finite numbers only: "
+            "leave out the points that were not measured."
+        ],
+    ),
+    "diameters of two signs": (
+        f"[body.a]\ndiameter = {{ y = [0, 1], diameter = [1, -1] }}\n{B}{LOAD}",
+        [f"body.a.diameter.diameter = (1.0, -1.0) must be finite and of one sign: {DIAMETER_REMEDY}."],
+    ),
+    # Load
+    "negative load": (
+        f"{A}{B}[load]\nload = -5.0\n",
+        ["load.load = -5.0 must be positive: give the force in N that presses the bodies together."],
+    ),
+    "load and approach": (
+        f"{A}{B}{LOAD}approach = 0.01\n",
+        ["load.approach = 0.01 must not stand beside load: leave one of them out."],
+    ),
+    "tilt and moment": (
+        f"{A}{B}{LOAD}moment = 1.0\ntilt = 0.0\n",
+        ["load.moment = 1.0 must not stand beside tilt: leave one of them out."],
+    ),
+    "neither load nor approach": (
+        f"{A}{B}[load]\ntilt = 0.0\n",
+        ["load.load must be given: give the load in N, or an approach in mm."],
+    ),
+    # Solver
+    "unknown element": (
+        f"{A}{B}{LOAD}[solver]\nelement = 'parabola'\n",
+        ["solver.element = 'parabola' must be a known element: the nearest is 'parabolic'."],
+    ),
+    "two strips": (f"{A}{B}{LOAD}[solver]\nstrips = 2\n", [f"solver.strips = 2 must {STRIPS}."]),
+    "half a strip": (f"{A}{B}{LOAD}[solver]\nstrips = 40.5\n", [f"solver.strips = 40.5 must {STRIPS}."]),
+    "strips in words": (
+        f"{A}{B}{LOAD}[solver]\nstrips = 'many'\n",
+        [f"solver.strips = 'many' must {STRIPS}."],
+    ),
+    # Keys and sections
+    "unknown key": (
+        f"{A}lenght = 20\n{B}{LOAD}",
+        ["body.a.lenght = 20 must be a known key: the nearest is 'length'."],
+    ),
+    "unknown key like no other": (
+        f"{A}material = {{ modulus = 1, poisson = 0, x = 2 }}\n{B}{LOAD}",
+        [f"body.a.material.x = 2 must be a known key: {KEYS_OF_MATERIAL}."],
+    ),
+    "unknown section": (
+        f"{A}{B}{LOAD}[sovler]\n",
+        ["sovler = {} must be a known key: the nearest is 'solver'."],
+    ),
+    "third body": (
+        f"{A}{B}[body.c]\n{LOAD}",
+        ["body.c = {} must be a known key: known are 'a', 'b'."],
+    ),
+    "missing body": (f"{A}{LOAD}", ["body.b must be given: write it under a heading [body.b]."]),
+    "missing load": (f"{A}{B}", ["load must be given: write it under a heading [load]."]),
+    "empty file": (
+        "",
+        [
+            "body must be given: write it under a heading [body.a] and [body.b].",
+            "load must be given: write it under a heading [load].",
+        ],
+    ),
+    "number for a section": (
+        f"body = 3\n{LOAD}",
+        ["body = 3 must be a section: write it under a heading [body]."],
+    ),
+    "text for the load": (
+        f"load = '20 kN'\n{A}{B}",
+        ["load = '20 kN' must be a section: write it under a heading [load]."],
+    ),
+    "number for a title": (f"title = 3\n{A}{B}{LOAD}", ["title = 3 must be text: put it in quotes."]),
+    "side faces of a later version": (
+        f"{A}side_faces = 'free'\n{B}{LOAD}",
+        [
+            "body.a.side_faces = 'free' must be one of 'none': "
+            "leave it out or write 'none'; other choices are not available in this version."
+        ],
+    ),
+    # Bodies that do not go together
+    "bodies that never meet": (
+        f"{A}{B}position = 30\nlength = 5\n{LOAD}",
+        ["body.b.position = 30.0 must let the bodies overlap along y: move one body or lengthen it."],
+    ),
+    "conforming bodies": (
+        f"{A}{B}diameter = -20\n{LOAD}",
+        [
+            "body.diameter = (20.0, -20.0) must leave a positive combined curvature: "
+            "make the concave body's diameter larger than the convex one's."
+        ],
+    ),
+    "several": (
+        f"{A}lenght = 3\n{B}material = 'bras'\n[load]\nload = -1\ntilt = '5 kg'\n",
+        [
+            "body.a.lenght = 3 must be a known key: the nearest is 'length'.",
+            "body.b.material = 'bras' must be a known material: "
+            "known are 'steel', 'silicon-nitride', 'cast-iron', 'bronze', 'aluminium'.",
+            "load.load = -1.0 must be positive: give the force in N that presses the bodies together.",
+            "load.tilt = '5 kg' must have a unit of angle: "
+            "write a number in rad, or text with a unit of angle such as '0.5 mrad'.",
+        ],
+    ),
+}
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    (tmp_path / "empty.csv").write_text("", encoding="utf-8")
+    (tmp_path / "word.csv").write_text("0,0\n1,x\n", encoding="utf-8")
+    (tmp_path / "two.csv").write_text("0,0\n1,0\n", encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def numbered(sentences: list[str]) -> list[str]:
+    return [f"{number}. {sentence}" for number, sentence in enumerate(sentences, start=1)]
+
+
+@pytest.mark.parametrize(("text", "sentences"), MISTAKES.values(), ids=MISTAKES)
+def test_each_mistake_is_one_sentence(
+    folder: Path, capsys: pytest.CaptureFixture[str], text: str, sentences: list[str]
+) -> None:
+    (folder / "case.toml").write_text(text, encoding="utf-8")
+
+    assert main(["solve", "case.toml", "--json", "--out", "results"]) == 2
+    solved = capsys.readouterr()
+    assert solved.out == ""
+    assert solved.err.splitlines() == (sentences if len(sentences) == 1 else numbered(sentences))
+    assert not (folder / "results").exists()
+
+    assert main(["check", "case.toml"]) == 2
+    checked = capsys.readouterr()
+    assert checked.out.splitlines() == numbered(sentences)
+    assert checked.err == ""
+
+
+FILES = {
+    "not there": (None, "must exist: give the path of a case file, or begin with one from 'nonhertz new'."),
+    "not TOML": (b"[body.a]\nlength = \n", "must be valid TOML: invalid value (at line 2, column 10)."),
+    "a key twice": (b"a = 1\na = 2\n", "must be valid TOML: cannot overwrite a value (at line 2, column 6)."),
+    "not closed": (
+        b"[body",
+        "must be valid TOML: expected ']' at the end of a table declaration (at end of document).",
+    ),
+    "not text": (
+        b'title = "a"\n\xff\xfe',
+        ", line 2, must be text in UTF-8: save the file with that encoding.",
+    ),
+    "too deep": (b"a = " + b"[" * 5000, "must be valid TOML: lists or tables are nested too deeply."),
+    "too long a number": (b"a = 1" + b"0" * 5000, "must be valid TOML: a number has thousands of digits."),
+}
+
+
+@pytest.mark.parametrize(("content", "sentence"), FILES.values(), ids=FILES)
+@pytest.mark.parametrize("command", ["solve", "check"])
+def test_files_that_cannot_be_read(
+    folder: Path, capsys: pytest.CaptureFixture[str], command: str, content: bytes | None, sentence: str
+) -> None:
+    if content is not None:
+        (folder / "case.toml").write_bytes(content)
+    assert main([command, "case.toml"]) == 2
+    printed = "".join(capsys.readouterr())
+    space = "" if sentence.startswith(",") else " "
+    assert printed.removeprefix("1. ") == f"case.toml{space}{sentence}\n"
+
+
+def test_a_directory_is_no_case_file(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["solve", "."]) == 2
+    assert capsys.readouterr().err == ". must be a file, not a directory: give the path of a case file.\n"
+
+
+def test_what_only_the_solver_sees_is_a_sentence_too(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    # A cylinder without ends on a plane without ends: nothing ends the contact.
+    (folder / "case.toml").write_text(f"[body.a]\ndiameter = 20\n{B}{LOAD}", encoding="utf-8")
+    assert main(["solve", "case.toml"]) == 2
+    sentence = capsys.readouterr().err
+    assert sentence.startswith("body.length ")
+    assert len(sentence.splitlines()) == 1
+    assert main(["check", "case.toml"]) == 2
+    assert capsys.readouterr().out == f"1. {sentence}"
+
+
+@pytest.mark.parametrize(
+    ("keys", "arguments"),
+    [
+        ("load = -5.0", {"load": -5.0}),
+        ("load = inf", {"load": float("inf")}),
+        ("approach = nan", {"approach": float("nan")}),
+        ("load = 1.0\ntilt = nan", {"load": 1.0, "tilt": float("nan")}),
+        ("load = 1.0\nmoment = inf", {"load": 1.0, "moment": float("inf")}),
+    ],
+)
+def test_a_file_is_refused_in_the_words_of_python(
+    folder: Path, capsys: pytest.CaptureFixture[str], keys: str, arguments: dict[str, float]
+) -> None:
+    contact = nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate())
+    with pytest.raises(nh.InputError) as caught:
+        nh.solve(contact, **arguments)
+    (folder / "case.toml").write_text(f"{A}{B}[load]\n{keys}\n", encoding="utf-8")
+    assert main(["solve", "case.toml"]) == 2
+    assert capsys.readouterr().err == f"{caught.value.within('load')}\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "beginning"),
+    [
+        (["slove", "case.toml"], 'Unknown command "slove". Did you mean "solve"?'),
+        (["solve"], 'Command "solve" parameter CASE requires an argument'),
+        (["solve", "a", "b"], "Unused Tokens: ['b']"),
+        (["solve", "a", "--jsn"], "Unknown option: --jsn. Did you mean --json?"),
+        (["check"], 'Command "check" parameter CASE requires an argument'),
+    ],
+)
+def test_wrong_usage_is_one_sentence(
+    capsys: pytest.CaptureFixture[str], words: list[str], beginning: str
+) -> None:
+    assert main(words) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert printed.err.startswith(beginning)
+    assert printed.err.endswith("; see 'nonhertz --help'.\n")
+    assert len(printed.err.splitlines()) == 1

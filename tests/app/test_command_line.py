@@ -1,0 +1,426 @@
+"""The command line as a user meets it: summaries, JSON, files, exit codes."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import importlib.metadata
+import io
+import json
+import os
+import subprocess
+import sys
+import warnings
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+import nonhertz.plot
+from nonhertz.cli import main
+from nonhertz.solution import Solution
+
+CASE = """
+title = "Roller 20 x 20 on a plate"
+[body.a]
+diameter = 20.0            # negative = concave; left out = flat
+length = 20.0              # between its side faces; left out = unbounded
+material = "steel"         # or { modulus = 207000, poisson = 0.3 }
+profile = [{ kind = "crown", radius = 4000.0 }]     # a list: they add
+side_faces = "none"        # this issue: "none" only
+depth = "none"             # this issue: "none" only
+[body.b]
+material = { modulus = 207000, poisson = 0.3 }
+side_faces = "none"
+depth = "none"
+[load]
+load = 20000.0             # or approach = ...
+tilt = 0.0005              # or moment = ...
+[solver]
+element = "semi-elliptic"  # or "parabolic"
+strips = "auto"            # or a number: that many, equally wide
+"""
+KEYS = {
+    "status",
+    "element",
+    "approach",
+    "tilt",
+    "load",
+    "moment",
+    "max_pressure",
+    "max_pressure_y",
+    "contact_y",
+    "stiffness",
+    "iterations",
+    "strips",
+    "error_estimate",
+    "warnings",
+    "y",
+    "strip_width",
+    "line_load",
+    "peak_pressure",
+    "half_width",
+}
+FILES = {
+    f"{figure}.{ending}" for figure in ("pressure", "footprint", "profile") for ending in ("svg", "png")
+} | {
+    "result.json",
+    "table.csv",
+}
+
+
+def refuse_constant(word: str) -> None:
+    raise AssertionError(f"{word} is not JSON")
+
+
+def parsed(text: str) -> dict[str, Any]:
+    """Return the one JSON object that the text is, refusing what only Python calls JSON."""
+    value = json.loads(text, parse_constant=refuse_constant)
+    assert isinstance(value, dict)
+    return value
+
+
+@pytest.fixture
+def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    monkeypatch.chdir(tmp_path)
+    Path("case.toml").write_text(CASE, encoding="utf-8")
+    return "case.toml"
+
+
+@pytest.fixture
+def solution() -> Solution:
+    roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        return nh.solve(nh.Contact(roller, nh.Plate()), load=20000.0, tilt=0.0005)
+
+
+def environment(**more: str) -> dict[str, str]:
+    """Return the environment for another Python, which finds the package wherever it is started."""
+    return os.environ | {"PYTHONPATH": str(Path(nh.__file__).parents[1])} | more
+
+
+def stop_short(monkeypatch: pytest.MonkeyPatch, solution: Solution) -> None:
+    """Let every solve end without a solution."""
+    unfinished = dataclasses.replace(solution, status=nh.Status.ITERATION_LIMIT)
+
+    def solve(*_: object, **__: object) -> Solution:
+        raise nh.ConvergenceError("It did not converge.", unfinished)
+
+    monkeypatch.setattr(nonhertz, "solve", solve)
+
+
+def test_the_summary_names_what_an_engineer_asks_for(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["solve", case]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    rows = {line[:21].strip(): line[21:].strip() for line in printed.out.splitlines()}
+    assert printed.out.startswith("Roller 20 x 20 on a plate\n")
+    assert rows["status"] == "converged"
+    assert rows["load"].startswith("20000 N")
+    assert rows["tilt"] == "0.50000 mrad"
+    assert rows["contact along y"] == "-10.000 to 10.000 mm"
+    # A crown of 4000 mm leaves the ends in contact: the pressure there has no limit, and the user is told.
+    assert "no limit, as at a sharp end" in rows["maximum pressure"]
+    assert "warning: " in printed.out
+
+
+def test_json_is_one_object_with_the_solution_in_full(
+    case: str, capsys: pytest.CaptureFixture[str], solution: Solution
+) -> None:
+    assert main(["solve", case, "--json"]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    result = parsed(printed.out)
+    assert result.keys() >= KEYS
+    assert result["title"] == "Roller 20 x 20 on a plate"
+    assert result["status"] == "converged"
+    assert result["element"] == "semi-elliptic"
+    for name in (
+        "approach",
+        "tilt",
+        "load",
+        "moment",
+        "max_pressure",
+        "max_pressure_y",
+        "iterations",
+        "strips",
+    ):
+        assert result[name] == getattr(solution, name), name
+    for name in ("y", "strip_width", "line_load", "peak_pressure", "half_width", "gap", "stiffness"):
+        np.testing.assert_array_equal(result[name], getattr(solution, name), err_msg=name)
+    assert result["contact_y"] == [list(interval) for interval in solution.contact_y]
+    assert result["warnings"] == list(solution.warnings)
+    assert result["units"].keys() <= result.keys()
+
+
+def test_json_has_null_where_a_number_is_infinite(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    main(["solve", case, "--json"])
+    estimate = parsed(capsys.readouterr().out)["error_estimate"]
+    assert estimate["max_pressure"] is None
+    assert 0.0 <= estimate["approach"] < 1e-2
+
+
+def test_approach_and_moment_can_be_prescribed(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    text = CASE.replace("load = 20000.0", 'approach = "30 um"').replace("tilt = 0.0005", 'moment = "10 N m"')
+    Path(case).write_text(text, encoding="utf-8")
+    assert main(["solve", case, "--json"]) == 0
+    result = parsed(capsys.readouterr().out)
+    assert result["approach"] == 0.03
+    assert result["moment"] == pytest.approx(10000.0, rel=1e-9)
+
+
+def test_element_and_strips_reach_the_solver(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    text = CASE.replace('"semi-elliptic"', '"parabolic"').replace('"auto"', "41")
+    Path(case).write_text(text, encoding="utf-8")
+    assert main(["solve", case, "--json"]) == 0
+    result = parsed(capsys.readouterr().out)
+    assert (result["element"], result["strips"], len(result["y"])) == ("parabolic", 41, 41)
+
+
+def test_out_writes_results_table_and_figures(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["solve", case, "--out", "new/results", "--json"]) == 0
+    printed = capsys.readouterr().out
+    folder = Path("new/results")
+    assert {path.name for path in folder.iterdir()} == FILES
+    assert parsed((folder / "result.json").read_text(encoding="utf-8")) == parsed(printed)
+    rows = list(csv.reader(io.StringIO((folder / "table.csv").read_text(encoding="utf-8"))))
+    assert rows[0] == [
+        "y [mm]",
+        "strip_width [mm]",
+        "line_load [N/mm]",
+        "peak_pressure [MPa]",
+        "half_width [mm]",
+        "gap [mm]",
+    ]
+    np.testing.assert_array_equal(np.array(rows[1:], dtype=float)[:, 2], parsed(printed)["line_load"])
+    for path in folder.glob("*.png"):
+        assert path.read_bytes().startswith(b"\x89PNG")
+    for path in folder.glob("*.svg"):
+        assert "<svg" in path.read_text(encoding="utf-8")[:1000]
+
+
+def test_out_replaces_an_older_result_and_leaves_other_files(
+    case: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path("results").mkdir()
+    Path("results/result.json").write_text("old", encoding="utf-8")
+    Path("results/notes.txt").write_text("mine", encoding="utf-8")
+    assert main(["solve", case, "--out", "results"]) == 0
+    assert "wrote results/table.csv" in capsys.readouterr().out.replace("\\", "/")
+    assert {path.name for path in Path("results").iterdir()} == FILES | {"notes.txt"}
+    assert parsed(Path("results/result.json").read_text(encoding="utf-8"))["status"] == "converged"
+
+
+def fail(*_: object) -> None:
+    raise RuntimeError("the pen broke")
+
+
+def test_nothing_is_left_behind_when_writing_fails(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    Path("old").mkdir()
+    Path("old/result.json").write_text("old", encoding="utf-8")
+    monkeypatch.setattr(nonhertz.plot, "save", fail)
+    assert main(["solve", case, "--out", "old"]) == 3
+    assert main(["solve", case, "--out", "new/results"]) == 3
+    assert capsys.readouterr().out == ""
+    assert [path.name for path in Path("old").iterdir()] == ["result.json"]
+    assert Path("old/result.json").read_text(encoding="utf-8") == "old"
+    assert not Path("new").exists()
+
+
+@pytest.mark.parametrize("out", ["case.toml", "case.toml/below"])
+def test_out_that_is_no_directory_is_refused(case: str, capsys: pytest.CaptureFixture[str], out: str) -> None:
+    assert main(["solve", case, "--out", out]) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert len(printed.err.splitlines()) == 1
+    assert "must be a directory" in printed.err
+    assert Path(case).read_text(encoding="utf-8") == CASE
+
+
+def test_out_refuses_a_directory_in_the_place_of_a_file(
+    case: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path("results/table.csv").mkdir(parents=True)
+    assert main(["solve", case, "--out", "results"]) == 2
+    assert "must not hold a directory named table.csv" in capsys.readouterr().err
+    assert [path.name for path in Path("results").iterdir()] == ["table.csv"]
+
+
+def test_an_unconverged_solve_is_shown_for_what_it_is(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, solution: Solution
+) -> None:
+    stop_short(monkeypatch, solution)
+    assert main(["solve", case]) == 1
+    printed = capsys.readouterr()
+    assert "iteration-limit" in printed.out
+    assert printed.err == "It did not converge.\n"
+
+    assert main(["solve", case, "--json", "--out", "results"]) == 1
+    assert parsed(capsys.readouterr().out)["status"] == "iteration-limit"
+    assert parsed(Path("results/result.json").read_text(encoding="utf-8"))["status"] == "iteration-limit"
+
+
+def test_check_says_in_one_line_that_all_is_well(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", case]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    assert len(printed.out.splitlines()) == 1
+    assert printed.out.startswith("case.toml is fine: 'Roller 20 x 20 on a plate'")
+
+
+def test_check_leaves_convergence_to_solve(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, solution: Solution
+) -> None:
+    stop_short(monkeypatch, solution)
+    assert main(["check", case]) == 0
+
+
+def test_new_prints_a_case_that_solves(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["new"]) == 0
+    printed = capsys.readouterr().out
+    assert main(["new", "first.toml"]) == 0
+    assert Path("first.toml").read_text(encoding="utf-8") == printed
+    capsys.readouterr()
+    assert main(["solve", "first.toml", "--json"]) == 0
+    assert parsed(capsys.readouterr().out)["warnings"] == []
+
+
+def test_new_never_overwrites(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["new", case]) == 2
+    assert capsys.readouterr().err == (
+        "PATH = 'case.toml' must not exist yet: choose another name, since nothing is overwritten.\n"
+    )
+    assert Path(case).read_text(encoding="utf-8") == CASE
+    assert main(["new", "nowhere/case.toml"]) == 2
+    assert len(capsys.readouterr().err.splitlines()) == 1
+
+
+def test_version(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["--version"]) == 0
+    assert capsys.readouterr().out == f"{nh.__version__}\n"
+
+
+@pytest.mark.parametrize(
+    "words", [[], ["--help"], ["solve", "--help"], ["check", "--help"], ["new", "--help"]]
+)
+def test_help(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
+    assert main(words) == 0
+    assert "Usage: nonhertz" in capsys.readouterr().out
+
+
+def test_help_imports_nothing_heavy() -> None:
+    program = (
+        "import sys\n"
+        "from nonhertz.cli import main\n"
+        "main(['--help'])\n"
+        "heavy = {'numpy', 'scipy', 'numba', 'pydantic', 'pint', 'matplotlib'} & set(sys.modules)\n"
+        "sys.exit(', '.join(sorted(heavy)) or 0)\n"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=False, env=environment()
+    )
+    assert (run.returncode, run.stderr) == (0, "")
+
+
+def test_an_internal_error_is_one_sentence(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def break_down(*_: object, **__: object) -> Solution:
+        raise ZeroDivisionError("float division\nby zero")
+
+    monkeypatch.delenv("NONHERTZ_DEBUG", raising=False)
+    monkeypatch.setattr(nonhertz, "solve", break_down)
+    assert main(["solve", case]) == 3
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert printed.err.startswith("This is an error in nonhertz (ZeroDivisionError: float division by zero)")
+    assert len(printed.err.splitlines()) == 1
+
+    assert main(["solve", case, "--debug"]) == 3
+    assert "Traceback" in capsys.readouterr().err
+    monkeypatch.setenv("NONHERTZ_DEBUG", "1")
+    assert main(["solve", case]) == 3
+    assert "Traceback" in capsys.readouterr().err
+
+
+def test_interruption(case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupt(*_: object, **__: object) -> Solution:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(nonhertz, "solve", interrupt)
+    assert main(["solve", case]) == 130
+    assert capsys.readouterr().err == "Interrupted.\n"
+
+
+@pytest.mark.parametrize("package", ["cyclopts", "pydantic", "pint", "matplotlib"])
+def test_a_missing_extra_says_how_to_install_it(case: str, package: str) -> None:
+    Path(case).write_text(CASE.replace("diameter = 20.0", 'diameter = "20 mm"'), encoding="utf-8")
+    program = (
+        "import sys\n"
+        f"sys.modules[{package!r}] = None\n"
+        "from nonhertz.cli import main\n"
+        "sys.exit(main(['solve', 'case.toml', '--out', 'results']))\n"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=False, env=environment()
+    )
+    assert run.returncode == 2
+    assert run.stderr == (
+        f"The package {package} is not installed; "
+        "install what the command line needs with: pip install 'nonhertz[cli]'\n"
+    )
+    assert not Path("results").exists()
+
+
+def test_the_module_is_the_command(case: str) -> None:
+    command = [sys.executable, "-m", "nonhertz", "solve", case, "--json"]
+    run = subprocess.run(command, capture_output=True, text=True, check=False, env=environment())
+    assert (run.returncode, run.stderr) == (0, "")
+    assert parsed(run.stdout)["status"] == "converged"
+    command = [sys.executable, "-m", "nonhertz", "check", "nowhere.toml"]
+    assert subprocess.run(command, capture_output=True, check=False, env=environment()).returncode == 2
+
+
+def test_a_reader_that_stops_reading_is_met_with_silence(case: str) -> None:
+    command = [sys.executable, "-m", "nonhertz", "solve", case, "--json"]
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment()
+    ) as process:
+        assert process.stdout is not None
+        assert process.stderr is not None
+        process.stdout.close()
+        assert process.stderr.read() == b""
+        assert process.wait() == 141
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a full disk, which Linux lends")
+def test_a_full_disk_is_one_sentence(case: str) -> None:
+    command = [sys.executable, "-m", "nonhertz", "solve", case]
+    with Path("/dev/full").open("w") as full:
+        run = subprocess.run(
+            command, stdout=full, stderr=subprocess.PIPE, text=True, check=False, env=environment()
+        )
+    assert run.returncode == 3
+    assert run.stderr == "The output could not be written: No space left on device.\n"
+
+
+def test_a_title_in_greek_survives_a_terminal_that_knows_ascii_only(case: str) -> None:
+    Path(case).write_text(CASE.replace("Roller 20", "Rolle \u0394 [bold]"), encoding="utf-8")
+    command = [sys.executable, "-m", "nonhertz", "solve", case]
+    ascii_only = environment(PYTHONIOENCODING="ascii")
+    run = subprocess.run(command, capture_output=True, check=False, env=ascii_only)
+    assert run.returncode == 0, run.stderr
+    assert run.stdout.startswith(b"Rolle ? [bold] x 20 on a plate")
+
+
+def test_the_entry_point_is_main() -> None:
+    entries = importlib.metadata.entry_points(group="console_scripts", name="nonhertz")
+    assert {entry.value for entry in entries} <= {"nonhertz.cli:main"}

@@ -1,0 +1,296 @@
+"""Case files: what the keys mean, and that nothing but a list of sentences comes of a wrong one."""
+
+from __future__ import annotations
+
+import datetime
+import inspect
+import json
+from copy import deepcopy
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import nonhertz as nh
+from nonhertz.errors import CaseError
+from nonhertz.io.casefile import Case, case_in, read_case, schema, starting_case
+from nonhertz.model.profile import CATALOGUE, PARAMETER_UNITS
+
+PRINTED = """
+title = "Roller 20 x 20 on a plate"
+[body.a]
+diameter = 20.0            # negative = concave; left out = flat
+length = 20.0              # between its side faces; left out = unbounded
+material = "steel"         # or { modulus = 207000, poisson = 0.3 }
+profile = [{ kind = "crown", radius = 4000.0 }]     # a list: they add
+side_faces = "none"        # this issue: "none" only
+depth = "none"             # this issue: "none" only
+[body.b]
+material = { modulus = 207000, poisson = 0.3 }
+side_faces = "none"
+depth = "none"
+[load]
+load = 20000.0             # or approach = ...
+tilt = 0.0005              # or moment = ...
+[solver]
+element = "semi-elliptic"  # or "parabolic"
+strips = "auto"            # or a number: that many, equally wide
+"""
+Y = np.linspace(-9.5, 9.5, 7)
+
+
+def read(folder: Path, text: str) -> Case:
+    path = folder / "case.toml"
+    path.write_text(text, encoding="utf-8")
+    return read_case(path)
+
+
+def with_body(keys: str) -> str:
+    """Return a case file with these keys in [body.a]."""
+    return f"[body.a]\n{keys}\n[body.b]\n[load]\nload = 1000\n"
+
+
+def mistakes_of(document: dict[str, Any]) -> tuple[str, ...]:
+    try:
+        case_in(document, Path())
+    except CaseError as error:
+        return error.mistakes
+    return ()
+
+
+def test_the_case_file_of_the_specification(tmp_path: Path) -> None:
+    case = read(tmp_path, PRINTED)
+    steel = nh.Material(modulus=207000, poisson=0.3)
+    assert case.title == "Roller 20 x 20 on a plate"
+    assert case.contact.a == nh.Body(
+        diameter=20.0, length=20.0, material=steel, profile=nh.profile.crown(radius=4000.0)
+    )
+    assert case.contact.b == nh.Body(material=steel)
+    assert case.prescribed == {"load": 20000.0, "tilt": 0.0005}
+    assert case.solver == {"element": nh.SEMI_ELLIPTIC, "strips": "auto"}
+
+
+def test_everything_but_the_bodies_and_the_load_can_be_left_out(tmp_path: Path) -> None:
+    case = read(tmp_path, with_body("diameter = 20"))
+    assert case.title == "case"
+    assert case.solver == {"element": nh.SEMI_ELLIPTIC, "strips": "auto"}
+    assert case.contact.a.material == nh.Material(207000.0, 0.3)
+
+
+def test_units_are_accepted_everywhere_a_quantity_stands(tmp_path: Path) -> None:
+    case = read(
+        tmp_path,
+        """
+        [body.a]
+        diameter = "2 cm"
+        length = "0.02 m"
+        effective_length = "19000 um"
+        position = "100 um"
+        material = { modulus = "207 GPa", poisson = 0.3 }
+        profile = [
+            { kind = "crown", radius = "4 m", shift = "50 um" },
+            { kind = "tabulated", y = ["-1 cm", 0, "1 cm"], relief = ["5 um", 0.0, 0.005] },
+            { kind = "lundberg", load = "20 kN", radius = "1 cm", compliance = "2.8e-6 1/MPa" },
+            { kind = "conical", angle = "0.03 deg" },
+        ]
+        [body.b]
+        diameter = { y = ["-1 cm", "1 cm"], diameter = ["50 mm", "0.06 m"] }
+        [load]
+        approach = "12 um"
+        moment = "5 N m"
+        """,
+    )
+    length = 20.0
+    profile = (
+        nh.profile.crown(radius=4000.0).shifted(0.05)
+        + nh.profile.tabulated(y=[-10.0, 0.0, 10.0], relief=[0.005, 0.0, 0.005])
+        + nh.profile.lundberg(load=20000.0, length=length, radius=10.0, compliance=2.8e-6)
+        + nh.profile.conical(angle=np.radians(0.03))
+    )
+    body = nh.Body(diameter=20.0, length=length, effective_length=19.0, position=0.1, profile=profile)
+    np.testing.assert_allclose(case.contact.a.relief(Y), body.relief(Y), rtol=1e-14)
+    assert case.contact.a.interval == body.interval
+    np.testing.assert_allclose(case.contact.a.curvature(Y), 0.1, rtol=1e-15)
+    np.testing.assert_allclose(case.contact.b.curvature(np.zeros(1)), 2.0 / 55.0, rtol=1e-15)
+    assert case.prescribed == {"approach": 0.012, "moment": 5000.0}
+
+
+def test_profiles_take_length_and_diameter_from_their_body(tmp_path: Path) -> None:
+    case = read(tmp_path, with_body('diameter = 15\nlength = 18\nprofile = [{ kind = "iso-logarithmic" }]'))
+    expected = nh.profile.iso_logarithmic(diameter=15.0, length=18.0)
+    np.testing.assert_array_equal(case.contact.a.relief(0.9 * Y), expected.relief(0.9 * Y))
+
+
+def test_a_profile_s_own_length_comes_before_the_body_s(tmp_path: Path) -> None:
+    table = '{ kind = "logarithmic", amplitude = 0.005, length = 24 }'
+    case = read(tmp_path, with_body(f"diameter = 15\nlength = 18\nprofile = {table}"))
+    expected = nh.profile.logarithmic(amplitude=0.005, length=24.0)
+    np.testing.assert_array_equal(case.contact.a.relief(0.9 * Y), expected.relief(0.9 * Y))
+
+
+def test_the_logarithmic_profile_of_the_specification(tmp_path: Path) -> None:
+    table = '{ kind = "logarithmic", amplitude = 0.005, fraction = 0.9999 }'
+    case = read(tmp_path, with_body(f"diameter = 20\nlength = 20\nprofile = [{table}]"))
+    expected = 0.005 * np.log(1.0 / (1.0 - (2.0 * Y * 0.9999 / 20.0) ** 2))
+    np.testing.assert_allclose(case.contact.a.relief(Y), expected, rtol=1e-12)
+
+
+def test_profiles_shift_and_scale(tmp_path: Path) -> None:
+    case = read(
+        tmp_path,
+        with_body('diameter = 20\nprofile = { kind = "crown", radius = 1000, shift = 2, scale = 3 }'),
+    )
+    np.testing.assert_allclose(
+        case.contact.a.relief(Y), 3.0 * nh.profile.crown(radius=1000).relief(Y - 2.0), rtol=1e-14
+    )
+
+
+def test_a_profile_file_is_found_beside_the_case_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "points.csv").write_text("y,relief\n-10,0.01\n0,0\n10,0.01\n", encoding="utf-8")
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    monkeypatch.chdir(elsewhere)
+    table = '{ kind = "tabulated", file = "points.csv", interpolation = "linear" }'
+    case = read(tmp_path, with_body(f"diameter = 20\nprofile = [{table}]"))
+    np.testing.assert_allclose(case.contact.a.relief(5.0), 0.005, rtol=1e-15)
+
+
+@pytest.mark.parametrize("bom", ["", "\ufeff"])
+@pytest.mark.parametrize("ending", ["\n", "\r\n"])
+def test_files_of_other_editors_are_read(tmp_path: Path, bom: str, ending: str) -> None:
+    path = tmp_path / "case.toml"
+    path.write_bytes((bom + PRINTED.replace("\n", ending)).encode())
+    assert read_case(path).prescribed["load"] == 20000.0
+
+
+def test_the_starting_case_is_read(tmp_path: Path) -> None:
+    assert read(tmp_path, starting_case()).contact.interval == (-10.0, 10.0)
+
+
+def test_mistakes_are_listed_in_the_order_of_the_file() -> None:
+    document = {
+        "titel": "x",
+        "load": {"tilt": "5 kg", "load": -5},
+        "body": {"b": {"depth": "full"}, "a": {"profile": [{"kind": "crown"}], "length": -3}},
+    }
+    assert [mistake.partition(" ")[0] for mistake in mistakes_of(document)] == [
+        "titel",
+        "load.tilt",
+        "load.load",
+        "body.b.depth",
+        "body.a.profile[1].radius",
+        "body.a.length",
+    ]
+
+
+def test_a_mistaken_length_does_not_accuse_the_profiles_that_need_it() -> None:
+    body = {"length": -20.0, "diameter": 20.0, "profile": [{"kind": "chamfer", "width": 2.0}]}
+    assert len(mistakes_of({"body": {"a": body, "b": {}}, "load": {"load": 1.0}})) == 1
+
+
+def test_all_mistaken_parameters_of_one_profile_are_found() -> None:
+    table = {
+        "kind": "fujiwara-kawase",
+        "load": -1,
+        "length": -1,
+        "k1": -1,
+        "k2": 2,
+        "zm": -1,
+        "compliance": -1,
+    }
+    mistakes = mistakes_of({"body": {"a": {"profile": [table]}, "b": {"diameter": 20}}, "load": {"load": 1}})
+    found = {mistake.partition(" ")[0].rpartition(".")[2] for mistake in mistakes}
+    assert found == table.keys() - {"kind"}
+
+
+def test_the_catalogue_leaves_the_common_keys_free() -> None:
+    for kind in CATALOGUE:
+        assert not {"kind", "shift", "scale", "file"} & inspect.signature(CATALOGUE[kind]).parameters.keys()
+
+
+def test_the_schema_describes_every_key() -> None:
+    whole = schema()
+    assert json.loads(json.dumps(whole)) == whole
+    tables = whole["$defs"]
+    for name in ("BodyTable", "LoadTable", "SolverTable", "MaterialTable"):
+        assert tables[name]["additionalProperties"] is False
+        for key, entry in tables[name]["properties"].items():
+            assert entry["description"], (name, key)
+    kinds = tables["BodyTable"]["properties"]["profile"]["anyOf"][0]["anyOf"]
+    assert {kind["properties"]["kind"]["const"] for kind in kinds} == set(CATALOGUE)
+    for kind in kinds:
+        for key, entry in kind["properties"].items():
+            assert key == "kind" or entry["description"], (kind["title"], key)
+            if PARAMETER_UNITS.get(key):
+                assert PARAMETER_UNITS[key] in json.dumps(entry)
+
+
+NUMBERS = st.one_of(st.floats(), st.integers(), st.just(10**400))
+WORDS = st.one_of(st.text(max_size=5), st.sampled_from(["steel", "crown", "5 mm", "auto", "none", "1e999 m"]))
+SCALARS = st.one_of(NUMBERS, WORDS, st.booleans(), st.just(datetime.date(2026, 1, 1)))
+VALUES = st.recursive(
+    SCALARS,
+    lambda inner: st.one_of(
+        st.lists(inner, max_size=3), st.dictionaries(st.text(max_size=5), inner, max_size=3)
+    ),
+    max_leaves=5,
+)
+WHOLE: dict[str, Any] = {
+    "title": "x",
+    "body": {
+        "a": {
+            "diameter": {"y": [-10, 10], "diameter": [20, 21]},
+            "length": 20,
+            "effective_length": 19,
+            "position": 0,
+            "material": {"modulus": 207000, "poisson": 0.3},
+            "profile": [
+                {"kind": "crown", "radius": 4000, "centre": 0, "shift": 0, "scale": 1},
+                {"kind": "tabulated", "y": [-10, 10], "relief": [0, 0], "interpolation": "linear"},
+                {"kind": "lundberg", "load": 1000, "radius": 10},
+                {"kind": "partial-crown", "radius": 1000, "straight": 5, "blended": True},
+            ],
+            "side_faces": "none",
+        },
+        "b": {"diameter": -300, "material": "steel", "depth": "none"},
+    },
+    "load": {"load": 1000, "tilt": 0},
+    "solver": {"element": "parabolic", "strips": 41},
+}
+
+
+def places(value: Any, place: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
+    keys: Any = ()
+    if isinstance(value, dict):
+        keys = list(value)
+    elif isinstance(value, list):
+        keys = range(len(value))
+    return [place] * bool(place) + [inner for key in keys for inner in places(value[key], (*place, key))]
+
+
+def test_the_whole_document_is_sound() -> None:
+    assert case_in(WHOLE, Path()).solver["strips"] == 41
+
+
+@settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(place=st.sampled_from(places(WHOLE)), value=VALUES, extra=st.text(max_size=8))
+def test_any_value_anywhere_is_read_or_refused_in_words(
+    place: tuple[Any, ...], value: Any, extra: str
+) -> None:
+    document = deepcopy(WHOLE)
+    holder: Any = document
+    for key in place[:-1]:
+        holder = holder[key]
+    holder[place[-1]] = value
+    if isinstance(holder, dict):
+        holder.setdefault(extra, value)
+    for mistake in mistakes_of(document):
+        assert " must " in mistake
+        assert mistake.endswith(".")
+        assert len(mistake.splitlines()) == 1
+        assert "pydantic" not in mistake

@@ -1,0 +1,194 @@
+"""The Newton loop: how it ends, how fast it gets there, and the stiffness that it leaves."""
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.strip import newton as loop
+from nonhertz.strip.influence import HALF_SPACE
+
+STRIPS = 21
+EDGES = np.linspace(-10.0, 10.0, STRIPS + 1)
+Y = 0.5 * (EDGES[1:] + EDGES[:-1])
+RADIUS, CROWN, TILT = 10.0, 4000.0, 2e-4
+K_LOAD = 0.0084  # K Q [mm^2], 3 kN on steel: the contact ends inside the body on both sides
+
+
+def run(r, m, rigid, *, relaxation=1.0, element=nh.SEMI_ELLIPTIC):
+    """Press a tilted crowned roller by a load, from a given start: status, steps, residual, stiffness."""
+    gap, stiffness = np.zeros(STRIPS), np.zeros((2, 2))
+    status, steps, residual = loop.newton(
+        Y,
+        EDGES[:-1],
+        EDGES[1:],
+        np.full(STRIPS, 1.0 / RADIUS),
+        Y**2 / (2.0 * CROWN),
+        np.array([True, False]),
+        np.array([K_LOAD, TILT]),
+        HALF_SPACE,
+        element.table,
+        r,
+        m,
+        rigid,
+        gap,
+        stiffness,
+        relaxation,
+    )
+    return status, steps, residual, stiffness
+
+
+def start(m=0.05):
+    """A plain start: every strip in contact and equally wide."""
+    return np.full(STRIPS, 0.025), np.full(STRIPS, m), np.array([0.01, TILT])
+
+
+def answer():
+    r, m, rigid = start()
+    assert run(r, m, rigid)[0] == loop.CONVERGED
+    return r, m, rigid
+
+
+def contact(profile=None, **body):
+    roller = nh.Roller(diameter=20, length=20, profile=profile or nh.profile.crown(4000), **body)
+    return nh.Contact(roller, nh.Plate())
+
+
+# How it ends
+
+
+def test_it_converges_with_the_contact_ending_inside():
+    r, m, rigid = start()
+    status, steps, residual, _ = run(r, m, rigid)
+    assert status == loop.CONVERGED
+    assert residual < 1e-11  # the loop's own tolerance
+    assert steps <= 12
+    assert m[0] == m[-1] == 0.0
+    assert abs(np.sum(r * m) * (EDGES[1] - EDGES[0]) / K_LOAD - 1.0) < 1e-11
+
+
+def test_any_start_leads_to_the_same_answer():
+    _, m, rigid = answer()
+    for alone in (0, STRIPS // 2, STRIPS - 1):
+        other_r, other_m, other_rigid = start(0.0)
+        other_m[alone] = 0.05
+        assert run(other_r, other_m, other_rigid)[0] == loop.CONVERGED
+        # Both meet the conditions to 1e-11; the condition of the system costs a digit or two.
+        np.testing.assert_allclose(other_m, m, rtol=1e-9, atol=0.0)
+        np.testing.assert_allclose(other_rigid, rigid, rtol=1e-9, atol=0.0)
+
+
+def test_steps_cut_to_a_thousandth_run_into_the_limit():
+    status, steps, residual, _ = run(*start(), relaxation=1e-3)
+    assert status == loop.ITERATION_LIMIT
+    assert steps == loop.STEP_LIMIT
+    assert residual > 1e-3
+
+
+def test_a_poisoned_start_stagnates():
+    r, m, rigid = start()
+    r[3] = np.nan
+    assert run(r, m, rigid)[0] == loop.STAGNATED
+
+
+def test_nothing_in_contact_stagnates():
+    status, steps, *_ = run(*start(0.0))
+    assert (status, steps) == (loop.STAGNATED, 0)
+
+
+def hurried(*arguments):
+    return loop.newton(*arguments[:-1], 1e-3)
+
+
+def lost(*arguments):
+    return loop.STAGNATED, 1, np.inf
+
+
+@pytest.mark.parametrize(
+    ("impaired", "status"),
+    [(hurried, nh.Status.ITERATION_LIMIT), (lost, nh.Status.STAGNATED)],
+    ids=["limit", "stagnated"],
+)
+def test_a_loop_that_fails_raises_with_the_solution_so_far(monkeypatch, impaired, status):
+    monkeypatch.setattr("nonhertz.strip.state.newton", impaired)
+    with pytest.raises(nh.ConvergenceError) as failure:
+        nh.solve(contact(), load=7e3, strips=11)
+    solution = failure.value.solution
+    assert solution.status is status
+    assert str(failure.value).startswith(status.value)
+    assert solution.strips == 11
+    assert solution.error_estimate == nh.ErrorEstimate(np.inf, np.inf, np.inf)
+
+
+# How fast it gets there
+
+
+@pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda e: e.name)
+def test_near_the_answer_the_error_is_squared(element):
+    # From 1e-3 off: 1e-6, 1e-12. A Jacobian 1 % wrong would take five steps, each a factor of 100.
+    r, m, rigid = start()
+    run(r, m, rigid, element=element)
+    disturbance = 1e-3 * np.cos(7.0 * Y)
+    status, steps, *_ = run(
+        r * (1.0 + disturbance), m * (1.0 - disturbance), rigid * (1.0 + 1e-3), element=element
+    )
+    assert status == loop.CONVERGED
+    assert steps <= 3
+
+
+def test_the_answer_needs_no_step():
+    status, steps, *_ = run(*answer())
+    assert (status, steps) == (loop.CONVERGED, 0)
+
+
+# The stiffness
+
+CASES = {
+    "contact ends inside": (contact(), 0.01, 2e-4),
+    "sharp ends": (contact(nh.profile.straight()), 0.02, 5e-4),
+    "shifted": (contact(nh.profile.crown(4000, centre=2.0), position=1.0), 0.012, -1e-4),
+    "two intervals": (contact(nh.profile.crown(-4000)), 0.004, 1e-4),
+}
+
+
+@pytest.mark.parametrize("case", CASES.values(), ids=CASES)
+@pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda e: e.name)
+def test_stiffness_is_the_derivative_of_the_solution(case, element):
+    # Central differences: steps of 1e-4 leave 1e-8, and the loop's tolerance of 1e-11 over the step 1e-7.
+    pressed, approach, tilt = case
+    steps = np.diag([1e-4 * approach, 1e-4 * approach / 10.0])
+
+    def state(motion):
+        solution = nh.solve(
+            pressed, approach=approach + motion[0], tilt=tilt + motion[1], strips=21, element=element
+        )
+        return solution, np.array([solution.load, solution.moment])
+
+    solution, _ = state(np.zeros(2))
+    for k in range(2):
+        (ahead, after), (behind, before) = state(steps[k]), state(-steps[k])
+        assert ahead.contact_y[0][0] < 0.0 < ahead.load  # in contact at all
+        assert np.array_equal(ahead.line_load > 0.0, behind.line_load > 0.0)  # no strip came or went
+        change = (after - before) / (2.0 * steps[k, k])
+        scale = np.array([solution.load, 10.0 * solution.load]) / steps[k, k] * 1e-4
+        np.testing.assert_allclose(solution.stiffness[:, k] / scale, change / scale, rtol=1e-6, atol=1e-6)
+
+
+@pytest.mark.parametrize("case", CASES.values(), ids=CASES)
+def test_stiffness_does_not_depend_on_what_is_prescribed(case):
+    pressed, approach, tilt = case
+    by_motion = nh.solve(pressed, approach=approach, tilt=tilt, strips=21)
+    by_load = nh.solve(pressed, load=by_motion.load, moment=by_motion.moment, strips=21)
+    # Both solutions meet the conditions to 1e-11.
+    scale = by_motion.stiffness[0, 0] * np.array([[1.0, 10.0], [10.0, 100.0]])
+    np.testing.assert_allclose(by_load.stiffness / scale, by_motion.stiffness / scale, rtol=0.0, atol=1e-8)
+
+
+@pytest.mark.parametrize("radius_y", [30.0, 100.0, 3000.0])
+def test_stiffness_of_an_ellipse_is_that_of_hertz(radius_y):
+    # 3/2 Q / delta. On strips the stiffness goes up and down with the place of the contact's end within its
+    # strip, twenty times the error of the load itself: 1e-3 on an automatic grid.
+    compliance = 2.0 * nh.Material(modulus=207000, poisson=0.3).compliance
+    hertz = nh.hertz.point_contact(radius_x=10, radius_y=radius_y, compliance=compliance, load=100)
+    roller = nh.Body(diameter=20, profile=nh.profile.crown(radius_y))
+    solution = nh.solve(nh.Contact(roller, nh.Plate()), load=100)
+    np.testing.assert_allclose(solution.stiffness[0, 0], hertz.stiffness, rtol=3e-3, atol=0.0)

@@ -1,0 +1,163 @@
+"""Quantities as text: what is read, to what number, and what is refused."""
+
+from __future__ import annotations
+
+import math
+import subprocess
+import sys
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from nonhertz.errors import InputError
+from nonhertz.io.units import in_unit
+
+UNITS = ("mm", "N", "MPa", "1/MPa", "rad", "N mm")
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "number"),
+    [
+        ("20 mm", "mm", 20.0),
+        ("12 um", "mm", 0.012),
+        ("12 µm", "mm", 0.012),  # the micro sign
+        ("12 μm", "mm", 0.012),  # the Greek letter
+        ("0.1 um", "mm", 0.0001),
+        ("-1.5e-3 m", "mm", -1.5),
+        ("1 in", "mm", 25.4),
+        ("20 kN", "N", 20000.0),
+        ("20kN", "N", 20000.0),
+        ("  20   kN ", "N", 20000.0),
+        ("207 GPa", "MPa", 207000.0),
+        ("207000 N/mm2", "MPa", 207000.0),
+        ("207000 N/mm²", "MPa", 207000.0),
+        ("207000 N/mm^2", "MPa", 207000.0),
+        ("207000 N/mm**2", "MPa", 207000.0),
+        ("2.8e-6 1/MPa", "1/MPa", 2.8e-6),
+        ("2.8e-6 / MPa", "1/MPa", 2.8e-6),
+        ("2.8e-6 MPa^-1", "1/MPa", 2.8e-6),
+        ("0.5 mrad", "rad", 0.0005),
+        ("0.03 deg", "rad", math.radians(0.03)),
+        ("0.03°", "rad", math.radians(0.03)),
+        ("0.5 mm/m", "rad", 0.0005),
+        ("5 N m", "N mm", 5000.0),
+        ("5 N·m", "N mm", 5000.0),
+        ("5 N*m", "N mm", 5000.0),
+        ("5 Nm", "N mm", 5000.0),
+        ("5 kNm", "N mm", 5e6),
+        ("5 Nmm", "N mm", 5.0),
+    ],
+)
+def test_text_with_a_unit_is_read(text: str, unit: str, number: float) -> None:
+    # One rounding of the factor and one of the product.
+    assert in_unit("field", text, unit) == pytest.approx(number, rel=4e-16, abs=0.0)
+
+
+def test_decimal_submultiples_do_not_gain_digits() -> None:
+    assert [in_unit("field", f"0.{i} um", "mm") for i in range(1, 10)] == [
+        float(f"0.{i}e-3") for i in range(1, 10)
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "sentence"),
+    [
+        (
+            "5 kg",
+            "mm",
+            "length = '5 kg' must have a unit of length: "
+            "write a number in mm, or text with a unit of length such as '20 mm'.",
+        ),
+        ("5", "mm", "length = '5' must have a unit: write 5 without quotes if it is in mm."),
+        (
+            "five mm",
+            "mm",
+            "length = 'five mm' must be a number with a unit: "
+            "write a number in mm, or text with a unit of length such as '20 mm'.",
+        ),
+        (
+            "5 mn m",
+            "mm",
+            "length = '5 mn m' must have a known unit: "
+            "write a number in mm, or text with a unit of length such as '20 mm'.",
+        ),
+        ("0.3", "", "length = '0.3' must be a plain number: write it without quotes and without a unit."),
+    ],
+)
+def test_a_refusal_is_one_sentence(text: str, unit: str, sentence: str) -> None:
+    with pytest.raises(InputError) as caught:
+        in_unit("length", text, unit)
+    assert str(caught.value) == sentence
+
+
+@pytest.mark.parametrize(
+    ("text", "unit"),
+    [
+        ("", "mm"),
+        ("mm", "mm"),
+        ("nan mm", "mm"),
+        ("inf mm", "mm"),
+        ("1,5 mm", "mm"),
+        ("2 5 mm", "mm"),
+        ("5 mm + 3 mm", "mm"),
+        ("5 mm^9", "mm"),
+        ("5 degC", "rad"),  # converts, but not by a factor
+        ("5 dB", "rad"),
+        ("5 lb", "N"),  # a mass
+        ("5 m", "N"),
+        ("9**9**9**9 mm", "mm"),  # would never end if it were calculated
+        ("5 " + "m*" * 1000 + "m", "mm"),
+        ("5 import os", "mm"),
+    ],
+)
+def test_what_is_no_quantity_of_the_kind_is_refused(text: str, unit: str) -> None:
+    with pytest.raises(InputError):
+        in_unit("field", text, unit)
+
+
+@pytest.mark.parametrize("value", [True, None, [1.0], {"a": 1}])
+def test_what_is_neither_number_nor_text_is_left_to_the_model(value: object) -> None:
+    assert in_unit("field", value, "mm") is value
+
+
+def test_integers_too_large_for_a_float_become_infinite() -> None:
+    assert in_unit("field", 10**400, "mm") == math.inf
+    assert in_unit("field", -(10**400), "mm") == -math.inf
+
+
+def read_or_refused(text: str, unit: str) -> float | str:
+    """Return the number, or the sentence that refuses the text."""
+    try:
+        return float(in_unit("field", text, unit))
+    except InputError as error:
+        return str(error)
+
+
+# The first text with a unit imports pint.
+@settings(deadline=None)
+@given(text=st.text(max_size=30), unit=st.sampled_from(UNITS))
+def test_any_text_is_read_or_refused_in_a_sentence(text: str, unit: str) -> None:
+    outcome = read_or_refused(text, unit)
+    assert isinstance(outcome, float) or (outcome.startswith("field = ") and "\n" not in outcome)
+
+
+# The first text with a unit imports pint.
+@settings(deadline=None)
+@given(text=st.from_regex(r"[0-9]{1,3} ?[a-zA-Z]{1,4}([ */^][a-zA-Z0-9]{1,3})?", fullmatch=True))
+def test_whatever_looks_like_a_quantity_is_read_or_refused(text: str) -> None:
+    for unit in UNITS:
+        outcome = read_or_refused(text, unit)
+        assert isinstance(outcome, float) or outcome.startswith("field = ")
+
+
+def test_pint_is_not_imported_for_numbers() -> None:
+    program = (
+        "import sys\n"
+        "from nonhertz.io.units import in_unit\n"
+        "in_unit('field', 3, 'mm')\n"
+        "assert 'pint' not in sys.modules\n"
+        "in_unit('field', '3 um', 'mm')\n"
+        "assert 'pint' in sys.modules\n"
+    )
+    subprocess.run([sys.executable, "-c", program], check=True)
