@@ -17,15 +17,27 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from nonhertz import hertz
-    from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError, NonhertzError
-    from nonhertz.model import profile
-    from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter
-    from nonhertz.model.contact import Contact
-    from nonhertz.model.material import MATERIALS, Material
-    from nonhertz.solution import ErrorEstimate, Solution, Status
-    from nonhertz.solver import solve
-    from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
+    from nonhertz import hertz as hertz
+    from nonhertz.errors import AccuracyWarning as AccuracyWarning
+    from nonhertz.errors import CaseError as CaseError
+    from nonhertz.errors import ConvergenceError as ConvergenceError
+    from nonhertz.errors import InputError as InputError
+    from nonhertz.errors import NonhertzError as NonhertzError
+    from nonhertz.model import profile as profile
+    from nonhertz.model.body import Body as Body
+    from nonhertz.model.body import Plate as Plate
+    from nonhertz.model.body import Ring as Ring
+    from nonhertz.model.body import Roller as Roller
+    from nonhertz.model.body import TabulatedDiameter as TabulatedDiameter
+    from nonhertz.model.contact import Contact as Contact
+    from nonhertz.model.material import MATERIALS as MATERIALS
+    from nonhertz.model.material import Material as Material
+    from nonhertz.solution import ErrorEstimate as ErrorEstimate
+    from nonhertz.solution import Solution as Solution
+    from nonhertz.solution import Status as Status
+    from nonhertz.solver import solve as solve
+    from nonhertz.strip.element import PARABOLIC as PARABOLIC
+    from nonhertz.strip.element import SEMI_ELLIPTIC as SEMI_ELLIPTIC
 
 __version__ = "0.1.0"
 
@@ -35,6 +47,7 @@ _HOMES = {
     "AccuracyWarning": "nonhertz.errors",
     "Body": "nonhertz.model.body",
     "Contact": "nonhertz.model.contact",
+    "CaseError": "nonhertz.errors",
     "ConvergenceError": "nonhertz.errors",
     "ErrorEstimate": "nonhertz.solution",
     "InputError": "nonhertz.errors",
@@ -53,11 +66,6 @@ _HOMES = {
 }
 _MODULES = {"hertz": "nonhertz.hertz", "profile": "nonhertz.model.profile"}
 
-__all__ = [  # noqa: PLE0604  (the names are strings; ruff cannot see through the star)
-    *_HOMES,
-    *_MODULES,
-    "__version__",
-]
 
 
 def __getattr__(name: str) -> Any:
@@ -72,4 +80,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted(__all__)
+    return sorted({*globals(), *_HOMES, *_MODULES})

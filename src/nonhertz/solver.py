@@ -23,10 +23,13 @@ Array = NDArray[np.float64]
 FEWEST_STRIPS, MOST_STRIPS = 3, 2000
 STRIP_LIMIT = 87  # of an automatic grid on one interval of contact
 COARSE_STRIPS = 24
+FINE_STRIPS = 2000  # of springs, to find where bodies overlap
 COARSEST_LEVEL = 10
+FEWER_STRIPS = (1.0, 0.94, 0.88, 0.82, 0.76)  # tried in turn where a grid has no solution
 ROUGH_SHARE = 0.35  # of the strips, on the grid from which the final one is learnt
 WELL_FILLED = 0.4  # of the region by the contact, before a grid is graded from it
 MOST_OF_RADIUS = 0.3
+WIDER_THAN_LONG = 1.02  # so that a circle is not called wide for its rounding
 _STATUS = {CONVERGED: Status.CONVERGED, ITERATION_LIMIT: Status.ITERATION_LIMIT, STAGNATED: Status.STAGNATED}
 
 
@@ -215,15 +218,33 @@ def _automatic(contact: Contact, problem: Problem) -> _Pair:
             break
         if learn or wanted is None:
             wanted = sizes(problem, state, contact.bends)
-        limit = STRIP_LIMIT if len(wanted.contact) == 1 else 2 * STRIP_LIMIT
-        edges = graded(wanted, float(state.edges[0]), float(state.edges[-1]), limit, share)
-        coarse, state = state, settle(problem, edges, state)
+        coarse, state = state, _settled(problem, wanted, state, share)
     return _Pair(state, coarse)
+
+
+def _settled(problem: Problem, wanted: Sizes, near: State, share: float) -> State:
+    """Return the solution on a graded grid, or on a slightly coarser one where that has none.
+
+    Where a blunt contact ends just at the edge of a strip, that strip can be unable to bear load (its neighbours
+    alone curve the surface more than the bodies do) and yet be overlapped without it. The next grid has its edges
+    elsewhere.
+    """
+    limit = STRIP_LIMIT if len(wanted.contact) == 1 else 2 * STRIP_LIMIT
+    low, high = float(near.edges[0]), float(near.edges[-1])
+    state = near
+    for fewer in FEWER_STRIPS:
+        edges = graded(wanted, low, high, limit, fewer * share)
+        state = settle(problem, edges, near, patient=fewer == FEWER_STRIPS[-1])
+        if state.converged:
+            break
+    return state
 
 
 def _located(contact: Contact, problem: Problem, low: float, high: float) -> State:
     """Return a solution on equal strips of a region that the contact fills well."""
     bodies = contact.interval
+    if not problem.prescribed[0]:
+        low, high = _neighbourhood(problem, low, high)
     edges = uniform(low, high, COARSE_STRIPS)
     _refuse_infeasible(problem, edges)
     state = settle(problem, edges)
@@ -241,6 +262,21 @@ def _located(contact: Contact, problem: Problem, low: float, high: float) -> Sta
         edges = uniform(max(first - margin, bodies[0]), min(last + margin, bodies[1]), COARSE_STRIPS)
         state = settle(problem, edges)
     return state
+
+
+def _neighbourhood(problem: Problem, low: float, high: float) -> tuple[float, float]:
+    """Return where the bodies overlap at a prescribed approach, and a margin: it may be a speck of the interval."""
+    for _ in range(3):
+        fine = sprung(problem, uniform(low, high, FINE_STRIPS))
+        touching = np.flatnonzero(fine.m > 0.0)
+        margin = float(high - low) / FINE_STRIPS
+        if touching.size:
+            first, last = float(fine.edges[touching[0]]), float(fine.edges[touching[-1] + 1])
+            margin += 0.3 * (last - first)
+            return max(low, first - margin), min(high, last + margin)
+        nearest = float(fine.y[np.argmax(fine.rigid[0] + fine.rigid[1] * fine.y - problem.separation(fine.y))])
+        low, high = max(low, nearest - 2.0 * margin), min(high, nearest + 2.0 * margin)
+    return low, high
 
 
 def _region(contact: Contact, problem: Problem) -> tuple[float, float]:
@@ -297,9 +333,13 @@ def _refuse_infeasible(problem: Problem, edges: Array) -> None:
 
 
 def _refuse_no_contact(problem: Problem, edges: Array) -> None:
+    """Say why no strip touches at the prescribed approach: too few strips, or bodies too far apart."""
+    fine = sprung(problem, uniform(float(edges[0]), float(edges[-1]), FINE_STRIPS))
+    if np.any(fine.m > 0.0):
+        remedy = "take more strips, or leave it out for an automatic grid"
+        raise InputError("strips", edges.size - 1, "put the centre of a strip into the contact", remedy)
     tilt = 0.0 if problem.prescribed[1] else problem.target[1]
-    y = 0.5 * (edges[1:] + edges[:-1])
-    needed = float(np.min(problem.separation(y) - tilt * y))
+    needed = round(float(np.min(problem.separation(fine.y) - tilt * fine.y)), 12)
     raise InputError(
         "approach",
         float(problem.target[0]),
@@ -353,7 +393,7 @@ def _strains(solution: Solution) -> tuple[str, ...]:
     sentences = []
     widest = 2.0 * float(np.max(solution.half_width))
     longest = max(end - start for start, end in solution.contact_y)
-    if widest > longest:
+    if widest > WIDER_THAN_LONG * longest:
         sentences.append(
             f"The contact is wider than long: width / length = {widest / longest:.2f}, and strips should be "
             "long against their width in sum; expect errors where the contact ends."

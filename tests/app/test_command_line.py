@@ -19,6 +19,7 @@ import pytest
 
 import nonhertz as nh
 import nonhertz.plot
+import nonhertz.solver
 from nonhertz.cli import main
 from nonhertz.solution import Solution
 
@@ -109,7 +110,7 @@ def stop_short(monkeypatch: pytest.MonkeyPatch, solution: Solution) -> None:
     def solve(*_: object, **__: object) -> Solution:
         raise nh.ConvergenceError("It did not converge.", unfinished)
 
-    monkeypatch.setattr(nonhertz, "solve", solve)
+    monkeypatch.setattr(nonhertz.solver, "solve", solve)
 
 
 def test_the_summary_names_what_an_engineer_asks_for(case: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -337,7 +338,7 @@ def test_an_internal_error_is_one_sentence(
         raise ZeroDivisionError("float division\nby zero")
 
     monkeypatch.delenv("NONHERTZ_DEBUG", raising=False)
-    monkeypatch.setattr(nonhertz, "solve", break_down)
+    monkeypatch.setattr(nonhertz.solver, "solve", break_down)
     assert main(["solve", case]) == 3
     printed = capsys.readouterr()
     assert printed.out == ""
@@ -355,7 +356,7 @@ def test_interruption(case: str, capsys: pytest.CaptureFixture[str], monkeypatch
     def interrupt(*_: object, **__: object) -> Solution:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(nonhertz, "solve", interrupt)
+    monkeypatch.setattr(nonhertz.solver, "solve", interrupt)
     assert main(["solve", case]) == 130
     assert capsys.readouterr().err == "Interrupted.\n"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import datetime
 import inspect
 import json
+import re
 from copy import deepcopy
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,7 @@ import nonhertz as nh
 from nonhertz.errors import CaseError
 from nonhertz.io.casefile import Case, case_in, read_case, schema, starting_case
 from nonhertz.model.profile import CATALOGUE, PARAMETER_UNITS
+from nonhertz.solver import FEWEST_STRIPS, MOST_STRIPS
 
 PRINTED = """
 title = "Roller 20 x 20 on a plate"
@@ -138,6 +140,13 @@ def test_the_logarithmic_profile_of_the_specification(tmp_path: Path) -> None:
     np.testing.assert_allclose(case.contact.a.relief(Y), expected, rtol=1e-12)
 
 
+def test_a_straight_middle_leaves_the_rest_of_the_body_to_the_curve(tmp_path: Path) -> None:
+    table = '{ kind = "logarithmic", amplitude = 0.005, straight = 8, fraction = 0.99 }'
+    case = read(tmp_path, with_body(f"diameter = 15\nlength = 20\nprofile = [{table}]"))
+    end = -0.005 * np.log(1.0 - 0.99**2)
+    np.testing.assert_allclose(case.contact.a.relief([4.0, 10.0]), [0.0, end], rtol=1e-12)
+
+
 def test_profiles_shift_and_scale(tmp_path: Path) -> None:
     case = read(
         tmp_path,
@@ -230,6 +239,15 @@ def test_the_schema_describes_every_key() -> None:
                 assert PARAMETER_UNITS[key] in json.dumps(entry)
 
 
+def test_the_schema_and_the_solver_agree_on_the_number_of_strips() -> None:
+    strips = schema()["$defs"]["SolverTable"]["properties"]["strips"]["anyOf"][1]
+    assert (strips["minimum"], strips["maximum"]) == (FEWEST_STRIPS, MOST_STRIPS)
+    for count in (FEWEST_STRIPS, MOST_STRIPS):
+        assert not mistakes_of(WHOLE | {"solver": {"strips": count}})
+    for count in (FEWEST_STRIPS - 1, MOST_STRIPS + 1):
+        assert len(mistakes_of(WHOLE | {"solver": {"strips": count}})) == 1
+
+
 NUMBERS = st.one_of(st.floats(), st.integers(), st.just(10**400))
 WORDS = st.one_of(st.text(max_size=5), st.sampled_from(["steel", "crown", "5 mm", "auto", "none", "1e999 m"]))
 SCALARS = st.one_of(NUMBERS, WORDS, st.booleans(), st.just(datetime.date(2026, 1, 1)))
@@ -294,3 +312,25 @@ def test_any_value_anywhere_is_read_or_refused_in_words(
         assert mistake.endswith(".")
         assert len(mistake.splitlines()) == 1
         assert "pydantic" not in mistake
+
+
+DOCS = Path(__file__).parents[2] / "docs" / "reference"
+
+
+def test_the_reference_names_every_key_and_only_those() -> None:
+    page = (DOCS / "case-file.md").read_text(encoding="utf-8")
+    tables = schema()["$defs"]
+    for name in ("BodyTable", "LoadTable", "SolverTable"):
+        for key in tables[name]["properties"]:
+            assert f"| `{key}` |" in page, key
+    for kind, function in CATALOGUE.items():
+        row = next(line for line in page.splitlines() if line.startswith(f"| `{kind}` |"))
+        named = set(re.findall(r"`(\w+)`", row.split("|")[2]))
+        allowed = {"file"} if kind == "tabulated" else set()
+        assert named - allowed == inspect.signature(function).parameters.keys()
+
+
+def test_the_reference_s_example_is_sound(tmp_path: Path) -> None:
+    page = (DOCS / "case-file.md").read_text(encoding="utf-8")
+    for text in re.findall(r"```toml\n(.*?)```", page, re.DOTALL):
+        assert read(tmp_path, text).contact.interval

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import App, CycloptsError, Parameter
 
-import nonhertz
+from nonhertz import __version__
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
 from nonhertz.errors import AccuracyWarning, CaseError, ConvergenceError, InputError
 
@@ -24,7 +24,8 @@ if TYPE_CHECKING:
 app = App(
     name="nonhertz",
     help="Elastic contact of rollers, raceways, gear teeth and wheels whose shape no Hertz formula fits.",
-    version=nonhertz.__version__,
+    help_epilogue="Exit codes: 0 fine, 1 not converged, 2 bad input, 3 internal error.",
+    version=__version__,
     exit_on_error=False,
     print_error=False,
     suppress_keyboard_interrupt=False,
@@ -51,8 +52,6 @@ def solve(
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file and print a summary.
-
-    Exit codes: 0 fine, 1 not converged, 2 bad input, 3 internal error.
 
     Parameters
     ----------
@@ -131,11 +130,13 @@ def new(path: Path | None = None, /) -> int:
 
 def _solved(case: Case) -> tuple[Solution, str]:
     """Return the solution and, if it has not converged, what to say about that."""
+    from nonhertz.solver import solve as solve_contact  # noqa: PLC0415
+
     with warnings.catch_warnings():
         # The solution carries them, in words for people.
         warnings.simplefilter("ignore", AccuracyWarning)
         try:
-            return nonhertz.solve(case.contact, **case.prescribed, **case.solver), ""
+            return solve_contact(case.contact, **case.prescribed, **case.solver), ""
         except ConvergenceError as error:
             return error.solution, str(error)
         except InputError as error:

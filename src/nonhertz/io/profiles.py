@@ -183,7 +183,10 @@ class _Reader:
             if own is BROKEN:
                 self.mistaken.add(name)
             elif isinstance(own, float):
-                self.values[name] = own
+                # The curved part of a logarithmic profile is what its straight middle leaves of the body.
+                straight = self.values.get("straight") if name == "length" else 0.0
+                fits = isinstance(straight, float) and 0.0 <= straight < own
+                self.values[name] = own - float(straight or 0.0) if fits else own
             else:
                 self.mistaken.add(name)
                 if self.kind != "tabulated" or name == "y" or "y" in self.table:

@@ -12,6 +12,7 @@ touches.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -321,7 +322,9 @@ def _size(
     for k in range(places.size):
         width = min(width, widths[k] + rate * abs(y - places[k]))
     if inside:
+        # The narrower of both samples around y, so that a symmetric profile has a symmetric grid.
         place = (y - sample_y[0]) / (sample_y[1] - sample_y[0])
-        k = min(max(int(place), 0), sample_y.size - 1)
-        width = min(width, sample_width[k])
+        before = min(max(math.floor(place), 0), sample_y.size - 1)
+        after = min(max(math.ceil(place), 0), sample_y.size - 1)
+        width = min(width, sample_width[before], sample_width[after])
     return width

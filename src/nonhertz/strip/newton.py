@@ -102,6 +102,7 @@ def newton(
         scale = np.max(depth)
         if not scale > 0.0:
             scale = abs(rigid[0]) + abs(rigid[1]) * half
+        noise = _rounding(separation, rigid, active, half)
         gap_residual = blocks[0] @ qa - depth
         curvature_residual = blocks[2] @ ra - curvature[active]
         load = np.sum(qa * width)
@@ -110,7 +111,7 @@ def newton(
         _idle_gaps(y, low, high, separation, rigid, r, m, active, terms, table, gap)
         reference = target[0] if prescribed[0] else load
         residual = max(
-            max(np.max(np.abs(gap_residual)), -np.min(gap)) / scale,
+            (max(np.max(np.abs(gap_residual)), -np.min(gap)) - noise) / scale,
             np.max(np.abs(curvature_residual) / curvature[active]),
             _relative(off, prescribed, reference),
         )
@@ -132,7 +133,7 @@ def newton(
         rigid[0] += relaxation * motion[0]
         rigid[1] += relaxation * motion[1] / half
         changed = _update(blocks, active, width, rho, sigma, relaxation, table, r, m)
-        entered = _enter(y, high - low, curvature, gap, active, table, r, m)
+        entered = _enter(high - low, curvature, gap, noise, active, table, r, m)
         small = max(np.max(np.abs(rho)), np.max(np.abs(sigma - rho))) < SMALL_STEP
         if residual < NEARLY and small and not changed and not entered:
             left = _check(y, low, high, separation, prescribed, target, rigid, r, m, terms, table, gap)
@@ -145,6 +146,12 @@ def newton(
 def _interference(y: Array, separation: Array, rigid: Array, active: Indices) -> Array:
     depth: Array = rigid[0] + rigid[1] * y[active] - separation[active]
     return depth
+
+
+@compiled
+def _rounding(separation: Array, rigid: Array, active: Indices, half: float) -> float:
+    """Return what rounding alone can make of a gap, the small difference of separation and motion."""
+    return 1e-15 * (abs(rigid[0]) + abs(rigid[1]) * half + np.max(np.abs(separation[active])))
 
 
 @compiled
@@ -311,12 +318,12 @@ def _update(
 
 @compiled
 def _enter(
-    y: Array, width: Array, curvature: Array, gap: Array, active: Indices, table: Array, r: Array, m: Array
+    width: Array, curvature: Array, gap: Array, noise: float, active: Indices, table: Array, r: Array, m: Array
 ) -> bool:
     """Put strips with a negative gap in contact, with r from their nearest neighbour there."""
     entered = False
-    for i in range(y.size):
-        if gap[i] < 0.0:
+    for i in range(gap.size):
+        if gap[i] < -noise:
             entered = True
             nearest = active[np.argmin(np.abs(active - i))]
             r[i] = r[nearest] * curvature[i] / curvature[nearest]
@@ -371,4 +378,5 @@ def _check(
     loads = r[active] * m[active] * (high - low)[active]
     load = np.sum(loads)
     off = _balance_residual(prescribed, target, rigid, load, np.sum(loads * y[active]) / half, half)
+    worst -= _rounding(separation, rigid, active, half)
     return max(worst / np.max(depth), _relative(off, prescribed, target[0] if prescribed[0] else load))

@@ -1,0 +1,40 @@
+# Every target sets up what it needs: a virtual environment in .venv, with the exact versions of constraints.txt.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/.ready
+
+.PHONY: demo test campaign lint bench docs-numbers clean
+
+demo: $(READY)
+	$(BIN)/nonhertz solve examples/cylindrical-roller-bearing.toml --out out/demo
+	@echo "Figures, table and result are in out/demo; open out/demo/pressure.svg first."
+
+test: $(READY)
+	$(BIN)/python -m pytest
+
+campaign: $(READY)
+	$(BIN)/python -m pytest -m campaign -s tests/campaign
+
+lint: $(READY)
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+bench: $(READY)
+	$(BIN)/python benchmarks/report.py
+
+docs-numbers: $(READY)
+	$(BIN)/python docs/figures.py
+	$(BIN)/python docs/grid_study.py
+
+$(READY): pyproject.toml constraints.txt
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --upgrade --constraint constraints.txt pip
+	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable ".[cli]" --group dev
+	@touch $@
+
+clean:
+	rm -rf $(VENV) out

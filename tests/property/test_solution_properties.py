@@ -1,0 +1,261 @@
+"""Laws that hold for every solution: similarity, symmetry, contact conditions, balance, consistency."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import nonhertz as nh
+from nonhertz.model.profile import Profile
+
+lawful = settings(derandomize=True, max_examples=100, deadline=None)
+# The Newton loop meets the contact conditions to 1e-11; two solves then differ by that times the condition of
+# the system, which the profiles below keep under 1000.
+SAME = 1e-8
+LENGTH = 20.0
+
+
+@dataclass(frozen=True)
+class Drawn(Profile):
+    """A crown, a wave along the axis and a taper; ``stretch`` magnifies all lengths."""
+
+    crown: float
+    wave: float
+    phase: float
+    taper: float
+    offset: float = 0.0
+    stretch: float = 1.0
+
+    def relief(self, y):
+        s = np.asarray(y, dtype=float) / (0.5 * LENGTH * self.stretch)
+        shape = self.crown * s**2 + self.wave * np.sin(4.0 * s + self.phase) + self.taper * s
+        return self.stretch * (shape + self.offset)
+
+    def mirrored(self):
+        return replace(self, phase=np.pi - self.phase, taper=-self.taper)
+
+
+@dataclass(frozen=True)
+class Press:
+    """A contact and what is prescribed, with everything that a law may want to change."""
+
+    profile: Drawn
+    load: float
+    tilt: float
+    element: object
+    strips: int
+    modulus: float = 207000.0
+    diameter: float = 20.0
+
+    @property
+    def contact(self):
+        stretch = self.profile.stretch
+        material = nh.Material(self.modulus, 0.3)
+        roller = nh.Roller(
+            diameter=self.diameter * stretch, length=LENGTH * stretch, profile=self.profile, material=material
+        )
+        other = nh.Material(0.6 * self.modulus, 0.2)
+        return nh.Contact(roller, nh.Ring(diameter=-3.0 * roller.diameter, material=other))
+
+    def solved(self, **prescribed):
+        given_ = prescribed or {"load": self.load, "tilt": self.tilt}
+        return nh.solve(self.contact, strips=self.strips, element=self.element, **given_)
+
+
+def number(low, high):
+    return st.floats(low, high, allow_nan=False)
+
+
+profiles = st.builds(Drawn, number(0.0, 0.04), number(0.0, 2e-3), number(0.0, 6.3), number(-2e-3, 2e-3))
+presses = st.builds(
+    Press,
+    profiles,
+    number(500.0, 30e3),
+    number(-8e-4, 8e-4),
+    st.sampled_from([nh.SEMI_ELLIPTIC, nh.PARABOLIC]),
+    st.integers(12, 40),
+)
+
+
+def assert_same(found, expected, scale=None):
+    """Equal within SAME of the largest entry, or of ``scale``."""
+    scale = np.max(np.abs(expected)) if scale is None else scale
+    np.testing.assert_allclose(found, expected, rtol=0.0, atol=SAME * scale)
+
+
+def assert_same_pressures(found, expected):
+    assert_same(found.line_load, expected.line_load)
+    assert_same(found.half_width, expected.half_width)
+
+
+# Similarity
+
+
+@lawful
+@given(presses, number(0.05, 20.0))
+def test_a_magnified_contact_has_the_same_pressures(press, by):
+    small = press.solved()
+    large = replace(press, profile=replace(press.profile, stretch=by)).solved(
+        load=by**2 * press.load, tilt=press.tilt
+    )
+    assert_same(large.peak_pressure, small.peak_pressure)
+    assert_same(large.half_width, by * small.half_width)
+    assert_same(large.approach, by * small.approach, by * np.max(small.interference))
+    assert_same(large.moment, by**3 * small.moment, by**3 * small.load * LENGTH)
+
+
+@lawful
+@given(presses, number(0.01, 10.0))
+def test_a_softer_contact_under_less_load_has_the_same_shape(press, by):
+    hard = press.solved()
+    soft = replace(press, modulus=by * press.modulus).solved(load=by * press.load, tilt=press.tilt)
+    assert_same(soft.half_width, hard.half_width)
+    assert_same(soft.approach, hard.approach, np.max(hard.interference))
+    assert_same(soft.peak_pressure, by * hard.peak_pressure)
+
+
+# Symmetry
+
+
+@lawful
+@given(presses)
+def test_a_mirrored_contact_has_the_mirrored_solution(press):
+    solution = press.solved()
+    mirrored = replace(press, profile=press.profile.mirrored(), tilt=-press.tilt).solved()
+    assert_same(mirrored.line_load, solution.line_load[::-1])
+    assert_same(mirrored.half_width, solution.half_width[::-1])
+    assert_same(mirrored.moment, -solution.moment, solution.load * LENGTH)
+    assert_same(mirrored.approach, solution.approach, np.max(solution.interference))
+
+
+@lawful
+@given(presses)
+def test_it_does_not_matter_which_body_is_a(press):
+    solution = press.solved()
+    swapped = nh.solve(
+        nh.Contact(press.contact.b, press.contact.a),
+        load=press.load,
+        tilt=press.tilt,
+        strips=press.strips,
+        element=press.element,
+    )
+    assert_same_pressures(swapped, solution)
+
+
+@lawful
+@given(presses, number(-50.0, 50.0))
+def test_moving_both_bodies_along_y_moves_the_answer(press, by):
+    solution = press.solved()
+    a, b = (replace(body, position=by) for body in (press.contact.a, press.contact.b))
+    moved = nh.solve(
+        nh.Contact(a, b), load=press.load, tilt=press.tilt, strips=press.strips, element=press.element
+    )
+    # The approach is measured on y = 0, the moment about it.
+    assert_same_pressures(moved, solution)
+    assert_same(moved.approach + moved.tilt * by, solution.approach, np.max(solution.interference))
+    assert_same(moved.moment - by * moved.load, solution.moment, solution.load * (LENGTH + abs(by)))
+
+
+@lawful
+@given(presses, number(-1.0, 1.0))
+def test_a_constant_relief_only_shifts_the_approach(press, by):
+    solution = press.solved()
+    thinner = replace(press, profile=replace(press.profile, offset=by)).solved()
+    assert_same_pressures(thinner, solution)
+    assert_same(thinner.approach - by, solution.approach, np.max(solution.interference))
+
+
+@lawful
+@given(presses, number(-5e-4, 5e-4))
+def test_a_taper_is_a_tilt(press, slope):
+    solution = press.solved()
+    tapered = replace(press.profile, taper=press.profile.taper + slope * 0.5 * LENGTH)
+    turned = replace(press, profile=tapered, tilt=press.tilt + slope).solved()
+    assert_same_pressures(turned, solution)
+    assert_same(turned.approach, solution.approach, np.max(solution.interference))
+
+
+# Contact conditions and balance, without the solver's own loops
+
+
+@lawful
+@given(presses)
+def test_contact_is_closed_and_the_rest_is_open(press):
+    solution = press.solved()
+    touching = solution.line_load > 0.0
+    a, q = solution.element_half_width[touching], solution.line_load[touching]
+    low, high = solution.y - 0.5 * solution.strip_width, solution.y + 0.5 * solution.strip_width
+    upper = press.element.functions((high[touching] - solution.y[:, None]) / a)
+    lower = press.element.functions((low[touching] - solution.y[:, None]) / a)
+    contact = press.contact
+    displacement = contact.compliance * (upper[0] - lower[0]) @ q
+    flattened = contact.compliance * (upper[2] - lower[2])[touching] @ (q / a**2)
+    interference = solution.approach + solution.tilt * solution.y - contact.separation(solution.y)
+    gap, depth = displacement - interference, np.max(interference)
+    # 1e-9 of the approach is what the issue allows anywhere.
+    assert np.max(np.abs(gap[touching])) < 1e-9 * depth
+    assert np.min(gap) > -1e-9 * depth
+    np.testing.assert_allclose(flattened, contact.curvature(solution.y[touching]), rtol=1e-9, atol=0.0)
+    assert np.all(solution.line_load >= 0.0)
+    assert np.all(solution.element_half_width[~touching] == 0.0)
+    np.testing.assert_allclose(solution.gap, gap, rtol=0.0, atol=1e-9 * depth)
+
+
+@lawful
+@given(presses, number(-0.7, 0.7))
+def test_pressures_balance_what_is_prescribed(press, arm):
+    moment = arm * 0.5 * LENGTH * press.load
+    solution = press.solved(load=press.load, moment=moment)
+    pieces = solution.line_load * solution.strip_width
+    assert abs(np.sum(pieces) - press.load) < 1e-9 * press.load
+    assert abs(np.sum(pieces * solution.y) - moment) < 1e-9 * press.load * LENGTH
+    assert abs(solution.load - press.load) < 1e-9 * press.load
+    assert abs(solution.moment - moment) < 1e-9 * press.load * LENGTH
+
+
+# Consistency
+
+
+@lawful
+@given(presses)
+def test_the_four_pairs_of_prescribed_quantities_agree(press):
+    solution = press.solved()
+    first = {"load": solution.load, "approach": solution.approach}
+    second = {"tilt": solution.tilt, "moment": solution.moment}
+    for pair in (("approach", "tilt"), ("approach", "moment"), ("load", "moment")):
+        again = press.solved(**{name: (first | second)[name] for name in pair})
+        assert_same_pressures(again, solution)
+        assert_same(again.approach, solution.approach, np.max(solution.interference))
+        assert_same(again.tilt * LENGTH, solution.tilt * LENGTH, np.max(solution.interference))
+
+
+@lawful
+@given(presses, number(1.01, 3.0))
+def test_more_load_means_more_approach_and_a_larger_contact(press, by):
+    less, more = press.solved(), press.solved(load=by * press.load, tilt=press.tilt)
+    assert more.approach > less.approach
+    assert np.all(more.line_load[less.line_load > 0.0] > 0.0)
+    assert more.max_pressure > less.max_pressure
+
+
+@lawful
+@given(presses)
+def test_stiffness_is_positive_and_nearly_symmetric(press):
+    # Collocation makes it symmetric only as the strips get narrower: 10 % at a dozen strips.
+    stiffness = press.solved().stiffness
+    scaled = stiffness / np.array([[1.0, LENGTH], [LENGTH, LENGTH**2]])
+    assert scaled[0, 0] > 0.0
+    assert np.linalg.det(scaled) > 0.0
+    assert abs(scaled[0, 1] - scaled[1, 0]) < 0.02 * scaled[0, 0]
+
+
+@settings(derandomize=True, max_examples=40, deadline=None)
+@given(presses)
+def test_the_automatic_grid_agrees_with_many_equal_strips(press):
+    # Equal strips converge like 1 / strips where the contact reaches a sharp end.
+    automatic, equal = replace(press, strips="auto").solved(), replace(press, strips=201).solved()
+    assert abs(automatic.approach - equal.approach) < 0.005 * np.max(equal.interference)
+    assert abs(automatic.moment - equal.moment) < 0.005 * press.load * LENGTH

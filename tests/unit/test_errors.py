@@ -1,0 +1,65 @@
+"""How complaints read, and that they survive the way to another process."""
+
+import pickle
+
+import pytest
+
+import nonhertz as nh
+from nonhertz.errors import CaseError
+
+
+def test_an_input_error_is_one_sentence_of_four_parts():
+    error = nh.InputError("length", -5.0, "be positive", "give the distance between the side faces in mm")
+    assert str(error) == "length = -5.0 must be positive: give the distance between the side faces in mm."
+    assert (error.field, error.value, error.condition) == ("length", -5.0, "be positive")
+    assert error.remedy == "give the distance between the side faces in mm"
+
+
+def test_within_names_the_place():
+    error = nh.InputError("length", -5.0, "be positive", "give it in mm").within("body.a")
+    assert isinstance(error, nh.InputError)
+    assert str(error) == "body.a.length = -5.0 must be positive: give it in mm."
+
+
+def test_long_values_are_cut():
+    text = str(nh.InputError("y", list(range(1000)), "ascend", "sort the points"))
+    assert text.startswith("y = [0, 1, 2,")
+    assert text.endswith("... must ascend: sort the points.")
+    assert len(text) < 110
+
+
+def test_a_case_error_lists_every_mistake():
+    error = CaseError(mistake for mistake in ("First.", "Second."))
+    assert error.mistakes == ("First.", "Second.")
+    assert str(error) == "First.\nSecond."
+
+
+@pytest.mark.parametrize("kind", [nh.InputError, nh.ConvergenceError, CaseError])
+def test_every_error_is_a_nonhertz_error(kind):
+    assert issubclass(kind, nh.NonhertzError)
+
+
+def test_an_input_error_is_a_value_error_too():
+    assert issubclass(nh.InputError, ValueError)
+
+
+def test_an_accuracy_warning_is_no_error():
+    assert issubclass(nh.AccuracyWarning, UserWarning)
+    assert not issubclass(nh.AccuracyWarning, nh.NonhertzError)
+
+
+@pytest.mark.parametrize(
+    "error",
+    [
+        nh.InputError("length", -5.0, "be positive", "give it in mm"),
+        CaseError(["First.", "Second."]),
+        nh.ConvergenceError("The loop ended.", solution=("so", "far")),
+    ],
+    ids=lambda error: type(error).__name__,
+)
+def test_errors_travel_between_processes(error):
+    # A sweep in worker processes hands its failures back by pickle.
+    back = pickle.loads(pickle.dumps(error))
+    assert type(back) is type(error)
+    assert str(back) == str(error)
+    assert vars(back) == vars(error)

@@ -1,0 +1,174 @@
+"""Where the strips lie: equal ones, the user's own, and the automatic grid."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.model.profile import Profile
+
+HALF = 10.0
+profile = nh.profile
+
+
+@dataclass(frozen=True)
+class Wave(Profile):
+    """Raised in the middle of the roller's length by ``height``: contact at both ends only."""
+
+    height: float
+
+    def relief(self, y):
+        return self.height * np.cos(np.asarray(y, dtype=float) * np.pi / (2.0 * HALF)) ** 2
+
+
+def solved(shape, *, strips="auto", **prescribed):
+    roller = nh.Roller(diameter=20, length=2 * HALF, profile=shape)
+    return nh.solve(nh.Contact(roller, nh.Plate()), strips=strips, **prescribed)
+
+
+LOGARITHMIC = profile.logarithmic(amplitude=0.005, length=20, fraction=0.9999)
+SYMMETRIC = {
+    "ends inside": (profile.crown(1000), {"load": 1000}),
+    "ends inside, by approach": (profile.crown(4000), {"approach": 0.004}),
+    "crown over sharp ends": (profile.crown(4000), {"load": 20e3}),
+    "straight": (profile.straight(), {"load": 20e3}),
+    "hollow": (profile.crown(-4000), {"load": 8e3}),
+    "logarithmic": (LOGARITHMIC, {"load": 40e3}),
+    "ISO": (profile.iso_logarithmic(20, 20), {"load": 20e3}),
+    "tapered ends": (profile.tapered_ends(14, 1e-3), {"load": 20e3}),
+    "partial crown": (profile.partial_crown(500, 12), {"load": 20e3}),
+    "partial crown with a kink": (profile.partial_crown(500, 12, blended=False), {"load": 20e3}),
+    "chamfer": (profile.chamfer(20, 0.5), {"load": 20e3}),
+}
+TILTED = {
+    "crown, tilted": (profile.crown(4000), {"load": 3000, "tilt": -5e-4}),
+    "logarithmic, tilted": (LOGARITHMIC, {"load": 40e3, "tilt": -1e-3}),
+    "logarithmic, by moment": (LOGARITHMIC, {"load": 20e3, "moment": 30e3}),
+    "straight, half lifted": (profile.straight(), {"load": 5e3, "tilt": 1e-3}),
+}
+ONE_INTERVAL = SYMMETRIC | TILTED
+SHARP = ("crown over sharp ends", "straight", "hollow", "tapered ends", "partial crown")
+
+
+def cases(table):
+    return pytest.mark.parametrize("case", table.values(), ids=table)
+
+
+def edges(solution):
+    return np.append(solution.y - 0.5 * solution.strip_width, solution.y[-1] + 0.5 * solution.strip_width[-1])
+
+
+# Automatic
+
+
+@cases(ONE_INTERVAL)
+def test_automatic_strips_ascend_and_abut(case):
+    solution = solved(case[0], **case[1])
+    assert np.all(np.diff(solution.y) > 0.0)
+    assert np.all(solution.strip_width > 0.0)
+    # Centres and widths are rounded: a few units in the last place of the half length.
+    upper = solution.y + 0.5 * solution.strip_width
+    np.testing.assert_allclose(upper[:-1], edges(solution)[1:-1], rtol=0.0, atol=1e-13 * HALF)
+
+
+@cases(ONE_INTERVAL)
+def test_automatic_strips_cover_the_contact_and_stay_on_the_bodies(case):
+    solution = solved(case[0], **case[1])
+    low, high = edges(solution)[[0, -1]]
+    assert -HALF * (1.0 + 1e-15) <= low < solution.contact_y[0][0] + 1e-12
+    assert solution.contact_y[-1][1] - 1e-12 < high <= HALF * (1.0 + 1e-15)
+    for end, load, gap in (
+        (low, solution.line_load[0], solution.gap[0]),
+        (high, solution.line_load[-1], solution.gap[-1]),
+    ):
+        assert abs(end) > HALF * (1.0 - 1e-15) or (load == 0.0 and gap > 0.0)
+
+
+@cases(ONE_INTERVAL)
+def test_one_interval_takes_at_most_ninety_strips(case):
+    solution = solved(case[0], **case[1])
+    assert len(solution.contact_y) == 1
+    assert 40 <= solution.strips <= 90
+
+
+@pytest.mark.parametrize("prescribed", [{"load": 5e3}, {"approach": 0.03}], ids=["load", "approach"])
+def test_two_intervals_take_at_most_twice_as_many(prescribed):
+    solution = solved(Wave(0.05), **prescribed)
+    assert len(solution.contact_y) == 2
+    assert solution.strips <= 180
+
+
+@cases(ONE_INTERVAL)
+def test_a_strip_is_centred_on_the_middle_where_that_is_in_contact(case):
+    solution = solved(case[0], **case[1])
+    at_middle = np.argmin(np.abs(solution.y))
+    assert solution.line_load[at_middle] > 0.0
+    assert abs(solution.y[at_middle]) < 1e-12 * HALF
+
+
+@cases(SYMMETRIC)
+def test_symmetric_cases_have_symmetric_grids(case):
+    solution = solved(case[0], **case[1])
+    # To rounding: a grid that leans to one side gives a moment where there is none.
+    np.testing.assert_allclose(solution.y, -solution.y[::-1], rtol=0.0, atol=1e-9 * HALF)
+
+
+@pytest.mark.parametrize("name", SHARP)
+def test_sharp_ends_are_refined_but_not_beyond_sense(name):
+    # theory.md, section 3: strips narrower than about a twentieth of the half-width are no strips any more.
+    shape, prescribed = SYMMETRIC[name]
+    solution = solved(shape, **prescribed)
+    share = solution.strip_width / solution.half_width
+    assert np.all(share > 1.0 / 30.0)
+    assert share[0] < 0.1
+    assert share[-1] < 0.1
+
+
+@cases({name: case for name, case in ONE_INTERVAL.items() if "inside" in name or "tilted" in name})
+def test_strips_narrow_towards_the_end_of_the_contact(case):
+    solution = solved(case[0], **case[1])
+    width = solution.strip_width[solution.line_load > 0.0]
+    assert width[0] < 0.9 * width.max()
+    assert width[-1] < 0.9 * width.max()
+
+
+@cases(ONE_INTERVAL)
+def test_neighbours_in_contact_differ_little_in_width(case):
+    solution = solved(case[0], **case[1])
+    # The outermost strips in contact may be the first of the wider ones outside.
+    width = solution.strip_width[solution.line_load > 0.0][2:-2]
+    assert np.max(np.abs(np.diff(np.log(width)))) < np.log(1.4)
+
+
+@pytest.mark.parametrize("load", [1.0, 1e3])
+def test_an_unbounded_body_is_searched_for_its_contact(load):
+    contact = nh.Contact(nh.Body(diameter=20, profile=profile.crown(100, centre=3.0)), nh.Plate())
+    solution = nh.solve(contact, load=load)
+    (low, high), *others = solution.contact_y
+    assert not others
+    np.testing.assert_allclose(0.5 * (low + high), 3.0, rtol=0.0, atol=0.02 * (high - low))
+
+
+# Chosen
+
+
+@pytest.mark.parametrize("count", [3, 20, 41])
+def test_a_number_makes_equal_strips_over_the_whole_length(count):
+    solution = solved(profile.crown(4000), load=20e3, strips=count)
+    np.testing.assert_allclose(
+        edges(solution), np.linspace(-HALF, HALF, count + 1), rtol=0.0, atol=1e-13 * HALF
+    )
+
+
+def test_given_edges_are_kept():
+    given = np.array([-9.0, -7.0, -3.0, -1.0, 0.5, 2.0, 6.0, 9.5])
+    solution = solved(profile.crown(4000), load=3e3, strips=given)
+    np.testing.assert_allclose(edges(solution), given, rtol=0.0, atol=1e-13 * HALF)
+    as_list = solved(profile.crown(4000), load=3e3, strips=list(given))
+    np.testing.assert_array_equal(as_list.line_load, solution.line_load)
+
+
+def test_the_automatic_grid_is_what_comes_of_leaving_it_out():
+    left_out = solved(profile.crown(4000), load=3e3, strips=None)
+    np.testing.assert_array_equal(left_out.y, solved(profile.crown(4000), load=3e3).y)

@@ -1,0 +1,76 @@
+"""Elastic constants and what follows from them."""
+
+import dataclasses
+import math
+
+import pytest
+
+import nonhertz as nh
+
+
+def test_compliance_and_shear_modulus_of_steel():
+    # (1 - 0.09) / (pi 207000) and 207000 / 2.6, worked out by hand.
+    steel = nh.Material(modulus=207000, poisson=0.3)
+    assert abs(steel.compliance - 1.399333e-6) < 1e-12
+    assert abs(steel.shear_modulus - 79615.38) < 0.01
+
+
+def test_compliance_from_the_shear_modulus_is_the_same():
+    # The paper writes (1 - nu) / (2 pi G). CONTACT's strip case: G = 82000, nu = 0.28.
+    material = nh.Material(modulus=2 * 82000 * 1.28, poisson=0.28)
+    assert abs(material.shear_modulus - 82000) < 1e-9
+    assert abs(material.compliance / (0.72 / (2 * math.pi * 82000)) - 1.0) < 1e-14
+
+
+@pytest.mark.parametrize("poisson", [-0.99, 0.0, 0.5])
+def test_every_stable_poisson_ratio_is_accepted(poisson):
+    assert nh.Material(modulus=1000, poisson=poisson).compliance > 0.0
+
+
+@pytest.mark.parametrize(
+    ("modulus", "poisson", "complaint"),
+    [
+        (0.0, 0.3, "modulus = 0.0 must be positive"),
+        (-1.0, 0.3, "modulus = -1.0 must be positive"),
+        (math.nan, 0.3, "modulus = nan must be a finite number"),
+        (math.inf, 0.3, "modulus = inf must be a finite number"),
+        ("207000", 0.3, "modulus = '207000' must be a finite number"),
+        (True, 0.3, "modulus = True must be a finite number"),
+        (2e5, 0.51, "poisson = 0.51 must lie in (-1, 0.5]"),
+        (2e5, -1.0, "poisson = -1.0 must lie in (-1, 0.5]"),
+        (2e5, math.nan, "poisson = nan must be a finite number"),
+    ],
+)
+def test_impossible_constants_are_refused(modulus, poisson, complaint):
+    with pytest.raises(nh.InputError) as refusal:
+        nh.Material(modulus=modulus, poisson=poisson)
+    said, _, remedy = str(refusal.value).partition(": ")
+    assert said == complaint
+    assert remedy in {
+        "give Young's modulus in MPa, 207000 for steel.",
+        "give Poisson's ratio, 0.3 for steel.",
+    }
+
+
+def test_a_material_is_a_value():
+    steel = nh.Material(modulus=207000, poisson=0.3)
+    assert steel == nh.Material(207000, 0.3)
+    assert dataclasses.replace(steel, poisson=0.25).modulus == 207000
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        steel.modulus = 1.0
+
+
+# Handbook ranges at room temperature [GPa]: wide enough for grades, too narrow for a slip of a digit.
+@pytest.mark.parametrize(
+    ("name", "low", "high"),
+    [
+        ("steel", 200, 212),
+        ("silicon-nitride", 290, 330),
+        ("cast-iron", 90, 170),
+        ("bronze", 95, 125),
+        ("aluminium", 68, 75),
+    ],
+)
+def test_named_materials_have_handbook_moduli(name, low, high):
+    assert low <= nh.MATERIALS[name].modulus / 1000.0 <= high
+    assert 0.2 < nh.MATERIALS[name].poisson < 0.36

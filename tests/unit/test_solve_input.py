@@ -1,0 +1,203 @@
+"""What `solve` refuses, each with one sentence, and what it warns of."""
+
+import math
+import re
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.model.profile import Profile
+
+
+@dataclass(frozen=True)
+class Gone(Profile):
+    """No body anywhere."""
+
+    def relief(self, y):
+        return np.full_like(np.asarray(y, dtype=float), np.inf)
+
+
+def roller(**changes):
+    return nh.Roller(**({"diameter": 20, "length": 20, "profile": nh.profile.crown(4000)} | changes))
+
+
+CONTACT = nh.Contact(roller(), nh.Plate())
+OFF_CENTRE = nh.Contact(roller(position=20.0, profile=nh.profile.straight()), nh.Plate())
+LOAD = {"load": 1000.0}
+
+
+def refusal(contact=CONTACT, **arguments):
+    """The sentence with which these arguments are refused, split at its colon."""
+    with pytest.raises(nh.InputError) as refused:
+        nh.solve(contact, **arguments)
+    said, _, remedy = str(refused.value).partition(": ")
+    assert re.fullmatch(r"[a-z].*[^.]\.", remedy), str(refused.value)
+    return said
+
+
+# Prescribed quantities
+
+
+@pytest.mark.parametrize(
+    ("arguments", "complaint"),
+    [
+        ({}, "load = None must be given where approach is not, and only there"),
+        (
+            {"load": 1.0, "approach": 0.1},
+            "load = 1.0 must be given where approach is not, and only there",
+        ),
+        ({**LOAD, "tilt": 0.0, "moment": 5.0}, "moment = 5.0 must not be given together with tilt"),
+        ({"load": -1.0}, "load = -1.0 must be positive"),
+        ({"load": 0.0}, "load = 0.0 must be positive"),
+        ({"load": math.nan}, "load = nan must be a finite number"),
+        ({"load": math.inf}, "load = inf must be a finite number"),
+        ({"load": "1 kN"}, "load = '1 kN' must be a finite number"),
+        ({"load": True}, "load = True must be a finite number"),
+        ({"approach": math.nan}, "approach = nan must be a finite number"),
+        ({"approach": -math.inf}, "approach = -inf must be a finite number"),
+        ({**LOAD, "tilt": math.nan}, "tilt = nan must be a finite number"),
+        ({**LOAD, "moment": math.nan}, "moment = nan must be a finite number"),
+    ],
+)
+def test_impossible_prescriptions_are_refused(arguments, complaint):
+    assert refusal(**arguments) == complaint
+
+
+@pytest.mark.parametrize("strips", [None, 41])
+def test_an_approach_that_never_touches_is_refused(strips):
+    said = refusal(approach=-0.5, strips=strips)
+    assert re.fullmatch(r"approach = -0\.5 must exceed \S+ mm, where the bodies begin to touch", said)
+
+
+def test_the_approach_of_first_touch_is_where_it_says():
+    # A tilted crown touches first at y = tilt R, where the interference is approach + tilt^2 R / 2.
+    said = refusal(approach=-0.5, tilt=1e-3)
+    first_touch = float(re.search(r"exceed (\S+) mm", said)[1])
+    np.testing.assert_allclose(first_touch, -0.5e-6 * 4000.0, rtol=0.02, atol=0.0)
+
+
+@pytest.mark.parametrize("approach", [1e-5, 1e-6])
+def test_an_approach_that_barely_touches_is_solved(approach):
+    # Hertz, to the resolution of strips on a contact of a hundredth of the body's length.
+    compliance = CONTACT.compliance
+    hertz = nh.hertz.point_contact(radius_x=10, radius_y=4000, compliance=compliance, approach=approach)
+    solution = nh.solve(CONTACT, approach=approach)
+    np.testing.assert_allclose(solution.load, hertz.load, rtol=1e-3, atol=0.0)
+
+
+@pytest.mark.parametrize("moment", [10.001e3, -10.001e3, 1e9])
+def test_a_resultant_outside_the_bodies_is_refused(moment):
+    said = refusal(**LOAD, moment=moment)
+    assert said.startswith(f"moment = {moment!r} must ")
+    assert "moment / load between" in said
+
+
+@pytest.mark.parametrize("moment", [-100.0, 0.0])
+def test_a_moment_that_no_strip_can_give_is_refused(moment):
+    # All of the roller lies at y > 0, so that any pressure has a positive moment.
+    assert refusal(OFF_CENTRE, approach=0.01, moment=moment).startswith(f"moment = {moment!r} must ")
+
+
+# Strips
+
+
+@pytest.mark.parametrize("strips", [0, 1, 2, 2001, -4])
+def test_too_few_or_too_many_strips_are_refused(strips):
+    assert refusal(**LOAD, strips=strips) == f"strips = {strips} must lie between 3 and 2000"
+
+
+@pytest.mark.parametrize("strips", ["many", 3.5, True, {20.0}], ids=str)
+def test_what_is_neither_a_number_nor_edges_is_refused(strips):
+    said = refusal(**LOAD, strips=strips)
+    assert said == f"strips = {strips!r} must be 'auto', a whole number or edges"
+
+
+@pytest.mark.parametrize(
+    ("edges", "condition"),
+    [
+        ([-1.0, 0.0, 1.0], "be a row of 4 edges at least"),
+        ([[-1.0, 0.0], [1.0, 2.0]], "be a row of 4 edges at least"),
+        ([-1.0, -2.0, 0.0, 1.0], "ascend and be finite"),
+        ([-1.0, 0.0, 0.0, 1.0], "ascend and be finite"),
+        ([-1.0, 0.0, math.nan, 1.0], "ascend and be finite"),
+        ([-11.0, 0.0, 1.0, 2.0], "lie between -10.0 and 10.0"),
+        ([-1.0, 0.0, 1.0, 10.1], "lie between -10.0 and 10.0"),
+        (["a", "b", "c", "d"], "ascend and be finite"),
+    ],
+)
+def test_impossible_edges_are_refused(edges, condition):
+    said = refusal(**LOAD, strips=edges)
+    assert said.startswith("strips = ")
+    assert said.endswith(" must " + condition)
+
+
+# Contacts
+
+
+def test_conforming_surfaces_are_refused():
+    said = refusal(nh.Contact(roller(), nh.Ring(diameter=-20)), **LOAD)
+    assert said == "diameter = (20, -20) must leave a positive combined curvature"
+
+
+def test_surfaces_that_conform_at_one_place_are_refused():
+    outer = nh.Ring(diameter=nh.TabulatedDiameter((-10.0, 10.0), (-19.0, -40.0)))
+    assert refusal(nh.Contact(roller(), outer), **LOAD).endswith("must leave a positive combined curvature")
+
+
+def test_a_contact_that_nothing_ends_is_refused():
+    said = refusal(nh.Contact(nh.Body(diameter=20), nh.Plate()), **LOAD)
+    assert said == "length = None must be given where nothing else ends the contact"
+
+
+def test_a_relief_without_end_is_refused():
+    said = refusal(nh.Contact(roller(profile=Gone()), nh.Plate()), **LOAD)
+    assert said == "profile = inf must leave a finite separation somewhere on the bodies"
+
+
+def test_what_is_not_a_contact_is_refused():
+    assert refusal(nh.Plate(), **LOAD).endswith("must be a Contact")
+
+
+@pytest.mark.parametrize("element", ["parabolic", None], ids=str)
+def test_what_is_not_an_element_is_refused(element):
+    assert refusal(**LOAD, element=element).startswith(f"element = {element!r} must be ")
+
+
+# Warned of
+
+
+def test_a_sound_contact_gives_no_warning():
+    # Warnings are errors in these tests; the sharp ends are noted in the solution only.
+    assert nh.solve(CONTACT, load=3000).warnings == ()
+
+
+def test_a_contact_wider_than_long_warns_with_the_ratio():
+    contact = nh.Contact(nh.Body(diameter=100, profile=nh.profile.crown(5)), nh.Plate())
+    hertz = nh.hertz.point_contact(radius_x=50, radius_y=5, compliance=contact.compliance, load=500)
+    with pytest.warns(nh.AccuracyWarning, match="wider than long: width / length") as caught:
+        solution = nh.solve(contact, load=500)
+    assert len(caught) == 1
+    assert solution.warnings == (str(caught[0].message),)
+    ratio = float(re.search(r"width / length = (\S+),", solution.warnings[0])[1])
+    # 5 % off Hertz is what the warning is about.
+    np.testing.assert_allclose(ratio, 1.0 / hertz.ellipticity, rtol=0.1, atol=0.0)
+
+
+def test_a_half_width_large_against_the_radius_warns_with_the_ratio():
+    # Silicone on steel: b / R about 0.35.
+    soft = nh.Material(modulus=10, poisson=0.49)
+    contact = nh.Contact(nh.Roller(diameter=20, length=200, material=soft), nh.Plate())
+    with pytest.warns(nh.AccuracyWarning, match=r"half-width is 0\.\d\d of the smaller radius .* over 0\.3"):
+        solution = nh.solve(contact, load=2500, strips=21)
+    said = next(text for text in solution.warnings if "half-width" in text)
+    ratio = float(re.search(r"is (0\.\d\d) of", said)[1])
+    assert abs(ratio - solution.half_width.max() / 10.0) < 0.006  # two decimals are printed
+
+
+def test_a_sharp_end_in_contact_is_named_in_the_solution():
+    solution = nh.solve(CONTACT, load=20e3)
+    for said, place in zip(solution.warnings, ("-10", "10"), strict=True):
+        assert f"sharp end at y = {place} mm" in said
+    assert solution.error_estimate.max_pressure == math.inf
