@@ -244,12 +244,12 @@ def test_more_load_means_more_approach_and_a_larger_contact(press, by):
 @lawful
 @given(presses)
 def test_stiffness_is_positive_and_nearly_symmetric(press):
-    # Collocation makes it symmetric only as the strips get narrower: 10 % at a dozen strips.
+    # Collocation at centres makes it symmetric to the order of the strips: 1e-5 in these cases.
     stiffness = press.solved().stiffness
     scaled = stiffness / np.array([[1.0, LENGTH], [LENGTH, LENGTH**2]])
     assert scaled[0, 0] > 0.0
     assert np.linalg.det(scaled) > 0.0
-    assert abs(scaled[0, 1] - scaled[1, 0]) < 0.02 * scaled[0, 0]
+    assert abs(scaled[0, 1] - scaled[1, 0]) < 1e-4 * scaled[0, 0]
 
 
 @settings(derandomize=True, max_examples=40, deadline=None)
@@ -257,5 +257,5 @@ def test_stiffness_is_positive_and_nearly_symmetric(press):
 def test_the_automatic_grid_agrees_with_many_equal_strips(press):
     # Equal strips converge like 1 / strips where the contact reaches a sharp end.
     automatic, equal = replace(press, strips="auto").solved(), replace(press, strips=201).solved()
-    assert abs(automatic.approach - equal.approach) < 0.005 * np.max(equal.interference)
-    assert abs(automatic.moment - equal.moment) < 0.005 * press.load * LENGTH
+    assert abs(automatic.approach - equal.approach) < 0.002 * np.max(equal.interference)
+    assert abs(automatic.moment - equal.moment) < 0.002 * press.load * LENGTH

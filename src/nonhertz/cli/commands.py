@@ -5,9 +5,11 @@ The docstrings are what ``--help`` prints.
 
 from __future__ import annotations
 
+import contextlib
 import sys
+import threading
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -31,6 +33,9 @@ app = App(
     suppress_keyboard_interrupt=False,
     result_action="return_value",
 )
+
+
+_SILENCE = 2.0  # s, before whoever waits is told why
 
 
 def run(words: Sequence[str]) -> int:
@@ -128,11 +133,25 @@ def new(path: Path | None = None, /) -> int:
     return FINE
 
 
+@contextlib.contextmanager
+def _patience() -> Iterator[None]:
+    """Tell whoever waits at a terminal why: the first solve on a machine compiles the solver."""
+    text = "The first solve on a machine compiles the solver, which takes some 20 seconds."
+    notice = threading.Timer(_SILENCE, print, [text], {"file": sys.stderr, "flush": True})
+    notice.daemon = True
+    if sys.stderr.isatty():
+        notice.start()
+    try:
+        yield
+    finally:
+        notice.cancel()
+
+
 def _solved(case: Case) -> tuple[Solution, str]:
     """Return the solution and, if it has not converged, what to say about that."""
     from nonhertz.solver import solve as solve_contact  # noqa: PLC0415
 
-    with warnings.catch_warnings():
+    with warnings.catch_warnings(), _patience():
         # The solution carries them, in words for people.
         warnings.simplefilter("ignore", AccuracyWarning)
         try:

@@ -151,7 +151,7 @@ def _interference(y: Array, separation: Array, rigid: Array, active: Indices) ->
 @compiled
 def _rounding(separation: Array, rigid: Array, active: Indices, half: float) -> float:
     """Return what rounding alone can make of a gap, the small difference of separation and motion."""
-    return 1e-15 * (abs(rigid[0]) + abs(rigid[1]) * half + np.max(np.abs(separation[active])))
+    return 1e-15 * float(abs(rigid[0]) + abs(rigid[1]) * half + np.max(np.abs(separation[active])))
 
 
 @compiled
@@ -239,8 +239,7 @@ def _directions(
     sides[k:, 0] = -gap_residual / scale
     sides[k:, 1] = 1.0 / scale
     sides[k:, 2] = lever / scale
-    directions: Array = np.linalg.solve(matrix, sides)
-    return directions
+    return np.asarray(np.linalg.solve(matrix, sides), dtype=np.float64)
 
 
 @compiled
@@ -266,7 +265,7 @@ def _rigid_step(
     response: Array, off: Array, prescribed: Flags, weights: Array, lever: Array, d_q: Array
 ) -> Array:
     """Return the changes of approach and of tilt times half length that meet the prescribed pair."""
-    matrix: Array = np.eye(2)
+    matrix = np.array([[1.0, 0.0], [0.0, 1.0]])
     side = off.copy()
     # A single strip resists tilt no more than a ball: the least rise of the diagonal keeps its tilt as it is.
     ridge = 1e-14 * abs(response[0, 0])

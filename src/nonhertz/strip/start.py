@@ -8,11 +8,10 @@ of the four pairs of prescribed quantities, found by sorting for the approach an
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-
-from nonhertz.strip.compiled import compiled
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -20,7 +19,6 @@ Flags = NDArray[np.bool_]
 BISECTIONS = 60
 
 
-@compiled
 def springs(
     y: Array,
     width: Array,
@@ -29,104 +27,97 @@ def springs(
     line_factor: float,
     prescribed: Flags,
     target: Array,
-    r: Array,
-    m: Array,
-    rigid: Array,
-) -> None:
-    """Fill ``r``, ``m`` and ``rigid`` with the answer of independent springs; arguments as in `newton`."""
+) -> tuple[Array, Array, Array]:
+    """Return r, m and the rigid motion of independent springs; arguments as in `nonhertz.strip.newton`."""
     half = 0.5 * float(np.sum(width))
-    usable = np.flatnonzero(np.isfinite(separation))
-    y_used, width_used, separation_used = y[usable], width[usable], separation[usable]
-    r[:] = curvature / line_factor
+    usable = np.isfinite(separation)
+    foundation = _Foundation(y[usable], width[usable], separation[usable], prescribed, target)
+    r = curvature / line_factor
+    m = np.zeros_like(y)
     largest = 0.05 * half
     for _ in range(3):
         stiffness = 1.0 / (2.0 * (math.log(max(2.0 * half / largest, 1.5)) + 1.2))
-        _balance(y_used, width_used * stiffness, separation_used, prescribed, target, rigid)
-        m[:] = np.maximum(rigid[0] + rigid[1] * y - separation, 0.0) * stiffness / r
-        largest = max(math.sqrt(np.max(m)), 1e-6 * half)
+        rigid = foundation.balance(stiffness)
+        m = np.maximum(rigid[0] + rigid[1] * y - separation, 0.0) * stiffness / r
+        largest = max(math.sqrt(float(np.max(m))), 1e-6 * half)
+    return r, m, rigid
 
 
-@compiled
-def _balance(
-    y: Array, stiffness: Array, separation: Array, prescribed: Flags, target: Array, rigid: Array
-) -> None:
-    """Find the approach and tilt of springs under the prescribed pair."""
-    if not prescribed[1]:
-        rigid[1] = target[1]
-        rigid[0] = _approach(y, stiffness, separation, prescribed, target, rigid[1])
-        return
-    side = _excess_moment(y, stiffness, separation, prescribed, target, 0.0)
-    low, high = 0.0, 0.0
-    if side != 0.0:
-        reach = np.max(np.abs(y))
-        step = abs(target[0]) + abs(target[1]) / reach
-        if prescribed[0]:
-            step /= np.sum(stiffness)
-        high = -math.copysign(step / reach, side)
+@dataclass(frozen=True)
+class _Foundation:
+    """Springs under the prescribed pair of quantities."""
+
+    y: Array
+    width: Array
+    separation: Array
+    prescribed: Flags
+    target: Array
+
+    def balance(self, stiffness: float) -> Array:
+        """Return approach and tilt on springs of this stiffness per unit of length."""
+        tilts = self._tilts(stiffness) if self.prescribed[1] else (float(self.target[1]),)
+        # A moment may vanish because nothing touches; any other asks for the end of the bracket where something does.
+        for tilt in tilts:
+            rigid = np.array([self._approach(stiffness, tilt), tilt])
+            if self.target[1] == 0.0 or np.max(rigid[0] + tilt * self.y - self.separation) > 0.0:
+                break
+        return rigid
+
+    def _tilts(self, stiffness: float) -> tuple[float, ...]:
+        """Return the two ends of a short bracket around the tilt at which the moment is met."""
+        side = self._excess_moment(stiffness, 0.0)
+        if side == 0.0:
+            return (0.0,)
+        reach = float(np.max(np.abs(self.y)))
+        step = abs(self.target[0]) + abs(self.target[1]) / reach
+        if self.prescribed[0]:
+            step /= stiffness * float(np.sum(self.width))
+        low, high = 0.0, -math.copysign(step / reach, side)
         for _ in range(200):
-            if _excess_moment(y, stiffness, separation, prescribed, target, high) * side <= 0.0:
+            if self._excess_moment(stiffness, high) * side <= 0.0:
                 break
             low, high = high, 2.0 * high
         for _ in range(BISECTIONS):
             middle = 0.5 * (low + high)
-            if _excess_moment(y, stiffness, separation, prescribed, target, middle) * side > 0.0:
+            if self._excess_moment(stiffness, middle) * side > 0.0:
                 low = middle
             else:
                 high = middle
-    # A moment may vanish because nothing touches; any other asks for the end of the bracket where something does.
-    rigid[1] = high
-    rigid[0] = _approach(y, stiffness, separation, prescribed, target, high)
-    if target[1] != 0.0 and np.max(rigid[0] + rigid[1] * y - separation) <= 0.0:
-        rigid[1] = low
-        rigid[0] = _approach(y, stiffness, separation, prescribed, target, low)
+        return (high, low)
+
+    def _approach(self, stiffness: float, tilt: float) -> float:
+        """Return the approach at this tilt: the prescribed one, or the one at which the springs carry the load.
+
+        With the springs in the order in which they come to bear, the approach at which the first k carry the load
+        follows from sums; the right k is the first whose approach leaves the next spring untouched.
+        """
+        if not self.prescribed[0]:
+            return float(self.target[0])
+        height = self.separation - tilt * self.y
+        order = np.argsort(height)
+        height, width = height[order], stiffness * self.width[order]
+        approach = (self.target[0] + np.cumsum(width * height)) / np.cumsum(width)
+        untouched = approach[:-1] <= height[1:]
+        return float(approach[np.argmax(untouched)] if np.any(untouched) else approach[-1])
+
+    def _excess_moment(self, stiffness: float, tilt: float) -> float:
+        depth = np.maximum(self._approach(stiffness, tilt) + tilt * self.y - self.separation, 0.0)
+        return float(stiffness * np.sum(self.width * self.y * depth) - self.target[1])
 
 
-@compiled
-def _approach(
-    y: Array, stiffness: Array, separation: Array, prescribed: Flags, target: Array, tilt: float
-) -> float:
-    """Return the approach at this tilt: the prescribed one, or the one at which springs carry the load."""
-    if not prescribed[0]:
-        return float(target[0])
-    height = separation - tilt * y
-    order = np.argsort(height)
-    total = weighted = 0.0
-    approach = 0.0
-    for k in range(order.size):
-        total += stiffness[order[k]]
-        weighted += stiffness[order[k]] * height[order[k]]
-        approach = (target[0] + weighted) / total
-        if k + 1 == order.size or approach <= height[order[k + 1]]:
-            break
-    return approach
-
-
-@compiled
-def _excess_moment(
-    y: Array, stiffness: Array, separation: Array, prescribed: Flags, target: Array, tilt: float
-) -> float:
-    approach = _approach(y, stiffness, separation, prescribed, target, tilt)
-    loads = stiffness * np.maximum(approach + tilt * y - separation, 0.0)
-    return float(np.sum(loads * y) - target[1])
-
-
-@compiled
-def prolong(y_from: Array, r_from: Array, m_from: Array, y: Array, r: Array, m: Array) -> None:
-    """Interpolate ``r`` and ``m`` to other strips.
+def prolong(y_from: Array, r_from: Array, m_from: Array, y: Array) -> tuple[Array, Array]:
+    """Return r and m interpolated to other strips.
 
     m runs linearly through zero where the contact ends: the first idle strip is given the value that continues
     the line, so that strips of the other grid are counted in or out by where the contact really ends.
     """
-    touching = np.flatnonzero(m_from > 0.0)
+    touching = m_from > 0.0
     extended = m_from.copy()
-    n = m_from.size
-    for i in range(n):
-        if m_from[i] == 0.0:
-            if i + 2 < n and m_from[i + 1] > 0.0 and m_from[i + 2] > 0.0:
-                slope = (m_from[i + 2] - m_from[i + 1]) / (y_from[i + 2] - y_from[i + 1])
-                extended[i] = min(extended[i], m_from[i + 1] - slope * (y_from[i + 1] - y_from[i]))
-            if i >= 2 and m_from[i - 1] > 0.0 and m_from[i - 2] > 0.0:
-                slope = (m_from[i - 1] - m_from[i - 2]) / (y_from[i - 1] - y_from[i - 2])
-                extended[i] = min(extended[i], m_from[i - 1] + slope * (y_from[i] - y_from[i - 1]))
-    m[:] = np.maximum(np.interp(y, y_from, extended), 0.0)
-    r[:] = np.interp(y, y_from[touching], r_from[touching])
+    for side in (1, -1):
+        # A view with the contact coming first: idle strips whose two neighbours on this side touch.
+        m, place, beyond = m_from[::side], y_from[::side], extended[::side]
+        at = np.flatnonzero((m[2:] == 0.0) & (m[1:-1] > 0.0) & (m[:-2] > 0.0)) + 2
+        slope = (m[at - 1] - m[at - 2]) / (place[at - 1] - place[at - 2])
+        beyond[at] = np.minimum(beyond[at], m[at - 1] + slope * (place[at] - place[at - 1]))
+    m = np.maximum(np.interp(y, y_from, extended), 0.0)
+    return np.interp(y, y_from[touching], r_from[touching]), m

@@ -116,13 +116,16 @@ def settle(problem: Problem, edges: Array, near: State | None = None, *, patient
 
 def sprung(problem: Problem, edges: Array) -> State:
     """Return the answer of independent springs between ``edges``, unsolved."""
-    y, n = 0.5 * (edges[1:] + edges[:-1]), edges.size - 1
-    r, m, rigid = np.empty(n), np.zeros(n), np.zeros(2)
-    springs(
-        y, np.diff(edges), problem.curvature(y), problem.separation(y), problem.element.line_factor,
-        problem.prescribed, problem.target, r, m, rigid,
-    )  # fmt: skip
-    return State(edges, r, m, rigid, np.zeros(n), np.zeros((2, 2)), ITERATION_LIMIT, 0, np.inf)
+    y = 0.5 * (edges[1:] + edges[:-1])
+    r, m, rigid = _springs(problem, edges, y, problem.curvature(y), problem.separation(y))
+    return State(edges, r, m, rigid, np.zeros_like(y), np.zeros((2, 2)), ITERATION_LIMIT, 0, np.inf)
+
+
+def _springs(
+    problem: Problem, edges: Array, y: Array, curvature: Array, separation: Array
+) -> tuple[Array, Array, Array]:
+    factor = problem.element.line_factor
+    return springs(y, np.diff(edges), curvature, separation, factor, problem.prescribed, problem.target)
 
 
 def _better(one: State, other: State) -> State:
@@ -154,19 +157,15 @@ def _loop(
     near: State | None = None,
     relaxation: float = 1.0,
 ) -> State:
-    n = y.size
-    low, high = edges[:-1], edges[1:]
-    r, m, rigid = np.empty(n), np.zeros(n), np.zeros(2)
     if near is not None:
-        prolong(near.y, near.r, near.m, y, r, m)
+        r, m = prolong(near.y, near.r, near.m, y)
         m[~np.isfinite(separation)] = 0.0
-        rigid[:] = np.where(problem.prescribed, near.rigid, problem.target)
-    if not np.any(m > 0.0):
-        factor = problem.element.line_factor
-        springs(y, high - low, curvature, separation, factor, problem.prescribed, problem.target, r, m, rigid)
-    gap, stiffness = np.zeros(n), np.zeros((2, 2))
+        rigid = np.where(problem.prescribed, near.rigid, problem.target)
+    if near is None or not np.any(m > 0.0):
+        r, m, rigid = _springs(problem, edges, y, curvature, separation)
+    gap, stiffness = np.zeros_like(y), np.zeros((2, 2))
     status, steps, residual = newton(
-        y, low, high, curvature, separation, problem.prescribed, problem.target, problem.terms,
+        y, edges[:-1], edges[1:], curvature, separation, problem.prescribed, problem.target, problem.terms,
         problem.element.table, r, m, rigid, gap, stiffness, relaxation,
     )  # fmt: skip
     return State(edges, r, m, rigid, gap, stiffness, status, steps, residual)
