@@ -18,13 +18,13 @@ import nonhertz as nh
 LENGTH = 24.0  # mm
 STEP = 0.04  # mm
 AMPLITUDE = 0.005  # mm, of the logarithm
-WAVINESS, WAVELENGTH = 0.0001, 3.0  # mm
-ROUNDING, ROUNDED = 2.0, 0.4  # mm: radius of the ends, and the length over which they are rounded
+WAVINESS, WAVELENGTH = 0.0003, 3.0  # mm
+ROUNDING, ROUNDED = 12.0, 1.2  # mm: radius of the ends, and the length over which they are rounded
 
 
 def relief(y: np.ndarray) -> np.ndarray:
     """Return the relief [mm] at ``y`` [mm]."""
-    logarithm = nh.profile.logarithmic(amplitude=AMPLITUDE, length=LENGTH, fraction=0.99).relief(y)
+    logarithm = nh.profile.logarithmic(amplitude=AMPLITUDE, length=LENGTH, fraction=0.999).relief(y)
     waves = 0.5 * WAVINESS * (1.0 - np.cos(2.0 * np.pi * y / WAVELENGTH))
     into_rounding = np.maximum(np.abs(y) - (0.5 * LENGTH - ROUNDED), 0.0)
     return logarithm + waves + ROUNDING - np.sqrt(ROUNDING**2 - into_rounding**2)
