@@ -1,7 +1,8 @@
 """Write tabulated-profile.csv: the relief of a ground roller 16 x 24, at points 0.04 mm apart.
 
-The relief is the sum of a logarithmic profile, a waviness of the grinding, and the rounding of the ends. Nothing in
-it is measured, and nothing is random: the same file comes out every time. It is rounded to 10 nm, as instruments do.
+The relief is the sum of a logarithmic profile, a waviness of the grinding, and the rounding of the ends.
+Nothing in it is measured, and nothing is random: the same file comes out every time. It is rounded to 10 nm,
+as instruments do.
 
     python examples/make_tabulated_profile.py [DIRECTORY]
 """

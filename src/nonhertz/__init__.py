@@ -67,7 +67,6 @@ _HOMES = {
 _MODULES = {"hertz": "nonhertz.hertz", "profile": "nonhertz.model.profile"}
 
 
-
 def __getattr__(name: str) -> Any:
     if name in _MODULES:
         value: Any = importlib.import_module(_MODULES[name])

@@ -89,6 +89,11 @@ def solve(
     >>> round(solution.moment / solution.load, 2)
     1.24
     """
+    if not isinstance(contact, Contact):
+        raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
+    if not isinstance(element, Element):
+        remedy = "use nonhertz.SEMI_ELLIPTIC or nonhertz.PARABOLIC"
+        raise InputError("element", element, "be an element", remedy)
     prescription = _Prescription.checked(approach, load, tilt, moment)
     problem = prescription.problem(contact, element)
     solution = _solution(contact, element, _solved_pair(contact, problem, strips))

@@ -103,10 +103,20 @@ def lost(*arguments):
     return loop.STAGNATED, 1, np.inf
 
 
+def emptied(*arguments):
+    r, m = arguments[9:11]
+    m[:] = 0.0
+    return loop.newton(*arguments)
+
+
 @pytest.mark.parametrize(
     ("impaired", "status"),
-    [(hurried, nh.Status.ITERATION_LIMIT), (lost, nh.Status.STAGNATED)],
-    ids=["limit", "stagnated"],
+    [
+        (hurried, nh.Status.ITERATION_LIMIT),
+        (lost, nh.Status.STAGNATED),
+        (emptied, nh.Status.STAGNATED),
+    ],
+    ids=["limit", "stagnated", "nothing in contact"],
 )
 def test_a_loop_that_fails_raises_with_the_solution_so_far(monkeypatch, impaired, status):
     monkeypatch.setattr("nonhertz.strip.state.newton", impaired)

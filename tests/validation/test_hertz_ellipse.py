@@ -181,7 +181,7 @@ def test_errors_of_the_parabola_in_a_separate_implementation(row):
 
 
 def test_shape_of_the_parabola_in_a_separate_implementation():
-    # The same, a/b = 10: pressure over Hertz's p0 at y/a = 0.4, 0.6, 0.8, 0.9 (Hertz: .9165 .8000 .6000 .4359).
+    # The same, a/b = 10: pressure over Hertz's p0 at four places (Hertz himself: .9165 .8000 .6000 .4359).
     material = nh.Material(modulus=206000, poisson=0.3)
     exact = hertz(radius_y=365.4, load=2000.0, material=material)
     solution = solved(exact, reach=1.35, strips=41, element=nh.PARABOLIC, material=material)

@@ -124,7 +124,7 @@ def test_half_width_along_the_line(solutions, name):
 @with_sharp_ends
 def test_intensity_of_the_singularity(solutions, name):
     # p sqrt(distance) tends to K at the end. Strips give it 5 % too high: within a half-width of the end the
-    # pressure across is no semi-ellipse (theory.md, section 6). The outermost strip has the mean of its width.
+    # pressure across is no semi-ellipse (theory.md, section 6). The outermost strip holds a mean, not a value.
     distance = HALF_LENGTH - solutions[name].y
     near = (distance > 0.03) & (distance < 0.2)
     assert np.count_nonzero(near) >= 4

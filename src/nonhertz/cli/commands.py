@@ -108,9 +108,7 @@ def check(case: Path, /) -> int:
         return BAD_INPUT
     low, high = problem.contact.interval
     given = ", ".join(f"{name} = {value:g}" for name, value in problem.prescribed.items())
-    print(
-        f"{case} is fine: {problem.title!r}, bodies face each other from y = {low:g} to {high:g} mm, {given}."
-    )
+    print(f"{case} is fine: {problem.title!r}, bodies face each other from y = {low:g} to {high:g} mm, {given}.")
     return FINE
 
 

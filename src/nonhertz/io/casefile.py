@@ -137,9 +137,7 @@ def write_starting_case(path: str | Path) -> None:
         raise InputError("PATH", str(path), "not exist yet", remedy) from None
     except (OSError, ValueError) as error:
         reason = (getattr(error, "strerror", None) or str(error)).lower()
-        raise InputError(
-            "PATH", str(path), f"be a file to write to ({reason})", "choose another name"
-        ) from None
+        raise InputError("PATH", str(path), f"be a file to write to ({reason})", "choose another name") from None
 
 
 def placed(error: InputError) -> str:
@@ -175,14 +173,10 @@ def _parsed(path: Path) -> dict[str, Any]:
         raise CaseError([f"{path} must be a file, not a directory: give the path of a case file."]) from None
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
-        raise CaseError(
-            [f"{path}, line {line}, must be text in UTF-8: save the file with that encoding."]
-        ) from None
+        raise CaseError([f"{path}, line {line}, must be text in UTF-8: save the file with that encoding."]) from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise CaseError(
-            [f"{path} must be readable ({reason.lower()}): check path and permissions."]
-        ) from None
+        raise CaseError([f"{path} must be readable ({reason.lower()}): check path and permissions."]) from None
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:

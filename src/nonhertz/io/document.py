@@ -144,9 +144,7 @@ def _read_profile(value: Any, info: ValidationInfo) -> Profile:
 class BodyTable(Table):
     """One of the two bodies."""
 
-    diameter: Annotated[
-        Any, PlainValidator(_read_diameter, json_schema_input_type=Length | DiameterTable)
-    ] = Field(
+    diameter: Annotated[Any, PlainValidator(_read_diameter, json_schema_input_type=Length | DiameterTable)] = Field(
         default=None,
         description="diameter across the contact [mm], negative where concave, or a table of y and diameter; "
         "a flat body has none",
@@ -159,9 +157,9 @@ class BodyTable(Table):
         description="length in the middle that can touch [mm]; chamfers or undercuts take the rest away",
     )
     position: Length = Field(default=0.0, description="axial position of the middle of the body [mm]")
-    material: Annotated[
-        Material, PlainValidator(_read_material, json_schema_input_type=Word | MaterialTable)
-    ] = Field(default=STEEL, description="name of a material, or a table of modulus and poisson")
+    material: Annotated[Material, PlainValidator(_read_material, json_schema_input_type=Word | MaterialTable)] = Field(
+        default=STEEL, description="name of a material, or a table of modulus and poisson"
+    )
     profile: Annotated[Profile, PlainValidator(_read_profile), WithJsonSchema(profile_schema())] = Field(
         default_factory=straight, description="relief along the axis: a list of profiles, which add"
     )
@@ -263,9 +261,7 @@ class LoadTable(Table):
 
 def _pair_mistakes(given: dict[str, Any]) -> list[Mistake]:
     mistakes = [
-        Mistake(
-            (second,), InputError(second, given[second], f"not stand beside {first}", "leave one of them out")
-        )
+        Mistake((second,), InputError(second, given[second], f"not stand beside {first}", "leave one of them out"))
         for first, second in (("load", "approach"), ("tilt", "moment"))
         if first in given and second in given
     ]

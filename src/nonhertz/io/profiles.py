@@ -125,9 +125,7 @@ class _Reader:
             raise TableError(self.mistakes)
         return profile
 
-    def _changed(
-        self, profile: Profile, name: str, change: Callable[[Profile, Any], Profile], by: Any
-    ) -> Profile:
+    def _changed(self, profile: Profile, name: str, change: Callable[[Profile, Any], Profile], by: Any) -> Profile:
         if name not in self.table:
             return profile
         try:
@@ -171,9 +169,7 @@ class _Reader:
     def _refuse_points_beside_file(self) -> None:
         for name in ("y", "relief"):
             if name in self.values:
-                self._note(
-                    name, InputError(name, self.table[name], "not stand beside file", "keep one of them")
-                )
+                self._note(name, InputError(name, self.table[name], "not stand beside file", "keep one of them"))
 
     def _take_from_body(self) -> None:
         for name, parameter in self.parameters.items():
@@ -290,8 +286,6 @@ def _parameter_schema(name: str, parameter: inspect.Parameter) -> dict[str, Any]
 
 def _meanings(function: Callable[..., Any]) -> dict[str, str]:
     """Return what a function's docstring says of each parameter."""
-    section = re.search(
-        r"^Parameters\n-+\n(.*?)(?:\n\n|\Z)", inspect.getdoc(function) or "", re.DOTALL | re.MULTILINE
-    )
+    section = re.search(r"^Parameters\n-+\n(.*?)(?:\n\n|\Z)", inspect.getdoc(function) or "", re.DOTALL | re.MULTILINE)
     entries = re.findall(r"^(\w+) : .*\n((?:    .*\n?)+)", section[1] if section else "", re.MULTILINE)
     return {name: " ".join(text.split()) for name, text in entries}

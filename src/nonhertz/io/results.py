@@ -122,9 +122,7 @@ def write_results(
             return _moved(drafts, directory)
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
-        raise InputError(
-            "--out", str(directory), f"be a directory to write to ({reason})", "choose another"
-        ) from None
+        raise InputError("--out", str(directory), f"be a directory to write to ({reason})", "choose another") from None
 
 
 @contextlib.contextmanager
@@ -157,9 +155,7 @@ def _moved(drafts: Path, directory: Path) -> tuple[Path, ...]:
     files = [(draft, directory / draft.name) for draft in sorted(drafts.iterdir())]
     for _, target in files:
         if target.is_dir():
-            raise InputError(
-                "--out", str(directory), f"not hold a directory named {target.name}", _OUT_REMEDY
-            )
+            raise InputError("--out", str(directory), f"not hold a directory named {target.name}", _OUT_REMEDY)
     for draft, target in files:
         os.replace(draft, target)  # noqa: PTH105  (says that it replaces)
     return tuple(target for _, target in files)

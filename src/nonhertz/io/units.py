@@ -90,9 +90,7 @@ def _converted(field: str, text: str, unit: str) -> float:
         raise InputError(field, text, "be a number with a unit", remedy)
     number, written = float(taken_apart[1]), taken_apart[2]
     if not written:
-        raise InputError(
-            field, text, "have a unit", f"write {taken_apart[1]} without quotes if it is in {unit}"
-        )
+        raise InputError(field, text, "have a unit", f"write {taken_apart[1]} without quotes if it is in {unit}")
     try:
         factor = _factor(written, unit)
     except ValueError as error:

@@ -122,9 +122,7 @@ class Body:
         remedy = "give the length that can touch in mm, or leave it out for all of the body"
         positive("effective_length", effective_length, remedy)
         if self.length is not None and effective_length > self.length:
-            raise InputError(
-                "effective_length", effective_length, f"not exceed the length of {self.length} mm", remedy
-            )
+            raise InputError("effective_length", effective_length, f"not exceed the length of {self.length} mm", remedy)
 
     @property
     def interval(self) -> tuple[float, float]:

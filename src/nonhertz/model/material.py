@@ -39,9 +39,7 @@ class Material:
         positive("modulus", self.modulus, "give Young's modulus in MPa, 207000 for steel")
         finite("poisson", self.poisson, "give Poisson's ratio, 0.3 for steel")
         if not -1.0 < self.poisson <= 0.5:
-            raise InputError(
-                "poisson", self.poisson, "lie in (-1, 0.5]", "give Poisson's ratio, 0.3 for steel"
-            )
+            raise InputError("poisson", self.poisson, "lie in (-1, 0.5]", "give Poisson's ratio, 0.3 for steel")
 
     @property
     def shear_modulus(self) -> float:

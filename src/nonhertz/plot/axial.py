@@ -134,9 +134,7 @@ def conditions(solution: Solution) -> str:
     return ", ".join(words)
 
 
-def head(
-    solution: Solution, ax: Axes, handles: Sequence[Artist], labels: Sequence[str], *, remark: str = ""
-) -> None:
+def head(solution: Solution, ax: Axes, handles: Sequence[Artist], labels: Sequence[str], *, remark: str = "") -> None:
     """Write the conditions above the axes and below them, outside too, the key: neither can cover a curve."""
     ax.legend(
         handles,

@@ -107,7 +107,7 @@ class Element:
         nearest singularity (t = 0 and t = +-i), so the Chebyshev interpolant reaches rounding at this degree.
         """
         octaves = np.arange(SMALL_EXPONENT, FAR_EXPONENT)
-        low = (2.0**octaves[:, None] * (1.0 + np.arange(INTERVALS_PER_OCTAVE) / INTERVALS_PER_OCTAVE)).ravel()
+        low = (2.0 ** octaves[:, None] * (1.0 + np.arange(INTERVALS_PER_OCTAVE) / INTERVALS_PER_OCTAVE)).ravel()
         half = np.repeat(2.0**octaves, INTERVALS_PER_OCTAVE) / (2 * INTERVALS_PER_OCTAVE)
         nodes = np.polynomial.chebyshev.chebpts1(DEGREE + 1)
         t = low[:, None] + half[:, None] * (1.0 + nodes)

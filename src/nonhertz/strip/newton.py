@@ -171,9 +171,7 @@ def _keep_two(y: Array, width: Array, prescribed: Flags, target: Array, r: Array
 
 
 @compiled
-def _balance_residual(
-    prescribed: Flags, target: Array, rigid: Array, load: float, moment: float, half: float
-) -> Array:
+def _balance_residual(prescribed: Flags, target: Array, rigid: Array, load: float, moment: float, half: float) -> Array:
     """Return what approach or load, tilt or moment lack; tilts are counted as approach at the end."""
     off = np.empty(2)
     off[0] = target[0] - load if prescribed[0] else target[0] - rigid[0]
@@ -261,9 +259,7 @@ def _store_stiffness(response: Array, half: float, stiffness: Array) -> None:
 
 
 @compiled
-def _rigid_step(
-    response: Array, off: Array, prescribed: Flags, weights: Array, lever: Array, d_q: Array
-) -> Array:
+def _rigid_step(response: Array, off: Array, prescribed: Flags, weights: Array, lever: Array, d_q: Array) -> Array:
     """Return the changes of approach and of tilt times half length that meet the prescribed pair."""
     matrix = np.array([[1.0, 0.0], [0.0, 1.0]])
     side = off.copy()

@@ -90,7 +90,7 @@ class State:
 
     @cached_property
     def pressure(self) -> Array:
-        """q / a on each strip, in units of 1 / K; proportional to the pressure."""
+        """The ratio q / a on each strip, in units of 1 / K; proportional to the pressure."""
         return self.r * np.sqrt(self.m)
 
 

@@ -188,9 +188,7 @@ def _numbers(field: str, values: Sequence[float]) -> Array:
         raise InputError(field, values, "be a list of numbers", remedy)
     numbers = numbers.astype(float)
     if not np.all(np.isfinite(numbers)):
-        raise InputError(
-            field, values, "hold finite numbers only", "leave out the points that were not measured"
-        )
+        raise InputError(field, values, "hold finite numbers only", "leave out the points that were not measured")
     return numbers
 
 
@@ -243,6 +241,4 @@ def _point(place: str, content: str, values: list[float | None]) -> tuple[float,
 def _check_header(place: str, content: str) -> None:
     # Micrometres read as millimetres would be a thousandfold relief, and no later check could tell.
     if _SMALL_UNIT.search(content):
-        raise InputError(
-            place, content, "name mm as the unit", "convert both columns to mm, or delete the line"
-        )
+        raise InputError(place, content, "name mm as the unit", "convert both columns to mm, or delete the line")

@@ -1,0 +1,163 @@
+"""Every example runs, and each gives a number that is known from elsewhere."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import re
+import shutil
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import nonhertz as nh
+from nonhertz.cli import main
+from nonhertz.io.casefile import Case, read_case
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CASES = sorted(EXAMPLES.glob("*.toml"))
+TABULATED = "tabulated-profile.csv"
+
+
+def case(name: str) -> Case:
+    return read_case(EXAMPLES / f"{name}.toml")
+
+
+def solved(example: Case) -> nh.Solution:
+    return nh.solve(example.contact, **example.prescribed, **example.solver)
+
+
+def script(name: str) -> ModuleType:
+    specification = importlib.util.spec_from_file_location(name, EXAMPLES / f"{name}.py")
+    assert specification is not None
+    assert specification.loader is not None
+    module = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
+def test_every_case_solves_from_the_command_line(path, tmp_path, capsys):
+    assert main(["solve", str(path), "--json", "--out", str(tmp_path)]) == 0
+    result = json.loads(capsys.readouterr().out)
+    assert result["status"] == "converged"
+    # The strips carry the load that the file asks for, to the solver's tolerance.
+    carried = np.dot(result["line_load"], result["strip_width"])
+    assert_allclose(carried, case(path.stem).prescribed["load"], rtol=1e-9)
+    assert {file.suffix for file in tmp_path.iterdir()} == {".json", ".csv", ".svg", ".png"}
+
+
+def test_every_example_is_in_the_list():
+    text = (EXAMPLES / "README.md").read_text(encoding="utf-8")
+    listed = set(re.findall(r"^\| \[(.+?)\]", text, re.MULTILINE))
+    runnable = {path.name for path in EXAMPLES.iterdir() if path.suffix in {".toml", ".py"}}
+    assert listed == runnable
+
+
+def test_the_bearing_reaches_4000_mpa_at_its_static_rating():
+    """The dimensions fit together: by this pressure on the most loaded roller, ISO 76 defines C0.
+
+    ISO 76 counts a line contact over the whole effective length. The profile is drawn for three quarters of
+    that pressure, so that here the ends carry more than their share and the middle 1.4 % less.
+    """
+    static_rating, rollers = 36.5e3, 13
+    contact = case("cylindrical-roller-bearing").contact
+    solution = nh.solve(contact, load=5 * static_rating / rollers, tilt=0)
+    middle = float(np.interp(0.0, solution.y, solution.peak_pressure))
+    # Room for that, and for a length and ratings of two or three digits.
+    assert_allclose(middle, 4000, rtol=0.025)
+
+
+def test_the_bearing_is_loaded_as_its_radial_load_and_misalignment_say():
+    example = case("cylindrical-roller-bearing")
+    # Stribeck's rule, 5 / 13 of 11 kN; the file rounds to two digits.
+    assert_allclose(example.prescribed["load"], 5 / 13 * 11e3, rtol=0.01)
+    solution = solved(example)
+    # The logarithm has its poles at the ends of the effective length: contact ends inside, without an edge.
+    (low, high), *others = solution.contact_y
+    assert not others
+    assert -4.4 < low < high < 4.4
+    assert solution.moment > 0
+    assert not solution.warnings
+
+
+def test_the_crowned_roller_upright_is_that_of_an_independent_program():
+    """Uniform rectangles on a plane grid, converged to 2e-6 in approach and 2e-5 in pressure."""
+    upright = nh.solve(case("crowned-roller").contact, load=20e3, tilt=0)
+    # The tolerance leaves room for the limit of strips at a sharp end, where the pressure is singular.
+    assert_allclose(upright.approach, 0.0321924, rtol=1e-3)
+    middle = np.interp(0.0, upright.y, upright.peak_pressure)
+    assert_allclose(middle, 2039.16, rtol=1e-3)
+
+
+def test_the_crowned_roller_is_warned_of_its_sharp_ends():
+    solution = solved(case("crowned-roller"))
+    assert len(solution.warnings) == 2
+    assert np.isinf(solution.error_estimate.max_pressure)
+
+
+def test_the_point_contact_is_that_of_hertz():
+    solution = solved(case("elliptical-point-contact"))
+    compliance = 2 * nh.MATERIALS["steel"].compliance
+    exact = nh.hertz.point_contact(load=1000, radius_x=10, radius_y=100, compliance=compliance)
+    # 5e-5 is what the automatic grid is held to on this contact; the circle of the crown instead of Hertz's
+    # parabola adds a^2 / (4 Ry^2), 3e-5.
+    assert_allclose(solution.max_pressure, exact.max_pressure, rtol=8e-5)
+    assert_allclose(solution.approach, exact.approach, rtol=8e-5)
+    assert_allclose(solution.half_width.max(), exact.half_width, rtol=8e-5)
+
+
+def test_what_the_point_contact_says_of_hertz_is_true():
+    text = (EXAMPLES / "elliptical-point-contact.toml").read_text(encoding="utf-8")
+    compliance = 2 * nh.MATERIALS["steel"].compliance
+    exact = nh.hertz.point_contact(load=1000, radius_x=10, radius_y=100, compliance=compliance)
+    found = re.findall(r"(\w+) = ([\d.]+) M?[mP]", text.split("[body.a]")[0])
+    stated = {name: float(value) for name, value in found}
+    assert set(stated) == {"max_pressure", "half_width", "half_length", "approach"}
+    for name, value in stated.items():
+        # Seven digits are written.
+        assert_allclose(value, getattr(exact, name), rtol=5e-7, err_msg=name)
+
+
+def test_the_tabulated_profile_is_what_its_script_writes(tmp_path):
+    written = script("make_tabulated_profile").main(tmp_path)
+    assert written.read_text(encoding="utf-8") == (EXAMPLES / TABULATED).read_text(encoding="utf-8")
+
+
+def test_the_tabulated_profile_gives_what_its_formula_gives(tmp_path):
+    """The way through the file, its units and the curve through its points changes nothing that matters."""
+    make = script("make_tabulated_profile")
+
+    class Formula(nh.profile.Profile):
+        def relief(self, y):
+            return make.relief(np.asarray(y, dtype=float))
+
+    example = case("tabulated-profile")
+    roller = nh.Roller(diameter=16, length=24, profile=Formula())
+    direct = nh.solve(nh.Contact(roller, example.contact.b), **example.prescribed)
+    # Points are rounded to 10 nm, 3e-4 of the approach at each point and far less in the mean.
+    assert_allclose(solved(example).approach, direct.approach, rtol=1e-4)
+
+
+def test_a_tabulated_profile_is_found_beside_its_case_file(tmp_path, monkeypatch, capsys):
+    for name in ("tabulated-profile.toml", TABULATED):
+        shutil.copy(EXAMPLES / name, tmp_path / name)
+    monkeypatch.chdir(tmp_path.parent)
+    assert main(["check", str(tmp_path / "tabulated-profile.toml")]) == 0
+    capsys.readouterr()
+
+
+def test_the_sweep(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    sweep = script("misalignment_sweep")
+    pressures = sweep.main()
+    printed = capsys.readouterr().out
+    assert len(printed.splitlines()) == 2 + len(sweep.TILTS)
+    assert (tmp_path / "out" / "misalignment-sweep.svg").stat().st_size > 0
+    # The straight roller upright, by the same independent program; near a sharp end strips are held to 1 %.
+    middle, end = pressures["straight"][0]
+    assert_allclose(middle, 1797.52, rtol=1e-3)
+    assert_allclose(end, 2168.60, rtol=1e-2)

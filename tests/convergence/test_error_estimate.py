@@ -1,0 +1,141 @@
+"""The error that a solution estimates of itself bounds the error that it has, and is no idle bound.
+
+The true error is taken against the same model on strips four times as narrow as the automatic ones, where the
+contact ends in a hundred times less than an equal strip; where a sharp end or a kink makes the pressure
+singular, the approach still converges, and the greatest pressure has no limit that an estimate could state.
+"""
+
+import functools
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.model.profile import Profile
+
+# error <= FACTOR * estimate, over the whole catalogue and all grids.
+FACTOR = 1.0
+GRIDS = ("auto", 21, 41, 81)
+profile = nh.profile
+
+
+@dataclass(frozen=True)
+class Wave(Profile):
+    """A hump of ``height`` taken off in the middle of 20 mm: contact at both ends only."""
+
+    height: float
+
+    def relief(self, y):
+        return 0.5 * self.height * (1.0 + np.cos(0.1 * np.pi * np.asarray(y, dtype=float)))
+
+
+LOGARITHMIC = profile.logarithmic(amplitude=0.005, length=20, fraction=0.9999)
+CATALOGUE = {
+    "ellipse": (profile.crown(100), {"load": 1000}),
+    "slender ellipse": (profile.crown(1000), {"load": 1000}),
+    "tilted ellipse": (profile.crown(4000), {"load": 3000, "tilt": -5e-4}),
+    "ellipse by approach": (profile.crown(1000), {"approach": 0.01}),
+    "crown over sharp ends": (profile.crown(4000), {"load": 20e3}),
+    "logarithmic": (LOGARITHMIC, {"load": 40e3}),
+    "logarithmic, tilted": (LOGARITHMIC, {"load": 40e3, "tilt": -1e-3}),
+    "logarithmic, by moment": (LOGARITHMIC, {"load": 20e3, "moment": 30e3}),
+    "ISO by approach": (profile.iso_logarithmic(20, 20), {"approach": 0.03}),
+    "partial crown": (profile.partial_crown(500, 12), {"load": 20e3}),
+    "partial crown with a kink": (profile.partial_crown(500, 12, blended=False), {"load": 20e3}),
+    "tapered ends": (profile.tapered_ends(14, 1e-3), {"load": 20e3}),
+    "tapered ends, tilted": (profile.tapered_ends(14, 1e-3), {"load": 10e3, "tilt": 4e-4}),
+    "chamfer": (profile.chamfer(20, 0.5), {"load": 20e3}),
+    "straight": (profile.straight(), {"load": 20e3}),
+    "straight, half lifted": (profile.straight(), {"load": 5e3, "tilt": 1e-3}),
+    "two intervals": (Wave(0.05), {"load": 5e3}),
+    "two intervals by approach": (Wave(0.05), {"approach": 0.02}),
+    "parabolic ellipse": (profile.crown(1000), {"load": 1000, "element": nh.PARABOLIC}),
+    "parabolic logarithmic": (LOGARITHMIC, {"load": 40e3, "tilt": -1e-3, "element": nh.PARABOLIC}),
+}
+SINGULAR = (
+    "crown over sharp ends",
+    "partial crown",
+    "partial crown with a kink",
+    "tapered ends",
+    "chamfer",
+    "straight",
+    "straight, half lifted",
+    "two intervals",
+)
+QUANTITIES = ("approach", "load", "max_pressure")
+
+
+@functools.cache
+def solved(name, strips):
+    shape, arguments = CATALOGUE[name]
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=shape), nh.Plate())
+    return nh.solve(contact, strips=_finer(name) if strips == "finer" else strips, **arguments)
+
+
+def _finer(name):
+    """Edges of the automatic strips and three more within each."""
+    automatic = solved(name, "auto")
+    edges = np.append(
+        automatic.y - 0.5 * automatic.strip_width, automatic.y[-1] + 0.5 * automatic.strip_width[-1]
+    )
+    fine = np.interp(np.arange(4 * automatic.strips + 1) / 4.0, np.arange(edges.size), edges)
+    return np.clip(fine, -10.0, 10.0)
+
+
+def error_and_estimate(name, strips, quantity):
+    solution, finer = solved(name, strips), solved(name, "finer")
+    error = abs(getattr(solution, quantity) / getattr(finer, quantity) - 1.0)
+    return error, getattr(solution.error_estimate, quantity)
+
+
+@pytest.mark.parametrize("quantity", QUANTITIES)
+@pytest.mark.parametrize("strips", GRIDS)
+@pytest.mark.parametrize("name", CATALOGUE)
+def test_the_estimate_is_an_upper_bound(name, strips, quantity):
+    error, estimate = error_and_estimate(name, strips, quantity)
+    # What is prescribed is met to rounding and the loop's tolerance, which no estimate needs to cover.
+    assert error <= FACTOR * estimate + 1e-9, (error, estimate)
+
+
+@pytest.mark.parametrize("quantity", QUANTITIES)
+def test_the_estimate_is_not_an_idle_bound(quantity):
+    pairs = [error_and_estimate(name, strips, quantity) for name in CATALOGUE for strips in GRIDS]
+    ratios = [estimate / error for error, estimate in pairs if error > 1e-9 and math.isfinite(estimate)]
+    assert len(ratios) >= 8
+    # An error may cross zero, so single ratios say nothing.
+    assert np.median(ratios) < 30.0
+
+
+@pytest.mark.parametrize("name", CATALOGUE)
+def test_more_strips_mean_a_smaller_estimate(name):
+    quantity = "load" if "approach" in CATALOGUE[name][1] else "approach"
+    few, many = (getattr(solved(name, n).error_estimate, quantity) for n in (21, "finer"))
+    assert 0.0 < many < few
+
+
+@pytest.mark.parametrize("name", SINGULAR)
+def test_a_singular_pressure_has_no_finite_estimate(name):
+    assert solved(name, "auto").error_estimate.max_pressure == math.inf
+
+
+@pytest.mark.parametrize("name", [name for name in CATALOGUE if "approach" in CATALOGUE[name][1]])
+def test_what_is_prescribed_has_no_error(name):
+    assert solved(name, "auto").error_estimate.approach == 0.0
+    assert solved(name, "auto").error_estimate.load > 0.0
+
+
+def test_estimates_are_plain_numbers():
+    estimate = solved("ellipse", "auto").error_estimate
+    assert [type(getattr(estimate, quantity)) for quantity in QUANTITIES] == [float, float, float]
+
+
+def test_the_estimate_of_an_ellipse_bounds_the_error_against_hertz():
+    # Against the closed form, not against finer strips.
+    compliance = 2.0 * nh.Material(modulus=207000, poisson=0.3).compliance
+    exact = nh.hertz.point_contact(radius_x=10, radius_y=100, load=1000, compliance=compliance)
+    for strips in GRIDS:
+        solution = solved("ellipse", strips)
+        # The crown is a circle, not a parabola: 3e-5 of the relief at the contact's end, 1e-5 of the approach.
+        assert abs(solution.approach / exact.approach - 1.0) <= solution.error_estimate.approach + 1e-5
