@@ -20,6 +20,7 @@ from scipy.interpolate import PchipInterpolator
 import nonhertz as nh
 from nonhertz.io.casefile import read_case
 from nonhertz.model.profile import Profile
+from nonhertz.strip import grid
 
 Array = NDArray[np.float64]
 
@@ -32,6 +33,15 @@ END_WIDTHS = (0.64, 0.32, 0.16, 0.08, 0.04, 0.02, 0.01, 0.005)  # mm
 END_GROWTH, WIDEST = 1.2, 1.0  # factor from strip to strip; mm
 REFINEMENT = 4
 PPM = 1e6
+SETTINGS = {
+    "STRIPS_PER_CONTACT": "length of contact over the widest strip in it",
+    "NARROWEST": "narrowest strip over the half-width next to it",
+    "END_SHARE": "strip at a smooth end over the distance in which b^2 rises to half its summit",
+    "GROWTH": "growth of the width per distance from a feature, in contact",
+    "GROWTH_OUTSIDE": "the same out of contact",
+    "SAG": "sag of the profile within one strip over the largest interference",
+    "KINK_SHARE": "width of a strip at a kink times the change of slope there over the interference",
+}
 
 
 @dataclass(frozen=True)
@@ -80,7 +90,7 @@ SHARP = (
 def main() -> None:
     """Measure and write the page."""
     warnings.simplefilter("ignore", nh.AccuracyWarning)
-    sections = (_head, _hertz_table, _sharp_tables, _honesty_table)
+    sections = (_head, _settings_table, _hertz_table, _sharp_tables, _honesty_table)
     PAGE.write_text("\n".join(line for section in sections for line in section()), encoding="utf-8")
     print(f"wrote {PAGE.relative_to(ROOT)}")
 
@@ -93,15 +103,23 @@ def _head() -> Iterator[str]:
     yield ""
 
 
+def _settings_table() -> Iterator[str]:
+    yield "## Settings"
+    yield ""
+    yield _row("in `strip/grid.py`", "value", "meaning")
+    yield _rule(3)
+    for name, meaning in SETTINGS.items():
+        yield _row(f"`{name}`", f"{getattr(grid, name):g}", meaning)
+    yield ""
+
+
 def _hertz_table() -> Iterator[str]:
     steel = nh.MATERIALS["steel"]
-    exact = nh.hertz.point_contact(
-        load=HERTZ_LOAD, radius_x=10, radius_y=HERTZ_RADIUS, compliance=2 * steel.compliance
-    )
+    exact = nh.hertz.point_contact(load=HERTZ_LOAD, radius_x=10, radius_y=HERTZ_RADIUS, compliance=2 * steel.compliance)
     yield "## Smooth ends: a Hertz ellipse"
     yield ""
     yield f"Rx 10, Ry {HERTZ_RADIUS:g} mm, {HERTZ_LOAD:g} N, steel; exact by `nonhertz.hertz.point_contact`."
-    yield f"Equal strips lie on abs(y) <= 1.3 a, a = {exact.half_length:.4f} mm being half the length of contact."
+    yield f"Equal strips lie on abs(y) <= 1.3 a with a = {exact.half_length:.4f} mm, half the contact's length."
     yield ""
     yield _row("strips", *(f"{e.name}: {q}" for e in ELEMENTS for q in ("approach", "p0", "b")))
     yield _rule(7)
@@ -132,8 +150,8 @@ def _sharp_tables() -> Iterator[str]:
     yield "## Sharp ends: how narrow the last strips"
     yield ""
     yield "Roller 20 x 20 on a plate, 20 kN, upright. Strips grow from the ends inward by a factor of"
-    yield f"{END_GROWTH:g}, up to {WIDEST:g} mm. The last column is no error: it is the pressure in the last"
-    yield "strip times the root of its width, which tends to a constant because the pressure itself has no limit."
+    yield f"{END_GROWTH:g}, up to {WIDEST:g} mm. The last column is no error: it is the pressure"
+    yield "in the last strip times the root of its width. That tends to a constant, the pressure has no limit."
     for case in SHARP:
         yield ""
         yield f"### {case.name.capitalize()}, reference approach {1e3 * case.approach:.4f} um"
@@ -165,9 +183,9 @@ def _pressure_error(solution: nh.Solution, distance: float, pressure: float) -> 
 def _honesty_table() -> Iterator[str]:
     yield "## The estimate of the error, and the error"
     yield ""
-    yield f"Automatic grid. The error is that against a grid in which every strip is cut into {REFINEMENT}: it"
-    yield "leaves out what strips cannot do at a sharp end, which the tables above show. A maximum at a sharp end"
-    yield "has no limit, hence no error."
+    yield f"Automatic grid. The error is that against a grid in which every strip is cut into {REFINEMENT};"
+    yield "it leaves out what strips cannot do at a sharp end, which the tables above show. A maximum at a sharp"
+    yield "end has no limit, hence no error."
     yield ""
     yield _row("case", "strips", "approach: estimate", "approach: error", "p0: estimate", "p0: error")
     yield _rule(6)

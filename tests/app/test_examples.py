@@ -1,4 +1,4 @@
-"""Every example runs, and each gives a number that is known from elsewhere."""
+"""Every example runs, and each gives a number that is known from elsewhere; so does the tutorial."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ import nonhertz as nh
 from nonhertz.cli import main
 from nonhertz.io.casefile import Case, read_case
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
+ROOT = Path(__file__).parents[2]
+EXAMPLES = ROOT / "examples"
 CASES = sorted(EXAMPLES.glob("*.toml"))
 TABULATED = "tabulated-profile.csv"
 
@@ -30,8 +31,8 @@ def solved(example: Case) -> nh.Solution:
     return nh.solve(example.contact, **example.prescribed, **example.solver)
 
 
-def script(name: str) -> ModuleType:
-    specification = importlib.util.spec_from_file_location(name, EXAMPLES / f"{name}.py")
+def script(name: str, folder: Path = EXAMPLES) -> ModuleType:
+    specification = importlib.util.spec_from_file_location(name, folder / f"{name}.py")
     assert specification is not None
     assert specification.loader is not None
     module = importlib.util.module_from_spec(specification)
@@ -161,3 +162,16 @@ def test_the_sweep(tmp_path, monkeypatch, capsys):
     middle, end = pressures["straight"][0]
     assert_allclose(middle, 1797.52, rtol=1e-3)
     assert_allclose(end, 2168.60, rtol=1e-2)
+
+
+def test_the_tutorial_shows_what_the_program_prints(monkeypatch):
+    monkeypatch.setenv("COLUMNS", "100")
+    page = (ROOT / "docs" / "tutorials" / "first-solve.md").read_text(encoding="utf-8")
+    now = script("figures", ROOT / "docs").with_output(page)
+    # An estimate of an error is good for its decade only; all other digits that are printed hold anywhere.
+    estimate, number = re.compile(r" *error about .*"), re.compile(r"-?\d+\.?\d*(?:e[+-]\d+)?")
+    told, tells = (estimate.sub("", text).splitlines() for text in (page, now))
+    assert [number.sub("0", line) for line in tells] == [number.sub("0", line) for line in told]
+    for line, old in zip(tells, told, strict=True):
+        numbers, before = ([float(n) for n in number.findall(text)] for text in (line, old))
+        assert_allclose(numbers, before, rtol=2e-4, err_msg="run: python docs/figures.py")

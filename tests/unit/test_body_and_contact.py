@@ -38,9 +38,7 @@ def test_interval_is_where_the_body_can_touch(body, interval):
 
 def test_position_moves_relief_and_bends():
     body = roller(profile=nh.profile.tapered_ends(straight=8.0, angle=0.01), position=1.0)
-    np.testing.assert_allclose(
-        body.relief([-4.0, 1.0, 6.0]), np.array([1.0, 0.0, 1.0]) * math.tan(0.01), rtol=1e-14
-    )
+    np.testing.assert_allclose(body.relief([-4.0, 1.0, 6.0]), np.array([1.0, 0.0, 1.0]) * math.tan(0.01), rtol=1e-14)
     assert body.bends == (-3.0, 5.0)
 
 

@@ -85,13 +85,11 @@ def test_functions_do_not_jump_between_rows_of_a_table(element):
     octaves = 2.0 ** np.arange(-34.0, 12.0)
     boundary = (octaves[:, None] * (1.0 + np.arange(16) / 16.0)).ravel()
     below = element.functions(np.nextafter(boundary, 0.0))
-    np.testing.assert_allclose(below, element.functions(boundary), rtol=2e-13, atol=0.0)
+    np.testing.assert_allclose(below, element.functions(boundary), rtol=RTOL, atol=0.0)
 
 
 # int phi ln(1/|xi|): ln 2 + 1/2 of the semi-ellipse, 4/3 of the parabola (theory.md, section 2).
-@pytest.mark.parametrize(
-    ("name", "constant"), [("semi-elliptic", math.log(2.0) + 0.5), ("parabolic", 4.0 / 3.0)]
-)
+@pytest.mark.parametrize(("name", "constant"), [("semi-elliptic", math.log(2.0) + 0.5), ("parabolic", 4.0 / 3.0)])
 def test_far_away_a_strip_is_a_line_load(name, constant):
     t = np.array([1e6, 1e8, 1e12])
     a, slope, *_ = ELEMENTS[name].functions(t)

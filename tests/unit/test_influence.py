@@ -27,7 +27,8 @@ def test_coefficients_are_differences_between_edges(element):
     a = np.sqrt(M[ACTIVE])
     upper = element.functions((HIGH[ACTIVE] - Y[ACTIVE, None]) / a)
     lower = element.functions((LOW[ACTIVE] - Y[ACTIVE, None]) / a)
-    np.testing.assert_allclose(blocks(element), np.subtract(upper, lower), rtol=1e-13, atol=0.0)
+    # Differences of values near 3 that the table holds to 1e-15.
+    np.testing.assert_allclose(blocks(element), np.subtract(upper, lower), rtol=1e-12, atol=1e-14)
 
 
 @both_elements
@@ -36,9 +37,7 @@ def test_a_distant_strip_is_the_point_load_of_boussinesq(element):
     m, width, distance = 0.04, 0.5, 200.0
     values = np.empty((4, 2, 2))
     y = np.array([0.0, distance])
-    coefficients(
-        y, y - 0.5 * width, y + 0.5 * width, np.full(2, m), np.arange(2), HALF_SPACE, element.table, values
-    )
+    coefficients(y, y - 0.5 * width, y + 0.5 * width, np.full(2, m), np.arange(2), HALF_SPACE, element.table, values)
     np.testing.assert_allclose(values[0, 0, 1], width / distance, rtol=1e-5, atol=0.0)
     np.testing.assert_allclose(values[2, 0, 1] / m, width / distance**3, rtol=1e-5, atol=0.0)
 
@@ -63,14 +62,15 @@ def test_an_image_is_the_mirrored_strip(element):
     a = np.sqrt(M[ACTIVE])
     upper = element.functions((2.0 * face - LOW[ACTIVE] - Y[ACTIVE, None]) / a)
     lower = element.functions((2.0 * face - HIGH[ACTIVE] - Y[ACTIVE, None]) / a)
-    np.testing.assert_allclose(image, weight * np.subtract(upper, lower), rtol=1e-12, atol=0.0)
+    # Differences of values near 3 that the table holds to 1e-15.
+    np.testing.assert_allclose(image, weight * np.subtract(upper, lower), rtol=1e-12, atol=1e-14)
 
 
 @both_elements
 def test_terms_add_up(element):
     image = (-1.0, 7.0, 0.7)
     together = blocks(element, terms=np.vstack([HALF_SPACE, image]))
-    np.testing.assert_allclose(together, blocks(element) + blocks(element, terms=image), rtol=1e-14, atol=0.0)
+    np.testing.assert_allclose(together, blocks(element) + blocks(element, terms=image), rtol=1e-13, atol=1e-14)
 
 
 @both_elements
@@ -78,7 +78,7 @@ def test_displacement_is_the_coefficients_times_the_loads(element):
     terms = np.vstack([HALF_SPACE, (-1.0, 7.0, 0.7)])
     expected = blocks(element, terms=terms)[0] @ (R * M)[ACTIVE]
     found = [displacement(y, LOW, HIGH, R, M, ACTIVE, terms, element.table) for y in Y[ACTIVE]]
-    np.testing.assert_allclose(found, expected, rtol=1e-14, atol=0.0)
+    np.testing.assert_allclose(found, expected, rtol=1e-13, atol=0.0)
 
 
 @both_elements
@@ -89,7 +89,7 @@ def test_displacement_does_not_depend_on_how_a_strip_is_cut(element):
         return displacement(0.7, edges[:-1], edges[1:], r, m, active, HALF_SPACE, element.table)
 
     whole, parts = from_strips(np.array([-1.0, 2.0])), from_strips(np.array([-1.0, 0.4, 1.1, 2.0]))
-    np.testing.assert_allclose(parts, whole, rtol=1e-14, atol=0.0)
+    np.testing.assert_allclose(parts, whole, rtol=1e-13, atol=0.0)
 
 
 @both_elements
@@ -97,7 +97,7 @@ def test_a_strip_at_its_own_centre(element):
     width, m = 0.8, 0.36
     value, slope = self_displacement(width, m, element.table)
     a, ta, *_ = element.functions(0.5 * width / np.sqrt(m))
-    np.testing.assert_allclose([value, slope], [2.0 * a, 2.0 * a - ta], rtol=1e-14, atol=0.0)
+    np.testing.assert_allclose([value, slope], [2.0 * a, 2.0 * a - ta], rtol=1e-13, atol=0.0)
     # m [A](m) is concave and rises from zero: what the Newton loop relies on when a strip enters or leaves.
     m = np.geomspace(1e-6, 1e6, 200)
     values, slopes = np.array([self_displacement(width, k, element.table) for k in m]).T

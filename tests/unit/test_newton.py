@@ -104,8 +104,7 @@ def lost(*arguments):
 
 
 def emptied(*arguments):
-    r, m = arguments[9:11]
-    m[:] = 0.0
+    arguments[10][:] = 0.0  # m
     return loop.newton(*arguments)
 
 
@@ -138,9 +137,7 @@ def test_near_the_answer_the_error_is_squared(element):
     r, m, rigid = start()
     run(r, m, rigid, element=element)
     disturbance = 1e-3 * np.cos(7.0 * Y)
-    status, steps, *_ = run(
-        r * (1.0 + disturbance), m * (1.0 - disturbance), rigid * (1.0 + 1e-3), element=element
-    )
+    status, steps, *_ = run(r * (1.0 + disturbance), m * (1.0 - disturbance), rigid * (1.0 + 1e-3), element=element)
     assert status == loop.CONVERGED
     assert steps <= 3
 
@@ -168,9 +165,7 @@ def test_stiffness_is_the_derivative_of_the_solution(case, element):
     steps = np.diag([1e-4 * approach, 1e-4 * approach / 10.0])
 
     def state(motion):
-        solution = nh.solve(
-            pressed, approach=approach + motion[0], tilt=tilt + motion[1], strips=21, element=element
-        )
+        solution = nh.solve(pressed, approach=approach + motion[0], tilt=tilt + motion[1], strips=21, element=element)
         return solution, np.array([solution.load, solution.moment])
 
     solution, _ = state(np.zeros(2))

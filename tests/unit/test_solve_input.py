@@ -2,8 +2,6 @@
 
 import math
 import re
-import subprocess
-import sys
 from dataclasses import dataclass
 
 import numpy as np
@@ -165,13 +163,6 @@ def test_what_is_not_a_contact_is_refused():
 @pytest.mark.parametrize("element", ["parabolic", None], ids=str)
 def test_what_is_not_an_element_is_refused(element):
     assert refusal(**LOAD, element=element).startswith(f"element = {element!r} must be ")
-
-
-def test_importing_the_module_leaves_the_verb_callable():
-    # In a process of its own: `nonhertz.solve` is a module as well, and whoever imports it first sets the name.
-    code = "import nonhertz.solve, nonhertz; assert callable(nonhertz.solve), nonhertz.solve"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
 
 
 # Warned of

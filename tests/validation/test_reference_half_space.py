@@ -56,9 +56,7 @@ def test_ninety_strips_are_enough(solutions, name):
 
 @every_case
 def test_approach(solutions, name):
-    np.testing.assert_allclose(
-        solutions[name].approach, reference(name)["approach"], rtol=RTOL[name], atol=0.0
-    )
+    np.testing.assert_allclose(solutions[name].approach, reference(name)["approach"], rtol=RTOL[name], atol=0.0)
 
 
 @every_case
@@ -124,7 +122,7 @@ def test_half_width_along_the_line(solutions, name):
 @with_sharp_ends
 def test_intensity_of_the_singularity(solutions, name):
     # p sqrt(distance) tends to K at the end. Strips give it 5 % too high: within a half-width of the end the
-    # pressure across is no semi-ellipse (theory.md, section 6). The outermost strip holds a mean, not a value.
+    # pressure across is no semi-ellipse (theory.md, section 6). The outermost strip holds a mean.
     distance = HALF_LENGTH - solutions[name].y
     near = (distance > 0.03) & (distance < 0.2)
     assert np.count_nonzero(near) >= 4

@@ -13,6 +13,7 @@ touches.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -35,6 +36,7 @@ KINK_SHARE = 0.05
 LOOSEST = 64.0
 SAMPLES = 600
 MOST_BENDS = 12
+LEAST_KINK = 1e-7  # rad
 
 
 @dataclass(frozen=True)
@@ -43,6 +45,7 @@ class Sizes:
 
     places: Array
     widths: Array
+    corners: Array
     sample_y: Array
     sample_width: Array
     contact: Array
@@ -55,6 +58,7 @@ class Sizes:
         return Sizes(
             self.places,
             self.widths,
+            self.corners,
             self.sample_y,
             self.sample_width * np.sqrt(by),
             self.contact,
@@ -116,13 +120,16 @@ def sizes(problem: Problem, state: State, bends: tuple[float, ...]) -> Sizes:
             sharp = end in (low, high) and reaches(state, side)
             places.append(end)
             widths.append(floor if sharp else max(floor, END_SHARE * _fall(state, inside, end)))
-    for bend, width in _kinks(problem, state, contact, half_width, bends, length):
-        places.append(bend)
-        widths.append(width)
+    depth = float(np.max(state.rigid[0] + state.rigid[1] * state.y - problem.separation(state.y)))
+    corners = kinks(problem.separation, bends, state)
+    for place, turn in corners:
+        places.append(place)
+        widths.append(max(KINK_SHARE * depth / turn, NARROWEST * _near(state, half_width, place)))
     sample_y, sample_width = _bending(problem, state, half_width)
     return Sizes(
         np.array(places),
         np.minimum(widths, length / 8.0),
+        np.array([place for place, _ in corners]),
         sample_y,
         sample_width,
         contact,
@@ -156,29 +163,35 @@ def _fall(state: State, inside: NDArray[np.bool_], end: float) -> float:
     return float(distance[at - 1] + share * (distance[at] - distance[at - 1]))
 
 
-def _kinks(
-    problem: Problem,
-    state: State,
-    contact: Array,
-    half_width: Array,
-    bends: tuple[float, ...],
-    length: float,
-) -> list[tuple[float, float]]:
-    """Return places and widths at bends in contact where the slope of the profile jumps."""
+def kinks(separation: Callable[[Array], Array], bends: tuple[float, ...], state: State) -> list[tuple[float, float]]:
+    """Return places in contact, or next to it, where the slope of the separation jumps, and the jump [rad].
+
+    A bend where only the curvature jumps turns half as much over half the distance; a kink as much.
+    """
     low, high = state.edges[0], state.edges[-1]
-    inside = np.array([b for b in bends if low < b < high and np.any((contact[:, 0] <= b) & (b <= contact[:, 1]))])
-    if inside.size == 0 or inside.size > MOST_BENDS:
+    inside = [bend for bend in bends if low < bend < high and _nearly_touching(state, bend)]
+    if not inside or len(inside) > MOST_BENDS:
         return []
-    step = 1e-5 * length
-    h = problem.separation(np.concatenate([inside - step, inside, inside + step])).reshape(3, -1)
-    jump = np.abs(h[2] - 2.0 * h[1] + h[0]) / step
-    depth = float(np.max(state.rigid[0] + state.rigid[1] * state.y - problem.separation(state.y)))
-    kinks = []
-    for bend, turn in zip(inside, jump, strict=True):
-        width = KINK_SHARE * depth / turn if turn > 0.0 else np.inf
-        if width < length / STRIPS_PER_CONTACT:
-            kinks.append((float(bend), max(width, NARROWEST * _near(state, half_width, bend))))
-    return kinks
+    step = 1e-5 * (high - low)
+    wide, narrow = (_turn(separation, np.array(inside), by) for by in (step, 0.1 * step))
+    return [
+        (float(place), float(turn))
+        for place, turn, before in zip(inside, narrow, wide, strict=True)
+        if turn > 0.5 * before and turn > LEAST_KINK
+    ]
+
+
+def _nearly_touching(state: State, place: float) -> bool:
+    """Return whether the strip around ``place`` or one of its neighbours is in contact."""
+    at = int(np.searchsorted(state.edges, place)) - 1
+    return bool(np.any(state.m[max(at - 1, 0) : at + 2] > 0.0))
+
+
+def _turn(separation: Callable[[Array], Array], places: Array, step: float) -> Array:
+    h = separation(np.concatenate([places - step, places, places + step])).reshape(3, -1)
+    with np.errstate(invalid="ignore"):
+        turn: Array = np.abs(h[2] - 2.0 * h[1] + h[0]) / step
+    return turn
 
 
 def _bending(problem: Problem, state: State, half_width: Array) -> tuple[Array, Array]:
@@ -231,7 +244,7 @@ class _Walk:
     """The walk along y in steps of the wanted width, and the strips that come of it."""
 
     def __init__(self, wanted: Sizes, low: float, high: float, centre: float) -> None:
-        self.low, self.high, self.centre = low, high, centre
+        self.centre, self.corners = centre, wanted.corners
         arguments = (
             wanted.places, wanted.widths, wanted.sample_y, wanted.sample_width, wanted.contact,
             wanted.largest, wanted.largest_outside, wanted.growth,
@@ -247,20 +260,25 @@ class _Walk:
             float(np.interp(half, self.right[1], self.right[0])) - self.centre,
             self.centre - float(np.interp(half, self.left[1], self.left[0])),
         )
-        right = _cut(self.right, self.centre + reach, share)
-        left = _cut(self.left, self.centre - reach, share)
+        right = _cut(self.right, self.centre + reach, self.corners, share)
+        left = _cut(self.left, self.centre - reach, self.corners, share)
         return np.concatenate([left[::-1], right])
 
 
-def _cut(side: tuple[Array, Array], start: float, share: float) -> Array:
-    """Return edges from ``start`` outward, a whole number of strips."""
+def _cut(side: tuple[Array, Array], start: float, corners: Array, share: float) -> Array:
+    """Return edges from ``start`` outward, whole numbers of strips to every corner and to the end."""
     y, count = side
     outward = 1.0 if y[-1] > y[0] else -1.0
-    begin = float(np.interp(outward * start, outward * y, count))
-    pieces = max(1, round(share * (count[-1] - begin)))
-    edges = np.interp(np.linspace(begin, count[-1], pieces + 1), count, y)
-    edges[0], edges[-1] = start, y[-1]
-    return edges
+    marks = outward * np.array([start, *sorted(corners, key=lambda place: outward * place), y[-1]])
+    marks = marks[(marks >= marks[0]) & (marks <= marks[-1])]
+    reached = np.interp(marks, outward * y, count)
+    pieces = [np.array([start])]
+    for k in range(1, marks.size):
+        strips = max(1, round(share * float(reached[k] - reached[k - 1])))
+        inner = np.interp(np.linspace(reached[k - 1], reached[k], strips + 1)[1:], count, y)
+        inner[-1] = outward * marks[k]
+        pieces.append(inner)
+    return np.concatenate(pieces)
 
 
 @compiled

@@ -1,0 +1,75 @@
+"""The contacts whose speed is measured, and how the linear algebra is kept on one core."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+import scipy.linalg  # noqa: F401  (its linear algebra is numba's; a limit holds for what is loaded by then)
+from threadpoolctl import threadpool_limits
+
+import nonhertz as nh
+
+Solve = Callable[[], nh.Solution]
+
+STRIPS, FIXED_TARGET, AUTOMATIC_TARGET, HELP_TARGET = 41, 1.5e-3, 6e-3, 0.5  # s
+
+
+def crowned() -> nh.Contact:
+    """Return the crowned roller of the tutorial on its plate."""
+    return _on_plate(nh.profile.crown(radius=4000))
+
+
+def fixed(strips: int) -> Solve:
+    """Return a solve of the crowned roller on equal strips."""
+    contact = crowned()
+    return lambda: nh.solve(contact, load=20e3, strips=strips)
+
+
+def automatic() -> dict[str, Solve]:
+    """Return solves on the automatic grid by name."""
+    logarithmic = _on_plate(nh.profile.logarithmic(amplitude=0.005, length=20, fraction=0.9999))
+    straight, crown = _on_plate(nh.profile.straight()), crowned()
+    bearing = nh.Contact(
+        nh.Roller(
+            diameter=9,
+            length=10,
+            effective_length=8.8,
+            profile=nh.profile.iso_logarithmic(diameter=9, length=8.8),
+        ),
+        nh.Ring(diameter=37.5),
+    )
+    ellipse = nh.Contact(nh.Body(diameter=20, profile=nh.profile.crown(radius=100)), nh.Plate())
+    return {
+        "crown 4000, 20 kN": lambda: nh.solve(crown, load=20e3),
+        "crown 4000, 20 kN, 0.5 mrad": lambda: nh.solve(crown, load=20e3, tilt=0.5e-3),
+        "logarithmic, 40 kN, -1 mrad": lambda: nh.solve(logarithmic, load=40e3, tilt=-1e-3),
+        "logarithmic, 20 kN, 5 N m": lambda: nh.solve(logarithmic, load=20e3, moment=5e3),
+        "straight, 20 kN": lambda: nh.solve(straight, load=20e3),
+        "bearing roller, ISO profile, 4.2 kN, 0.5 mrad": lambda: nh.solve(bearing, load=4.2e3, tilt=0.5e-3),
+        "Hertz ellipse, unbounded bodies, 1 kN": lambda: nh.solve(ellipse, load=1e3),
+    }
+
+
+def command(*words: str) -> Callable[[], None]:
+    """Return a function that runs a fresh Python with these arguments."""
+
+    def run() -> None:
+        subprocess.run([sys.executable, *words], check=True, stdout=subprocess.DEVNULL)
+
+    return run
+
+
+@contextmanager
+def one_thread() -> Iterator[None]:
+    """Keep linear algebra on one thread, and the accuracy warnings of the cases to themselves."""
+    with threadpool_limits(limits=1), warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        yield
+
+
+def _on_plate(profile: nh.profile.Profile) -> nh.Contact:
+    return nh.Contact(nh.Roller(diameter=20, length=20, profile=profile), nh.Plate())

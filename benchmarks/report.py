@@ -1,0 +1,294 @@
+"""Measure speed and write docs/benchmarks: results.json, the curve of cost against strips, and the page.
+
+    python benchmarks/report.py
+
+Everything is measured in one run, warm, on one thread; figures are medians. Leave the machine alone meanwhile.
+"""
+
+from __future__ import annotations
+
+import importlib.metadata
+import json
+import os
+import platform
+import time
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import cases
+import numpy as np
+from matplotlib.figure import Figure
+from threadpoolctl import threadpool_info
+
+import nonhertz as nh
+from nonhertz.plot import save
+from nonhertz.plot.style import FAINT_INK, FIRST, LINE, SECOND, THIN, sheet_style
+from nonhertz.strip import levels, newton, state
+
+ROOT = Path(__file__).parents[1]
+FOLDER = ROOT / "docs" / "benchmarks"
+CURVE = (5, 7, 10, 14, 20, 28, 41, 57, 80, 113, 160, 226, 320, 400)
+GROWING = 80  # strips from which on the growth is fitted
+SECONDS, FEWEST_RUNS = 1.0, 21  # of measuring each solve
+COMMAND_RUNS = 11
+SPLIT_RUNS = 101
+PARTS = ("assembly", "linear algebra", "rest of the Newton loop", "laying the grid", "Python around them")
+
+
+def main() -> None:
+    """Measure and write."""
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    with cases.one_thread():
+        results = measured()
+    (FOLDER / "results.json").write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+    save(drawn(results), FOLDER / "cost-against-strips")
+    (FOLDER / "index.md").write_text("\n".join(page(results)), encoding="utf-8")
+    print(f"wrote {FOLDER.relative_to(ROOT)}")
+
+
+def measured() -> dict[str, Any]:
+    """Return every figure; times in seconds."""
+    results: dict[str, Any] = {"machine": machine()}
+    results["curve"] = {strips: median_time(cases.fixed(strips)) for strips in CURVE}
+    results["growth"] = growth(results["curve"])
+    results["automatic"] = {name: automatic(solve) for name, solve in cases.automatic().items()}
+    results["split"] = {
+        f"{cases.STRIPS} equal strips": split(cases.fixed(cases.STRIPS)),
+        "400 equal strips": split(cases.fixed(400), runs=11),
+        **{f"automatic: {name}": split(solve) for name, solve in cases.automatic().items()},
+    }
+    results["commands"] = {
+        "nonhertz --help": command_time("-m", "nonhertz", "--help"),
+        "import nonhertz": command_time("-c", "import nonhertz"),
+        "import nonhertz; nonhertz.solve": command_time("-c", "import nonhertz; nonhertz.solve"),
+        "python alone": command_time("-c", ""),
+    }
+    return results
+
+
+def machine() -> dict[str, Any]:
+    """Return what the figures depend on."""
+    names = ("numpy", "scipy", "numba")
+    return {
+        "processor": processor(),
+        "cores": os.cpu_count(),
+        "load": round(os.getloadavg()[0], 2),
+        "threads": max((pool["num_threads"] for pool in threadpool_info()), default=1),
+        "versions": {
+            "nonhertz": nh.__version__,
+            "python": platform.python_version(),
+            **{name: importlib.metadata.version(name) for name in names},
+        },
+    }
+
+
+def processor() -> str:
+    """Return the processor's model, as far as the system tells."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        return platform.processor() or platform.machine()
+    models = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    return models[0] if models else platform.machine()
+
+
+def median_time(run: Callable[[], object], seconds: float = SECONDS) -> float:
+    """Return the median time of a call, after a first one that does not count."""
+    run()
+    times: list[float] = []
+    while sum(times) < seconds or len(times) < FEWEST_RUNS:
+        start = time.perf_counter()
+        run()
+        times.append(time.perf_counter() - start)
+    return float(np.median(times))
+
+
+def command_time(*words: str) -> float:
+    """Return the median time of a fresh Python with these arguments."""
+    run = cases.command(*words)
+    run()
+    times = []
+    for _ in range(COMMAND_RUNS):
+        start = time.perf_counter()
+        run()
+        times.append(time.perf_counter() - start)
+    return float(np.median(times))
+
+
+def automatic(solve: cases.Solve) -> dict[str, float]:
+    """Return time, strips and Newton steps of a solve on the automatic grid."""
+    solution = solve()
+    with timed(state, "newton") as loop:
+        solve()
+    return {
+        "time": median_time(solve),
+        "strips": solution.strips,
+        "steps": solution.iterations,
+        "steps on all grids": sum(steps for _, steps, _ in loop.returned),
+    }
+
+
+def growth(curve: dict[int, float]) -> float:
+    """Return the exponent with which time grows with the number of strips, where there are many."""
+    many = [strips for strips in curve if strips >= GROWING]
+    return float(np.polyfit(np.log(many), np.log([curve[strips] for strips in many]), 1)[0])
+
+
+class Stopwatch:
+    """Time spent in a function, and what it returned, since the last reset."""
+
+    def __init__(self) -> None:
+        self.reset()
+
+    def reset(self) -> None:
+        """Begin anew."""
+        self.seconds = 0.0
+        self.returned: list[Any] = []
+
+    def around(self, function: Callable[..., Any]) -> Callable[..., Any]:
+        """Return the function with this watch running inside it."""
+
+        def watched(*arguments: Any) -> Any:
+            start = time.perf_counter()
+            returned = function(*arguments)
+            self.seconds += time.perf_counter() - start
+            self.returned.append(returned)
+            return returned
+
+        return watched
+
+
+@contextmanager
+def timed(module: ModuleType, name: str) -> Iterator[Stopwatch]:
+    """Time every call that goes through a name of a module."""
+    function, watch = getattr(module, name), Stopwatch()
+    setattr(module, name, watch.around(function))
+    try:
+        yield watch
+    finally:
+        setattr(module, name, function)
+
+
+def split(solve: cases.Solve, runs: int = SPLIT_RUNS) -> dict[str, float]:
+    """Return the share of each part in the time of a solve.
+
+    The compiled loop cannot be looked into. Its parts are timed in a second round, in which the loop itself runs
+    as Python and the parts compiled; what the loop takes beside them is the difference to the first round.
+    """
+    solve()
+    with timed(state, "newton") as loop, timed(levels, "sizes") as asked, timed(levels, "graded") as walked:
+        whole, of_loop, of_grid = shares(solve, runs, [loop], [asked, walked])
+    compiled = state.newton
+    with ExitStack() as stack:
+        stack.callback(setattr, state, "newton", compiled)
+        state.newton = newton.newton.py_func
+        assembly = stack.enter_context(timed(newton, "coefficients"))
+        algebra = stack.enter_context(timed(newton, "_directions"))
+        _, of_assembly, of_algebra = shares(solve, runs, [assembly], [algebra])
+    parts = (
+        of_assembly,
+        of_algebra,
+        of_loop - of_assembly - of_algebra,
+        of_grid,
+        whole - of_loop - of_grid,
+    )
+    return dict(zip(PARTS, (part / whole for part in parts), strict=True))
+
+
+def shares(solve: cases.Solve, runs: int, *groups: list[Stopwatch]) -> tuple[float, ...]:
+    """Return the median times of the whole and of each group of watches."""
+    rows = []
+    for _ in range(runs):
+        for watch in (watch for group in groups for watch in group):
+            watch.reset()
+        start = time.perf_counter()
+        solve()
+        whole = time.perf_counter() - start
+        rows.append([whole, *(sum(watch.seconds for watch in group) for group in groups)])
+    return tuple(float(value) for value in np.median(rows, axis=0))
+
+
+def drawn(results: dict[str, Any]) -> Figure:
+    """Return the curve of cost against strips."""
+    strips = np.array(CURVE)
+    milliseconds = 1e3 * np.array([results["curve"][count] for count in CURVE])
+    with sheet_style():
+        axes = Figure(figsize=(6.7, 3.7), layout="constrained").add_subplot()
+        axes.loglog(strips, milliseconds, color=FIRST, linewidth=LINE, marker="o", markersize=4, label="solve")
+        fit = milliseconds[-1] * (strips / strips[-1]) ** results["growth"]
+        label = f"strips to the power of {results['growth']:.2f}"
+        many = strips >= GROWING
+        axes.loglog(strips[many], 0.6 * fit[many], color=FAINT_INK, linewidth=THIN, linestyle="--", label=label)
+        target = 1e3 * cases.FIXED_TARGET
+        label = f"target: {cases.STRIPS} strips in {target:g} ms"
+        axes.plot(cases.STRIPS, target, color=SECOND, marker="v", linestyle="none", label=label)
+        axes.set(xlabel="Equal strips", ylabel="Time of a solve [ms]", xlim=(4.5, 450))
+        axes.set_xticks(CURVE[::2], [str(count) for count in CURVE[::2]])
+        axes.minorticks_off()
+        axes.legend(loc="upper left")
+        axes.set_title("Crowned roller 20 x 20 on a plate, 20 kN; one thread, median", loc="left")
+        return axes.figure
+
+
+def page(results: dict[str, Any]) -> Iterator[str]:
+    """Yield the lines of the page."""
+    computer, curve, commands = results["machine"], results["curve"], results["commands"]
+    versions = ", ".join(f"{name} {version}" for name, version in computer["versions"].items())
+    slowest = max(entry["time"] for entry in results["automatic"].values())
+    yield "# Speed"
+    yield ""
+    yield "Written by `benchmarks/report.py` (`make bench`); do not edit. Everything was measured in one run: warm,"
+    yield f"{computer['threads']} thread, medians. {computer['processor']}, {computer['cores']} cores, load average"
+    yield f"{computer['load']} at the start; {versions}."
+    yield ""
+    yield "| | target | measured |"
+    yield "|---|---|---|"
+    yield f"| {cases.STRIPS} equal strips | {_ms(cases.FIXED_TARGET)} | {_ms(curve[cases.STRIPS])} |"
+    yield f"| automatic grid, slowest case below | {_ms(cases.AUTOMATIC_TARGET)} | {_ms(slowest)} |"
+    yield f"| `nonhertz --help` | {_ms(cases.HELP_TARGET)} | {_ms(commands['nonhertz --help'])} |"
+    yield ""
+    yield "## Cost against strips"
+    yield ""
+    yield "![Time of a solve against the number of equal strips](cost-against-strips.svg)"
+    yield ""
+    yield f"From {GROWING} strips on the time grows as strips^{results['growth']:.2f}: the matrices have strips^2"
+    yield "entries, and solving takes strips^3 operations. Each solve includes those on coarser grids from which it"
+    yield "starts. The numbers are in [results.json](results.json)."
+    yield ""
+    yield "## Automatic grid"
+    yield ""
+    yield "| case | time | strips | Newton steps on the last grid | on all grids |"
+    yield "|---|---|---|---|---|"
+    for name, entry in results["automatic"].items():
+        steps = f"{entry['steps']} | {entry['steps on all grids']}"
+        yield f"| {name} | {_ms(entry['time'])} | {entry['strips']} | {steps} |"
+    yield ""
+    yield "## Where the time goes"
+    yield ""
+    yield "| | " + " | ".join(PARTS) + " |"
+    yield "|---|" + "---|" * len(PARTS)
+    for name, parts in results["split"].items():
+        yield f"| {name} | " + " | ".join(f"{100 * parts[part]:.0f} %" for part in PARTS) + " |"
+    yield ""
+    yield "Assembly is the influence of every strip on every other; linear algebra builds and solves the Newton"
+    yield "system."
+    yield ""
+    yield "## Starting"
+    yield ""
+    yield "| | time |"
+    yield "|---|---|"
+    for name, seconds in commands.items():
+        yield f"| `{name}` | {_ms(seconds)} |" if name != "python alone" else f"| {name} | {_ms(seconds)} |"
+    yield ""
+
+
+def _ms(seconds: float) -> str:
+    milliseconds = 1e3 * seconds
+    return f"{milliseconds:.0f} ms" if milliseconds >= 100 else f"{milliseconds:.3g} ms"
+
+
+if __name__ == "__main__":
+    main()

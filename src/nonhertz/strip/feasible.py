@@ -1,0 +1,67 @@
+"""What no loads on any strips could meet, told before a loop is started."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.strip.grid import uniform
+from nonhertz.strip.state import Problem, sprung
+
+Array = NDArray[np.float64]
+
+FINE_STRIPS = 2000  # of springs, to tell a contact between strip centres from none
+
+
+def feasible(problem: Problem, edges: Array) -> bool:
+    """Return whether some loads on the strips between ``edges`` can meet what is prescribed."""
+    try:
+        refuse_infeasible(problem, edges)
+    except InputError:
+        return False
+    return True
+
+
+def refuse_infeasible(problem: Problem, edges: Array) -> None:
+    """Refuse a prescription that no loads on these strips can meet."""
+    y = 0.5 * (edges[1:] + edges[:-1])
+    separation = problem.separation(y)
+    usable = y[np.isfinite(separation)]
+    if usable.size == 0:
+        remedy = "take relief away or lengthen the logarithm"
+        raise InputError("profile", math.inf, "leave a finite separation somewhere on the bodies", remedy)
+    by_load, by_moment = problem.prescribed
+    first, second = problem.target
+    if by_load and by_moment:
+        arm = second / first
+        if not usable[0] <= arm <= usable[-1]:
+            condition = f"keep moment / load between {usable[0]:.6g} and {usable[-1]:.6g} mm"
+            raise InputError("moment", f"{arm:.6g} mm x load", condition, "reduce the moment or add strips")
+    elif by_moment:
+        if (second > 0.0 and usable[-1] <= 0.0) or (second < 0.0 and usable[0] >= 0.0):
+            raise InputError("moment", "of this sign", "come from strips on that side", "turn its sign")
+        if second == 0.0 and not np.any(sprung(problem, edges).m > 0.0):
+            raise InputError(
+                "approach", float(first), "make the bodies touch at the tilt of zero moment", "raise it, or give a tilt"
+            )
+    elif not by_load and not np.any(first + second * y - separation > 0.0):
+        refuse_no_contact(problem, edges)
+
+
+def refuse_no_contact(problem: Problem, edges: Array) -> None:
+    """Say why no strip touches at the prescribed approach: too few strips, or bodies too far apart."""
+    fine = sprung(problem, uniform(float(edges[0]), float(edges[-1]), FINE_STRIPS))
+    if np.any(fine.m > 0.0):
+        remedy = "take more strips, or leave it out for an automatic grid"
+        raise InputError("strips", edges.size - 1, "put the centre of a strip into the contact", remedy)
+    tilt = 0.0 if problem.prescribed[1] else problem.target[1]
+    needed = round(float(np.min(problem.separation(fine.y) - tilt * fine.y)), 12)
+    raise InputError(
+        "approach",
+        float(problem.target[0]),
+        f"exceed {needed:.6g} mm, where the bodies begin to touch",
+        "raise it, or prescribe the load",
+    )

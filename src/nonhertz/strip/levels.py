@@ -1,0 +1,177 @@
+"""Grids tried from coarse to fine, each solution the start and the teacher of the next.
+
+On strips that are wide against the half-width the Newton loop converges from springs; on narrow ones it wants a
+start that has the shape of the contact, which a coarser level gives it. An automatic grid is made in the same way:
+equal strips find the contact, a rough graded grid learns where it ends and bends, and the final grid is solved
+with half its strips and with all. The levels also bound the error: see `Levels.difference`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.strip.feasible import feasible, refuse_infeasible, refuse_no_contact
+from nonhertz.strip.grid import Sizes, ends_of_contact, graded, sizes, uniform
+from nonhertz.strip.state import Problem, State, settle, sprung
+
+Array = NDArray[np.float64]
+Interval = tuple[float, float]
+
+STRIP_LIMIT = 87  # of an automatic grid on one interval of contact
+COARSE_STRIPS = 24
+FINE_STRIPS = 2000  # of springs, to find where bodies overlap
+COARSEST_LEVEL = 5
+FEWER_STRIPS = (1.0, 0.94, 0.88, 0.82, 0.76)  # tried in turn where a grid has no solution
+ROUGH_SHARE = 0.35  # of the strips, on the grid from which the final one is learnt
+WELL_FILLED = 0.4  # of the region by the contact, before a grid is graded from it
+SAFETY = 2.0
+
+
+@dataclass(frozen=True)
+class Levels:
+    """The solution, and those on coarser grids, finest first; coarser ones that did not converge are left out."""
+
+    states: tuple[State, ...]
+
+    @property
+    def finest(self) -> State:
+        """The state on the grid of the result."""
+        return self.states[0]
+
+    def difference(self, quantity: Callable[[State], float]) -> float:
+        """Return an estimate of the relative error of a quantity.
+
+        An error that halves with the strips is as large as the last change. Sharp ends halve it a little less, and a
+        contact that ends by chance just so can hide it in one change, but hardly in two: so the larger of the last
+        change and half the change before it, twice.
+        """
+        values = [quantity(state) for state in self.states if state.converged]
+        if len(values) < 2 or values[0] == 0.0:
+            return math.inf
+        changes = np.abs(np.diff(values[:3])) / abs(values[0])
+        return float(SAFETY * max(changes[0], 0.5 * changes[-1]))
+
+
+def on_equal_strips(problem: Problem, interval: Interval, count: int) -> Levels:
+    """Return the solution on ``count`` equal strips over the interval on which the bodies can touch."""
+    low, high = bounded(problem, interval)
+    counts = [count]
+    while counts[-1] // 2 >= COARSEST_LEVEL:
+        counts.append(counts[-1] // 2)
+    return _raised(problem, [uniform(low, high, level) for level in counts])
+
+
+def on_given_strips(problem: Problem, edges: Array) -> Levels:
+    """Return the solution on the strips between ``edges``; coarser levels leave out every other edge."""
+    grids = [edges]
+    while grids[-1].size // 2 > COARSEST_LEVEL:
+        grids.append(np.unique(np.concatenate([grids[-1][:-1:2], edges[-1:]])))
+    return _raised(problem, grids)
+
+
+def on_automatic_strips(problem: Problem, interval: Interval, bends: tuple[float, ...]) -> Levels:
+    """Return the solution on a graded grid; ``bends`` are where the profiles bend."""
+    states = [_located(problem, interval)]
+    wanted: Sizes | None = None
+    for learn, share in ((True, ROUGH_SHARE), (True, 0.5), (False, 1.0)):
+        if not states[0].converged:
+            break
+        if learn or wanted is None:
+            wanted = sizes(problem, states[0], bends)
+        states.insert(0, _settled(problem, wanted, states[0], share))
+    # The equal strips that found the contact are too few to say anything of the error.
+    return Levels(tuple(states[:-1]) or tuple(states))
+
+
+def _raised(problem: Problem, grids: list[Array]) -> Levels:
+    """Solve on every grid, the last and coarsest first."""
+    refuse_infeasible(problem, grids[0])
+    states: list[State] = []
+    for edges in reversed(grids[1:]):
+        if feasible(problem, edges):
+            state = settle(problem, edges, states[0] if states else None, patient=False)
+            if state.converged:
+                states.insert(0, state)
+    return Levels((settle(problem, grids[0], states[0] if states else None), *states))
+
+
+def _settled(problem: Problem, wanted: Sizes, near: State, share: float) -> State:
+    """Return the solution on a graded grid, or on a slightly coarser one where that has none.
+
+    Where a blunt contact ends just at the edge of a strip, that strip can be unable to bear load (its neighbours
+    alone curve the surface more than the bodies do) and yet be overlapped without it. The next grid has its edges
+    elsewhere.
+    """
+    limit = STRIP_LIMIT if len(wanted.contact) == 1 else 2 * STRIP_LIMIT
+    low, high = float(near.edges[0]), float(near.edges[-1])
+    state = near
+    for fewer in FEWER_STRIPS:
+        edges = graded(wanted, low, high, limit, fewer * share)
+        state = settle(problem, edges, near, patient=fewer == FEWER_STRIPS[-1])
+        if state.converged:
+            break
+    return state
+
+
+def _located(problem: Problem, interval: Interval) -> State:
+    """Return a solution on equal strips of a region that the contact fills well."""
+    edges = uniform(*bounded(problem, interval), COARSE_STRIPS)
+    # A prescribed approach may bring no more than a speck together, a moment only the very end.
+    if not problem.prescribed[0] or not feasible(problem, edges):
+        edges = uniform(*_neighbourhood(problem, float(edges[0]), float(edges[-1])), COARSE_STRIPS)
+    refuse_infeasible(problem, edges)
+    state = settle(problem, edges)
+    for _ in range(40):
+        if not state.converged:
+            break
+        ends = ends_of_contact(state)
+        first, last = ends[0][0], ends[-1][1]
+        span = last - first
+        low, high = float(state.edges[0]), float(state.edges[-1])
+        cut = (state.m[0] > 0.0 and low > interval[0]) or (state.m[-1] > 0.0 and high < interval[1])
+        if not cut and span > WELL_FILLED * (high - low):
+            break
+        margin = max(0.3 * span, 2.0 * float(np.min(state.width))) * (4.0 if cut else 1.0)
+        edges = uniform(max(first - margin, interval[0]), min(last + margin, interval[1]), COARSE_STRIPS)
+        state = settle(problem, edges)
+    return state
+
+
+def _neighbourhood(problem: Problem, low: float, high: float) -> tuple[float, float]:
+    """Return where springs find the bodies in touch, and a margin."""
+    for _ in range(3):
+        fine = sprung(problem, uniform(low, high, FINE_STRIPS))
+        touching = np.flatnonzero(fine.m > 0.0)
+        margin = float(high - low) / FINE_STRIPS
+        if touching.size:
+            first, last = float(fine.edges[touching[0]]), float(fine.edges[touching[-1] + 1])
+            margin += 0.3 * (last - first)
+            return max(low, first - margin), min(high, last + margin)
+        nearest = float(fine.y[np.argmax(fine.rigid[0] + fine.rigid[1] * fine.y - problem.separation(fine.y))])
+        low, high = max(low, nearest - 2.0 * margin), min(high, nearest + 2.0 * margin)
+    return low, high
+
+
+def bounded(problem: Problem, interval: Interval) -> Interval:
+    """Return the interval on which to look for the contact; finite even where the bodies are unbounded."""
+    low, high = interval
+    if math.isfinite(low) and math.isfinite(high):
+        return low, high
+    scale = 1.0 / float(np.max(problem.curvature(np.zeros(1))))
+    edge = np.concatenate([[0.0], scale * np.geomspace(1e-5, 1e4, 160)])
+    edges = np.unique(np.clip(np.concatenate([-edge[::-1], edge]), low, high))
+    touching = np.flatnonzero(sprung(problem, edges).m > 0.0)
+    if touching.size == 0:
+        refuse_no_contact(problem, edges)
+    first, last = touching[0], touching[-1] + 1
+    if (first == 0 and not math.isfinite(low)) or (last == edges.size - 1 and not math.isfinite(high)):
+        remedy = "give one of the bodies a length, or a profile that falls away"
+        raise InputError("length", None, "be given where nothing else ends the contact", remedy)
+    reach = 0.5 * float(edges[last] - edges[first])
+    return max(low, float(edges[first]) - reach), min(high, float(edges[last]) + reach)

@@ -1,0 +1,88 @@
+"""The nomenclature page and the code name the same things, with the same units."""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+import re
+from pathlib import Path
+
+import pytest
+
+import nonhertz as nh
+from nonhertz.io.results import UNITS
+from nonhertz.model.profile import PARAMETER_UNITS
+from nonhertz.strip.element import Element
+
+PAGE = Path(__file__).parents[2] / "docs" / "reference" / "nomenclature.md"
+CLASSES = {
+    "`Solution`": nh.Solution,
+    "`ErrorEstimate`": nh.ErrorEstimate,
+    "`Contact`": nh.Contact,
+    "`Body`": nh.Body,
+    "`TabulatedDiameter`": nh.TabulatedDiameter,
+    "`Material`": nh.Material,
+    "`hertz.PointContact`": nh.hertz.PointContact,
+    "`hertz.LineContact`": nh.hertz.LineContact,
+    "`Element`": Element,
+}
+
+
+def tables() -> dict[str, dict[str, str]]:
+    """Return for every section of the page its names and their units."""
+    sections = re.split(r"^## ", PAGE.read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]
+    rows = {}
+    for section in sections:
+        heading, _, body = section.partition("\n")
+        cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in body.splitlines() if "|" in line]
+        rows[heading.strip()] = {cell[1].strip("`"): cell[2] for cell in cells if cell[1].startswith("`")}
+    return rows
+
+
+def public(cls: type) -> set[str]:
+    """Return the public attributes that a class itself defines."""
+    of_fields = {field.name for field in dataclasses.fields(cls)}
+    return {name for name in of_fields | set(vars(cls)) if not name.startswith("_")}
+
+
+def test_every_section_is_of_something_in_the_code():
+    assert set(tables()) == {"`solve`", "Profile parameters", *CLASSES}
+
+
+@pytest.mark.parametrize("heading", CLASSES)
+def test_a_class_has_the_names_that_the_page_lists(heading):
+    assert set(tables()[heading]) == public(CLASSES[heading])
+
+
+def test_the_verb_has_the_arguments_that_the_page_lists():
+    assert set(tables()["`solve`"]) == set(inspect.signature(nh.solve).parameters)
+
+
+def test_rollers_rings_and_plates_add_nothing_of_their_own():
+    for kind in (nh.Roller, nh.Ring, nh.Plate):
+        assert public(kind) <= public(nh.Body)
+
+
+def test_profile_parameters_have_the_units_that_the_page_lists():
+    # The page writes 1 where there is no unit.
+    assert tables()["Profile parameters"] == {name: unit or "1" for name, unit in PARAMETER_UNITS.items()}
+
+
+def test_results_on_disk_have_the_units_that_the_page_lists():
+    listed = tables()["`Solution`"]
+    assert set(UNITS) <= set(listed)
+    for name, unit in UNITS.items():
+        if isinstance(unit, str):
+            assert listed[name] == unit, name
+
+
+def test_one_name_has_one_unit_everywhere():
+    units: dict[str, set[str]] = {}
+    for heading, rows in tables().items():
+        # An error estimate is named after what it is relative to, and a stiffness is a matrix or a number.
+        if heading != "`ErrorEstimate`":
+            for name, unit in rows.items():
+                units.setdefault(name, set()).add(unit)
+    assert {name: found for name, found in units.items() if len(found) > 1} == {
+        "stiffness": {"N/mm", "N/mm, N/rad; N, N mm/rad"}
+    }
