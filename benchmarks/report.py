@@ -173,21 +173,29 @@ def timed(module: ModuleType, name: str) -> Iterator[Stopwatch]:
 
 
 def split(solve: cases.Solve, runs: int = SPLIT_RUNS) -> dict[str, float]:
-    """Return the share of each part in the time of a solve.
+    """Return the share of each part in the time of a solve, from the fastest of many runs.
 
-    The compiled loop cannot be looked into. Its parts are timed in a second round, in which the loop itself runs
-    as Python and the parts compiled; what the loop takes beside them is the difference to the first round.
+    The compiled loop cannot be looked into. Its parts are timed in runs in which the loop itself is Python and
+    the parts compiled; what the loop takes beside them is the difference to the runs between, as users have them.
     """
     solve()
-    with timed(state, "newton") as loop, timed(levels, "sizes") as asked, timed(levels, "graded") as walked:
-        whole, of_loop, of_grid = shares(solve, runs, [loop], [asked, walked])
-    compiled = state.newton
+    watches = {}
+    compiled, interpreted = newton.newton, newton.newton.py_func
     with ExitStack() as stack:
+        for module, name in ((levels, "sizes"), (levels, "graded"), (newton, "coefficients"), (newton, "_directions")):
+            watches[name] = stack.enter_context(timed(module, name))
         stack.callback(setattr, state, "newton", compiled)
-        state.newton = newton.newton.py_func
-        assembly = stack.enter_context(timed(newton, "coefficients"))
-        algebra = stack.enter_context(timed(newton, "_directions"))
-        _, of_assembly, of_algebra = shares(solve, runs, [assembly], [algebra])
+        rows = []
+        for _ in range(runs):
+            loop = Stopwatch()
+            state.newton = loop.around(compiled)
+            whole = seconds(solve, watches)
+            grid = watches["sizes"].seconds + watches["graded"].seconds
+            state.newton = interpreted
+            seconds(solve, watches)
+            inside = watches["coefficients"].seconds, watches["_directions"].seconds
+            rows.append([whole, loop.seconds, grid, *inside])
+    whole, of_loop, of_grid, of_assembly, of_algebra = np.min(rows, axis=0)
     parts = (
         of_assembly,
         of_algebra,
@@ -195,20 +203,16 @@ def split(solve: cases.Solve, runs: int = SPLIT_RUNS) -> dict[str, float]:
         of_grid,
         whole - of_loop - of_grid,
     )
-    return dict(zip(PARTS, (part / whole for part in parts), strict=True))
+    return dict(zip(PARTS, (float(part / whole) for part in parts), strict=True))
 
 
-def shares(solve: cases.Solve, runs: int, *groups: list[Stopwatch]) -> tuple[float, ...]:
-    """Return the median times of the whole and of each group of watches."""
-    rows = []
-    for _ in range(runs):
-        for watch in (watch for group in groups for watch in group):
-            watch.reset()
-        start = time.perf_counter()
-        solve()
-        whole = time.perf_counter() - start
-        rows.append([whole, *(sum(watch.seconds for watch in group) for group in groups)])
-    return tuple(float(value) for value in np.median(rows, axis=0))
+def seconds(solve: cases.Solve, watches: dict[str, Stopwatch]) -> float:
+    """Return how long a solve takes, with all watches started anew."""
+    for watch in watches.values():
+        watch.reset()
+    start = time.perf_counter()
+    solve()
+    return time.perf_counter() - start
 
 
 def drawn(results: dict[str, Any]) -> Figure:
@@ -227,6 +231,9 @@ def drawn(results: dict[str, Any]) -> Figure:
         axes.plot(cases.STRIPS, target, color=SECOND, marker="v", linestyle="none", label=label)
         axes.set(xlabel="Equal strips", ylabel="Time of a solve [ms]", xlim=(4.5, 450))
         axes.set_xticks(CURVE[::2], [str(count) for count in CURVE[::2]])
+        decades = (0.1, 1, 10, 100, 1000)
+        axes.set_yticks(decades, [f"{tick:g}" for tick in decades])
+        axes.set_ylim(0.5 * milliseconds.min(), 2.0 * milliseconds.max())
         axes.minorticks_off()
         axes.legend(loc="upper left")
         axes.set_title("Crowned roller 20 x 20 on a plate, 20 kN; one thread, median", loc="left")

@@ -84,8 +84,13 @@ class ConvergenceError(NonhertzError):
     """
 
     def __init__(self, message: str, solution: Any) -> None:
+        self.message = message
         self.solution = solution
-        super().__init__(message)
+        # All arguments, so that the error travels between processes.
+        super().__init__(message, solution)
+
+    def __str__(self) -> str:
+        return self.message
 
 
 class AccuracyWarning(UserWarning):

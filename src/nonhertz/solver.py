@@ -90,6 +90,7 @@ def solve(
         remedy = "use nonhertz.SEMI_ELLIPTIC or nonhertz.PARABOLIC"
         raise InputError("element", element, "be an element", remedy)
     prescription = _Prescription.checked(approach, load, tilt, moment)
+    prescription.refuse_outside(contact)
     problem = prescription.problem(contact, element)
     solution = _solution(contact, element, problem, _levels(contact, problem, strips))
     if solution.status is not Status.CONVERGED:
@@ -131,6 +132,16 @@ class _Prescription:
         assert first is not None
         return cls(load is not None, moment is not None, float(first), float(second))
 
+    def refuse_outside(self, contact: Contact) -> None:
+        """Refuse a moment that no pressure between the ends of the bodies can have."""
+        low, high = contact.interval
+        if self.by_moment and self.by_load and not low < self.second / self.first < high:
+            condition = f"keep moment / load between {low:g} and {high:g} mm, where both bodies are"
+            raise InputError("moment", self.second, condition, "reduce it or raise the load")
+        if self.by_moment and ((self.second > 0.0 and high <= 0.0) or (self.second < 0.0 and low >= 0.0)):
+            condition = f"have the sign of the lever arms, which lie between {low:g} and {high:g} mm"
+            raise InputError("moment", self.second, condition, "turn its sign")
+
     def problem(self, contact: Contact, element: Element) -> Problem:
         factor = contact.compliance
         target = np.array([
@@ -150,13 +161,17 @@ def _levels(contact: Contact, problem: Problem, strips: int | str | ArrayLike | 
             raise InputError("strips", strips, f"lie between {FEWEST_STRIPS} and {MOST_STRIPS}", remedy)
         return on_equal_strips(problem, contact.interval, int(strips))
     if isinstance(strips, (list, tuple, np.ndarray)):
-        return on_given_strips(problem, _checked_edges(contact, np.asarray(strips, dtype=float)))
+        return on_given_strips(problem, _checked_edges(contact, strips))
     raise InputError("strips", strips, "be 'auto', a whole number or edges", remedy)
 
 
-def _checked_edges(contact: Contact, edges: Array) -> Array:
+def _checked_edges(contact: Contact, strips: ArrayLike) -> Array:
     low, high = contact.interval
     remedy = "give ascending strip edges in mm within the bodies"
+    try:
+        edges = np.asarray(strips, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError("strips", strips, "ascend and be finite", remedy) from None
     if edges.ndim != 1 or not FEWEST_STRIPS < edges.size <= MOST_STRIPS + 1:
         raise InputError("strips", edges.shape, f"be a row of {FEWEST_STRIPS + 1} edges at least", remedy)
     if not np.all(np.isfinite(edges)) or np.any(np.diff(edges) <= 0.0):

@@ -35,6 +35,7 @@ LOGARITHMIC = profile.logarithmic(amplitude=0.005, length=20, fraction=0.9999)
 CATALOGUE = {
     "ellipse": (profile.crown(100), {"load": 1000}),
     "slender ellipse": (profile.crown(1000), {"load": 1000}),
+    "very slender ellipse": (profile.crown(1e4), {"load": 1000}),
     "tilted ellipse": (profile.crown(4000), {"load": 3000, "tilt": -5e-4}),
     "ellipse by approach": (profile.crown(1000), {"approach": 0.01}),
     "crown over sharp ends": (profile.crown(4000), {"load": 20e3}),
@@ -98,13 +99,15 @@ def test_the_estimate_is_an_upper_bound(name, strips, quantity):
     assert error <= FACTOR * estimate + 1e-9, (error, estimate)
 
 
-@pytest.mark.parametrize("quantity", QUANTITIES)
-def test_the_estimate_is_not_an_idle_bound(quantity):
+# Equal strips find a smooth greatest pressure far better than half as many of them would suggest: there the
+# estimate is wider.
+@pytest.mark.parametrize(("quantity", "most"), [("approach", 20.0), ("load", 30.0), ("max_pressure", 60.0)])
+def test_the_estimate_is_not_an_idle_bound(quantity, most):
     pairs = [error_and_estimate(name, strips, quantity) for name in CATALOGUE for strips in GRIDS]
     ratios = [estimate / error for error, estimate in pairs if error > 1e-9 and math.isfinite(estimate)]
     assert len(ratios) >= 8
     # An error may cross zero, so single ratios say nothing.
-    assert np.median(ratios) < 30.0
+    assert np.median(ratios) < most
 
 
 @pytest.mark.parametrize("name", CATALOGUE)

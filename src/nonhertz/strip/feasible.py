@@ -30,25 +30,27 @@ def refuse_infeasible(problem: Problem, edges: Array) -> None:
     y = 0.5 * (edges[1:] + edges[:-1])
     separation = problem.separation(y)
     usable = y[np.isfinite(separation)]
-    if usable.size == 0:
-        remedy = "take relief away or lengthen the logarithm"
-        raise InputError("profile", math.inf, "leave a finite separation somewhere on the bodies", remedy)
+    refuse_endless_relief(separation)
     by_load, by_moment = problem.prescribed
     first, second = problem.target
     if by_load and by_moment:
         arm = second / first
         if not usable[0] <= arm <= usable[-1]:
-            condition = f"keep moment / load between {usable[0]:.6g} and {usable[-1]:.6g} mm"
-            raise InputError("moment", f"{arm:.6g} mm x load", condition, "reduce the moment or add strips")
+            condition = f"have centres on both sides of moment / load = {arm:.6g} mm"
+            raise InputError("strips", edges.size - 1, condition, "take more strips or reduce the moment")
     elif by_moment:
-        if (second > 0.0 and usable[-1] <= 0.0) or (second < 0.0 and usable[0] >= 0.0):
-            raise InputError("moment", "of this sign", "come from strips on that side", "turn its sign")
-        if second == 0.0 and not np.any(sprung(problem, edges).m > 0.0):
-            raise InputError(
-                "approach", float(first), "make the bodies touch at the tilt of zero moment", "raise it, or give a tilt"
-            )
+        if not np.any(sprung(problem, edges).m > 0.0):
+            condition = "make the bodies touch at the tilt that the moment leads to"
+            raise InputError("approach", float(first), condition, "raise it, or give a tilt")
     elif not by_load and not np.any(first + second * y - separation > 0.0):
         refuse_no_contact(problem, edges)
+
+
+def refuse_endless_relief(separation: Array) -> None:
+    """Refuse bodies that are infinitely far from one another everywhere."""
+    if not np.any(np.isfinite(separation)):
+        remedy = "take relief away or lengthen the logarithm"
+        raise InputError("profile", math.inf, "leave a finite separation somewhere on the bodies", remedy)
 
 
 def refuse_no_contact(problem: Problem, edges: Array) -> None:

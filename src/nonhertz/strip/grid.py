@@ -20,13 +20,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.strip.compiled import compiled
+from nonhertz.strip.influence import displacements
 from nonhertz.strip.state import Problem, State
 
 Array = NDArray[np.float64]
 
 # Tuned on Hertz contacts and on sharp ends over two decades of load; the figures behind them are in
 # docs/explain/grid.md.
-STRIPS_PER_CONTACT = 66.0  # the widest strips in contact
+STRIPS_PER_CONTACT = 72.0  # the widest strips in contact
 NARROWEST = 1.0 / 40.0  # of the half-width, at sharp ends and kinks
 END_SHARE = 0.068  # of the distance in which m falls from half its summit to zero
 GROWTH = 0.15  # of the distance from a feature
@@ -36,13 +37,16 @@ KINK_SHARE = 0.05
 LOOSEST = 64.0
 SAMPLES = 600
 MOST_BENDS = 12
+STRIPS_PER_OVERLAP = 5.0
 LEAST_KINK = 1e-7  # rad
 
 
 @dataclass(frozen=True)
 class Sizes:
-    """A size function: features, a sampled bound, and the intervals in contact."""
+    """A size function between two ends: features, a sampled bound, and the intervals in contact."""
 
+    low: float
+    high: float
     places: Array
     widths: Array
     corners: Array
@@ -56,6 +60,8 @@ class Sizes:
     def loosened(self, by: float) -> Sizes:
         """Return the function with wider strips away from the features, the features themselves kept."""
         return Sizes(
+            self.low,
+            self.high,
             self.places,
             self.widths,
             self.corners,
@@ -106,16 +112,28 @@ def reaches(state: State, side: int) -> bool:
     return bool(state.m[at] - 0.5 * fall * state.width[at] > 0.0)
 
 
-def sizes(problem: Problem, state: State, bends: tuple[float, ...]) -> Sizes:
-    """Return the size function that a coarse solution asks for."""
+def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tuple[float, float]) -> Sizes:
+    """Return the size function that a coarse solution asks for.
+
+    Parameters
+    ----------
+    problem : Problem
+        What is solved.
+    state : State
+        A solution on coarser strips, which may cover less than the bodies.
+    bends : tuple of float
+        Where the profiles bend [mm].
+    interval : tuple of float
+        Where the bodies may touch [mm], finite.
+    """
     half_width = np.sqrt(state.m)
     contact = np.array(ends_of_contact(state))
     length = float(contact[-1, 1] - contact[0, 0])
     low, high = state.edges[0], state.edges[-1]
     places, widths = [], []
-    for interval in contact:
-        inside = (state.y >= interval[0]) & (state.y <= interval[1]) & (state.m > 0.0)
-        for end, side in zip(interval, (-1, 1), strict=True):
+    for touched in contact:
+        inside = (state.y >= touched[0]) & (state.y <= touched[1]) & (state.m > 0.0)
+        for end, side in zip(touched, (-1, 1), strict=True):
             floor = NARROWEST * _near(state, half_width, end)
             sharp = end in (low, high) and reaches(state, side)
             places.append(end)
@@ -125,8 +143,14 @@ def sizes(problem: Problem, state: State, bends: tuple[float, ...]) -> Sizes:
     for place, turn in corners:
         places.append(place)
         widths.append(max(KINK_SHARE * depth / turn, NARROWEST * _near(state, half_width, place)))
+    for place, width in _overlaps(problem, state, contact, interval):
+        places.append(place)
+        widths.append(width)
+        low, high = min(low, max(place - 5.0 * width, interval[0])), max(high, min(place + 5.0 * width, interval[1]))
     sample_y, sample_width = _bending(problem, state, half_width)
     return Sizes(
+        float(low),
+        float(high),
         np.array(places),
         np.minimum(widths, length / 8.0),
         np.array([place for place, _ in corners]),
@@ -161,6 +185,32 @@ def _fall(state: State, inside: NDArray[np.bool_], end: float) -> float:
         return float(distance[0])
     share = (0.5 * m[summit] - m[at - 1]) / (m[at] - m[at - 1])
     return float(distance[at - 1] + share * (distance[at] - distance[at - 1]))
+
+
+def _overlaps(
+    problem: Problem, state: State, contact: Array, interval: tuple[float, float]
+) -> list[tuple[float, float]]:
+    """Return middles of intervals where the surfaces overlap between strips out of contact, and widths for them.
+
+    A wide strip out of contact sees the gap at its centre only; another place of contact may lie beside it.
+    """
+    y = np.linspace(*interval, SAMPLES + 1)
+    depth = state.rigid[0] + state.rigid[1] * y - problem.separation(y)
+    margin = 0.02 * (contact[:, 1:] - contact[:, :1])
+    apart = np.all((y < contact[:, :1] - margin) | (y > contact[:, 1:] + margin), axis=0)
+    suspect = np.flatnonzero(apart & (depth > 0.0))
+    overlapping = np.zeros(y.size + 2, dtype=bool)
+    if suspect.size:
+        low, high, table = state.edges[:-1], state.edges[1:], problem.element.table
+        lift = displacements(y[suspect], low, high, state.r, state.m, problem.terms, table)
+        overlapping[suspect[lift < depth[suspect]] + 1] = True
+    first = np.flatnonzero(~overlapping[:-1] & overlapping[1:])
+    last = np.flatnonzero(overlapping[:-1] & ~overlapping[1:]) - 1
+    step = float(y[1] - y[0])
+    return [
+        (float(0.5 * (y[i] + y[j])), max(float(y[j] - y[i]), step) / STRIPS_PER_OVERLAP)
+        for i, j in zip(first, last, strict=True)
+    ]
 
 
 def kinks(separation: Callable[[Array], Array], bends: tuple[float, ...], state: State) -> list[tuple[float, float]]:
@@ -206,35 +256,38 @@ def _bending(problem: Problem, state: State, half_width: Array) -> tuple[Array, 
     with np.errstate(divide="ignore"):
         width = np.sqrt(8.0 * SAG * np.max(depth) / bend)
     width[depth[1:-1] < 0.0] = np.inf
-    return y[1:-1], np.maximum(width, NARROWEST * np.max(half_width))
+    width = np.clip(width, NARROWEST * np.max(half_width), y[-1] - y[0])
+    # Let it grow away from every sample no faster than from a feature.
+    slope = GROWTH * y[1:-1]
+    width = np.minimum.accumulate(width - slope) + slope
+    width = np.minimum.accumulate((width + slope)[::-1])[::-1] - slope
+    return y[1:-1], width
 
 
-def graded(wanted: Sizes, low: float, high: float, limit: int, share: float = 1.0) -> Array:
+def graded(wanted: Sizes, limit: int, share: float = 1.0) -> Array:
     """Return the edges of a graded grid of at most ``limit`` strips.
 
     Parameters
     ----------
     wanted : Sizes
         The size function.
-    low, high : float
-        Ends of the grid [mm].
     limit : int
         Most strips; where the sizes ask for more, they are loosened away from the features.
     share : float
         Fraction of the strips to make, for the coarser grid of a pair.
     """
     by = 1.0
-    centre = _centre(wanted.contact, low, high)
-    walk = _Walk(wanted, low, high, centre)
+    walk = _Walk(wanted)
     while walk.count > limit and by < LOOSEST:
-        by *= 1.25
-        walk = _Walk(wanted.loosened(by), low, high, centre)
+        by *= 1.12
+        walk = _Walk(wanted.loosened(by))
     return walk.edges(share * min(1.0, limit / walk.count))
 
 
-def _centre(contact: Array, low: float, high: float) -> float:
+def _centre(wanted: Sizes) -> float:
     """Return y = 0 where it is in contact, else the middle of the longest interval in contact."""
-    if np.any((contact[:, 0] < 0.0) & (contact[:, 1] > 0.0)) and low < 0.0 < high:
+    contact = wanted.contact
+    if np.any((contact[:, 0] < 0.0) & (contact[:, 1] > 0.0)) and wanted.low < 0.0 < wanted.high:
         return 0.0
     longest = contact[np.argmax(contact[:, 1] - contact[:, 0])]
     return float(0.5 * (longest[0] + longest[1]))
@@ -243,14 +296,14 @@ def _centre(contact: Array, low: float, high: float) -> float:
 class _Walk:
     """The walk along y in steps of the wanted width, and the strips that come of it."""
 
-    def __init__(self, wanted: Sizes, low: float, high: float, centre: float) -> None:
-        self.centre, self.corners = centre, wanted.corners
+    def __init__(self, wanted: Sizes) -> None:
+        self.centre, self.corners = _centre(wanted), wanted.corners
         arguments = (
             wanted.places, wanted.widths, wanted.sample_y, wanted.sample_width, wanted.contact,
             wanted.largest, wanted.largest_outside, wanted.growth,
         )  # fmt: skip
-        self.right = _walk(centre, high, *arguments)
-        self.left = _walk(centre, low, *arguments)
+        self.right = _walk(self.centre, wanted.high, *arguments)
+        self.left = _walk(self.centre, wanted.low, *arguments)
         self.count = float(self.right[1][-1] + self.left[1][-1])
 
     def edges(self, share: float) -> Array:

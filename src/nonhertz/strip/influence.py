@@ -81,6 +81,16 @@ def displacement(
 
 
 @compiled
+def displacements(places: Array, low: Array, high: Array, r: Array, m: Array, terms: Array, table: Array) -> Array:
+    """Return the displacement per unit of compliance at several ``places``."""
+    active = np.flatnonzero(m > 0.0)
+    result = np.empty(places.size)
+    for i in range(places.size):
+        result[i] = displacement(places[i], low, high, r, m, active, terms, table)
+    return result
+
+
+@compiled
 def self_displacement(width: float, m: float, table: Array) -> tuple[float, float]:
     """Return [A] of a strip at its own centre and d(m [A])/dm."""
     a, ta, _, _ = evaluate(0.5 * width / math.sqrt(m), table)

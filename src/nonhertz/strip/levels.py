@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.strip.feasible import feasible, refuse_infeasible, refuse_no_contact
+from nonhertz.strip.feasible import feasible, refuse_endless_relief, refuse_infeasible, refuse_no_contact
 from nonhertz.strip.grid import Sizes, ends_of_contact, graded, sizes, uniform
 from nonhertz.strip.state import Problem, State, settle, sprung
 
@@ -77,13 +77,14 @@ def on_given_strips(problem: Problem, edges: Array) -> Levels:
 
 def on_automatic_strips(problem: Problem, interval: Interval, bends: tuple[float, ...]) -> Levels:
     """Return the solution on a graded grid; ``bends`` are where the profiles bend."""
-    states = [_located(problem, interval)]
+    finite = bounded(problem, interval)
+    states = [_located(problem, interval, finite)]
     wanted: Sizes | None = None
     for learn, share in ((True, ROUGH_SHARE), (True, 0.5), (False, 1.0)):
         if not states[0].converged:
             break
         if learn or wanted is None:
-            wanted = sizes(problem, states[0], bends)
+            wanted = sizes(problem, states[0], bends, finite)
         states.insert(0, _settled(problem, wanted, states[0], share))
     # The equal strips that found the contact are too few to say anything of the error.
     return Levels(tuple(states[:-1]) or tuple(states))
@@ -109,19 +110,19 @@ def _settled(problem: Problem, wanted: Sizes, near: State, share: float) -> Stat
     elsewhere.
     """
     limit = STRIP_LIMIT if len(wanted.contact) == 1 else 2 * STRIP_LIMIT
-    low, high = float(near.edges[0]), float(near.edges[-1])
     state = near
     for fewer in FEWER_STRIPS:
-        edges = graded(wanted, low, high, limit, fewer * share)
+        edges = graded(wanted, limit, fewer * share)
         state = settle(problem, edges, near, patient=fewer == FEWER_STRIPS[-1])
         if state.converged:
             break
     return state
 
 
-def _located(problem: Problem, interval: Interval) -> State:
-    """Return a solution on equal strips of a region that the contact fills well."""
-    edges = uniform(*bounded(problem, interval), COARSE_STRIPS)
+def _located(problem: Problem, interval: Interval, finite: Interval) -> State:
+    """Return a solution on equal strips of a region that the contact fills well, looked for from ``finite`` on."""
+    edges = uniform(*finite, COARSE_STRIPS)
+    refuse_endless_relief(problem.separation(0.5 * (edges[1:] + edges[:-1])))
     # A prescribed approach may bring no more than a speck together, a moment only the very end.
     if not problem.prescribed[0] or not feasible(problem, edges):
         edges = uniform(*_neighbourhood(problem, float(edges[0]), float(edges[-1])), COARSE_STRIPS)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-BISECTIONS = 60
+BISECTIONS = 30  # a start needs no more digits
 
 
 def springs(
