@@ -55,8 +55,10 @@ def draw(stem: str, case: Case, names: tuple[str, ...]) -> None:
         solution = nh.solve(case.contact, **case.prescribed, **case.solver)
     drawn = figures(solution, case.title)
     for name in names:
-        for path in save(drawn[name], FIGURES / f"{stem}-{name}"):
-            print(f"wrote {path.relative_to(ROOT)}")
+        vector, pixels = save(drawn[name], FIGURES / f"{stem}-{name}")
+        # One copy is enough for the documents.
+        vector.unlink()
+        print(f"wrote {pixels.relative_to(ROOT)}")
 
 
 def with_output(page: str) -> str:

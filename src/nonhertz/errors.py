@@ -98,5 +98,6 @@ class AccuracyWarning(UserWarning):
 
 
 def _shown(value: object) -> str:
-    text = repr(value)
+    # NumPy's numbers are shown as plain ones.
+    text = repr(value.item() if hasattr(value, "item") and not hasattr(value, "__len__") else value)
     return text if len(text) <= 60 else text[:57] + "..."

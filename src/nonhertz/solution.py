@@ -112,6 +112,13 @@ class Solution:
             if isinstance(value, np.ndarray):
                 value.flags.writeable = False
 
+    def __setstate__(self, state: dict[str, object]) -> None:
+        # Pickle forgets that arrays were read-only.
+        self.__dict__.update(state)
+        for value in state.values():
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
+
     @property
     def strips(self) -> int:
         """Number of strips."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -21,7 +22,7 @@ from nonhertz.strip.state import Problem, State, half_space_problem
 
 Array = NDArray[np.float64]
 
-FEWEST_STRIPS, MOST_STRIPS = 3, 2000
+FEWEST_STRIPS, MOST_STRIPS = 1, 2000
 MOST_OF_RADIUS = 0.3
 SHARP_END_ERROR = 0.12
 WIDER_THAN_LONG = 1.02  # so that a circle is not called wide for its rounding
@@ -160,7 +161,7 @@ def _levels(contact: Contact, problem: Problem, strips: int | str | ArrayLike | 
         if not FEWEST_STRIPS <= strips <= MOST_STRIPS:
             raise InputError("strips", strips, f"lie between {FEWEST_STRIPS} and {MOST_STRIPS}", remedy)
         return on_equal_strips(problem, contact.interval, int(strips))
-    if isinstance(strips, (list, tuple, np.ndarray)):
+    if isinstance(strips, (Sequence, np.ndarray)) and not isinstance(strips, str):
         return on_given_strips(problem, _checked_edges(contact, strips))
     raise InputError("strips", strips, "be 'auto', a whole number or edges", remedy)
 
@@ -173,7 +174,12 @@ def _checked_edges(contact: Contact, strips: ArrayLike) -> Array:
     except (TypeError, ValueError):
         raise InputError("strips", strips, "ascend and be finite", remedy) from None
     if edges.ndim != 1 or not FEWEST_STRIPS < edges.size <= MOST_STRIPS + 1:
-        raise InputError("strips", edges.shape, f"be a row of {FEWEST_STRIPS + 1} edges at least", remedy)
+        raise InputError(
+            "strips",
+            edges.shape,
+            f"be a row of {FEWEST_STRIPS + 1} edges at least and {MOST_STRIPS + 1} at most",
+            remedy,
+        )
     if not np.all(np.isfinite(edges)) or np.any(np.diff(edges) <= 0.0):
         raise InputError("strips", edges.tolist(), "ascend and be finite", remedy)
     if edges[0] < low or edges[-1] > high:
@@ -203,7 +209,7 @@ def _solution(contact: Contact, element: Element, problem: Problem, levels: Leve
     )
     if not state.converged:
         return solution
-    return replace(solution, warnings=(*_strains(solution), *_sharp_ends(contact, state)))
+    return replace(solution, warnings=(*_strains(solution), *_singularities(contact, state)))
 
 
 def _error_estimate(contact: Contact, problem: Problem, levels: Levels) -> ErrorEstimate:
@@ -261,14 +267,20 @@ def _strains(solution: Solution) -> tuple[str, ...]:
     return tuple(sentences)
 
 
-def _sharp_ends(contact: Contact, state: State) -> tuple[str, ...]:
-    """Return a sentence for every sharp end that the contact reaches."""
+def _singularities(contact: Contact, state: State) -> tuple[str, ...]:
+    """Return a sentence for every sharp end that the contact reaches, and for a corner that bears the maximum."""
     sentences = []
-    for side, place in ((-1, state.edges[0]), (1, state.edges[-1])):
+    for side, at in ((-1, 0), (1, -1)):
+        place = float(state.edges[at])
         if reaches(state, side) and place in contact.interval:
-            width = state.width[0 if side < 0 else -1]
             sentences.append(
                 f"The contact reaches the sharp end at y = {place:.6g} mm, where the pressure of a half-space is "
-                f"singular: the value there is that of a strip {width:.3g} mm wide, not a limit."
+                f"singular: the value there is that of a strip {state.width[at]:.3g} mm wide, not a limit."
             )
+    if _peaks_at_kink(contact, state):
+        at = int(np.argmax(state.pressure))
+        sentences.append(
+            f"The largest pressure is at a corner of the profile near y = {state.y[at]:.6g} mm, where it is singular: "
+            f"it is that of a strip {state.width[at]:.3g} mm wide, not a limit; give the corner a radius."
+        )
     return tuple(sentences)

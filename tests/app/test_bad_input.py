@@ -15,7 +15,7 @@ LOAD = "[load]\nload = 20000.0\n"
 LENGTH = "a number in mm, or text with a unit of length such as '20 mm'"
 LENGTH_REMEDY = "give the distance between the side faces in mm, or leave it out for an unbounded body"
 DIAMETER_REMEDY = "give the diameter in mm, negative for a concave surface, or leave it out for a flat one"
-STRIPS = "be 'auto' or a whole number from 3 to 2000: leave it out for an automatic grid"
+STRIPS = "be 'auto' or a whole number from 1 to 2000: leave it out for an automatic grid"
 KEYS_OF_MATERIAL = "known are 'modulus', 'poisson'"
 
 
@@ -195,7 +195,7 @@ MISTAKES = {
         f"{A}{B}{LOAD}[solver]\nelement = 'parabola'\n",
         ["solver.element = 'parabola' must be a known element: the nearest is 'parabolic'."],
     ),
-    "two strips": (f"{A}{B}{LOAD}[solver]\nstrips = 2\n", [f"solver.strips = 2 must {STRIPS}."]),
+    "no strips": (f"{A}{B}{LOAD}[solver]\nstrips = 0\n", [f"solver.strips = 0 must {STRIPS}."]),
     "half a strip": (f"{A}{B}{LOAD}[solver]\nstrips = 40.5\n", [f"solver.strips = 40.5 must {STRIPS}."]),
     "strips in words": (
         f"{A}{B}{LOAD}[solver]\nstrips = 'many'\n",

@@ -103,9 +103,9 @@ def test_a_moment_that_no_strip_can_give_is_refused():
 # Strips
 
 
-@pytest.mark.parametrize("strips", [0, 1, 2, 2001, -4])
+@pytest.mark.parametrize("strips", [0, 2001, -4])
 def test_too_few_or_too_many_strips_are_refused(strips):
-    assert refusal(**LOAD, strips=strips) == f"strips = {strips} must lie between 3 and 2000"
+    assert refusal(**LOAD, strips=strips) == f"strips = {strips} must lie between 1 and 2000"
 
 
 @pytest.mark.parametrize("strips", ["many", 3.5, True, {20.0}], ids=str)
@@ -117,8 +117,8 @@ def test_what_is_neither_a_number_nor_edges_is_refused(strips):
 @pytest.mark.parametrize(
     ("edges", "condition"),
     [
-        ([-1.0, 0.0, 1.0], "be a row of 4 edges at least"),
-        ([[-1.0, 0.0], [1.0, 2.0]], "be a row of 4 edges at least"),
+        ([0.0], "be a row of 2 edges at least and 2001 at most"),
+        ([[-1.0, 0.0], [1.0, 2.0]], "be a row of 2 edges at least and 2001 at most"),
         ([-1.0, -2.0, 0.0, 1.0], "ascend and be finite"),
         ([-1.0, 0.0, 0.0, 1.0], "ascend and be finite"),
         ([-1.0, 0.0, math.nan, 1.0], "ascend and be finite"),

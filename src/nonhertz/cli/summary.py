@@ -37,7 +37,11 @@ def summary_rows(solution: Solution) -> list[tuple[str, str, str]]:
         ("tilt", f"{digits(1e3 * solution.tilt)} mrad", ""),
         ("load", f"{digits(solution.load)} N", _error(estimate.load)),
         ("moment", f"{digits(_rounded(solution.moment, solution.load * reach))} N mm", ""),
-        ("maximum pressure", f"{digits(solution.max_pressure)} MPa", _error(estimate.max_pressure)),
+        (
+            "maximum pressure",
+            f"{digits(solution.max_pressure)} MPa",
+            _error(estimate.max_pressure, "no limit, as at a sharp end or corner"),
+        ),
         ("", f"at y = {digits(solution.max_pressure_y)} mm", ""),
         ("largest half-width", f"{digits(float(solution.half_width.max()))} mm", ""),
         ("contact along y", f"{touching} mm" if touching else "none", ""),
@@ -75,8 +79,8 @@ def _rounded(value: float, scale: float) -> float:
     return value if abs(value) > 1e-12 * abs(scale) else 0.0
 
 
-def _error(relative: float) -> str:
+def _error(relative: float, endless: str = "error unknown") -> str:
     if not math.isfinite(relative):
-        return "no limit, as at a sharp end"
+        return endless
     # A load that is prescribed, say, is met to rounding.
     return f"error about {100.0 * relative:.1g} %" if relative > 1e-12 else ""

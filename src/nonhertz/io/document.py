@@ -284,10 +284,10 @@ def _read_element(value: Any) -> str:
 def _read_strips(value: Any) -> int | str:
     if value == "auto":
         return "auto"
-    if isinstance(value, int) and not isinstance(value, bool) and 3 <= value <= 2000:
+    if isinstance(value, int) and not isinstance(value, bool) and 1 <= value <= 2000:
         return value
     raise InputError(
-        "strips", value, "be 'auto' or a whole number from 3 to 2000", "leave it out for an automatic grid"
+        "strips", value, "be 'auto' or a whole number from 1 to 2000", "leave it out for an automatic grid"
     )
 
 
@@ -300,7 +300,7 @@ class SolverTable(Table):
     strips: Annotated[
         int | str,
         PlainValidator(_read_strips),
-        WithJsonSchema({"anyOf": [{"const": "auto"}, {"type": "integer", "minimum": 3, "maximum": 2000}]}),
+        WithJsonSchema({"anyOf": [{"const": "auto"}, {"type": "integer", "minimum": 1, "maximum": 2000}]}),
     ] = Field(default="auto", description="'auto', or a number: that many, equally wide")
 
 

@@ -1,8 +1,15 @@
-"""Numba's compiler behind a typed decorator, so that the numerical core stays fully typed."""
+"""Numba's compiler behind a typed decorator, so that the numerical core stays fully typed.
+
+Numba keeps machine code on disk, but asks only whether the file of a function itself has changed since. Code that
+calls into another file would go on with that file's old functions; so all kept code goes as soon as any file of
+this folder is younger.
+"""
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable
+from pathlib import Path
 from typing import TypeVar, cast
 
 import numba
@@ -16,4 +23,19 @@ def compiled(function: Function) -> Function:
     Multiplications and additions may be fused; nothing else about floating point is relaxed. The global
     interpreter lock is released, so that many solves can share a process.
     """
-    return cast(Function, numba.njit(cache=True, nogil=True, fastmath={"contract"}, error_model="numpy")(function))
+    made = numba.njit(cache=True, nogil=True, fastmath={"contract"}, error_model="numpy")(function)
+    return cast(Function, made)
+
+
+def _discard_outdated() -> None:
+    folder = Path(__file__).parent
+    # Another process may discard the same files, and an installed package may not be writable.
+    with contextlib.suppress(OSError):
+        youngest = max(source.stat().st_mtime for source in folder.glob("*.py"))
+        kept = list(folder.glob("__pycache__/*.nb[ic]"))
+        if any(file.stat().st_mtime < youngest for file in kept):
+            for file in kept:
+                file.unlink(missing_ok=True)
+
+
+_discard_outdated()

@@ -30,7 +30,7 @@ def refuse_infeasible(problem: Problem, edges: Array) -> None:
     y = 0.5 * (edges[1:] + edges[:-1])
     separation = problem.separation(y)
     usable = y[np.isfinite(separation)]
-    refuse_endless_relief(separation)
+    refuse_endless_relief(y, separation)
     by_load, by_moment = problem.prescribed
     first, second = problem.target
     if by_load and by_moment:
@@ -46,8 +46,13 @@ def refuse_infeasible(problem: Problem, edges: Array) -> None:
         refuse_no_contact(problem, edges)
 
 
-def refuse_endless_relief(separation: Array) -> None:
-    """Refuse bodies that are infinitely far from one another everywhere."""
+def refuse_endless_relief(y: Array, separation: Array) -> None:
+    """Refuse bodies whose relief is no number somewhere, or infinite everywhere."""
+    if np.any(np.isnan(separation)):
+        place = float(y[np.argmax(np.isnan(separation))])
+        raise InputError(
+            "profile", math.nan, f"be a number everywhere, and is none at y = {place:g}", "mend its relief"
+        )
     if not np.any(np.isfinite(separation)):
         remedy = "take relief away or lengthen the logarithm"
         raise InputError("profile", math.inf, "leave a finite separation somewhere on the bodies", remedy)
@@ -60,7 +65,9 @@ def refuse_no_contact(problem: Problem, edges: Array) -> None:
         remedy = "take more strips, or leave it out for an automatic grid"
         raise InputError("strips", edges.size - 1, "put the centre of a strip into the contact", remedy)
     tilt = 0.0 if problem.prescribed[1] else problem.target[1]
-    needed = round(float(np.min(problem.separation(fine.y) - tilt * fine.y)), 12)
+    # The strips themselves are the finer ones where they narrow towards a place.
+    y = np.concatenate([fine.y, edges])
+    needed = round(float(np.min(problem.separation(y) - tilt * y)), 12)
     raise InputError(
         "approach",
         float(problem.target[0]),

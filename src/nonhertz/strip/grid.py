@@ -253,7 +253,7 @@ def _bending(problem: Problem, state: State, half_width: Array) -> tuple[Array, 
     with np.errstate(invalid="ignore"):
         bend = np.abs(h[2:] - 2.0 * h[1:-1] + h[:-2]) / step**2
     bend[~np.isfinite(bend)] = 0.0
-    with np.errstate(divide="ignore"):
+    with np.errstate(divide="ignore", over="ignore"):
         width = np.sqrt(8.0 * SAG * np.max(depth) / bend)
     width[depth[1:-1] < 0.0] = np.inf
     width = np.clip(width, NARROWEST * np.max(half_width), y[-1] - y[0])

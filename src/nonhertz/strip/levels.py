@@ -62,7 +62,7 @@ def on_equal_strips(problem: Problem, interval: Interval, count: int) -> Levels:
     """Return the solution on ``count`` equal strips over the interval on which the bodies can touch."""
     low, high = bounded(problem, interval)
     counts = [count]
-    while counts[-1] // 2 >= COARSEST_LEVEL:
+    while counts[-1] // 2 >= COARSEST_LEVEL or (len(counts) == 1 and count > 1):
         counts.append(counts[-1] // 2)
     return _raised(problem, [uniform(low, high, level) for level in counts])
 
@@ -70,7 +70,7 @@ def on_equal_strips(problem: Problem, interval: Interval, count: int) -> Levels:
 def on_given_strips(problem: Problem, edges: Array) -> Levels:
     """Return the solution on the strips between ``edges``; coarser levels leave out every other edge."""
     grids = [edges]
-    while grids[-1].size // 2 > COARSEST_LEVEL:
+    while grids[-1].size // 2 > COARSEST_LEVEL or (len(grids) == 1 and edges.size > 2):
         grids.append(np.unique(np.concatenate([grids[-1][:-1:2], edges[-1:]])))
     return _raised(problem, grids)
 
@@ -122,7 +122,8 @@ def _settled(problem: Problem, wanted: Sizes, near: State, share: float) -> Stat
 def _located(problem: Problem, interval: Interval, finite: Interval) -> State:
     """Return a solution on equal strips of a region that the contact fills well, looked for from ``finite`` on."""
     edges = uniform(*finite, COARSE_STRIPS)
-    refuse_endless_relief(problem.separation(0.5 * (edges[1:] + edges[:-1])))
+    y = 0.5 * (edges[1:] + edges[:-1])
+    refuse_endless_relief(y, problem.separation(y))
     # A prescribed approach may bring no more than a speck together, a moment only the very end.
     if not problem.prescribed[0] or not feasible(problem, edges):
         edges = uniform(*_neighbourhood(problem, float(edges[0]), float(edges[-1])), COARSE_STRIPS)
@@ -165,7 +166,7 @@ def bounded(problem: Problem, interval: Interval) -> Interval:
     if math.isfinite(low) and math.isfinite(high):
         return low, high
     scale = 1.0 / float(np.max(problem.curvature(np.zeros(1))))
-    edge = np.concatenate([[0.0], scale * np.geomspace(1e-5, 1e4, 160)])
+    edge = np.concatenate([[0.0], scale * np.geomspace(1e-9, 1e4, 260)])
     edges = np.unique(np.clip(np.concatenate([-edge[::-1], edge]), low, high))
     touching = np.flatnonzero(sprung(problem, edges).m > 0.0)
     if touching.size == 0:
