@@ -335,9 +335,7 @@ def test_a_directory_is_no_case_file(folder: Path, capsys: pytest.CaptureFixture
     assert capsys.readouterr().err == ". must be a file, not a directory: give the path of a case file.\n"
 
 
-def test_what_only_the_solver_sees_is_a_sentence_too(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_what_only_the_solver_sees_is_a_sentence_too(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     # A cylinder without ends on a plane without ends: nothing ends the contact.
     (folder / "case.toml").write_text(f"[body.a]\ndiameter = 20\n{B}{LOAD}", encoding="utf-8")
     assert main(["solve", "case.toml"]) == 2
@@ -379,9 +377,7 @@ def test_a_file_is_refused_in_the_words_of_python(
         (["check"], 'Command "check" parameter CASE requires an argument'),
     ],
 )
-def test_wrong_usage_is_one_sentence(
-    capsys: pytest.CaptureFixture[str], words: list[str], beginning: str
-) -> None:
+def test_wrong_usage_is_one_sentence(capsys: pytest.CaptureFixture[str], words: list[str], beginning: str) -> None:
     assert main(words) == 2
     printed = capsys.readouterr()
     assert printed.out == ""

@@ -64,9 +64,7 @@ KEYS = {
     "peak_pressure",
     "half_width",
 }
-FILES = {
-    f"{figure}.{ending}" for figure in ("pressure", "footprint", "profile") for ending in ("svg", "png")
-} | {
+FILES = {f"{figure}.{ending}" for figure in ("pressure", "footprint", "profile") for ending in ("svg", "png")} | {
     "result.json",
     "table.csv",
 }
@@ -203,9 +201,7 @@ def test_out_writes_results_table_and_figures(case: str, capsys: pytest.CaptureF
         assert "<svg" in path.read_text(encoding="utf-8")[:1000]
 
 
-def test_out_replaces_an_older_result_and_leaves_other_files(
-    case: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_out_replaces_an_older_result_and_leaves_other_files(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     Path("results").mkdir()
     Path("results/result.json").write_text("old", encoding="utf-8")
     Path("results/notes.txt").write_text("mine", encoding="utf-8")
@@ -243,9 +239,7 @@ def test_out_that_is_no_directory_is_refused(case: str, capsys: pytest.CaptureFi
     assert Path(case).read_text(encoding="utf-8") == CASE
 
 
-def test_out_refuses_a_directory_in_the_place_of_a_file(
-    case: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_out_refuses_a_directory_in_the_place_of_a_file(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     Path("results/table.csv").mkdir(parents=True)
     assert main(["solve", case, "--out", "results"]) == 2
     assert "must not hold a directory named table.csv" in capsys.readouterr().err
@@ -309,9 +303,7 @@ def test_version(capsys: pytest.CaptureFixture[str]) -> None:
     assert capsys.readouterr().out == f"{nh.__version__}\n"
 
 
-@pytest.mark.parametrize(
-    "words", [[], ["--help"], ["solve", "--help"], ["check", "--help"], ["new", "--help"]]
-)
+@pytest.mark.parametrize("words", [[], ["--help"], ["solve", "--help"], ["check", "--help"], ["new", "--help"]])
 def test_help(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
     assert main(words) == 0
     assert "Usage: nonhertz" in capsys.readouterr().out
@@ -392,9 +384,7 @@ def test_the_module_is_the_command(case: str) -> None:
 
 def test_a_reader_that_stops_reading_is_met_with_silence(case: str) -> None:
     command = [sys.executable, "-m", "nonhertz", "solve", case, "--json"]
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment()
-    ) as process:
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment()) as process:
         assert process.stdout is not None
         assert process.stderr is not None
         process.stdout.close()
@@ -406,9 +396,7 @@ def test_a_reader_that_stops_reading_is_met_with_silence(case: str) -> None:
 def test_a_full_disk_is_one_sentence(case: str) -> None:
     command = [sys.executable, "-m", "nonhertz", "solve", case]
     with Path("/dev/full").open("w") as full:
-        run = subprocess.run(
-            command, stdout=full, stderr=subprocess.PIPE, text=True, check=False, env=environment()
-        )
+        run = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True, check=False, env=environment())
     assert run.returncode == 3
     assert run.stderr == "The output could not be written: No space left on device.\n"
 

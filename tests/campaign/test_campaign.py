@@ -108,7 +108,7 @@ def random_case(seed):
     return contact, prescribed, {"strips": strips, "element": element}
 
 
-def faults(solution, prescribed):
+def faults(solution, prescribed, automatic):
     """What an independent look at the answer finds wrong with it."""
     touching = solution.line_load > 0.0
     low, high = solution.edges[:-1], solution.edges[1:]
@@ -135,7 +135,28 @@ def faults(solution, prescribed):
         "approach": abs(solution.approach - prescribed.get("approach", solution.approach)) / depth,
         "tilt": abs(solution.tilt - prescribed.get("tilt", solution.tilt)) * reach / depth,
     }
-    return [f"{name} {value:.1e}" for name, value in checks.items() if not value < 1e-9]
+    wrong = [f"{name} {value:.1e}" for name, value in checks.items() if not value < 1e-9]
+    overlap = overlap_between_strips(solution) / depth
+    # An automatic grid must not miss a place of contact; a speck beside the end of one is within its resolution.
+    return wrong + ([f"overlap between strips {overlap:.1e}"] if automatic and overlap > 0.01 else [])
+
+
+def overlap_between_strips(solution):
+    """The deepest overlap at many points on the whole length, away from the intervals in contact."""
+    low, high = solution.contact.interval
+    y = np.linspace(low, high, 1001)
+    for start, end in solution.contact_y:
+        margin = 0.03 * (end - start)
+        y = y[(y < start - margin) | (y > end + margin)]
+    if y.size == 0:
+        return 0.0
+    touching = solution.line_load > 0.0
+    a = solution.element_half_width[touching]
+    upper = solution.element.functions((solution.edges[1:][touching] - y[:, None]) / a)[0]
+    lower = solution.element.functions((solution.edges[:-1][touching] - y[:, None]) / a)[0]
+    displacement = solution.contact.compliance * (upper - lower) @ solution.line_load[touching]
+    gap = displacement - (solution.approach + solution.tilt * y - solution.contact.separation(y))
+    return max(0.0, -float(np.min(gap)))
 
 
 def run(seed):
@@ -147,7 +168,7 @@ def run(seed):
         return ("refused: " + error.field, 0) if foreseen(error) else (f"seed {seed}: {error}", 0)
     except nh.NonhertzError as error:
         return f"seed {seed}: {error}", 0
-    wrong = faults(solution, prescribed)
+    wrong = faults(solution, prescribed, options["strips"] is None)
     return (f"seed {seed}: {wrong}" if wrong else "solved"), solution.iterations
 
 

@@ -146,9 +146,7 @@ def test_twice_the_size_is_twice_the_relief(
         pairs(fujiwara_kawase, {"length": LENGTH, "radius": radius}, {"load": load}, k1=k1, k2=0.7),
         pairs(chamfer, {"length": LENGTH, "width": 1.0}),
     ):
-        np.testing.assert_allclose(
-            large.relief(size * y), size * small.relief(y), rtol=1e-9, atol=1e-13 * size
-        )
+        np.testing.assert_allclose(large.relief(size * y), size * small.relief(y), rtol=1e-9, atol=1e-13 * size)
 
 
 @untimed

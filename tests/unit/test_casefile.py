@@ -157,9 +157,7 @@ def test_profiles_shift_and_scale(tmp_path: Path) -> None:
     )
 
 
-def test_a_profile_file_is_found_beside_the_case_file(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_profile_file_is_found_beside_the_case_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "points.csv").write_text("y,relief\n-10,0.01\n0,0\n10,0.01\n", encoding="utf-8")
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
@@ -253,9 +251,7 @@ WORDS = st.one_of(st.text(max_size=5), st.sampled_from(["steel", "crown", "5 mm"
 SCALARS = st.one_of(NUMBERS, WORDS, st.booleans(), st.just(datetime.date(2026, 1, 1)))
 VALUES = st.recursive(
     SCALARS,
-    lambda inner: st.one_of(
-        st.lists(inner, max_size=3), st.dictionaries(st.text(max_size=5), inner, max_size=3)
-    ),
+    lambda inner: st.one_of(st.lists(inner, max_size=3), st.dictionaries(st.text(max_size=5), inner, max_size=3)),
     max_leaves=5,
 )
 WHOLE: dict[str, Any] = {
@@ -297,9 +293,7 @@ def test_the_whole_document_is_sound() -> None:
 
 @settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(place=st.sampled_from(places(WHOLE)), value=VALUES, extra=st.text(max_size=8))
-def test_any_value_anywhere_is_read_or_refused_in_words(
-    place: tuple[Any, ...], value: Any, extra: str
-) -> None:
+def test_any_value_anywhere_is_read_or_refused_in_words(place: tuple[Any, ...], value: Any, extra: str) -> None:
     document = deepcopy(WHOLE)
     holder: Any = document
     for key in place[:-1]:

@@ -23,9 +23,7 @@ RADII_Y = [1e-11, 1e-7, 0.3, 10.0 - 1e-9, 10.0, 10.0 + 1e-9, 85.0, 1e9, 1e13]
 
 
 def ellipse(**changes: float) -> PointContact:
-    return point_contact(
-        **{"load": 1000.0, "radius_x": 10.0, "radius_y": 100.0, "compliance": COMPLIANCE, **changes}
-    )
+    return point_contact(**{"load": 1000.0, "radius_x": 10.0, "radius_y": 100.0, "compliance": COMPLIANCE, **changes})
 
 
 def line(**changes: float) -> LineContact:
@@ -265,9 +263,7 @@ def test_a_line_contact_refuses_input(changes, field):
 
 def test_a_larger_cylinder_and_a_longer_strip_give_in_by_a_logarithm():
     contact = line()
-    cylinders = [
-        plane_strain_cylinder_compression(contact, diameter=d, material=STEEL) for d in (15.0, 150.0)
-    ]
+    cylinders = [plane_strain_cylinder_compression(contact, diameter=d, material=STEEL) for d in (15.0, 150.0)]
     strips = [half_space_line_compression(contact, length=length) for length in (15.0, 150.0)]
     tenfold = 2.0 * contact.line_load * math.log(10.0)
     # Differences of numbers ten times as large: three digits less than rounding.
@@ -293,9 +289,7 @@ def test_a_cylinder_narrower_than_the_contact_is_refused():
 
 
 def test_a_compression_refuses_what_is_not_a_line_contact_or_a_material():
-    with pytest.raises(
-        InputError, match=r"^contact = 800.0 must be a LineContact: make one with line_contact\.$"
-    ):
+    with pytest.raises(InputError, match=r"^contact = 800.0 must be a LineContact: make one with line_contact\.$"):
         half_space_line_compression(800.0, length=20.0)  # type: ignore[arg-type]
     with pytest.raises(InputError, match=r"^material = 207000.0 must be a Material: "):
         plane_strain_cylinder_compression(line(), diameter=15.0, material=207000.0)  # type: ignore[arg-type]

@@ -32,6 +32,7 @@ def run(r, m, rigid, *, relaxation=1.0, element=nh.SEMI_ELLIPTIC):
         rigid,
         gap,
         stiffness,
+        loop.TOLERANCE,
         relaxation,
     )
     return status, steps, residual, stiffness

@@ -130,9 +130,7 @@ CASES = {
     "parabolic": crowned(element=PARABOLIC),
     "point": springs(Contact(Body(diameter=20.0), Body(profile=Even(1.0 / 60.0))), approach=0.02, reach=1.4),
     "sharp": springs(Contact(Roller(diameter=20.0, length=20.0), Plate()), 0.03, tilt=1e-3, singular=True),
-    "lifted": springs(
-        Contact(Roller(diameter=20.0, length=20.0), Plate(length=20.3)), 0.01, tilt=2.5e-3, strips=41
-    ),
+    "lifted": springs(Contact(Roller(diameter=20.0, length=20.0), Plate(length=20.3)), 0.01, tilt=2.5e-3, strips=41),
     "hollow": springs(
         Contact(Roller(diameter=20.0, length=20.0, profile=Even(-4e-4, 4e-6)), Plate()),
         approach=-0.003,
@@ -145,9 +143,7 @@ CASES = {
     ),
 }
 
-WAVY = springs(
-    Contact(Roller(diameter=20.0, length=20.0, profile=Waves(0.004, 6.0)), Plate()), 0.004, tilt=1e-4
-)
+WAVY = springs(Contact(Roller(diameter=20.0, length=20.0, profile=Waves(0.004, 6.0)), Plate()), 0.004, tilt=1e-4)
 
 # The crest of a crowned roller, and a sharp end that is far above it.
 SPIKED = crowned(singular=True, spike=6.0)
@@ -181,9 +177,7 @@ def drawn_words(figure: Figure) -> list[tuple[str, Bbox]]:
             for tick in axis.get_major_ticks():
                 if not low - slack <= tick.get_loc() <= high + slack:
                     hidden |= {tick.label1, tick.label2}
-    texts = [
-        text for text in figure.findobj(Text) if text.get_text() and text.get_visible() and text not in hidden
-    ]
+    texts = [text for text in figure.findobj(Text) if text.get_text() and text.get_visible() and text not in hidden]
     return [(text.get_text(), Text.get_window_extent(text)) for text in texts]
 
 
@@ -237,9 +231,7 @@ class TestPressure:
         assert expected.replace("-", "−") in shown
         assert f"{solution.max_pressure:.1f} MPa at $y$ = {solution.max_pressure_y:.2f} mm" in shown
         marker = next(line for line in ax.lines if line.get_marker() == "o")
-        assert_allclose(
-            marker.get_xydata(), [[solution.max_pressure_y, solution.max_pressure]], rtol=0, atol=0
-        )
+        assert_allclose(marker.get_xydata(), [[solution.max_pressure_y, solution.max_pressure]], rtol=0, atol=0)
 
     def test_many_intervals_are_counted_instead(self, ax: Axes) -> None:
         plot.pressure(WAVY, ax)
@@ -274,9 +266,7 @@ class TestPressure:
     def test_an_effective_length_is_not_called_the_end(self, ax: Axes) -> None:
         contact = Contact(Body(diameter=20.0, length=20.0, effective_length=18.0), Body(length=30.0))
         plot.pressure(springs(contact, 0.02, reach=9.0), ax)
-        assert [text.get_text() for text in ax.texts if "end of" in text.get_text()] == [
-            "usable end of body a"
-        ] * 2
+        assert [text.get_text() for text in ax.texts if "end of" in text.get_text()] == ["usable end of body a"] * 2
 
     def test_unconverged_result_says_so(self, ax: Axes) -> None:
         plot.pressure(crowned(status=Status.STAGNATED), ax)
@@ -324,9 +314,7 @@ class TestFootprint:
         plot.footprint(CASES["lifted"], ax)
         (line,) = (line.get_xydata() for line in ax.lines if line.get_color() == INK)
         assert_allclose(line[line[:, 0].argmin()][1], 0.0, rtol=0, atol=0)
-        assert_allclose(
-            np.abs(line[line[:, 0] > 9.9999999][:, 1]), CASES["lifted"].half_width[-1], rtol=1e-12
-        )
+        assert_allclose(np.abs(line[line[:, 0] > 9.9999999][:, 1]), CASES["lifted"].half_width[-1], rtol=1e-12)
 
     def test_colours_are_the_pressure(self, solution: Solution, ax: Axes) -> None:
         plot.footprint(solution, ax)
@@ -362,9 +350,7 @@ class TestFootprint:
         solution = CASES["parabolic"]
         plot.footprint(solution, ax)
         dotted = [line for line in ax.lines if line.get_color() == "white"]
-        assert_allclose(
-            dotted[1].get_ydata()[1:-1], solution.half_width[solution.line_load > 0.0], rtol=1e-12
-        )
+        assert_allclose(dotted[1].get_ydata()[1:-1], solution.half_width[solution.line_load > 0.0], rtol=1e-12)
         assert "parabolic strips' own width" in ax.get_title(loc="left")
 
     def test_scale_is_written(self, ax: Axes) -> None:
@@ -414,9 +400,7 @@ class TestProfile:
         steep = springs(Contact(Roller(diameter=20.0, length=20.0, profile=Even(1e-3)), Plate()), 0.01)
         plot.profile(steep, ax)
         reach = 1e3 * (steep.contact.separation(steep.y[-1]) - steep.approach)
-        assert ax.get_title(loc="left").endswith(
-            f"; axis cut, the undeformed distance reaches {reach:.1f} µm"
-        )
+        assert ax.get_title(loc="left").endswith(f"; axis cut, the undeformed distance reaches {reach:.1f} µm")
 
     def test_an_axis_that_is_not_cut_does_not(self, ax: Axes) -> None:
         plot.profile(CASES["crowned"], ax)
@@ -438,9 +422,7 @@ class TestProfile:
 
 class TestRange:
     def test_a_small_contact_on_long_strips_is_looked_at_closely(self, ax: Axes) -> None:
-        solution = springs(
-            Contact(Roller(diameter=20.0, length=20.0, profile=Even(0.01)), Plate()), 0.01, strips=201
-        )
+        solution = springs(Contact(Roller(diameter=20.0, length=20.0, profile=Even(0.01)), Plate()), 0.01, strips=201)
         plot.pressure(solution, ax)
         low, high = ax.get_xlim()
         (interval,) = solution.contact_y
@@ -531,8 +513,7 @@ class TestSave:
         svg, _ = plot.save(sheet, first)
         assert plot.save(sheet, again)[0].read_bytes() == svg.read_bytes()
         assert (
-            plot.save(plot.figures(CASES["hollow"], title="Twice")[name], str(anew))[0].read_bytes()
-            == svg.read_bytes()
+            plot.save(plot.figures(CASES["hollow"], title="Twice")[name], str(anew))[0].read_bytes() == svg.read_bytes()
         )
 
     def test_file_does_not_depend_on_the_settings_around(self, tmp_path: Path) -> None:
@@ -543,9 +524,7 @@ class TestSave:
                 assert plot.save(sheet, tmp_path / name)[0].read_bytes() == svg[name]
 
     def test_solution_is_not_touched(self, solution: Solution, tmp_path: Path) -> None:
-        before = copy.deepcopy(
-            {name: getattr(solution, name) for name in ("y", "line_load", "gap", "half_width")}
-        )
+        before = copy.deepcopy({name: getattr(solution, name) for name in ("y", "line_load", "gap", "half_width")})
         for name, sheet in plot.figures(solution).items():
             plot.save(sheet, tmp_path / name)
         for name, value in before.items():

@@ -148,9 +148,7 @@ class TestCircularArcs:
     @pytest.mark.parametrize("blended", [True, False])
     def test_partial_crown_without_a_straight_part_is_a_crown(self, blended):
         y = np.linspace(-10.0, 10.0, 41)
-        np.testing.assert_array_equal(
-            partial_crown(700.0, 0.0, blended).relief(y), crown(700.0).relief(y), strict=True
-        )
+        np.testing.assert_array_equal(partial_crown(700.0, 0.0, blended).relief(y), crown(700.0).relief(y), strict=True)
         assert partial_crown(700.0, 0.0, blended).bends == ()
 
     @pytest.mark.parametrize("blended", [True, False])
@@ -174,9 +172,7 @@ class TestCircularArcs:
 
     def test_two_equal_radii_are_one(self):
         y = np.linspace(-10.0, 10.0, 41)
-        np.testing.assert_allclose(
-            two_radius(800.0, 800.0, 7.0).relief(y), crown(800.0).relief(y), rtol=1e-13
-        )
+        np.testing.assert_allclose(two_radius(800.0, 800.0, 7.0).relief(y), crown(800.0).relief(y), rtol=1e-13)
 
     def test_two_radii_approach_the_partial_crown(self):
         y = np.linspace(-10.0, 10.0, 41)

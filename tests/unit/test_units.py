@@ -55,9 +55,7 @@ def test_text_with_a_unit_is_read(text: str, unit: str, number: float) -> None:
 
 
 def test_decimal_submultiples_do_not_gain_digits() -> None:
-    assert [in_unit("field", f"0.{i} um", "mm") for i in range(1, 10)] == [
-        float(f"0.{i}e-3") for i in range(1, 10)
-    ]
+    assert [in_unit("field", f"0.{i} um", "mm") for i in range(1, 10)] == [float(f"0.{i}e-3") for i in range(1, 10)]
 
 
 @pytest.mark.parametrize(

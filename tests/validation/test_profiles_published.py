@@ -104,9 +104,7 @@ class TestIso16281:
     def test_short_cylindrical_roller_by_hand(self):
         # 0.00035 * 10 * ln(4/3) half-way to the end; 0.0035 ln(1/0.19) at nine tenths.
         profile = iso_logarithmic(diameter=10.0, length=25.0)
-        np.testing.assert_allclose(
-            profile.relief([6.25, -11.25]), [1.00688725358e-3, 5.81255922388e-3], rtol=1e-11
-        )
+        np.testing.assert_allclose(profile.relief([6.25, -11.25]), [1.00688725358e-3, 5.81255922388e-3], rtol=1e-11)
 
     def test_long_cylindrical_roller_by_hand(self):
         # 2.5 D = 10, so 5 mm stay straight on either side; half-way over the rest 0.0005 * 4 * ln(4/3).
@@ -162,9 +160,7 @@ class TestCircularArcs:
 
     def test_two_radius_ends_on_its_second_circle(self):
         # The circle through three points of the end has the radius that was asked for.
-        (x1, y1), (x2, y2), (x3, y3) = (
-            (x, float(two_radius(300.0, 40.0, 8.0).relief(x))) for x in (4.5, 7.0, 10.0)
-        )
+        (x1, y1), (x2, y2), (x3, y3) = ((x, float(two_radius(300.0, 40.0, 8.0).relief(x))) for x in (4.5, 7.0, 10.0))
         sides = math.dist((x1, y1), (x2, y2)), math.dist((x2, y2), (x3, y3)), math.dist((x1, y1), (x3, y3))
         area = 0.5 * abs((x2 - x1) * (y3 - y1) - (x3 - x1) * (y2 - y1))
         assert math.prod(sides) / (4.0 * area) == pytest.approx(40.0, rel=1e-9)

@@ -264,24 +264,18 @@ def _bending(problem: Problem, state: State, half_width: Array) -> tuple[Array, 
     return y[1:-1], width
 
 
-def graded(wanted: Sizes, limit: int, share: float = 1.0) -> Array:
-    """Return the edges of a graded grid of at most ``limit`` strips.
+def graded(wanted: Sizes, limit: int) -> Grading:
+    """Return the graded grids of a size function, at most ``limit`` strips.
 
-    Parameters
-    ----------
-    wanted : Sizes
-        The size function.
-    limit : int
-        Most strips; where the sizes ask for more, they are loosened away from the features.
-    share : float
-        Fraction of the strips to make, for the coarser grid of a pair.
+    Where the sizes ask for more, they are loosened away from the features until they do not.
     """
     by = 1.0
-    walk = _Walk(wanted)
-    while walk.count > limit and by < LOOSEST:
-        by *= 1.12
-        walk = _Walk(wanted.loosened(by))
-    return walk.edges(share * min(1.0, limit / walk.count))
+    grading = Grading(wanted)
+    while grading.count > limit and by < LOOSEST:
+        by *= max(1.03, (grading.count / limit) ** 1.5)
+        grading = Grading(wanted.loosened(by))
+    grading.count_limit = limit
+    return grading
 
 
 def _centre(wanted: Sizes) -> float:
@@ -293,8 +287,8 @@ def _centre(wanted: Sizes) -> float:
     return float(0.5 * (longest[0] + longest[1]))
 
 
-class _Walk:
-    """The walk along y in steps of the wanted width, and the strips that come of it."""
+class Grading:
+    """A walk along y in steps of the wanted width, and the grids of any number of strips that come of it."""
 
     def __init__(self, wanted: Sizes) -> None:
         self.centre, self.corners = _centre(wanted), wanted.corners
@@ -305,9 +299,11 @@ class _Walk:
         self.right = _walk(self.centre, wanted.high, *arguments)
         self.left = _walk(self.centre, wanted.low, *arguments)
         self.count = float(self.right[1][-1] + self.left[1][-1])
+        self.count_limit = math.inf
 
     def edges(self, share: float) -> Array:
-        """Return edges, ``share`` times as many strips as the walk has."""
+        """Return the edges of a grid with ``share`` times as many strips as wanted, or as the limit allows."""
+        share *= min(1.0, self.count_limit / self.count)
         half = 0.5 / share
         reach = min(
             float(np.interp(half, self.right[1], self.right[0])) - self.centre,
@@ -349,8 +345,8 @@ def _walk(
 ) -> tuple[Array, Array]:
     """Return positions from ``start`` to ``stop`` and how many strips lie between ``start`` and each."""
     outward = 1.0 if stop > start else -1.0
-    steps_per_strip = 4.0
-    room = 20000
+    steps_per_strip = 3.0
+    room = 6000
     y, count = np.empty(room), np.empty(room)
     y[0], count[0] = start, 0.0
     used = 1

@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.strip.feasible import feasible, refuse_endless_relief, refuse_infeasible, refuse_no_contact
-from nonhertz.strip.grid import Sizes, ends_of_contact, graded, sizes, uniform
+from nonhertz.strip.grid import Grading, ends_of_contact, graded, sizes, uniform
+from nonhertz.strip.newton import ROUGH_TOLERANCE, TOLERANCE
 from nonhertz.strip.state import Problem, State, settle, sprung
 
 Array = NDArray[np.float64]
@@ -79,13 +80,13 @@ def on_automatic_strips(problem: Problem, interval: Interval, bends: tuple[float
     """Return the solution on a graded grid; ``bends`` are where the profiles bend."""
     finite = bounded(problem, interval)
     states = [_located(problem, interval, finite)]
-    wanted: Sizes | None = None
-    for learn, share in ((True, ROUGH_SHARE), (True, 0.5), (False, 1.0)):
+    for shares in ((ROUGH_SHARE,), (0.5, 1.0)):
         if not states[0].converged:
             break
-        if learn or wanted is None:
-            wanted = sizes(problem, states[0], bends, finite)
-        states.insert(0, _settled(problem, wanted, states[0], share))
+        wanted = sizes(problem, states[0], bends, finite)
+        grading = graded(wanted, STRIP_LIMIT if len(wanted.contact) == 1 else 2 * STRIP_LIMIT)
+        for share in shares:
+            states.insert(0, _settled(problem, grading, states[0], share))
     # The equal strips that found the contact are too few to say anything of the error.
     return Levels(tuple(states[:-1]) or tuple(states))
 
@@ -96,24 +97,24 @@ def _raised(problem: Problem, grids: list[Array]) -> Levels:
     states: list[State] = []
     for edges in reversed(grids[1:]):
         if feasible(problem, edges):
-            state = settle(problem, edges, states[0] if states else None, patient=False)
+            state = settle(problem, edges, states[0] if states else None, patient=False, tolerance=ROUGH_TOLERANCE)
             if state.converged:
                 states.insert(0, state)
     return Levels((settle(problem, grids[0], states[0] if states else None), *states))
 
 
-def _settled(problem: Problem, wanted: Sizes, near: State, share: float) -> State:
+def _settled(problem: Problem, grading: Grading, near: State, share: float) -> State:
     """Return the solution on a graded grid, or on a slightly coarser one where that has none.
 
     Where a blunt contact ends just at the edge of a strip, that strip can be unable to bear load (its neighbours
     alone curve the surface more than the bodies do) and yet be overlapped without it. The next grid has its edges
     elsewhere.
     """
-    limit = STRIP_LIMIT if len(wanted.contact) == 1 else 2 * STRIP_LIMIT
     state = near
+    tolerance = TOLERANCE if share == 1.0 else ROUGH_TOLERANCE
     for fewer in FEWER_STRIPS:
-        edges = graded(wanted, limit, fewer * share)
-        state = settle(problem, edges, near, patient=fewer == FEWER_STRIPS[-1])
+        last = fewer == FEWER_STRIPS[-1]
+        state = settle(problem, grading.edges(fewer * share), near, patient=last, tolerance=tolerance)
         if state.converged:
             break
     return state
@@ -128,7 +129,7 @@ def _located(problem: Problem, interval: Interval, finite: Interval) -> State:
     if not problem.prescribed[0] or not feasible(problem, edges):
         edges = uniform(*_neighbourhood(problem, float(edges[0]), float(edges[-1])), COARSE_STRIPS)
     refuse_infeasible(problem, edges)
-    state = settle(problem, edges)
+    state = settle(problem, edges, tolerance=ROUGH_TOLERANCE)
     for _ in range(40):
         if not state.converged:
             break
@@ -141,7 +142,7 @@ def _located(problem: Problem, interval: Interval, finite: Interval) -> State:
             break
         margin = max(0.3 * span, 2.0 * float(np.min(state.width))) * (4.0 if cut else 1.0)
         edges = uniform(max(first - margin, interval[0]), min(last + margin, interval[1]), COARSE_STRIPS)
-        state = settle(problem, edges)
+        state = settle(problem, edges, tolerance=ROUGH_TOLERANCE)
     return state
 
 

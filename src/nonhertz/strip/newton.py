@@ -30,10 +30,13 @@ Flags = NDArray[np.bool_]
 
 CONVERGED, ITERATION_LIMIT, STAGNATED = range(3)
 
-TOLERANCE = 1e-11
+# Of a solution, and of one that only leads to the next grid.
+TOLERANCE, ROUGH_TOLERANCE = 1e-12, 1e-6
 # Once residual and step are this small, what the step leaves is its square, and the stiffness is exact to this.
 NEARLY, SMALL_STEP = 1e-8, 1e-5
 STEP_LIMIT = 60
+# A strip enters only if it overlaps by more than this share of what the others still lack: sooner it would flutter.
+LET_SETTLE = 0.1
 
 
 @compiled
@@ -52,6 +55,7 @@ def newton(
     rigid: Array,
     gap: Array,
     stiffness: Array,
+    tolerance: float,
     relaxation: float,
 ) -> tuple[int, int, float]:
     """Solve the contact of strips, starting from and overwriting ``r``, ``m`` and ``rigid``.
@@ -77,6 +81,8 @@ def newton(
         Result: gap on the centre line.
     stiffness : ndarray, shape (2, 2)
         Result: K d(Q, T) / d(approach, tilt).
+    tolerance : float
+        Largest relative residual of a solution.
     relaxation : float
         Longest fraction of a Newton step to take; 1 unless a case resists.
 
@@ -110,11 +116,12 @@ def newton(
         off = _balance_residual(prescribed, target, rigid, load, moment, half)
         _idle_gaps(y, low, high, separation, rigid, r, m, active, terms, table, gap)
         reference = target[0] if prescribed[0] else load
-        residual = max(
-            (max(np.max(np.abs(gap_residual)), -np.min(gap)) - noise) / scale,
+        unsettled = max(
+            (np.max(np.abs(gap_residual)) - noise) / scale,
             np.max(np.abs(curvature_residual) / curvature[active]),
             _relative(off, prescribed, reference),
         )
+        residual = max(unsettled, -(np.min(gap) + noise) / scale)
         if not math.isfinite(residual):
             return STAGNATED, step, residual
 
@@ -123,7 +130,7 @@ def newton(
         weights = qa * width
         response = _border(weights, lever, d_q)
         _store_stiffness(response, half, stiffness)
-        if residual < TOLERANCE:
+        if residual < tolerance:
             _finish_gaps(gap_residual, active, gap)
             return CONVERGED, step, residual
 
@@ -133,11 +140,11 @@ def newton(
         rigid[0] += relaxation * motion[0]
         rigid[1] += relaxation * motion[1] / half
         changed = _update(blocks, active, width, rho, sigma, relaxation, table, r, m)
-        entered = _enter(high - low, curvature, gap, noise, active, table, r, m)
+        entered = _enter(high - low, curvature, gap, noise + LET_SETTLE * unsettled * scale, active, table, r, m)
         small = max(np.max(np.abs(rho)), np.max(np.abs(sigma - rho))) < SMALL_STEP
         if residual < NEARLY and small and not changed and not entered:
             left = _check(y, low, high, separation, prescribed, target, rigid, r, m, terms, table, gap)
-            if left < TOLERANCE:
+            if left < tolerance:
                 return CONVERGED, step + 1, left
     return ITERATION_LIMIT, STEP_LIMIT, residual
 
@@ -313,12 +320,12 @@ def _update(
 
 @compiled
 def _enter(
-    width: Array, curvature: Array, gap: Array, noise: float, active: Indices, table: Array, r: Array, m: Array
+    width: Array, curvature: Array, gap: Array, overlap: float, active: Indices, table: Array, r: Array, m: Array
 ) -> bool:
-    """Put strips with a negative gap in contact, with r from their nearest neighbour there."""
+    """Put strips with more than this ``overlap`` in contact, with r from their nearest neighbour there."""
     entered = False
     for i in range(gap.size):
-        if gap[i] < -noise:
+        if gap[i] < -overlap:
             entered = True
             nearest = active[np.argmin(np.abs(active - i))]
             r[i] = r[nearest] * curvature[i] / curvature[nearest]

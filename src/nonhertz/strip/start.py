@@ -2,7 +2,7 @@
 
 On springs (a Winkler foundation) every strip answers to its own load alone, q = d / (K Lambda), with one
 logarithm Lambda for the whole contact. That is a convex, piecewise linear problem which has a solution for any
-of the four pairs of prescribed quantities, found by sorting for the approach and by bisection for the tilt.
+of the four pairs of prescribed quantities, found by sorting for the approach and by false position for the tilt.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-BISECTIONS = 30  # a start needs no more digits
+SECANTS = 30
 
 
 def springs(
@@ -65,24 +65,34 @@ class _Foundation:
 
     def _tilts(self, stiffness: float) -> tuple[float, ...]:
         """Return the two ends of a short bracket around the tilt at which the moment is met."""
-        side = self._excess_moment(stiffness, 0.0)
-        if side == 0.0:
+        low, excess = 0.0, self._excess_moment(stiffness, 0.0)
+        if excess == 0.0:
             return (0.0,)
         reach = float(np.max(np.abs(self.y)))
         step = abs(self.target[0]) + abs(self.target[1]) / reach
         if self.prescribed[0]:
             step /= stiffness * float(np.sum(self.width))
-        low, high = 0.0, -math.copysign(step / reach, side)
+        high = -math.copysign(step / reach, excess)
+        over = self._excess_moment(stiffness, high)
         for _ in range(200):
-            if self._excess_moment(stiffness, high) * side <= 0.0:
+            if over * excess <= 0.0:
                 break
-            low, high = high, 2.0 * high
-        for _ in range(BISECTIONS):
-            middle = 0.5 * (low + high)
-            if self._excess_moment(stiffness, middle) * side > 0.0:
-                low = middle
+            low, excess, high = high, over, 2.0 * high
+            over = self._excess_moment(stiffness, high)
+        return self._narrowed(stiffness, low, excess, high, over)
+
+    def _narrowed(self, stiffness: float, low: float, excess: float, high: float, over: float) -> tuple[float, float]:
+        """Return the ends of the bracket after false position, which halves an end's weight when that stays."""
+        for _ in range(SECANTS):
+            if over == 0.0 or abs(high - low) <= 1e-10 * (abs(high) + abs(low)):
+                break
+            middle = high - over * (high - low) / (over - excess)
+            found = self._excess_moment(stiffness, middle)
+            if found * over < 0.0:
+                low, excess = high, over
             else:
-                high = middle
+                excess *= 0.5
+            high, over = middle, found
         return (high, low)
 
     def _approach(self, stiffness: float, tilt: float) -> float:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nonhertz.strip.element import Element
 from nonhertz.strip.influence import HALF_SPACE
-from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, newton
+from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, TOLERANCE, newton
 from nonhertz.strip.start import prolong, springs
 
 Array = NDArray[np.float64]
@@ -94,7 +94,9 @@ class State:
         return self.r * np.sqrt(self.m)
 
 
-def settle(problem: Problem, edges: Array, near: State | None = None, *, patient: bool = True) -> State:
+def settle(
+    problem: Problem, edges: Array, near: State | None = None, *, patient: bool = True, tolerance: float = TOLERANCE
+) -> State:
     """Return the solved state on the strips between ``edges``, starting from a ``near`` one if there is one.
 
     Where the loop fails from one start, the next is tried: springs, springs with shortened steps, and last the
@@ -104,11 +106,11 @@ def settle(problem: Problem, edges: Array, near: State | None = None, *, patient
     curvature, separation = problem.curvature(y), problem.separation(y)
     state = None
     if near is not None:
-        state = _loop(problem, edges, y, curvature, separation, near)
+        state = _loop(problem, edges, y, curvature, separation, tolerance, near)
     if state is None or not state.converged:
-        state = _loop(problem, edges, y, curvature, separation)
+        state = _loop(problem, edges, y, curvature, separation, tolerance)
     if patient and not state.converged:
-        state = _better(state, _loop(problem, edges, y, curvature, separation, relaxation=0.5))
+        state = _better(state, _loop(problem, edges, y, curvature, separation, tolerance, relaxation=0.5))
     if patient and not state.converged and problem.prescribed[0]:
         state = _better(state, _raised(problem, edges, y, curvature, separation))
     return state
@@ -138,7 +140,7 @@ def _raised(problem: Problem, edges: Array, y: Array, curvature: Array, separati
     """Return the state reached by raising the load from a small one, in steps as long as the loop allows."""
     near, reached, share = None, 0.0, 0.01
     for _ in range(40):
-        state = _loop(problem.with_share(share), edges, y, curvature, separation, near)
+        state = _loop(problem.with_share(share), edges, y, curvature, separation, TOLERANCE, near)
         if state.converged and share == 1.0:
             break
         if state.converged:
@@ -154,6 +156,7 @@ def _loop(
     y: Array,
     curvature: Array,
     separation: Array,
+    tolerance: float,
     near: State | None = None,
     relaxation: float = 1.0,
 ) -> State:
@@ -166,7 +169,7 @@ def _loop(
     gap, stiffness = np.zeros_like(y), np.zeros((2, 2))
     status, steps, residual = newton(
         y, edges[:-1], edges[1:], curvature, separation, problem.prescribed, problem.target, problem.terms,
-        problem.element.table, r, m, rigid, gap, stiffness, relaxation,
+        problem.element.table, r, m, rigid, gap, stiffness, tolerance, relaxation,
     )  # fmt: skip
     return State(edges, r, m, rigid, gap, stiffness, status, steps, residual)
 

@@ -1,0 +1,49 @@
+"""Levels of grids, and the error that their changes estimate."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.strip.levels import Levels
+
+
+def levels(*values, converged=None):
+    flags = converged or [True] * len(values)
+    return Levels(tuple(SimpleNamespace(value=v, converged=c) for v, c in zip(values, flags, strict=True)))
+
+
+def estimate(*values, **options):
+    return levels(*values, **options).difference(lambda state: state.value)
+
+
+def test_the_last_change_counts_twice():
+    assert estimate(1.0, 0.98, 0.97) == pytest.approx(0.04)
+
+
+def test_half_the_change_before_counts_where_the_last_is_small_by_chance():
+    assert estimate(1.0, 1.0, 0.9) == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize("values", [(1.0,), (0.0, 1.0)])
+def test_without_two_levels_or_with_nothing_to_relate_to_it_is_unknown(values):
+    assert estimate(*values) == np.inf
+
+
+def test_levels_that_failed_do_not_count():
+    assert estimate(1.0, 5.0, 0.99, converged=[True, False, True]) == pytest.approx(0.02)
+
+
+def test_a_single_strip_has_no_estimate():
+    solution = nh.solve(nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate()), load=1e3, strips=1)
+    assert solution.error_estimate.approach == np.inf
+    assert solution.error_estimate.load == 0.0
+
+
+def test_a_grid_can_be_given_to_another_solve():
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(2000)), nh.Plate())
+    first = nh.solve(contact, load=5e3)
+    second = nh.solve(contact, load=5e3, strips=first.edges)
+    assert np.array_equal(second.edges, first.edges)
+    np.testing.assert_allclose(second.approach, first.approach, rtol=1e-11, atol=0.0)

@@ -1,0 +1,60 @@
+"""Where the Newton loop starts: independent springs carry exactly what is prescribed."""
+
+import numpy as np
+import pytest
+
+from nonhertz.strip.start import prolong, springs
+
+EDGES = np.linspace(-10.0, 10.0, 42)
+Y, WIDTH = 0.5 * (EDGES[1:] + EDGES[:-1]), np.diff(EDGES)
+CURVATURE = np.full(Y.size, 0.1)
+CROWN = Y**2 / 2000.0
+
+
+def sprung(prescribed, target, separation=CROWN):
+    r, m, rigid = springs(Y, WIDTH, CURVATURE, separation, 4.0, np.array(prescribed), np.array(target))
+    return r * m, rigid
+
+
+@pytest.mark.parametrize("moment", [0.0, 1e-2, -3e-2])
+def test_springs_carry_load_and_moment(moment):
+    q, _ = sprung([True, True], [1e-2, moment])
+    np.testing.assert_allclose(np.sum(q * WIDTH), 1e-2, rtol=1e-9, atol=0.0)
+    # A start: the bracket around the tilt is 1e-10 wide, of which the moment sees the tenfold at most.
+    np.testing.assert_allclose(np.sum(q * Y * WIDTH), moment, rtol=1e-8, atol=1e-11)
+
+
+@pytest.mark.parametrize("tilt", [0.0, 1e-3])
+def test_springs_carry_the_load_at_a_tilt(tilt):
+    q, rigid = sprung([True, False], [1e-2, tilt])
+    np.testing.assert_allclose(np.sum(q * WIDTH), 1e-2, rtol=1e-12, atol=0.0)
+    assert rigid[1] == tilt
+    assert np.all((q > 0.0) == (rigid[0] + tilt * Y > CROWN))
+
+
+def test_springs_keep_a_prescribed_approach_and_tilt():
+    _, rigid = sprung([False, False], [0.01, 2e-4])
+    assert rigid.tolist() == [0.01, 2e-4]
+
+
+def test_an_infinite_relief_bears_nothing():
+    q, _ = sprung([True, False], [1e-2, 0.0], np.where(np.abs(Y) > 5.0, np.inf, CROWN))
+    assert np.all(q[np.abs(Y) > 5.0] == 0.0)
+
+
+def test_no_contact_is_left_when_the_moment_vanishes_only_there():
+    # A hump at y = 6 alone: without contact there is no moment, with contact there always is.
+    q, _ = sprung([False, True], [0.001, 0.0], np.where(np.abs(Y - 6.0) < 1.0, 0.0, 1.0))
+    assert np.all(q == 0.0)
+
+
+def test_a_parabola_is_prolonged_to_where_it_ends():
+    m = np.maximum(1.0 - (Y / 6.3) ** 2, 0.0)
+    finer = np.linspace(-9.9, 9.9, 397)
+    r, found = prolong(Y, np.full(Y.size, 0.025), m, finer)
+    assert np.all(r == 0.025)
+    # A chord continued over one more strip misses the parabola by twice (strip / 6.3)^2.
+    within = 2.0 * (WIDTH[0] / 6.3) ** 2
+    np.testing.assert_allclose(found, np.maximum(1.0 - (finer / 6.3) ** 2, 0.0), rtol=0.0, atol=within)
+    ends = finer[found > 0.0][[0, -1]]
+    np.testing.assert_allclose(ends, [-6.3, 6.3], rtol=0.0, atol=0.1)
