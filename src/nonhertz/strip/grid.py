@@ -143,7 +143,7 @@ def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tu
     for place, turn in corners:
         places.append(place)
         widths.append(max(KINK_SHARE * depth / turn, NARROWEST * _near(state, half_width, place)))
-    for place, width in _overlaps(problem, state, contact, interval):
+    for place, width in overlaps(problem, state, interval):
         places.append(place)
         widths.append(width)
         low, high = min(low, max(place - 5.0 * width, interval[0])), max(high, min(place + 5.0 * width, interval[1]))
@@ -187,13 +187,12 @@ def _fall(state: State, inside: NDArray[np.bool_], end: float) -> float:
     return float(distance[at - 1] + share * (distance[at] - distance[at - 1]))
 
 
-def _overlaps(
-    problem: Problem, state: State, contact: Array, interval: tuple[float, float]
-) -> list[tuple[float, float]]:
+def overlaps(problem: Problem, state: State, interval: tuple[float, float]) -> list[tuple[float, float]]:
     """Return middles of intervals where the surfaces overlap between strips out of contact, and widths for them.
 
     A wide strip out of contact sees the gap at its centre only; another place of contact may lie beside it.
     """
+    contact = np.array(ends_of_contact(state))
     y = np.linspace(*interval, SAMPLES + 1)
     depth = state.rigid[0] + state.rigid[1] * y - problem.separation(y)
     margin = 0.02 * (contact[:, 1:] - contact[:, :1])
