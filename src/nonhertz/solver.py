@@ -83,7 +83,7 @@ def solve(
     >>> roller = Roller(diameter=20, length=20, profile=crown(radius=4000))
     >>> solution = solve(Contact(roller, Plate()), load=20e3, tilt=0.5e-3)
     >>> round(solution.moment / solution.load, 2)
-    1.24
+    0.95
     """
     if not isinstance(contact, Contact):
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")

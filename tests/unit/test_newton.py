@@ -73,8 +73,9 @@ def test_any_start_leads_to_the_same_answer():
         other_r, other_m, other_rigid = start(0.0)
         other_m[alone] = 0.05
         assert run(other_r, other_m, other_rigid)[0] == loop.CONVERGED
-        # Both meet the conditions to 1e-11; the condition of the system costs a digit or two.
-        np.testing.assert_allclose(other_m, m, rtol=1e-9, atol=0.0)
+        # Both meet the conditions to 1e-11 of the whole contact, which a speck of a strip at its tip hardly sees; the
+        # condition of the system costs a digit or two.
+        np.testing.assert_allclose(other_m, m, rtol=1e-9, atol=1e-10 * np.max(m))
         np.testing.assert_allclose(other_rigid, rigid, rtol=1e-9, atol=0.0)
 
 

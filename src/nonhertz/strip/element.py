@@ -68,7 +68,7 @@ class Element:
     --------
     >>> displacement, *_ = SEMI_ELLIPTIC.functions(2.0)
     >>> round(float(displacement), 12)
-    2.594183213168
+    2.594391254771
     """
 
     name: str

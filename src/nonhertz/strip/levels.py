@@ -170,7 +170,7 @@ def bounded(problem: Problem, interval: Interval) -> Interval:
     if math.isfinite(low) and math.isfinite(high):
         return low, high
     scale = 1.0 / float(np.max(problem.curvature(np.zeros(1))))
-    edge = np.concatenate([[0.0], scale * np.geomspace(1e-9, 1e4, 260)])
+    edge = np.concatenate([[0.0], scale * np.geomspace(1e-9, 1e4, 130)])
     edges = np.unique(np.clip(np.concatenate([-edge[::-1], edge]), low, high))
     touching = np.flatnonzero(sprung(problem, edges).m > 0.0)
     if touching.size == 0:

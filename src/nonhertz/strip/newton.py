@@ -31,7 +31,7 @@ Flags = NDArray[np.bool_]
 CONVERGED, ITERATION_LIMIT, STAGNATED = range(3)
 
 # Of a solution, and of one that only leads to the next grid.
-TOLERANCE, ROUGH_TOLERANCE = 1e-12, 1e-6
+TOLERANCE, ROUGH_TOLERANCE = 1e-11, 1e-6
 # Once residual and step are this small, what the step leaves is its square, and the stiffness is exact to this.
 NEARLY, SMALL_STEP = 1e-8, 1e-5
 STEP_LIMIT = 60
