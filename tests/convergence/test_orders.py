@@ -51,7 +51,7 @@ def typical_errors():
 
 
 def test_order_in_approach_is_at_least_three_halves(typical_errors):
-    # The figure; 1.7 here, and 2 asymptotically.
+    # The figure to reach; 1.7 here, and 2 asymptotically.
     assert order(*typical_errors)[0] > 1.5
 
 

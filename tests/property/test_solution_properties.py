@@ -192,7 +192,7 @@ def test_contact_is_closed_and_the_rest_is_open(press):
     flattened = contact.compliance * (upper[2] - lower[2])[touching] @ (q / a**2)
     interference = solution.approach + solution.tilt * solution.y - contact.separation(solution.y)
     gap, depth = displacement - interference, np.max(interference)
-    # 1e-9 of the approach is what the issue allows anywhere.
+    # 1e-9 of the approach is allowed anywhere.
     assert np.max(np.abs(gap[touching])) < 1e-9 * depth
     assert np.min(gap) > -1e-9 * depth
     np.testing.assert_allclose(flattened, contact.curvature(solution.y[touching]), rtol=1e-9, atol=0.0)

@@ -28,8 +28,8 @@ diameter = 20.0            # negative = concave; left out = flat
 length = 20.0              # between its side faces; left out = unbounded
 material = "steel"         # or { modulus = 207000, poisson = 0.3 }
 profile = [{ kind = "crown", radius = 4000.0 }]     # a list: they add
-side_faces = "none"        # this issue: "none" only
-depth = "none"             # this issue: "none" only
+side_faces = "none"        # "none" only
+depth = "none"             # "none" only
 [body.b]
 material = { modulus = 207000, poisson = 0.3 }
 side_faces = "none"

@@ -12,7 +12,7 @@ import nonhertz as nh
 ELEMENTS = {element.name: element for element in (nh.SEMI_ELLIPTIC, nh.PARABOLIC)}
 FUNCTIONS = ("A", "tA'", "B", "tB'")
 both_elements = pytest.mark.parametrize("element", ELEMENTS.values(), ids=ELEMENTS)
-# The issue asks for 1e-12 (parabolic) and 1e-10 (semi-elliptic); both reach 3e-14.
+# Wanted are 1e-12 (parabolic) and 1e-10 (semi-elliptic); both reach 3e-14.
 RTOL = 1e-12
 
 DECADES = [float(t) for t in 10.0 ** np.arange(-8.0, 9.0)]
@@ -88,7 +88,7 @@ def test_functions_do_not_jump_between_rows_of_a_table(element):
     np.testing.assert_allclose(below, element.functions(boundary), rtol=RTOL, atol=0.0)
 
 
-# int phi ln(1/|xi|): ln 2 + 1/2 of the semi-ellipse, 4/3 of the parabola (theory.md, section 2).
+# int phi ln(1/|xi|): ln 2 + 1/2 of the semi-ellipse, 4/3 of the parabola (docs/explain/theory.md).
 @pytest.mark.parametrize(("name", "constant"), [("semi-elliptic", math.log(2.0) + 0.5), ("parabolic", 4.0 / 3.0)])
 def test_far_away_a_strip_is_a_line_load(name, constant):
     t = np.array([1e6, 1e8, 1e12])

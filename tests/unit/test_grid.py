@@ -117,7 +117,7 @@ def test_symmetric_cases_have_symmetric_grids(case):
 
 @pytest.mark.parametrize("name", SHARP)
 def test_sharp_ends_are_refined_but_not_beyond_sense(name):
-    # theory.md, section 3: strips much narrower than a twentieth of the half-width are no strips any more.
+    # Strips much narrower than a few hundredths of the half-width gain nothing (docs/explain/grid.md).
     shape, prescribed = SYMMETRIC[name]
     solution = solved(shape, **prescribed)
     share = solution.strip_width / solution.half_width

@@ -32,13 +32,13 @@ def pressed(element):
 
 def test_semi_elliptic_strip_is_that_of_contact():
     approach, half_width, pressure = pressed(nh.SEMI_ELLIPTIC)
-    np.testing.assert_allclose(approach, 0.00649156, rtol=1e-4, atol=0.0)  # the figure
+    np.testing.assert_allclose(approach, 0.00649156, rtol=1e-4, atol=0.0)  # the figure to reach
     np.testing.assert_allclose(half_width, 1.0, rtol=0.0, atol=5e-4)  # digits given
     np.testing.assert_allclose(pressure, 113.89, rtol=0.0, atol=5e-3)  # digits given
 
 
 def test_parabolic_strip_has_its_known_deficit():
-    # The same strip with the paper's element: -0.96 % in approach, 2 q K times 0.0625464 (companion.md).
+    # The same strip with the paper's element: -0.96 % in approach, 2 q K times 0.0625464, from the two logarithms.
     approach, half_width, pressure = pressed(nh.PARABOLIC)
     np.testing.assert_allclose(approach, 0.00642906, rtol=0.0, atol=5e-9)
     deficit = 2.0 * LOAD / LENGTH * COMPLIANCE * 0.0625464

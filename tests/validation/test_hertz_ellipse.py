@@ -71,14 +71,14 @@ def test_forty_one_equal_strips():
     solution = solved(hertz(), reach=1.3, strips=41)
     found = [solution.half_width.max(), solution.max_pressure, solution.approach]
     expected = [LITERAL[name] for name in ("half_width", "max_pressure", "approach")]
-    np.testing.assert_allclose(found, expected, rtol=2e-4, atol=0.0)  # the figure
+    np.testing.assert_allclose(found, expected, rtol=2e-4, atol=0.0)  # the figure to reach
 
 
 def test_automatic_grid():
     solution = solved(hertz())
     found = [solution.half_width.max(), solution.max_pressure, solution.approach]
     expected = [LITERAL[name] for name in ("half_width", "max_pressure", "approach")]
-    np.testing.assert_allclose(found, expected, rtol=5e-5, atol=0.0)  # the figure
+    np.testing.assert_allclose(found, expected, rtol=5e-5, atol=0.0)  # the figure to reach
 
 
 @pytest.mark.parametrize("radius_y", [15.0, 30.0, 100.0, 1e3, 1e4, 1e5])
@@ -153,7 +153,7 @@ def test_unlike_bodies_share_the_same_ellipse():
 
 @pytest.mark.parametrize("strips", [41, "auto"])
 def test_bias_of_the_parabola(strips):
-    # theory.md, section 2: p0 +0.61 %, b +0.65 %, delta -1.4 %, to the digits given.
+    # docs/explain/theory.md: p0 +0.61 %, b +0.65 %, delta -1.4 %, to the digits given.
     exact = hertz()
     bias = 100.0 * errors(solved(exact, reach=1.3, strips=strips, element=nh.PARABOLIC), exact)
     np.testing.assert_allclose(bias[:2], [0.61, 0.65], rtol=0.0, atol=0.006)

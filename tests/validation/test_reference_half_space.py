@@ -96,7 +96,7 @@ def distances(name, nearest):
 @every_case
 @pytest.mark.parametrize(("nearest", "rtol"), [(2.0, 0.002), (0.5, 0.01)])
 def test_pressure_along_the_line(solutions, name, nearest, rtol):
-    # The issue: 1 % up to 0.5 mm from the end. A smooth curve through the strips' values joins them.
+    # To reach: 1 % up to 0.5 mm from the end. A smooth curve through the strips' values joins them.
     y, pressure, _ = distances(name, nearest)
     assert y.size > 30
     along = PchipInterpolator(solutions[name].y, solutions[name].peak_pressure)
@@ -105,7 +105,7 @@ def test_pressure_along_the_line(solutions, name, nearest, rtol):
 
 @with_sharp_ends
 def test_pressure_close_to_a_sharp_end(solutions, name):
-    # The issue: 3 % up to 0.1 mm, a third of the half-width, from the singularity.
+    # To reach: 3 % up to 0.1 mm, a third of the half-width, from the singularity.
     y, pressure, _ = distances(name, 0.1)
     assert np.max(np.abs(y)) > 9.89
     along = PchipInterpolator(solutions[name].y, solutions[name].peak_pressure)
@@ -122,7 +122,7 @@ def test_half_width_along_the_line(solutions, name):
 @with_sharp_ends
 def test_intensity_of_the_singularity(solutions, name):
     # p sqrt(distance) tends to K at the end. Strips give it 5 % too high: within a half-width of the end the
-    # pressure across is no semi-ellipse (theory.md, section 6). The outermost strip holds a mean.
+    # pressure across is no semi-ellipse (docs/explain/theory.md). The outermost strip holds a mean.
     distance = HALF_LENGTH - solutions[name].y
     near = (distance > 0.03) & (distance < 0.2)
     assert np.count_nonzero(near) >= 4
