@@ -69,7 +69,7 @@ def second_diameter(rng, diameter):
 
 
 def random_case(seed):
-    """Contact, prescribed quantities and options of one case, over the whole range of contacts that the package is meant for."""
+    """Contact, prescribed quantities and options of one case, over the whole range that the package is meant for."""
     rng = np.random.default_rng([SEED, seed])
     diameter = log_uniform(rng, 2.0, 2000.0)
     length = diameter * log_uniform(rng, 0.2, 20.0)
