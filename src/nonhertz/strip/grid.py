@@ -35,6 +35,7 @@ GROWTH_OUTSIDE = 0.8
 SAG = 1e-3  # of the interference: how much the profile may sag between the edges of one strip
 KINK_SHARE = 0.05
 LOOSEST = 64.0
+LEAST_STRIP = 0.4  # of the wanted width, for a strip between two corners
 SAMPLES = 600
 MOST_BENDS = 12
 STRIPS_PER_OVERLAP = 5.0
@@ -269,11 +270,10 @@ def graded(wanted: Sizes, limit: int) -> Grading:
     Where the sizes ask for more, they are loosened away from the features until they do not.
     """
     by = 1.0
-    grading = Grading(wanted)
+    grading = Grading(wanted, limit)
     while grading.count > limit and by < LOOSEST:
         by *= max(1.03, (grading.count / limit) ** 1.5)
-        grading = Grading(wanted.loosened(by))
-    grading.count_limit = limit
+        grading = Grading(wanted.loosened(by), limit)
     return grading
 
 
@@ -289,7 +289,8 @@ def _centre(wanted: Sizes) -> float:
 class Grading:
     """A walk along y in steps of the wanted width, and the grids of any number of strips that come of it."""
 
-    def __init__(self, wanted: Sizes) -> None:
+    def __init__(self, wanted: Sizes, limit: int) -> None:
+        self.limit = limit
         self.centre, self.corners = _centre(wanted), wanted.corners
         arguments = (
             wanted.places, wanted.widths, wanted.sample_y, wanted.sample_width, wanted.contact,
@@ -298,11 +299,10 @@ class Grading:
         self.right = _walk(self.centre, wanted.high, *arguments)
         self.left = _walk(self.centre, wanted.low, *arguments)
         self.count = float(self.right[1][-1] + self.left[1][-1])
-        self.count_limit = math.inf
 
     def edges(self, share: float) -> Array:
         """Return the edges of a grid with ``share`` times as many strips as wanted, or as the limit allows."""
-        share *= min(1.0, self.count_limit / self.count)
+        share *= min(1.0, self.limit / self.count)
         half = 0.5 / share
         reach = min(
             float(np.interp(half, self.right[1], self.right[0])) - self.centre,
@@ -317,15 +317,18 @@ def _cut(side: tuple[Array, Array], start: float, corners: Array, share: float) 
     """Return edges from ``start`` outward, whole numbers of strips to every corner and to the end."""
     y, count = side
     outward = 1.0 if y[-1] > y[0] else -1.0
-    marks = outward * np.array([start, *sorted(corners, key=lambda place: outward * place), y[-1]])
-    marks = marks[(marks >= marks[0]) & (marks <= marks[-1])]
-    reached = np.interp(marks, outward * y, count)
+    begin = float(np.interp(outward * start, outward * y, count))
     pieces = [np.array([start])]
-    for k in range(1, marks.size):
-        strips = max(1, round(share * float(reached[k] - reached[k - 1])))
-        inner = np.interp(np.linspace(reached[k - 1], reached[k], strips + 1)[1:], count, y)
-        inner[-1] = outward * marks[k]
+    for mark in (*sorted(corners, key=lambda place: outward * place), y[-1]):
+        reached = float(np.interp(outward * mark, outward * y, count))
+        wanted = share * (reached - begin), share * (count[-1] - reached)
+        # A corner close to another edge would cut off a sliver.
+        if min(wanted) < LEAST_STRIP and mark != y[-1]:
+            continue
+        inner = np.interp(np.linspace(begin, reached, max(1, round(wanted[0])) + 1)[1:], count, y)
+        inner[-1] = mark
         pieces.append(inner)
+        begin = reached
     return np.concatenate(pieces)
 
 
