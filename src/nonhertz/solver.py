@@ -93,14 +93,16 @@ def solve(
     prescription = _Prescription.checked(approach, load, tilt, moment)
     prescription.refuse_outside(contact)
     problem = prescription.problem(contact, element)
-    solution = _solution(contact, element, problem, _levels(contact, problem, strips))
+    levels = _levels(contact, problem, strips)
+    solution = _solution(contact, element, problem, levels)
     if solution.status is not Status.CONVERGED:
         raise ConvergenceError(
             f"{solution.status.value} Try another number of strips, or a smaller load first.", solution
         )
-    for sentence in _strains(solution):
+    strains = _strains(solution)
+    for sentence in strains:
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
-    return solution
+    return replace(solution, warnings=(*strains, *_singularities(contact, levels.finest)))
 
 
 @dataclass(frozen=True)
@@ -189,7 +191,7 @@ def _checked_edges(contact: Contact, strips: ArrayLike) -> Array:
 
 def _solution(contact: Contact, element: Element, problem: Problem, levels: Levels) -> Solution:
     state, compliance = levels.finest, contact.compliance
-    solution = Solution(
+    return Solution(
         contact=contact,
         element=element,
         status=_STATUS[state.status],
@@ -207,9 +209,6 @@ def _solution(contact: Contact, element: Element, problem: Problem, levels: Leve
         error_estimate=_error_estimate(contact, problem, levels),
         warnings=(),
     )
-    if not state.converged:
-        return solution
-    return replace(solution, warnings=(*_strains(solution), *_singularities(contact, state)))
 
 
 def _error_estimate(contact: Contact, problem: Problem, levels: Levels) -> ErrorEstimate:

@@ -23,26 +23,7 @@ import nonhertz.solver
 from nonhertz.cli import main
 from nonhertz.solution import Solution
 
-CASE = """
-title = "Roller 20 x 20 on a plate"
-[body.a]
-diameter = 20.0            # negative = concave; left out = flat
-length = 20.0              # between its side faces; left out = unbounded
-material = "steel"         # or { modulus = 207000, poisson = 0.3 }
-profile = [{ kind = "crown", radius = 4000.0 }]     # a list: they add
-side_faces = "none"        # "none" only
-depth = "none"             # "none" only
-[body.b]
-material = { modulus = 207000, poisson = 0.3 }
-side_faces = "none"
-depth = "none"
-[load]
-load = 20000.0             # or approach = ...
-tilt = 0.0005              # or moment = ...
-[solver]
-element = "semi-elliptic"  # or "parabolic"
-strips = "auto"            # or a number: that many, equally wide
-"""
+CASE = Path(__file__).parents[2].joinpath("examples", "crowned-roller.toml").read_text(encoding="utf-8")
 KEYS = {
     "status",
     "element",

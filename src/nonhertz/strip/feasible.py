@@ -13,7 +13,7 @@ from nonhertz.strip.state import Problem, sprung
 
 Array = NDArray[np.float64]
 
-FINE_STRIPS = 2000  # of springs, to tell a contact between strip centres from none
+FINE_STRIPS = 2000  # of springs, to find a contact that a grid's strip centres miss
 
 
 def feasible(problem: Problem, edges: Array) -> bool:

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -60,18 +60,12 @@ class Sizes:
 
     def loosened(self, by: float) -> Sizes:
         """Return the function with wider strips away from the features, the features themselves kept."""
-        return Sizes(
-            self.low,
-            self.high,
-            self.places,
-            self.widths,
-            self.corners,
-            self.sample_y,
-            self.sample_width * np.sqrt(by),
-            self.contact,
-            self.largest * by,
-            self.largest_outside * by,
-            min(self.growth * np.sqrt(by), 1.0),
+        return replace(
+            self,
+            sample_width=self.sample_width * np.sqrt(by),
+            largest=self.largest * by,
+            largest_outside=self.largest_outside * by,
+            growth=min(self.growth * np.sqrt(by), 1.0),
         )
 
 
@@ -82,10 +76,13 @@ def uniform(low: float, high: float, count: int) -> Array:
 
 def ends_of_contact(state: State) -> list[tuple[float, float]]:
     """Return the intervals in contact, their ends where m, continued linearly, vanishes."""
-    touching = np.concatenate([[False], state.m > 0.0, [False]])
-    first = np.flatnonzero(~touching[:-1] & touching[1:])
-    last = np.flatnonzero(touching[:-1] & ~touching[1:]) - 1
-    return [(_end(state, int(i), int(j), -1), _end(state, int(j), int(i), 1)) for i, j in zip(first, last, strict=True)]
+    return [(_end(state, first, last, -1), _end(state, last, first, 1)) for first, last in _runs(state.m > 0.0)]
+
+
+def _runs(flags: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Return the first and last index of every run of true flags."""
+    change = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]])))
+    return [(int(first), int(beyond) - 1) for first, beyond in change.reshape(-1, 2)]
 
 
 def _end(state: State, at: int, other: int, side: int) -> float:
@@ -199,17 +196,14 @@ def overlaps(problem: Problem, state: State, interval: tuple[float, float]) -> l
     margin = 0.02 * (contact[:, 1:] - contact[:, :1])
     apart = np.all((y < contact[:, :1] - margin) | (y > contact[:, 1:] + margin), axis=0)
     suspect = np.flatnonzero(apart & (depth > 0.0))
-    overlapping = np.zeros(y.size + 2, dtype=bool)
+    overlapping = np.zeros(y.size, dtype=bool)
     if suspect.size:
         low, high, table = state.edges[:-1], state.edges[1:], problem.element.table
         lift = displacements(y[suspect], low, high, state.r, state.m, problem.terms, table)
-        overlapping[suspect[lift < depth[suspect]] + 1] = True
-    first = np.flatnonzero(~overlapping[:-1] & overlapping[1:])
-    last = np.flatnonzero(overlapping[:-1] & ~overlapping[1:]) - 1
+        overlapping[suspect[lift < depth[suspect]]] = True
     step = float(y[1] - y[0])
     return [
-        (float(0.5 * (y[i] + y[j])), max(float(y[j] - y[i]), step) / STRIPS_PER_OVERLAP)
-        for i, j in zip(first, last, strict=True)
+        (float(0.5 * (y[i] + y[j])), max(float(y[j] - y[i]), step) / STRIPS_PER_OVERLAP) for i, j in _runs(overlapping)
     ]
 
 

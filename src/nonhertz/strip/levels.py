@@ -16,7 +16,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.strip.feasible import feasible, refuse_endless_relief, refuse_infeasible, refuse_no_contact
+from nonhertz.strip.feasible import (
+    FINE_STRIPS,
+    feasible,
+    refuse_endless_relief,
+    refuse_infeasible,
+    refuse_no_contact,
+)
 from nonhertz.strip.grid import Grading, ends_of_contact, graded, overlaps, sizes, uniform
 from nonhertz.strip.newton import ROUGH_TOLERANCE, TOLERANCE
 from nonhertz.strip.state import Problem, State, settle, sprung
@@ -26,12 +32,12 @@ Interval = tuple[float, float]
 
 STRIP_LIMIT = 87  # of an automatic grid on one interval of contact
 COARSE_STRIPS = 24
-FINE_STRIPS = 2000  # of springs, to find where bodies overlap
 COARSEST_LEVEL = 5
 FEWER_STRIPS = (1.0, 0.94, 0.88, 0.82, 0.76)  # tried in turn where a grid has no solution
-# Shares of the strips: a rough grid from which the final one is learnt, half of that and all; and again, should the
-# solution show that another place of contact was missed.
-LESSONS = ((0.35,), (0.5, 1.0), (0.5, 1.0), (0.5, 1.0))
+# Shares of the strips: a rough grid from which the final one is learnt, half of that and all; and these again, should
+# the solution show that another place of contact was missed.
+LESSONS = ((0.35,), (0.5, 1.0))
+REPEATS = (LESSONS[-1], LESSONS[-1])
 WELL_FILLED = 0.4  # of the region by the contact, before a grid is graded from it
 SAFETY = 2.0
 
@@ -82,9 +88,9 @@ def on_automatic_strips(problem: Problem, interval: Interval, bends: tuple[float
     """Return the solution on a graded grid; ``bends`` are where the profiles bend."""
     finite = bounded(problem, interval)
     states = [_located(problem, interval, finite)]
-    for shares in LESSONS:
-        learnt_enough = len(states) > len(LESSONS[0]) + len(LESSONS[1])
-        if not states[0].converged or (learnt_enough and not overlaps(problem, states[0], finite)):
+    for lesson, shares in enumerate(LESSONS + REPEATS):
+        complete = lesson >= len(LESSONS)
+        if not states[0].converged or (complete and not overlaps(problem, states[0], finite)):
             break
         wanted = sizes(problem, states[0], bends, finite)
         grading = graded(wanted, STRIP_LIMIT if len(wanted.contact) == 1 else 2 * STRIP_LIMIT)

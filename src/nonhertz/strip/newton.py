@@ -92,16 +92,17 @@ def newton(
         One of CONVERGED, ITERATION_LIMIT, STAGNATED; Newton steps taken; largest relative residual.
     """
     half = 0.5 * (high[-1] - low[0])
+    widths = high - low
     residual = np.inf
     for step in range(STEP_LIMIT):
-        _keep_two(y, high - low, prescribed, target, r, m)
+        _keep_two(y, widths, prescribed, target, r, m)
         active = np.flatnonzero(m > 0.0)
         if active.size == 0:
             return STAGNATED, step, residual
         k = active.size
         blocks = np.empty((4, k, k))
         coefficients(y, low, high, m, active, terms, table, blocks)
-        width, ra = (high - low)[active], r[active]
+        width, ra = widths[active], r[active]
         qa = ra * m[active]
         lever = y[active] / half
         depth = _interference(y, separation, rigid, active)
@@ -111,8 +112,9 @@ def newton(
         noise = _rounding(separation, rigid, active, half)
         gap_residual = blocks[0] @ qa - depth
         curvature_residual = blocks[2] @ ra - curvature[active]
-        load = np.sum(qa * width)
-        moment = np.sum(qa * width * lever)
+        weights = qa * width
+        load = np.sum(weights)
+        moment = np.sum(weights * lever)
         off = _balance_residual(prescribed, target, rigid, load, moment, half)
         _idle_gaps(y, low, high, separation, rigid, r, m, active, terms, table, gap)
         reference = target[0] if prescribed[0] else load
@@ -127,7 +129,6 @@ def newton(
 
         solution = _directions(blocks, ra, qa, gap_residual, curvature_residual, lever, scale)
         d_r, d_q = solution[:k], solution[k:]
-        weights = qa * width
         response = _border(weights, lever, d_q)
         _store_stiffness(response, half, stiffness)
         if residual < tolerance:
@@ -140,7 +141,7 @@ def newton(
         rigid[0] += relaxation * motion[0]
         rigid[1] += relaxation * motion[1] / half
         changed = _update(blocks, active, width, rho, sigma, relaxation, table, r, m)
-        entered = _enter(high - low, curvature, gap, noise + LET_SETTLE * unsettled * scale, active, table, r, m)
+        entered = _enter(widths, curvature, gap, noise + LET_SETTLE * unsettled * scale, active, table, r, m)
         small = max(np.max(np.abs(rho)), np.max(np.abs(sigma - rho))) < SMALL_STEP
         if residual < NEARLY and small and not changed and not entered:
             left = _check(y, low, high, separation, prescribed, target, rigid, r, m, terms, table, gap)

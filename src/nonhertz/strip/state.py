@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -46,7 +46,7 @@ class Problem:
     def with_share(self, share: float) -> Problem:
         """Return the problem with its prescribed load and moment multiplied by ``share``."""
         target = np.where(self.prescribed, share * self.target, self.target)
-        return Problem(self.separation, self.curvature, self.element, self.prescribed, target, self.terms)
+        return replace(self, target=target)
 
 
 @dataclass(frozen=True)
