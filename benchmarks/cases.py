@@ -7,6 +7,7 @@ import sys
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import Any
 
 import scipy.linalg  # noqa: F401  (its linear algebra is numba's; a limit holds for what is loaded by then)
 from threadpoolctl import threadpool_limits
@@ -15,30 +16,37 @@ import nonhertz as nh
 
 Solve = Callable[[], nh.Solution]
 
+HALF_SPACE: dict[str, Any] = {"side_faces": "none", "depth": "none"}
 STRIPS, FIXED_TARGET, AUTOMATIC_TARGET, HELP_TARGET = 41, 1.5e-3, 6e-3, 0.5  # s
 
 
-def crowned() -> nh.Contact:
-    """Return the crowned roller of the tutorial on its plate."""
-    return _on_plate(nh.profile.crown(radius=4000))
+def crowned(extent: dict[str, Any] = HALF_SPACE) -> nh.Contact:
+    """Return the crowned roller of the tutorial on its plate, half-spaces unless told otherwise."""
+    return _on_plate(nh.profile.crown(radius=4000), extent)
 
 
-def fixed(strips: int) -> Solve:
-    """Return a solve of the crowned roller on equal strips."""
-    contact = crowned()
+def fixed(strips: int | str, extent: dict[str, Any] = HALF_SPACE) -> Solve:
+    """Return a solve of the crowned roller on that many equal strips, or on the automatic grid."""
+    contact = crowned(extent)
     return lambda: nh.solve(contact, load=20e3, strips=strips)
 
 
+def finite() -> dict[str, dict[str, Any]]:
+    """Return what makes the crowned roller finite, by name."""
+    return {"mirrored": {}, "mirrored, 3 images": {"images": 3}, "mirrored, series": {"images": "series"}}
+
+
 def automatic() -> dict[str, Solve]:
-    """Return solves on the automatic grid by name."""
-    logarithmic = _on_plate(nh.profile.logarithmic(amplitude=0.005, length=20, fraction=0.9999))
-    straight, crown = _on_plate(nh.profile.straight()), crowned()
+    """Return solves between half-spaces on the automatic grid by name."""
+    logarithmic = _on_plate(nh.profile.logarithmic(amplitude=0.005, length=20, fraction=0.9999), HALF_SPACE)
+    straight, crown = _on_plate(nh.profile.straight(), HALF_SPACE), crowned()
     bearing = nh.Contact(
         nh.Roller(
             diameter=9,
             length=10,
             effective_length=8.8,
             profile=nh.profile.iso_logarithmic(diameter=9, length=8.8),
+            **HALF_SPACE,
         ),
         nh.Ring(diameter=37.5),
     )
@@ -71,5 +79,5 @@ def one_thread() -> Iterator[None]:
         yield
 
 
-def _on_plate(profile: nh.profile.Profile) -> nh.Contact:
-    return nh.Contact(nh.Roller(diameter=20, length=20, profile=profile), nh.Plate())
+def _on_plate(profile: nh.profile.Profile, extent: dict[str, Any]) -> nh.Contact:
+    return nh.Contact(nh.Roller(diameter=20, length=20, profile=profile, **extent), nh.Plate())

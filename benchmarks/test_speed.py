@@ -26,6 +26,15 @@ def test_equal_strips(benchmark, strips):
     assert solution.strips == strips
 
 
+@pytest.mark.parametrize("strips", [cases.STRIPS, "auto"])
+@pytest.mark.parametrize("name", cases.finite())
+def test_finite_bodies(benchmark, name, strips):
+    solve = cases.fixed(strips, cases.finite()[name])
+    solve()
+    solution = benchmark(solve)
+    assert solution.status is nh.Status.CONVERGED
+
+
 @pytest.mark.parametrize("name", cases.automatic())
 def test_automatic_grid(benchmark, name):
     solve = cases.automatic()[name]

@@ -1,11 +1,12 @@
 """Pressure in the middle and near the end of a roller 20 x 20 against tilt, for three profiles.
 
-Prints a table and writes out/misalignment-sweep.svg. The pressure near the end is taken 0.5 mm from it: at a
-sharp end itself the pressure of a half-space has no limit.
+The roller's ends are free and the plate goes on beyond them. Prints a table and writes out/misalignment-sweep.svg.
+The pressure near the end is taken 0.5 mm from it: at a sharp end itself, on a body that goes on, it has no limit.
 
     python examples/misalignment_sweep.py
 """
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,7 @@ from matplotlib.figure import Figure
 
 import nonhertz as nh
 
+ROLLER = nh.Roller(diameter=20, length=20)
 TILTS = np.linspace(0.0, 1.5e-3, 7)  # rad
 PROFILES = {
     "straight": nh.profile.straight(),
@@ -23,7 +25,7 @@ PROFILES = {
 
 def sweep(profile: nh.profile.Profile) -> np.ndarray:
     """Return the pressures [MPa] in the middle and 0.5 mm from the loaded end at every tilt."""
-    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=profile), nh.Plate())
+    contact = nh.Contact(replace(ROLLER, profile=profile), nh.Plate())
     solutions = [nh.solve(contact, load=20e3, tilt=tilt) for tilt in TILTS]
     return np.array([np.interp([0.0, 9.5], s.y, s.peak_pressure) for s in solutions])
 

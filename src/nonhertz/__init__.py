@@ -8,7 +8,7 @@ Examples
 >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))
 >>> solution = nh.solve(nh.Contact(roller, nh.Plate()), load=20e3)
 >>> round(solution.approach, 4)
-0.0322
+0.0303
 """
 
 from __future__ import annotations
@@ -32,6 +32,8 @@ if TYPE_CHECKING:
     from nonhertz.model.contact import Contact as Contact
     from nonhertz.model.material import MATERIALS as MATERIALS
     from nonhertz.model.material import Material as Material
+    from nonhertz.solution import EdgeKind as EdgeKind
+    from nonhertz.solution import EdgePressure as EdgePressure
     from nonhertz.solution import ErrorEstimate as ErrorEstimate
     from nonhertz.solution import Solution as Solution
     from nonhertz.solution import Status as Status
@@ -49,6 +51,8 @@ _HOMES = {
     "Contact": "nonhertz.model.contact",
     "CaseError": "nonhertz.errors",
     "ConvergenceError": "nonhertz.errors",
+    "EdgeKind": "nonhertz.solution",
+    "EdgePressure": "nonhertz.solution",
     "ErrorEstimate": "nonhertz.solution",
     "InputError": "nonhertz.errors",
     "MATERIALS": "nonhertz.model.material",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -15,12 +16,29 @@ LOAD = "[load]\nload = 20000.0\n"
 LENGTH = "a number in mm, or text with a unit of length such as '20 mm'"
 LENGTH_REMEDY = "give the distance between the side faces in mm, or leave it out for an unbounded body"
 DIAMETER_REMEDY = "give the diameter in mm, negative for a concave surface, or leave it out for a flat one"
+FACES_REMEDY = "write 'mirror', 'calibrated', 'none' or a weight of the images, or a pair for low and high y"
+IMAGES_REMEDY = "give 1 to 100, or 'series' for all of them"
+DEPTH_REMEDY = "write 'none', 'plane-strain', 'diameter' or a depth in mm such as the thickness of a ring"
+NOT_CONVEX = (
+    "must only be asked of a convex body, which has a diameter to go by: "
+    "give the thickness of a ring or plate in mm, or write 'none'."
+)
+PLAIN = "must be a plain number: write it without quotes and without a unit."
 STRIPS = "be 'auto' or a whole number from 1 to 2000: leave it out for an automatic grid"
 KEYS_OF_MATERIAL = "known are 'modulus', 'poisson'"
 
 
 def profile(table: str) -> str:
     return f"{A}profile = [{table}]\n{B}{LOAD}"
+
+
+def with_keys(keys: str) -> str:
+    """Return a case file with these keys beside the diameter and the length of body a."""
+    return f"{A}{keys}\n{B}{LOAD}"
+
+
+def refused_word(key: str, word: str, condition: str, remedy: str) -> tuple[str, list[str]]:
+    return with_keys(f"{key} = {word}"), [f"body.a.{key} = {word} must {condition}: {remedy}."]
 
 
 MISTAKES = {
@@ -236,11 +254,125 @@ MISTAKES = {
         ["load = '20 kN' must be a section: write it under a heading [load]."],
     ),
     "number for a title": (f"title = 3\n{A}{B}{LOAD}", ["title = 3 must be text: put it in quotes."]),
-    "side faces of a later version": (
-        f"{A}side_faces = 'free'\n{B}{LOAD}",
+    # Side faces
+    "misspelt side faces": refused_word(
+        "side_faces", "'miror'", "be one of 'mirror', 'calibrated', 'none' or a weight", FACES_REMEDY
+    ),
+    "negative weight": refused_word("side_faces", "-1.2", "not be negative", FACES_REMEDY),
+    "weight of nan": refused_word("side_faces", "nan", "be a finite number", FACES_REMEDY),
+    "weight in quotes": (with_keys("side_faces = '1'"), [f"body.a.side_faces = '1' {PLAIN}"]),
+    "weight with a unit": (with_keys("side_faces = '1 mm'"), [f"body.a.side_faces = '1 mm' {PLAIN}"]),
+    "side faces that are true": (
+        with_keys("side_faces = true"),
+        [f"body.a.side_faces = True must be a finite number: {FACES_REMEDY}."],
+    ),
+    "table of side faces": refused_word("side_faces", "{}", "be a finite number", FACES_REMEDY),
+    "no side faces in a list": refused_word("side_faces", "[]", "be one rule or two", FACES_REMEDY),
+    "three side faces": refused_word("side_faces", "[1, 2, 3]", "be one rule or two", FACES_REMEDY),
+    "both side faces": (
+        with_keys("side_faces = ['miror', '1']"),
         [
-            "body.a.side_faces = 'free' must be one of 'none': "
-            "leave it out or write 'none'; other choices are not available in this version."
+            "body.a.side_faces[1] = 'miror' must be one of 'mirror', 'calibrated', 'none' or a weight: "
+            f"{FACES_REMEDY}.",
+            f"body.a.side_faces[2] = '1' {PLAIN}",
+        ],
+    ),
+    "list in a list of side faces": (
+        with_keys("side_faces = ['none', [1, 2]]"),
+        [f"body.a.side_faces[2] = [1, 2] must be a finite number: {FACES_REMEDY}."],
+    ),
+    "side faces without a length": (
+        f"[body.a]\ndiameter = 20\nside_faces = 'calibrated'\n{B}{LOAD}",
+        [f"body.a.length must be given where side_faces = 'calibrated': {LENGTH_REMEDY}."],
+    ),
+    "side faces with a misspelt length": (
+        f"[body.a]\ndiameter = 20\nlenght = 20\nside_faces = 'calibrated'\n{B}{LOAD}",
+        ["body.a.lenght = 20 must be a known key: the nearest is 'length'."],
+    ),
+    # Images
+    "no image": refused_word("images", "0", "be a whole number from 1 to 100", IMAGES_REMEDY),
+    "half an image": refused_word("images", "1.5", "be a whole number from 1 to 100", IMAGES_REMEDY),
+    "too many images": refused_word("images", "101", "be a whole number from 1 to 100", IMAGES_REMEDY),
+    "images in a word": refused_word("images", "'all'", "be a whole number or 'series'", IMAGES_REMEDY),
+    "images in quotes": (with_keys("images = '3'"), [f"body.a.images = '3' {PLAIN}"]),
+    "images that are true": (
+        with_keys("images = true"),
+        [f"body.a.images = True must be a finite number: {IMAGES_REMEDY}."],
+    ),
+    "infinitely many images": refused_word("images", "inf", "be a finite number", IMAGES_REMEDY),
+    "list of images": refused_word("images", "[3]", "be a finite number", IMAGES_REMEDY),
+    "series without a depth": refused_word(
+        "images",
+        "'series'",
+        "only be asked of a body with a depth, without which it has no sum",
+        "give the body a depth, or a number of images",
+    ),
+    # Depth
+    "misspelt depth": refused_word(
+        "depth", "'plane-strian'", "be one of 'none', 'plane-strain', 'diameter' or a length", DEPTH_REMEDY
+    ),
+    "no depth": refused_word("depth", "0.0", "be positive", DEPTH_REMEDY),
+    "negative depth in a unit": refused_word("depth", "'-1 mm'", "be positive", DEPTH_REMEDY),
+    "depth of another kind": refused_word("depth", "'8 kg'", "have a unit of length", f"write {LENGTH}"),
+    "depth in quotes": refused_word("depth", "'8'", "have a unit", "write 8 without quotes if it is in mm"),
+    "depth of nan": refused_word("depth", "nan", "be a finite number", DEPTH_REMEDY),
+    "list of depths": refused_word("depth", "[8]", "be a finite number", DEPTH_REMEDY),
+    "diameter of a plate for its depth": (
+        f"{A}[body.b]\ndepth = 'diameter'\n{LOAD}",
+        [f"body.b.depth = 'diameter' {NOT_CONVEX}"],
+    ),
+    "diameter of an outer ring for its depth": (
+        f"{A}[body.b]\ndiameter = -120\ndepth = 'diameter'\n{LOAD}",
+        [f"body.b.depth = 'diameter' {NOT_CONVEX}"],
+    ),
+    "plane strain in a plate": (
+        f"{A}[body.b]\nkind = 'plate'\ndepth = 'plane-strain'\n{LOAD}",
+        [f"body.b.depth = 'plane-strain' {NOT_CONVEX}"],
+    ),
+    # Kinds of body
+    "unknown kind of body": (
+        f"{A}kind = 'rollr'\nimages = 'series'\n{B}{LOAD}",
+        ["body.a.kind = 'rollr' must be a known kind of body: the nearest is 'roller'."],
+    ),
+    "number for a kind": (
+        f"{A}kind = 1\n{B}{LOAD}",
+        ["body.a.kind = 1 must be a known kind of body: known are 'roller', 'ring', 'plate'."],
+    ),
+    "roller without diameter and length": (
+        f"[body.a]\nkind = 'roller'\n{B}{LOAD}",
+        [
+            "body.a.diameter must be positive: give the roller's diameter in mm.",
+            "body.a.length must be given: give the roller's length in mm.",
+        ],
+    ),
+    "concave roller without a length": (
+        f"[body.a]\nkind = 'roller'\ndiameter = -20\n{B}{LOAD}",
+        [
+            "body.a.diameter = -20.0 must be positive: give the roller's diameter in mm.",
+            "body.a.length must be given: give the roller's length in mm.",
+        ],
+    ),
+    "roller with a misspelt diameter": (
+        f"[body.a]\nkind = 'roller'\ndiametr = 20\nlength = 20\n{B}{LOAD}",
+        ["body.a.diametr = 20 must be a known key: the nearest is 'diameter'."],
+    ),
+    "flat ring": (
+        f"{A}[body.b]\nkind = 'ring'\n{LOAD}",
+        ["body.b.diameter must be given: give the raceway's diameter in mm, negative for an outer ring."],
+    ),
+    "round plate": (
+        f"{A}[body.b]\nkind = 'plate'\ndiameter = 20\n{LOAD}",
+        ["body.b.diameter = 20.0 must be left out: use Roller, Ring or Body for a curved one."],
+    ),
+    "all of a finite body": (
+        f"{A}kind = 'roller'\nside_faces = 'clibrated'\nimages = 0\ndepth = '8 N'\neffective_length = 21\n{B}{LOAD}",
+        [
+            "body.a.side_faces = 'clibrated' must be one of 'mirror', 'calibrated', 'none' or a weight: "
+            f"{FACES_REMEDY}.",
+            f"body.a.images = 0 must be a whole number from 1 to 100: {IMAGES_REMEDY}.",
+            f"body.a.depth = '8 N' must have a unit of length: write {LENGTH}.",
+            "body.a.effective_length = 21.0 must not exceed the length of 20.0 mm: "
+            "give the length that can touch in mm, or leave it out for all of the body.",
         ],
     ),
     # Bodies that do not go together
@@ -344,6 +476,40 @@ def test_what_only_the_solver_sees_is_a_sentence_too(folder: Path, capsys: pytes
     assert len(sentence.splitlines()) == 1
     assert main(["check", "case.toml"]) == 2
     assert capsys.readouterr().out == f"1. {sentence}"
+
+
+def test_a_body_thinner_than_its_contact_is_wide_is_refused(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "case.toml").write_text(with_keys("depth = '0.3 mm'"), encoding="utf-8")
+    assert main(["solve", "case.toml"]) == 2
+    sentence = capsys.readouterr().err
+    assert sentence.startswith("body.a.depth = 0.3 must be large against the half-width of the contact")
+    assert len(sentence.splitlines()) == 1
+
+
+BODY_MISTAKES: list[dict[str, Any]] = [
+    {"side_faces": "miror"},
+    {"side_faces": -1.0},
+    {"side_faces": []},
+    {"images": 0},
+    {"images": "all"},
+    {"images": "series", "depth": "none"},
+    {"depth": "plane-strian"},
+    {"depth": 0.0},
+    {"diameter": -20.0},
+]
+
+
+@pytest.mark.parametrize("keys", BODY_MISTAKES, ids=str)
+def test_a_body_is_refused_in_the_words_of_python(
+    folder: Path, capsys: pytest.CaptureFixture[str], keys: dict[str, Any]
+) -> None:
+    given = {"diameter": 20.0, "length": 20.0} | keys
+    with pytest.raises(nh.InputError) as caught:
+        nh.Roller(**given)
+    written = "".join(f"{key} = {value!r}\n" for key, value in given.items())
+    (folder / "case.toml").write_text(f"[body.a]\nkind = 'roller'\n{written}{B}{LOAD}", encoding="utf-8")
+    assert main(["solve", "case.toml"]) == 2
+    assert capsys.readouterr().err == f"{caught.value.within('body.a')}\n"
 
 
 @pytest.mark.parametrize(

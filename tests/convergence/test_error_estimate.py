@@ -18,6 +18,7 @@ from nonhertz.model.profile import Profile
 # error <= FACTOR * estimate, over the whole catalogue and all grids.
 FACTOR = 1.0
 GRIDS = ("auto", 21, 41, 81)
+BODIES = {"half-spaces": {"side_faces": "none", "depth": "none"}, "finite bodies": {}}
 profile = nh.profile
 
 
@@ -68,33 +69,37 @@ SINGULAR = (
 QUANTITIES = ("approach", "load", "max_pressure")
 
 
+both = pytest.mark.parametrize("bodies", BODIES)
+
+
 @functools.cache
-def solved(name, strips):
+def solved(name, bodies, strips):
     shape, arguments = CATALOGUE[name]
-    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=shape), nh.Plate())
-    return nh.solve(contact, strips=_finer(name) if strips == "finer" else strips, **arguments)
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=shape, **BODIES[bodies]), nh.Plate())
+    return nh.solve(contact, strips=_finer(name, bodies) if strips == "finer" else strips, **arguments)
 
 
-def _finer(name):
+def _finer(name, bodies):
     """Edges of the automatic strips and three more within each."""
-    automatic = solved(name, "auto")
+    automatic = solved(name, bodies, "auto")
     half = 0.5 * automatic.strip_width
     edges = np.append(automatic.y - half, automatic.y[-1] + half[-1])
     fine = np.interp(np.arange(4 * automatic.strips + 1) / 4.0, np.arange(edges.size), edges)
     return np.clip(fine, -10.0, 10.0)
 
 
-def error_and_estimate(name, strips, quantity):
-    solution, finer = solved(name, strips), solved(name, "finer")
+def error_and_estimate(name, bodies, strips, quantity):
+    solution, finer = solved(name, bodies, strips), solved(name, bodies, "finer")
     error = abs(getattr(solution, quantity) / getattr(finer, quantity) - 1.0)
     return error, getattr(solution.error_estimate, quantity)
 
 
 @pytest.mark.parametrize("quantity", QUANTITIES)
 @pytest.mark.parametrize("strips", GRIDS)
+@both
 @pytest.mark.parametrize("name", CATALOGUE)
-def test_the_estimate_is_an_upper_bound(name, strips, quantity):
-    error, estimate = error_and_estimate(name, strips, quantity)
+def test_the_estimate_is_an_upper_bound(name, bodies, strips, quantity):
+    error, estimate = error_and_estimate(name, bodies, strips, quantity)
     # What is prescribed is met to rounding and the loop's tolerance, which no estimate needs to cover.
     assert error <= FACTOR * estimate + 1e-9, (error, estimate)
 
@@ -102,34 +107,38 @@ def test_the_estimate_is_an_upper_bound(name, strips, quantity):
 # Equal strips find a smooth greatest pressure far better than half as many of them would suggest: there the
 # estimate is wider.
 @pytest.mark.parametrize(("quantity", "most"), [("approach", 20.0), ("load", 30.0), ("max_pressure", 60.0)])
-def test_the_estimate_is_not_an_idle_bound(quantity, most):
-    pairs = [error_and_estimate(name, strips, quantity) for name in CATALOGUE for strips in GRIDS]
+@both
+def test_the_estimate_is_not_an_idle_bound(bodies, quantity, most):
+    pairs = [error_and_estimate(name, bodies, strips, quantity) for name in CATALOGUE for strips in GRIDS]
     ratios = [estimate / error for error, estimate in pairs if error > 1e-9 and math.isfinite(estimate)]
     assert len(ratios) >= 8
     # An error may cross zero, so single ratios say nothing.
     assert np.median(ratios) < most
 
 
+@both
 @pytest.mark.parametrize("name", CATALOGUE)
-def test_more_strips_mean_a_smaller_estimate(name):
+def test_more_strips_mean_a_smaller_estimate(name, bodies):
     quantity = "load" if "approach" in CATALOGUE[name][1] else "approach"
-    few, many = (getattr(solved(name, n).error_estimate, quantity) for n in (21, "finer"))
+    few, many = (getattr(solved(name, bodies, n).error_estimate, quantity) for n in (21, "finer"))
     assert 0.0 < many < few
 
 
+@both
 @pytest.mark.parametrize("name", SINGULAR)
-def test_a_singular_pressure_has_no_finite_estimate(name):
-    assert solved(name, "auto").error_estimate.max_pressure == math.inf
+def test_a_singular_pressure_has_no_finite_estimate(name, bodies):
+    assert solved(name, bodies, "auto").error_estimate.max_pressure == math.inf
 
 
+@both
 @pytest.mark.parametrize("name", [name for name in CATALOGUE if "approach" in CATALOGUE[name][1]])
-def test_what_is_prescribed_has_no_error(name):
-    assert solved(name, "auto").error_estimate.approach == 0.0
-    assert solved(name, "auto").error_estimate.load > 0.0
+def test_what_is_prescribed_has_no_error(name, bodies):
+    assert solved(name, bodies, "auto").error_estimate.approach == 0.0
+    assert solved(name, bodies, "auto").error_estimate.load > 0.0
 
 
 def test_estimates_are_plain_numbers():
-    estimate = solved("ellipse", "auto").error_estimate
+    estimate = solved("ellipse", "finite bodies", "auto").error_estimate
     assert [type(getattr(estimate, quantity)) for quantity in QUANTITIES] == [float, float, float]
 
 
@@ -138,6 +147,6 @@ def test_the_estimate_of_an_ellipse_bounds_the_error_against_hertz():
     compliance = 2.0 * nh.Material(modulus=207000, poisson=0.3).compliance
     exact = nh.hertz.point_contact(radius_x=10, radius_y=100, load=1000, compliance=compliance)
     for strips in GRIDS:
-        solution = solved("ellipse", strips)
+        solution = solved("ellipse", "half-spaces", strips)
         # The crown is a circle, not a parabola: 3e-5 of the relief at the contact's end, less of the approach.
         assert abs(solution.approach / exact.approach - 1.0) <= solution.error_estimate.approach + 1e-5

@@ -13,6 +13,7 @@ import pytest
 import nonhertz as nh
 from nonhertz.model.profile import Profile
 
+HALF_SPACE = {"side_faces": "none", "depth": "none"}
 EXACT = nh.hertz.point_contact(radius_x=10, radius_y=100, load=1000, compliance=2 * nh.Material(207000, 0.3).compliance)
 
 
@@ -26,7 +27,7 @@ class Parabola(Profile):
 
 def errors(strips):
     """Relative errors in approach, greatest pressure and stiffness of equal strips on abs(y) <= 1.3 a."""
-    body = nh.Body(diameter=20, length=2.6 * EXACT.half_length, profile=Parabola(100.0))
+    body = nh.Body(diameter=20, length=2.6 * EXACT.half_length, profile=Parabola(100.0), side_faces="none")
     solution = nh.solve(nh.Contact(body, nh.Plate()), load=1000, strips=strips)
     return np.array(
         [
@@ -73,21 +74,34 @@ def test_order_is_nearly_two_where_the_end_keeps_its_place_in_its_strip():
     assert np.all((orders > 1.8) & (orders < 2.2))
 
 
+def orders_at_a_sharp_end(element, **bodies):
+    """Orders of the approach of a straight roller on a plate, from 20, 40, 80 ... equal strips."""
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, **bodies), nh.Plate())
+    counts = (20, 40, 80, 160, 320)
+    steps = np.diff([nh.solve(contact, load=20e3, strips=n, element=element).approach for n in counts])
+    return np.log2(steps[:-1] / steps[1:])
+
+
 @pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda e: e.name)
 def test_order_at_a_sharp_end_is_one(element):
     # p ~ s^(-1/2) at the end: what one strip makes of that is off in proportion to its width.
-    roller = nh.Roller(diameter=20, length=20)
-    contact = nh.Contact(roller, nh.Plate())
-    counts = (20, 40, 80, 160, 320)
-    steps = np.diff([nh.solve(contact, load=20e3, strips=n, element=element).approach for n in counts])
-    orders = np.log2(steps[:-1] / steps[1:])
+    orders = orders_at_a_sharp_end(element, **HALF_SPACE)
     assert np.all((orders > 0.7) & (orders < 1.1))
     assert np.all(np.diff(orders) > 0.0)  # on the way to 1
 
 
-def test_graded_strips_beat_equal_ones():
+@pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda e: e.name)
+def test_order_at_a_mirrored_end_is_higher(element):
+    # Half of the compliance mirrored: p ~ s^(-1/3), and an order of 2 (1 - 1/3) where that of s^(-1/2) is 1.
+    orders = orders_at_a_sharp_end(element)
+    assert np.all((orders > 1.1) & (orders < 4.0 / 3.0))
+    assert np.all(np.diff(orders) > 0.0)  # on the way to 4/3
+
+
+@pytest.mark.parametrize("bodies", [HALF_SPACE, {}], ids=["half-space", "mirrored"])
+def test_graded_strips_beat_equal_ones(bodies):
     # As many strips as the automatic grid takes, equally wide, have twenty times its error at a sharp end.
-    contact = nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate())
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, **bodies), nh.Plate())
     graded = nh.solve(contact, load=20e3)
     equal = nh.solve(contact, load=20e3, strips=graded.strips)
     finest = nh.solve(contact, load=20e3, strips=_ends_refined())

@@ -1,17 +1,24 @@
-"""Laws that hold for every solution: similarity, symmetry, contact conditions, balance, consistency."""
+"""Laws that hold for every solution: similarity, symmetry, contact conditions, balance, consistency.
+
+Half of the drawn bodies are half-spaces, half are finite: faces mirrored or not, on one side or both, thick or not.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nonhertz as nh
 from nonhertz.model.profile import Profile
+from nonhertz.strip.finite import plane_strain_depth
 
-lawful = settings(derandomize=True, max_examples=100, deadline=None)
+# Faces that come to lie together may ask for more weight than has a solution; the laws hold with what is used.
+pytestmark = pytest.mark.filterwarnings("ignore:The images about:nonhertz.AccuracyWarning")
+lawful = settings(derandomize=True, max_examples=200, deadline=None)
 # The Newton loop meets the contact conditions to 1e-11; two solves then differ by that times the condition of
 # the system, which the profiles below keep under 1000.
 SAME = 1e-8
@@ -39,10 +46,39 @@ class Drawn(Profile):
 
 
 @dataclass(frozen=True)
+class Extent:
+    """Where both bodies end and how thick they are; lengths in mm for a roller that is 20 mm long."""
+
+    side_faces: tuple = ("none", "none")
+    images: int | str = 1
+    depth: str | float = "none"
+    ring_length: float | None = None
+    ring_side_faces: tuple = ("none", "none")
+    ring_depth: str | float = "none"
+
+    def roller(self, stretch):
+        return {"side_faces": self.side_faces, "images": self.images, "depth": _stretched(self.depth, stretch)}
+
+    def ring(self, stretch):
+        if self.ring_length is None:
+            return {"depth": _stretched(self.ring_depth, stretch)}
+        length, depth = stretch * self.ring_length, _stretched(self.ring_depth, stretch)
+        return {"length": length, "side_faces": self.ring_side_faces, "depth": depth}
+
+    def mirrored(self):
+        return replace(self, side_faces=self.side_faces[::-1], ring_side_faces=self.ring_side_faces[::-1])
+
+
+def _stretched(depth, by):
+    return depth if isinstance(depth, str) else by * depth
+
+
+@dataclass(frozen=True)
 class Press:
     """A contact and what is prescribed, with everything that a law may want to change."""
 
     profile: Drawn
+    extent: Extent
     load: float
     tilt: float
     element: object
@@ -55,10 +91,15 @@ class Press:
         stretch = self.profile.stretch
         material = nh.Material(self.modulus, 0.3)
         roller = nh.Roller(
-            diameter=self.diameter * stretch, length=LENGTH * stretch, profile=self.profile, material=material
+            diameter=self.diameter * stretch,
+            length=LENGTH * stretch,
+            profile=self.profile,
+            material=material,
+            **self.extent.roller(stretch),
         )
         other = nh.Material(0.6 * self.modulus, 0.2)
-        return nh.Contact(roller, nh.Ring(diameter=-3.0 * roller.diameter, material=other))
+        ring = nh.Ring(diameter=-3.0 * roller.diameter, material=other, **self.extent.ring(stretch))
+        return nh.Contact(roller, ring)
 
     def solved(self, **prescribed):
         given_ = prescribed or {"load": self.load, "tilt": self.tilt}
@@ -71,14 +112,32 @@ def number(low, high):
 
 
 profiles = st.builds(Drawn, number(0.0, 0.04), number(0.0, 2e-3), number(0.0, 6.3), number(-2e-3, 2e-3))
-presses = st.builds(
-    Press,
-    profiles,
-    number(500.0, 30e3),
-    number(-8e-4, 8e-4),
-    st.sampled_from([nh.SEMI_ELLIPTIC, nh.PARABOLIC]),
-    st.integers(12, 40),
-)
+faces = st.sampled_from(["none", "mirror", "calibrated", 0.6])
+
+
+def presses_with(images, ring_lengths):
+    """Half of them between half-spaces, half between finite bodies."""
+    finite = st.builds(
+        Extent,
+        st.tuples(faces, faces),
+        st.sampled_from(images),
+        st.sampled_from(["plane-strain", "diameter", 4.0]),
+        st.sampled_from(ring_lengths),
+        st.tuples(faces, faces),
+        st.sampled_from(["none", 5.0]),
+    )
+    return st.builds(
+        Press,
+        profiles,
+        st.one_of(st.just(Extent()), finite),
+        number(500.0, 30e3),
+        number(-8e-4, 8e-4),
+        st.sampled_from([nh.SEMI_ELLIPTIC, nh.PARABOLIC]),
+        st.integers(12, 40),
+    )
+
+
+presses = presses_with([1, 3, "series"], [None, LENGTH, 24.0])
 
 
 def assert_same(found, expected, scale=None):
@@ -123,7 +182,8 @@ def test_a_softer_contact_under_less_load_has_the_same_shape(press, by):
 @given(presses)
 def test_a_mirrored_contact_has_the_mirrored_solution(press):
     solution = press.solved()
-    mirrored = replace(press, profile=press.profile.mirrored(), tilt=-press.tilt).solved()
+    other_way = replace(press, profile=press.profile.mirrored(), extent=press.extent.mirrored(), tilt=-press.tilt)
+    mirrored = other_way.solved()
     assert_same(mirrored.line_load, solution.line_load[::-1])
     assert_same(mirrored.half_width, solution.half_width[::-1])
     assert_same(mirrored.moment, -solution.moment, solution.load * LENGTH)
@@ -178,18 +238,60 @@ def test_a_taper_is_a_tilt(press, slope):
 # Contact conditions and balance, without the solver's own loops
 
 
+def images(body):
+    """Yield (sign, offset, weight): a load at y acts also at sign * y + offset."""
+    (low, high), (at_low, at_high) = body.faces, body.face_weights
+    to_and_fro = min(at_low, 1.0) * min(at_high, 1.0)
+    for k in range(body.images):
+        for face, weight, other, away in ((low, at_low, at_high, -1.0), (high, at_high, at_low, 1.0)):
+            if weight > 0.0:
+                shift = 2.0 * k * (high - low) if k > 0 else 0.0
+                yield -1.0, 2.0 * face + away * shift, weight * to_and_fro**k
+                if other > 0.0 and k < body.images - 1:
+                    yield 1.0, -away * (shift + 2.0 * (high - low)), weight * min(other, 1.0) * to_and_fro**k
+
+
+def sunk(body, depth, y, low, high):
+    """Displacement at ``depth`` below y under a unit load on each strip, times 1 / K: summed point loads."""
+    node, weight = np.polynomial.legendre.leggauss(20)
+    place = 0.5 * (low + high) + 0.5 * np.abs(high - low) * node[:, None]
+    distance = np.hypot(place[:, None, :] - y[:, None], depth)
+    load = weight[:, None, None] * 0.5 * np.abs(high - low)
+    return np.sum(load * (1.0 / distance + depth**2 / (2.0 * (1.0 - body.material.poisson) * distance**3)), axis=0)
+
+
+def influence(press, y, low, high, a):
+    """Displacement and flattening at y of strips from ``low`` to ``high`` under unit load."""
+    displacement, flattening = 0.0, 0.0
+    contact = press.contact
+    for body in (contact.a, contact.b):
+        depth = {"none": None, "plane-strain": None, "diameter": body.diameter}.get(body.depth, body.depth)
+        if body.depth == "plane-strain":
+            depth = body.diameter * plane_strain_depth(press.element, body.material.poisson)
+        for sign, offset, weight in ((1.0, 0.0, 1.0), *images(body)):
+            start, end = np.sort([sign * low + offset, sign * high + offset], axis=0)
+            upper = press.element.functions((end - y[:, None]) / a)
+            lower = press.element.functions((start - y[:, None]) / a)
+            by = weight * body.material.compliance
+            displacement += by * (upper[0] - lower[0])
+            flattening += by * (upper[2] - lower[2])
+            if depth is not None:
+                displacement -= by * sunk(body, depth, y, start, end)
+    return displacement, flattening
+
+
+# No coincident ends, where weights may have to be lowered, and no series.
 @lawful
-@given(presses)
+@given(presses_with([1, 2, 3], [None, 24.0]))
 def test_contact_is_closed_and_the_rest_is_open(press):
     solution = press.solved()
     touching = solution.line_load > 0.0
     a, q = solution.element_half_width[touching], solution.line_load[touching]
-    low, high = solution.y - 0.5 * solution.strip_width, solution.y + 0.5 * solution.strip_width
-    upper = press.element.functions((high[touching] - solution.y[:, None]) / a)
-    lower = press.element.functions((low[touching] - solution.y[:, None]) / a)
+    low, high = solution.edges[:-1][touching], solution.edges[1:][touching]
     contact = press.contact
-    displacement = contact.compliance * (upper[0] - lower[0]) @ q
-    flattened = contact.compliance * (upper[2] - lower[2])[touching] @ (q / a**2)
+    of_displacement, of_flattening = influence(press, solution.y, low, high, a)
+    displacement = of_displacement @ q
+    flattened = of_flattening[touching] @ (q / a**2)
     interference = solution.approach + solution.tilt * solution.y - contact.separation(solution.y)
     gap, depth = displacement - interference, np.max(interference)
     # 1e-9 of the approach is allowed anywhere.

@@ -42,6 +42,96 @@ def test_position_moves_relief_and_bends():
     assert body.bends == (-3.0, 5.0)
 
 
+# How it ends and how thick it is
+
+
+@pytest.mark.parametrize(
+    ("body", "faces", "weights", "depth"),
+    [
+        (nh.Body(diameter=20.0), (-math.inf, math.inf), (0.0, 0.0), "none"),
+        (nh.Body(diameter=20.0, length=20.0), (-10.0, 10.0), (1.0, 1.0), "none"),
+        (roller(), (-10.0, 10.0), (1.0, 1.0), "plane-strain"),
+        (nh.Ring(diameter=-80.0), (-math.inf, math.inf), (0.0, 0.0), "none"),
+        (nh.Ring(diameter=-80.0, length=24.0), (-12.0, 12.0), (1.0, 1.0), "none"),
+        (nh.Plate(), (-math.inf, math.inf), (0.0, 0.0), "none"),
+        (nh.Plate(length=24.0), (-12.0, 12.0), (1.0, 1.0), "none"),
+    ],
+)
+def test_what_ends_is_mirrored_once_and_a_roller_is_as_thick_as_a_long_one(body, faces, weights, depth):
+    assert (body.faces, body.face_weights, body.images, body.depth) == (faces, weights, 1, depth)
+
+
+def test_faces_are_those_of_the_body_not_of_the_length_that_touches():
+    body = roller(position=3.0, effective_length=18.0, profile=nh.profile.tabulated([-8.0, 8.0], [0.0, 0.0]))
+    assert body.faces == (-7.0, 13.0)
+
+
+@pytest.mark.parametrize(
+    ("rule", "weights"),
+    [
+        ("mirror", (1.0, 1.0)),
+        ("calibrated", (1.6, 1.6)),
+        ("none", (0.0, 0.0)),
+        (1.25, (1.25, 1.25)),
+        (0, (0.0, 0.0)),
+        (("mirror", "none"), (1.0, 0.0)),
+        (["calibrated", 0.5], (1.6, 0.5)),
+    ],
+    ids=str,
+)
+def test_weights_of_the_images_at_low_and_high_y(rule, weights):
+    assert roller(side_faces=rule).face_weights == pytest.approx(weights, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("poisson", "weight"),
+    [
+        (-0.5, 1.10),
+        (0.0, 1.10),
+        (0.1, 0.5 * (1.10 + 1.35)),
+        (0.2, 1.35),
+        (0.25, 1.45),
+        (0.265, 0.5 * (1.45 + 1.50)),
+        (0.28, 1.50),
+        (0.3, 1.60),
+        (0.33, 1.65),
+        (0.365, 0.5 * (1.65 + 1.95)),
+        (0.4, 1.95),
+        (0.49, 1.95),
+    ],
+)
+def test_the_calibrated_weight_goes_by_poissons_ratio_of_the_body(poisson, weight):
+    body = roller(side_faces="calibrated", material=nh.Material(200e3, poisson))
+    assert body.face_weights == pytest.approx((weight, weight), rel=1e-12)
+
+
+@pytest.mark.parametrize("depth", ["none", "plane-strain", "diameter", 0.5, 7])
+@pytest.mark.parametrize("images", [1, 2, 100, 3.0])
+def test_depths_and_numbers_of_images_are_kept(depth, images):
+    body = roller(depth=depth, images=images)
+    assert (body.depth, body.images) == (depth, images)
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        roller(images="series"),
+        nh.Ring(diameter=-80.0, length=24.0, depth=5.0, images="series"),
+        # A single face has a single image: nothing to sum.
+        roller(images="series", depth="none", side_faces=("mirror", "none")),
+        roller(images="series", depth="none", side_faces="none"),
+    ],
+    ids=["roller", "ring with a depth", "one face", "no face"],
+)
+def test_a_series_is_taken_where_it_has_a_sum(body):
+    assert body.images == "series"
+
+
+@pytest.mark.parametrize("diameter", [20.0, nh.TabulatedDiameter((-2.0, 2.0), (18.0, 22.0)), lambda y: 20.0 + y])
+def test_any_convex_body_has_a_diameter_to_go_by(diameter):
+    assert nh.Body(diameter=diameter, depth="diameter").depth == "diameter"
+
+
 # How it is curved
 
 
@@ -94,6 +184,12 @@ def test_bodies_and_contacts_are_values():
 
 # Refused, each with one sentence: "field = value must condition: remedy."
 
+NO_FACE_RULE = "must be one of 'mirror', 'calibrated', 'none' or a weight"
+NO_DEPTH_RULE = "must be one of 'none', 'plane-strain', 'diameter' or a length"
+NOT_CONVEX = "must only be asked of a convex body, which has a diameter to go by"
+NO_COUNT = "must be a whole number from 1 to 100"
+NO_SUM = "must only be asked of a body with a depth, without which it has no sum"
+
 
 @pytest.mark.parametrize(
     ("make", "complaint"),
@@ -101,9 +197,10 @@ def test_bodies_and_contacts_are_values():
         (lambda: roller(length=-5.0), "length = -5.0 must be positive"),
         (lambda: roller(length=math.nan), "length = nan must be a finite number"),
         (lambda: roller(length=None), "length = None must be given"),
-        (lambda: roller(diameter=0.0), "diameter = 0.0 must not be zero"),
+        (lambda: roller(diameter=0.0), "diameter = 0.0 must be positive"),
         (lambda: roller(diameter=math.inf), "diameter = inf must be a finite number"),
         (lambda: roller(diameter=-20.0), "diameter = -20.0 must be positive"),
+        (lambda: roller(diameter=None), "diameter = None must be positive"),
         (lambda: nh.Ring(length=20.0), "diameter = None must be given"),
         (lambda: nh.Plate(diameter=20.0), "diameter = 20.0 must be left out"),
         (lambda: roller(material="steel"), "material = 'steel' must be a Material"),
@@ -114,8 +211,49 @@ def test_bodies_and_contacts_are_values():
             lambda: roller(effective_length=21.0),
             "effective_length = 21.0 must not exceed the length of 20.0 mm",
         ),
-        (lambda: roller(side_faces="mirror"), "side_faces = 'mirror' must be one of 'none'"),
-        (lambda: roller(depth="paper"), "depth = 'paper' must be one of 'none'"),
+        (lambda: roller(side_faces="free"), f"side_faces = 'free' {NO_FACE_RULE}"),
+        (lambda: roller(side_faces=("mirror", "free")), f"side_faces = 'free' {NO_FACE_RULE}"),
+        (lambda: roller(side_faces=-0.5), "side_faces = -0.5 must not be negative"),
+        (lambda: roller(side_faces=("mirror", -0.5)), "side_faces = -0.5 must not be negative"),
+        (lambda: roller(side_faces=math.nan), "side_faces = nan must be a finite number"),
+        (lambda: roller(side_faces=math.inf), "side_faces = inf must be a finite number"),
+        (lambda: roller(side_faces=True), "side_faces = True must be a finite number"),
+        (lambda: roller(side_faces=None), "side_faces = None must be a finite number"),
+        (lambda: roller(side_faces=(1.0, 1.0, 1.0)), "side_faces = (1.0, 1.0, 1.0) must be one rule or two"),
+        (lambda: roller(side_faces=("mirror",)), "side_faces = ('mirror',) must be one rule or two"),
+        (lambda: roller(side_faces=()), "side_faces = () must be one rule or two"),
+        (lambda: nh.Plate(side_faces=1.5), "length = None must be given where side_faces = 1.5"),
+        (
+            lambda: nh.Ring(diameter=-80.0, side_faces="calibrated"),
+            "length = None must be given where side_faces = 'calibrated'",
+        ),
+        (
+            lambda: nh.Plate(side_faces=("mirror", "none")),
+            "length = None must be given where side_faces = ('mirror', 'none')",
+        ),
+        (lambda: roller(depth="paper"), f"depth = 'paper' {NO_DEPTH_RULE}"),
+        (lambda: nh.Plate(depth="paper"), f"depth = 'paper' {NO_DEPTH_RULE}"),
+        (lambda: roller(depth=0.0), "depth = 0.0 must be positive"),
+        (lambda: nh.Plate(depth=-5.0), "depth = -5.0 must be positive"),
+        (lambda: roller(depth=math.nan), "depth = nan must be a finite number"),
+        (lambda: roller(depth=math.inf), "depth = inf must be a finite number"),
+        (lambda: roller(depth=True), "depth = True must be a finite number"),
+        (lambda: roller(depth=None), "depth = None must be a finite number"),
+        (lambda: nh.Plate(depth="plane-strain"), f"depth = 'plane-strain' {NOT_CONVEX}"),
+        (lambda: nh.Plate(depth="diameter"), f"depth = 'diameter' {NOT_CONVEX}"),
+        (lambda: nh.Ring(diameter=-80.0, depth="plane-strain"), f"depth = 'plane-strain' {NOT_CONVEX}"),
+        (lambda: nh.Body(diameter=-80.0, depth="diameter"), f"depth = 'diameter' {NOT_CONVEX}"),
+        (lambda: roller(images=0), f"images = 0 {NO_COUNT}"),
+        (lambda: roller(images=-1), f"images = -1 {NO_COUNT}"),
+        (lambda: roller(images=101), f"images = 101 {NO_COUNT}"),
+        (lambda: roller(images=1.5), f"images = 1.5 {NO_COUNT}"),
+        (lambda: roller(images=math.inf), "images = inf must be a finite number"),
+        (lambda: roller(images=True), "images = True must be a finite number"),
+        (lambda: roller(images=None), "images = None must be a finite number"),
+        (lambda: roller(images="all"), "images = 'all' must be a whole number or 'series'"),
+        (lambda: roller(images="3"), "images = '3' must be a whole number or 'series'"),
+        (lambda: roller(images="series", depth="none"), f"images = 'series' {NO_SUM}"),
+        (lambda: nh.Ring(diameter=-80.0, length=24.0, images="series"), f"images = 'series' {NO_SUM}"),
         (lambda: nh.Contact(roller(), "plate"), "b = 'plate' must be a Body"),
         (
             lambda: nh.Contact(roller(), roller(position=20.0)),

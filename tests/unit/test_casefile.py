@@ -48,10 +48,15 @@ def test_the_case_file_of_the_specification(tmp_path: Path) -> None:
     case = read(tmp_path, PRINTED)
     steel = nh.Material(modulus=207000, poisson=0.3)
     assert case.title == "Roller 20 x 20 on a plate"
-    assert case.contact.a == nh.Body(
-        diameter=20.0, length=20.0, material=steel, profile=nh.profile.crown(radius=4000.0)
+    assert case.contact.a == nh.Roller(
+        diameter=20.0,
+        length=20.0,
+        material=steel,
+        profile=nh.profile.crown(radius=4000.0),
+        side_faces="none",
+        depth="none",
     )
-    assert case.contact.b == nh.Body(material=steel)
+    assert case.contact.b == nh.Body(material=steel, side_faces="none", depth="none")
     assert case.prescribed == {"load": 20000.0, "tilt": 0.0005}
     assert case.solver == {"element": nh.SEMI_ELLIPTIC, "strips": "auto"}
 
@@ -63,6 +68,54 @@ def test_everything_but_the_bodies_and_the_load_can_be_left_out(tmp_path: Path) 
     assert case.contact.a.material == nh.Material(207000.0, 0.3)
 
 
+@pytest.mark.parametrize(
+    ("keys", "expected"),
+    [
+        # What is convex and ends is a roller unless it says otherwise.
+        ("diameter = 20\nlength = 20", nh.Roller(diameter=20.0, length=20.0)),
+        ("diameter = 20", nh.Body(diameter=20.0)),
+        ("diameter = -80\nlength = 20", nh.Body(diameter=-80.0, length=20.0)),
+        ("kind = 'roller'\ndiameter = 20\nlength = 20", nh.Roller(diameter=20.0, length=20.0)),
+        ("kind = 'ring'\ndiameter = 37.5\nlength = 16", nh.Ring(diameter=37.5, length=16.0)),
+        ("kind = 'plate'\nlength = 16", nh.Plate(length=16.0)),
+    ],
+)
+def test_what_is_left_out_is_as_in_python(tmp_path: Path, keys: str, expected: nh.Body) -> None:
+    other = "kind = 'roller'\ndiameter = 30\nlength = 20"
+    case = read(tmp_path, f"[body.a]\n{keys}\n[body.b]\n{other}\n[load]\nload = 1000\n")
+    assert case.contact.a == expected
+    assert case.contact.b == nh.Roller(diameter=30.0, length=20.0)
+
+
+@pytest.mark.parametrize(
+    ("keys", "expected"),
+    [
+        ("side_faces = 'mirror'", {"side_faces": "mirror"}),
+        ("side_faces = 'calibrated'", {"side_faces": "calibrated"}),
+        ("side_faces = 'none'", {"side_faces": "none"}),
+        ("side_faces = 1", {"side_faces": 1.0}),
+        ("side_faces = 1.2", {"side_faces": 1.2}),
+        ("side_faces = ['mirror', 'none']", {"side_faces": ("mirror", "none")}),
+        ("side_faces = ['calibrated', 0]", {"side_faces": ("calibrated", 0.0)}),
+        ("images = 3", {"images": 3}),
+        ("images = 100.0", {"images": 100}),
+        ("images = 'series'", {"images": "series"}),
+        ("images = 'series'\nside_faces = [1, 0]", {"images": "series", "side_faces": (1.0, 0.0)}),
+        ("depth = 'none'", {"depth": "none"}),
+        ("depth = 'plane-strain'", {"depth": "plane-strain"}),
+        ("depth = 'diameter'", {"depth": "diameter"}),
+        ("depth = 8", {"depth": 8.0}),
+        ("depth = '8 mm'", {"depth": 8.0}),
+        ("depth = '0.8 cm'", {"depth": 8.0}),
+        ("depth = '.5 in'", {"depth": 12.7}),
+    ],
+)
+def test_what_makes_a_body_finite(tmp_path: Path, keys: str, expected: dict[str, Any]) -> None:
+    case = read(tmp_path, with_body(f"kind = 'roller'\ndiameter = 20\nlength = 20\n{keys}"))
+    assert case.contact.a == nh.Roller(diameter=20.0, length=20.0, **expected)
+    assert type(case.contact.a.images) is type(expected.get("images", 1))
+
+
 def test_units_are_accepted_everywhere_a_quantity_stands(tmp_path: Path) -> None:
     case = read(
         tmp_path,
@@ -72,6 +125,7 @@ def test_units_are_accepted_everywhere_a_quantity_stands(tmp_path: Path) -> None
         length = "0.02 m"
         effective_length = "19000 um"
         position = "100 um"
+        depth = "1 cm"
         material = { modulus = "207 GPa", poisson = 0.3 }
         profile = [
             { kind = "crown", radius = "4 m", shift = "50 um" },
@@ -96,6 +150,7 @@ def test_units_are_accepted_everywhere_a_quantity_stands(tmp_path: Path) -> None
     body = nh.Body(diameter=20.0, length=length, effective_length=19.0, position=0.1, profile=profile)
     np.testing.assert_allclose(case.contact.a.relief(Y), body.relief(Y), rtol=1e-14)
     assert case.contact.a.interval == body.interval
+    assert case.contact.a.depth == 10.0
     np.testing.assert_allclose(case.contact.a.curvature(Y), 0.1, rtol=1e-15)
     np.testing.assert_allclose(case.contact.b.curvature(np.zeros(1)), 2.0 / 55.0, rtol=1e-15)
     assert case.prescribed == {"approach": 0.012, "moment": 5000.0}
@@ -181,6 +236,23 @@ def test_a_mistaken_length_does_not_accuse_the_profiles_that_need_it() -> None:
     assert len(mistakes_of({"body": {"a": body, "b": {}}, "load": {"load": 1.0}})) == 1
 
 
+def test_a_mistaken_key_does_not_accuse_the_keys_that_need_it() -> None:
+    """One mistake in a body that uses everything is one sentence, whichever it is."""
+    sound = {
+        "kind": "roller",
+        "diameter": 20.0,
+        "length": 20.0,
+        "effective_length": 19.0,
+        "side_faces": ["calibrated", 1.2],
+        "depth": "diameter",
+        "images": "series",
+    }
+    for key in sound:
+        document = {"body": {"a": sound | {key: True}, "b": {}}, "load": {"load": 1.0}}
+        (mistake,) = mistakes_of(document)
+        assert mistake.startswith(f"body.a.{key} = True must ")
+
+
 def test_all_mistaken_parameters_of_one_profile_are_found() -> None:
     table = {
         "kind": "fujiwara-kawase",
@@ -218,6 +290,42 @@ def test_the_schema_describes_every_key() -> None:
                 assert PARAMETER_UNITS[key] in json.dumps(entry)
 
 
+@pytest.mark.parametrize("kind", ["roller", None])
+def test_the_schema_allows_what_a_body_takes(kind: str | None) -> None:
+    properties = schema()["$defs"]["BodyTable"]["properties"]
+    body = {"diameter": 20.0, "length": 20.0} | ({"kind": kind} if kind else {})
+
+    def refused(keys: dict[str, Any]) -> bool:
+        return bool(mistakes_of({"body": {"a": body | keys, "b": {}}, "load": {"load": 1.0}}))
+
+    words, weight, pair = properties["side_faces"]["anyOf"]
+    for rule in (*words["enum"], weight["minimum"]):
+        assert not refused({"side_faces": rule})
+        assert not refused({"side_faces": [rule] * pair["maxItems"]})
+    assert refused({"side_faces": weight["minimum"] - 1e-9})
+    assert pair["items"]["anyOf"] == [words, weight]
+    assert (pair["minItems"], pair["maxItems"]) == (2, 2)
+
+    count, series = properties["images"]["anyOf"]
+    for images in (count["minimum"], count["maximum"], series["const"]):
+        assert not refused({"images": images, "depth": "diameter"})
+    assert refused({"images": count["minimum"] - 1})
+    assert refused({"images": count["maximum"] + 1})
+
+    words, number, text = properties["depth"]["anyOf"]
+    for depth in (*words["enum"], 1e-9):
+        assert not refused({"depth": depth})
+    assert refused({"depth": number["exclusiveMinimum"]})
+    assert re.search(text["pattern"], "8 mm")
+    assert not any(re.search(text["pattern"], word) for word in words["enum"])
+
+
+def test_the_schema_names_the_defaults_of_a_body() -> None:
+    properties = schema()["$defs"]["BodyTable"]["properties"]
+    for name in ("position", "side_faces", "images", "depth"):
+        assert properties[name]["default"] == getattr(nh.Body(), name)
+
+
 def test_the_schema_and_the_solver_agree_on_the_number_of_strips() -> None:
     strips = schema()["$defs"]["SolverTable"]["properties"]["strips"]["anyOf"][1]
     assert (strips["minimum"], strips["maximum"]) == (FEWEST_STRIPS, MOST_STRIPS)
@@ -228,7 +336,8 @@ def test_the_schema_and_the_solver_agree_on_the_number_of_strips() -> None:
 
 
 NUMBERS = st.one_of(st.floats(), st.integers(), st.just(10**400))
-WORDS = st.one_of(st.text(max_size=5), st.sampled_from(["steel", "crown", "5 mm", "auto", "none", "1e999 m"]))
+KNOWN = ["steel", "crown", "ring", "5 mm", "1e999 m", "auto", "none", "mirror", "series", "plane-strain"]
+WORDS = st.one_of(st.text(max_size=5), st.sampled_from(KNOWN))
 SCALARS = st.one_of(NUMBERS, WORDS, st.booleans(), st.just(datetime.date(2026, 1, 1)))
 VALUES = st.recursive(
     SCALARS,
@@ -250,9 +359,18 @@ WHOLE: dict[str, Any] = {
                 {"kind": "lundberg", "load": 1000, "radius": 10},
                 {"kind": "partial-crown", "radius": 1000, "straight": 5, "blended": True},
             ],
-            "side_faces": "none",
+            "side_faces": ["mirror", 1.2],
+            "images": "series",
+            "depth": "plane-strain",
         },
-        "b": {"diameter": -300, "material": "steel", "depth": "none"},
+        "b": {
+            "kind": "ring",
+            "diameter": -300,
+            "material": "steel",
+            "side_faces": "none",
+            "depth": "8 mm",
+            "images": 3,
+        },
     },
     "load": {"load": 1000, "tilt": 0},
     "solver": {"element": "parabolic", "strips": 41},

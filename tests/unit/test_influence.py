@@ -1,10 +1,11 @@
-"""Strips added up: coefficients, displacement, terms, and what a strip does at its own centre."""
+"""Strips added up: coefficients, displacement, terms, points at depth, and what a strip does at its own centre."""
 
 import numpy as np
 import pytest
+from scipy.integrate import quad
 
 import nonhertz as nh
-from nonhertz.strip.influence import HALF_SPACE, coefficients, displacement, self_displacement
+from nonhertz.strip.influence import HALF_SPACE, Depth, Influence, coefficients, displacement, self_displacement
 
 EDGES = np.array([-2.0, -1.4, -0.3, 0.1, 0.9, 3.0])
 LOW, HIGH = EDGES[:-1], EDGES[1:]
@@ -15,10 +16,11 @@ ACTIVE = np.flatnonzero(M > 0.0)
 both_elements = pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda e: e.name)
 
 
-def blocks(element, *, m=M, terms=HALF_SPACE, low=LOW, high=HIGH, y=Y):
+def blocks(element, *, m=M, terms=HALF_SPACE, at_depth=None):
     """[A], [t A'], [B], [t B'] of every active strip at every active centre."""
     values = np.empty((4, ACTIVE.size, ACTIVE.size))
-    coefficients(y, low, high, m, ACTIVE, np.atleast_2d(terms), element.table, values)
+    at_depth = np.zeros((Y.size, Y.size)) if at_depth is None else at_depth
+    coefficients(Y, LOW, HIGH, m, ACTIVE, np.atleast_2d(terms), at_depth, element.table, values)
     return values
 
 
@@ -36,8 +38,9 @@ def test_a_distant_strip_is_the_point_load_of_boussinesq(element):
     # w = K Q / distance, and its curvature K Q / distance^3; the next terms are (width / distance)^2 = 6e-6.
     m, width, distance = 0.04, 0.5, 200.0
     values = np.empty((4, 2, 2))
-    y = np.array([0.0, distance])
-    coefficients(y, y - 0.5 * width, y + 0.5 * width, np.full(2, m), np.arange(2), HALF_SPACE, element.table, values)
+    y, at_depth = np.array([0.0, distance]), np.zeros((2, 2))
+    low, high = y - 0.5 * width, y + 0.5 * width
+    coefficients(y, low, high, np.full(2, m), np.arange(2), HALF_SPACE, at_depth, element.table, values)
     np.testing.assert_allclose(values[0, 0, 1], width / distance, rtol=1e-5, atol=0.0)
     np.testing.assert_allclose(values[2, 0, 1] / m, width / distance**3, rtol=1e-5, atol=0.0)
 
@@ -103,3 +106,109 @@ def test_a_strip_at_its_own_centre(element):
     values, slopes = np.array([self_displacement(width, k, element.table) for k in m]).T
     assert np.all(np.diff(m * values) > 0.0)
     assert np.all(np.diff(slopes) < 0.0)
+
+
+# Points at depth
+
+
+def deep(depth, *, terms=HALF_SPACE, poisson=0.3, far=None):
+    return Depth(lambda y: np.full(y.shape, depth), 1.0 / (2.0 * (1.0 - poisson)), np.atleast_2d(terms), far)
+
+
+@pytest.mark.parametrize("poisson", [0.0, 0.3, 0.5])
+@pytest.mark.parametrize("depth", [0.05, 1.5, 40.0])
+def test_displacement_at_depth_is_that_of_point_loads_below_them(depth, poisson):
+    # Boussinesq: a load F on the surface moves a point at depth d and distance R = sqrt(s^2 + d^2) by
+    # w = F / (4 pi G) (2 (1 - nu) / R + d^2 / R^3) in its own direction.
+    material = nh.Material(modulus=206000.0, poisson=poisson)
+    shear = material.modulus / (2.0 * (1.0 + poisson))
+
+    def moved(s):
+        distance = np.hypot(s, depth)
+        return (2.0 * (1.0 - poisson) / distance + depth**2 / distance**3) / (4.0 * np.pi * shear)
+
+    places = np.array([-3.0, -0.3, 0.4])
+    expected = [
+        [quad(moved, low - y, high - y, points=[0.0] if low < y < high else None, epsabs=0.0, epsrel=1e-13)[0]
+         for low, high in zip(LOW, HIGH, strict=True)]
+        for y in places
+    ]  # fmt: skip
+    found = material.compliance * deep(depth, poisson=poisson).displacement(places, EDGES)
+    # Differences between edges lose a digit or two where the strip is far away.
+    np.testing.assert_allclose(found, expected, rtol=1e-11, atol=0.0)
+
+
+def test_far_below_all_strips_only_their_load_counts():
+    # Y' -> (3 - 2 nu) width / d, over 2 (1 - nu); the next terms are (distance / d)^2 = 1e-6.
+    depth, width = 3000.0, np.diff(EDGES)
+    expected = np.tile((3.0 - 0.6) / (2.0 * 0.7) * width / depth, (Y.size, 1))
+    np.testing.assert_allclose(deep(depth).displacement(Y, EDGES), expected, rtol=5e-6, atol=0.0)
+
+
+def test_just_below_its_middle_a_strip_moves_by_its_logarithm():
+    # d << width: 2 ln(width / d) + 1 / (1 - nu).
+    depth = 1e-4
+    found = deep(depth).displacement(np.array([0.5]), np.array([0.0, 1.0]))
+    np.testing.assert_allclose(found, 2.0 * np.log(1.0 / depth) + 1.0 / 0.7, rtol=1e-8, atol=0.0)
+
+
+def test_an_image_acts_at_depth_as_the_mirrored_strip():
+    # A face at f sends the strip to 2 f - high ... 2 f - low with the same load.
+    face, weight = 3.5, 0.7
+    image = deep(1.5, terms=(-1.0, 2.0 * face, weight)).displacement(Y, EDGES)
+    mirrored = deep(1.5).displacement(Y, (2.0 * face - EDGES)[::-1])[:, ::-1]
+    np.testing.assert_allclose(image, weight * mirrored, rtol=1e-13, atol=1e-15)
+
+
+def test_a_shifted_image_acts_at_depth_as_the_shifted_strip():
+    image = deep(1.5, terms=(1.0, -8.0, 0.4)).displacement(Y, EDGES)
+    np.testing.assert_allclose(image, 0.4 * deep(1.5).displacement(Y, EDGES - 8.0), rtol=1e-13, atol=1e-15)
+
+
+def test_terms_add_up_at_depth():
+    image = (-1.0, 7.0, 0.7)
+    together = deep(1.5, terms=np.vstack([HALF_SPACE, image])).displacement(Y, EDGES)
+    apart = deep(1.5).displacement(Y, EDGES) + deep(1.5, terms=image).displacement(Y, EDGES)
+    np.testing.assert_allclose(together, apart, rtol=1e-13, atol=0.0)
+
+
+def test_every_place_has_its_own_depth():
+    depths = 1.0 + Y**2
+    varying = Depth(lambda y: 1.0 + y**2, 1.0 / 1.4, HALF_SPACE)
+    rows = [deep(depth).displacement(np.array([y]), EDGES)[0] for y, depth in zip(Y, depths, strict=True)]
+    np.testing.assert_allclose(varying.displacement(Y, EDGES), rows, rtol=1e-13, atol=0.0)
+
+
+def test_what_far_images_add_goes_by_the_load_of_each_strip():
+    # They lift the surface, so they count against the points at depth.
+    with_far, without = (deep(1.5, far=far).displacement(Y, EDGES) for far in (lambda y: 0.01 + 1e-3 * y, None))
+    np.testing.assert_allclose(without - with_far, np.outer(0.01 + 1e-3 * Y, np.diff(EDGES)), rtol=1e-12, atol=0.0)
+
+
+def test_without_depths_nothing_moves_there():
+    np.testing.assert_array_equal(Influence(HALF_SPACE).at_depth(Y, EDGES), np.zeros((Y.size, Y.size)))
+
+
+def test_depths_of_both_bodies_add_up():
+    one, other = deep(1.5, terms=(1.0, 0.0, 0.3)), deep(4.0, terms=(1.0, 0.0, 0.7), poisson=0.2)
+    expected = one.displacement(Y, EDGES) + other.displacement(Y, EDGES)
+    np.testing.assert_allclose(Influence(HALF_SPACE, (one, other)).at_depth(Y, EDGES), expected, rtol=1e-15, atol=0.0)
+
+
+@both_elements
+def test_points_at_depth_count_against_the_displacement_alone(element):
+    # Curvature and both derivatives by the half-width are those of the surface.
+    at_depth = deep(1.5).displacement(Y, EDGES)
+    surface, against_depth = blocks(element), blocks(element, at_depth=at_depth)
+    expected = surface[0] - at_depth[np.ix_(ACTIVE, ACTIVE)]
+    np.testing.assert_allclose(against_depth[0], expected, rtol=1e-14, atol=0.0)
+    np.testing.assert_array_equal(against_depth[1:], surface[1:])
+
+
+@both_elements
+def test_displacements_are_those_of_the_surface_against_the_points_at_depth(element):
+    terms = np.vstack([HALF_SPACE, (-1.0, 7.0, 0.7)])
+    influence = Influence(terms, (deep(1.5, terms=terms),))
+    found = influence.displacements(Y, EDGES, R, M, element.table)
+    expected = blocks(element, terms=terms, at_depth=influence.at_depth(Y, EDGES))[0] @ (R * M)[ACTIVE]
+    np.testing.assert_allclose(found[ACTIVE], expected, rtol=1e-13, atol=0.0)

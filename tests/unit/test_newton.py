@@ -5,16 +5,18 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.strip import newton as loop
-from nonhertz.strip.influence import HALF_SPACE
+from nonhertz.strip.finite import influence_of
+from nonhertz.strip.influence import HALF_SPACE, Influence
 
 STRIPS = 21
 EDGES = np.linspace(-10.0, 10.0, STRIPS + 1)
 Y = 0.5 * (EDGES[1:] + EDGES[:-1])
 RADIUS, CROWN, TILT = 10.0, 4000.0, 2e-4
 K_LOAD = 0.0084  # K Q [mm^2], 3 kN on steel: the contact ends inside the body on both sides
+HALF_SPACES = Influence(HALF_SPACE)
 
 
-def run(r, m, rigid, *, relaxation=1.0, element=nh.SEMI_ELLIPTIC):
+def run(r, m, rigid, *, relaxation=1.0, element=nh.SEMI_ELLIPTIC, influence=HALF_SPACES):
     """Press a tilted crowned roller by a load, from a given start: status, steps, residual, stiffness."""
     gap, stiffness = np.zeros(STRIPS), np.zeros((2, 2))
     status, steps, residual = loop.newton(
@@ -25,7 +27,8 @@ def run(r, m, rigid, *, relaxation=1.0, element=nh.SEMI_ELLIPTIC):
         Y**2 / (2.0 * CROWN),
         np.array([True, False]),
         np.array([K_LOAD, TILT]),
-        HALF_SPACE,
+        influence.terms,
+        influence.at_depth(Y, EDGES),
         element.table,
         r,
         m,
@@ -43,9 +46,9 @@ def start(m=0.05):
     return np.full(STRIPS, 0.025), np.full(STRIPS, m), np.array([0.01, TILT])
 
 
-def answer():
+def answer(influence=HALF_SPACES):
     r, m, rigid = start()
-    assert run(r, m, rigid)[0] == loop.CONVERGED
+    assert run(r, m, rigid, influence=influence)[0] == loop.CONVERGED
     return r, m, rigid
 
 
@@ -54,12 +57,17 @@ def contact(profile=None, **body):
     return nh.Contact(roller, nh.Plate())
 
 
+FINITE = influence_of(contact(side_faces="calibrated", images=3), nh.SEMI_ELLIPTIC)
+both_kinds = pytest.mark.parametrize("influence", [HALF_SPACES, FINITE], ids=["half-spaces", "finite bodies"])
+
+
 # How it ends
 
 
-def test_it_converges_with_the_contact_ending_inside():
+@both_kinds
+def test_it_converges_with_the_contact_ending_inside(influence):
     r, m, rigid = start()
-    status, steps, residual, _ = run(r, m, rigid)
+    status, steps, residual, _ = run(r, m, rigid, influence=influence)
     assert status == loop.CONVERGED
     assert residual < 1e-11  # the loop's own tolerance
     assert steps <= 12
@@ -67,12 +75,13 @@ def test_it_converges_with_the_contact_ending_inside():
     assert abs(np.sum(r * m) * (EDGES[1] - EDGES[0]) / K_LOAD - 1.0) < 1e-11
 
 
-def test_any_start_leads_to_the_same_answer():
-    _, m, rigid = answer()
+@both_kinds
+def test_any_start_leads_to_the_same_answer(influence):
+    _, m, rigid = answer(influence)
     for alone in (0, STRIPS // 2, STRIPS - 1):
         other_r, other_m, other_rigid = start(0.0)
         other_m[alone] = 0.05
-        assert run(other_r, other_m, other_rigid)[0] == loop.CONVERGED
+        assert run(other_r, other_m, other_rigid, influence=influence)[0] == loop.CONVERGED
         # Both meet the conditions to 1e-11 of the whole contact, which a speck of a strip at its tip hardly sees; the
         # condition of the system costs a digit or two.
         np.testing.assert_allclose(other_m, m, rtol=1e-9, atol=1e-10 * np.max(m))
@@ -106,7 +115,7 @@ def lost(*arguments):
 
 
 def emptied(*arguments):
-    arguments[10][:] = 0.0  # m
+    arguments[11][:] = 0.0  # m
     return loop.newton(*arguments)
 
 
@@ -133,29 +142,38 @@ def test_a_loop_that_fails_raises_with_the_solution_so_far(monkeypatch, impaired
 # How fast it gets there
 
 
+@both_kinds
 @pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda e: e.name)
-def test_near_the_answer_the_error_is_squared(element):
+def test_near_the_answer_the_error_is_squared(element, influence):
     # From 1e-3 off: 1e-6, 1e-12. A Jacobian 1 % wrong would take five steps, each a factor of 100.
     r, m, rigid = start()
-    run(r, m, rigid, element=element)
-    disturbance = 1e-3 * np.cos(7.0 * Y)
-    status, steps, *_ = run(r * (1.0 + disturbance), m * (1.0 - disturbance), rigid * (1.0 + 1e-3), element=element)
+    run(r, m, rigid, element=element, influence=influence)
+    off = 1e-3 * np.cos(7.0 * Y)
+    near = r * (1.0 + off), m * (1.0 - off), rigid * (1.0 + 1e-3)
+    status, steps, *_ = run(*near, element=element, influence=influence)
     assert status == loop.CONVERGED
     assert steps <= 3
 
 
-def test_the_answer_needs_no_step():
-    status, steps, *_ = run(*answer())
+@both_kinds
+def test_the_answer_needs_no_step(influence):
+    status, steps, *_ = run(*answer(influence), influence=influence)
     assert (status, steps) == (loop.CONVERGED, 0)
 
 
 # The stiffness
 
+SHAPES = {
+    "contact ends inside": ({}, 0.01, 2e-4),
+    "sharp ends": ({"profile": nh.profile.straight()}, 0.02, 5e-4),
+    "shifted": ({"profile": nh.profile.crown(4000, centre=2.0), "position": 1.0}, 0.012, -1e-4),
+    "two intervals": ({"profile": nh.profile.crown(-4000)}, 0.004, 1e-4),
+}
+BODIES = {"half-space": {"side_faces": "none", "depth": "none"}, "finite": {"side_faces": "calibrated", "images": 3}}
 CASES = {
-    "contact ends inside": (contact(), 0.01, 2e-4),
-    "sharp ends": (contact(nh.profile.straight()), 0.02, 5e-4),
-    "shifted": (contact(nh.profile.crown(4000, centre=2.0), position=1.0), 0.012, -1e-4),
-    "two intervals": (contact(nh.profile.crown(-4000)), 0.004, 1e-4),
+    f"{name}, {kind}": (contact(**shape, **body), approach, tilt)
+    for name, (shape, approach, tilt) in SHAPES.items()
+    for kind, body in BODIES.items()
 }
 
 

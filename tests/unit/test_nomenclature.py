@@ -18,6 +18,7 @@ PAGE = Path(__file__).parents[2] / "docs" / "reference" / "nomenclature.md"
 CLASSES = {
     "`Solution`": nh.Solution,
     "`ErrorEstimate`": nh.ErrorEstimate,
+    "`EdgePressure`": nh.EdgePressure,
     "`Contact`": nh.Contact,
     "`Body`": nh.Body,
     "`TabulatedDiameter`": nh.TabulatedDiameter,

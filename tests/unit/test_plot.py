@@ -29,7 +29,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.profile import Profile
 from nonhertz.plot.contact_area import colour_limit
 from nonhertz.plot.style import INK
-from nonhertz.solution import ErrorEstimate, Solution, Status
+from nonhertz.solution import EdgeKind, EdgePressure, ErrorEstimate, Solution, Status
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 
 Array = NDArray[np.float64]
@@ -108,10 +108,15 @@ def springs(
         element_half_width=half_width / element.hertz_ratio,
         gap=np.where(touching, 0.0, -0.8 * interference),
         contact_y=runs(edges, touching),
+        edge_pressure=(run_out(edges[0]), run_out(edges[-1])),
         iterations=7,
         error_estimate=ErrorEstimate(approach=1e-4, load=0.0, max_pressure=np.inf if singular else 1e-3),
         warnings=(),
     )
+
+
+def run_out(y: float) -> EdgePressure:
+    return EdgePressure(float(y), EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None)
 
 
 def runs(edges: NDArray[np.float64], touching: NDArray[np.bool_]) -> tuple[tuple[float, float], ...]:

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.strip.state import half_space_problem, settle
+from nonhertz.strip.influence import HALF_SPACE, Influence
+from nonhertz.strip.state import Problem, settle
 
 LENGTH, RADIUS, LOAD = 200.0, 500.0, 35780.0
 MATERIAL = nh.Material(modulus=2.0 * 82000.0 * 1.28, poisson=0.28)
@@ -17,12 +18,13 @@ COMPLIANCE = 2.0 * MATERIAL.compliance
 
 def pressed(element):
     """Approach, half-width and pressure of the one strip."""
-    problem = half_space_problem(
+    problem = Problem(
         separation=np.zeros_like,
         curvature=lambda y: np.full_like(y, 1.0 / RADIUS),
         element=element,
         prescribed=np.array([True, False]),
         target=np.array([COMPLIANCE * LOAD, 0.0]),
+        influence=Influence(HALF_SPACE),
     )
     state = settle(problem, np.array([-0.5 * LENGTH, 0.5 * LENGTH]))
     assert state.converged
@@ -58,7 +60,9 @@ def test_closed_form_of_puttock_and_thwaite_is_the_same():
 def test_a_uniform_pressure_needs_lundbergs_relief(element):
     # On many strips the load is spread evenly only if the ends are relieved; the approach is then the same.
     profile = nh.profile.lundberg(load=LOAD, length=LENGTH, radius=RADIUS, compliance=COMPLIANCE)
-    roller = nh.Roller(diameter=2 * RADIUS, length=LENGTH, profile=profile, material=MATERIAL)
+    roller = nh.Roller(
+        diameter=2 * RADIUS, length=LENGTH, profile=profile, material=MATERIAL, side_faces="none", depth="none"
+    )
     solution = nh.solve(nh.Contact(roller, nh.Plate(material=MATERIAL)), load=LOAD, element=element)
     middle = np.abs(solution.y) < 0.45 * LENGTH
     # The ends within a half-width are not quite uniform; the middle feels it by 1e-4.

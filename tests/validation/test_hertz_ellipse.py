@@ -43,6 +43,7 @@ def solved(exact, *, reach=None, material=STEEL, **arguments):
         length=None if reach is None else 2.0 * reach * exact.half_length,
         profile=Parabola(exact.radius_y),
         material=material,
+        side_faces="none",
     )
     return nh.solve(nh.Contact(body, nh.Plate(material=material)), **({"load": exact.load} | arguments))
 

@@ -21,7 +21,7 @@ STRIPS = {  # strip: y, s [N/mm^4], c [mm], q [N/mm]
 def solution():
     material = nh.Material(modulus=206000, poisson=0.3)
     profile = nh.profile.logarithmic(amplitude=0.00035 * 15, length=16)
-    roller = nh.Roller(diameter=15, length=16, profile=profile, material=material)
+    roller = nh.Roller(diameter=15, length=16, profile=profile, material=material, side_faces="none", depth="none")
     ring = nh.Ring(diameter=60, material=material)
     return nh.solve(nh.Contact(roller, ring), load=20e3, element=nh.PARABOLIC, strips=41)
 

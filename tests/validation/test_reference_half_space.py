@@ -16,6 +16,7 @@ import nonhertz as nh
 
 STEEL = nh.Material(modulus=207000, poisson=0.3)
 PROFILES = {"BH1": nh.profile.crown(4000), "B0": nh.profile.crown(4000), "D": nh.profile.straight()}
+HALF_SPACE = {"side_faces": "none", "depth": "none"}
 HALF_LENGTH = 10.0
 every_case = pytest.mark.parametrize("name", PROFILES)
 with_sharp_ends = pytest.mark.parametrize("name", ["B0", "D"])
@@ -30,7 +31,7 @@ def reference(name):
 @pytest.fixture(scope="module")
 def solutions():
     bodies = {
-        name: nh.Roller(diameter=20, length=2 * HALF_LENGTH, profile=profile, material=STEEL)
+        name: nh.Roller(diameter=20, length=2 * HALF_LENGTH, profile=profile, material=STEEL, **HALF_SPACE)
         for name, profile in PROFILES.items()
     }
     return {

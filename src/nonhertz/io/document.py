@@ -9,6 +9,7 @@ reference.
 from __future__ import annotations
 
 import dataclasses
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any, Self, TypeVar
@@ -31,14 +32,36 @@ from pydantic import (
 from nonhertz.errors import InputError
 from nonhertz.io.mistakes import Mistake, TableError, missing, mistake_in, mistakes_in, nearest, unknown
 from nonhertz.io.profiles import BROKEN, profile_schema, quantity_schema, read_profile
-from nonhertz.io.units import in_unit
-from nonhertz.model.body import Body, TabulatedDiameter
+from nonhertz.io.units import begins_with_digits, in_unit
+from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter, convex
 from nonhertz.model.checks import finite, positive
 from nonhertz.model.contact import Contact
+from nonhertz.model.finite import FIRST_IMAGE, MOST_IMAGES, SERIES
 from nonhertz.model.material import MATERIALS, STEEL, Material
 from nonhertz.model.profile import Profile, straight
 
 _FAR_AWAY = 1e3  # mm; how far an unbounded contact is looked at before it is solved
+
+_KINDS: dict[str, type[Body]] = {"roller": Roller, "ring": Ring, "plate": Plate}
+# What a refused key might have been, so that keys which depend on it are not refused on its account.
+_STAND_INS: dict[str, Any] = {"diameter": 1.0, "length": sys.float_info.max, "side_faces": "none", "depth": 1.0}
+
+_FACE_SCHEMA: list[dict[str, Any]] = [
+    {"enum": ["mirror", "calibrated", "none"]},
+    {"type": "number", "minimum": 0},
+]
+_FACES_SCHEMA = {
+    "anyOf": [*_FACE_SCHEMA, {"type": "array", "items": {"anyOf": _FACE_SCHEMA}, "minItems": 2, "maxItems": 2}]
+}
+_IMAGES_SCHEMA = {"anyOf": [{"type": "integer", "minimum": FIRST_IMAGE, "maximum": MOST_IMAGES}, {"const": SERIES}]}
+_DEPTH_SCHEMA = {
+    "anyOf": [
+        {"enum": ["none", "plane-strain", "diameter"]},
+        {"type": "number", "exclusiveMinimum": 0},
+        {"type": "string", "pattern": "[0-9]"},
+    ],
+    "unit": "mm",
+}
 
 
 class Table(BaseModel):
@@ -141,46 +164,115 @@ def _read_profile(value: Any, info: ValidationInfo) -> Profile:
     return read_profile(value, body, folder)
 
 
+def _read_kind(value: Any) -> type[Body]:
+    if not isinstance(value, str) or value not in _KINDS:
+        raise unknown("kind", value, "kind of body", str(value), _KINDS)
+    return _KINDS[value]
+
+
+def _word_or_quantity(field: str, value: Any, unit: str) -> Any:
+    """Return a word for the model to judge, and the number that anything else stands for."""
+    is_word = isinstance(value, str) and not begins_with_digits(value)
+    return value if is_word else in_unit(field, value, unit)
+
+
+def _read_side_faces(value: Any) -> Any:
+    if not isinstance(value, list):
+        return _word_or_quantity("side_faces", value, "")
+    if len(value) != 2:
+        return value
+    mistakes, rules = [], []
+    for position, entry in enumerate(value, start=1):
+        try:
+            rules.append(_word_or_quantity("side_faces", entry, ""))
+            Body(side_faces=(rules[-1], "none"), length=1.0)
+        except InputError as error:
+            mistakes.append(Mistake((position,), error))
+    if mistakes:
+        raise TableError(mistakes)
+    return tuple(rules)
+
+
+def _read_images(value: Any) -> Any:
+    number = _word_or_quantity("images", value, "")
+    return int(number) if isinstance(number, float) and number.is_integer() else number
+
+
+def _read_depth(value: Any) -> Any:
+    return _word_or_quantity("depth", value, "mm")
+
+
 class BodyTable(Table):
     """One of the two bodies."""
 
+    # A key stands after those that its own check depends on. The defaults are for the schema: what a file leaves
+    # out is left to the body's class.
+    kind: Annotated[type[Body] | None, PlainValidator(_read_kind), WithJsonSchema({"enum": list(_KINDS)})] = Field(
+        default=None,
+        description="'roller', 'ring' or 'plate': what the diameter must be, and the default of the depth; "
+        "left out, a body with a positive diameter and a length is a roller",
+    )
     diameter: Annotated[Any, PlainValidator(_read_diameter, json_schema_input_type=Length | DiameterTable)] = Field(
         default=None,
+        validate_default=True,
         description="diameter across the contact [mm], negative where concave, or a table of y and diameter; "
         "a flat body has none",
     )
+    side_faces: Annotated[Any, PlainValidator(_read_side_faces), WithJsonSchema(_FACES_SCHEMA)] = Field(
+        default=Body.side_faces,
+        description="how the side faces are made free: 'mirror' images of the pressure, 'calibrated' ones, images "
+        "of a weight of your own, 'none'; or two of these, for low and high y",
+    )
     length: Length | None = Field(
-        default=None, description="distance between the side faces [mm]; an unbounded body has none"
+        default=None,
+        validate_default=True,
+        description="distance between the side faces [mm]; an unbounded body has none",
     )
     effective_length: Length | None = Field(
         default=None,
         description="length in the middle that can touch [mm]; chamfers or undercuts take the rest away",
     )
-    position: Length = Field(default=0.0, description="axial position of the middle of the body [mm]")
+    position: Length = Field(default=Body.position, description="axial position of the middle of the body [mm]")
     material: Annotated[Material, PlainValidator(_read_material, json_schema_input_type=Word | MaterialTable)] = Field(
         default=STEEL, description="name of a material, or a table of modulus and poisson"
     )
     profile: Annotated[Profile, PlainValidator(_read_profile), WithJsonSchema(profile_schema())] = Field(
         default_factory=straight, description="relief along the axis: a list of profiles, which add"
     )
-    side_faces: Word = Field(default="none", description="correction for finite length: 'none'")
-    depth: Word = Field(default="none", description="correction for finite thickness: 'none'")
+    depth: Annotated[Any, PlainValidator(_read_depth), WithJsonSchema(_DEPTH_SCHEMA)] = Field(
+        default=None,
+        description="the point that the displacement is measured against: far away ('none'), where a long cylinder "
+        "is compressed as in 'plane-strain' (a roller's default), the 'diameter', or a depth below the surface [mm]",
+        json_schema_extra={"default": Body.depth},
+    )
+    images: Annotated[Any, PlainValidator(_read_images), WithJsonSchema(_IMAGES_SCHEMA)] = Field(
+        default=Body.images,
+        description="mirror images per side face: a number, or 'series' for all of them, which needs a depth",
+    )
 
-    @field_validator("diameter", "length", "position", "side_faces", "depth")
+    @field_validator("diameter", "side_faces", "length", "effective_length", "position", "depth", "images")
     @classmethod
     def _check(cls, value: Any, info: ValidationInfo) -> Any:
-        Body(**{str(info.field_name): value})
-        return value
-
-    @field_validator("effective_length")
-    @classmethod
-    def _check_effective_length(cls, value: float, info: ValidationInfo) -> float:
-        Body(effective_length=value, length=info.data.get("length"))
+        name = str(info.field_name)
+        # Without a kind nobody knows what the other keys ask for.
+        read = info.data if "kind" in info.data else {}
+        kind = read.get("kind") or Body
+        body = {other: read.get(other, stand_in) for other, stand_in in _STAND_INS.items()} | {name: value}
+        try:
+            kind(**{key: entry for key, entry in body.items() if entry is not None})
+        except InputError as error:
+            if error.field == name:
+                raise
         return value
 
     def body(self) -> Body:
         """Return the body."""
-        return Body(**{name: getattr(self, name) for name in type(self).model_fields})
+        given = self.model_fields_set - {"kind"}
+        return (self.kind or self._likely_kind())(**{name: getattr(self, name) for name in given})
+
+    def _likely_kind(self) -> type[Body]:
+        """Return what a body is that does not say it: a roller if it is convex and ends, else any body."""
+        return Roller if self.length is not None and convex(self.diameter) else Body
 
 
 class BodiesTable(Table):

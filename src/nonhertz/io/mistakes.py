@@ -111,7 +111,8 @@ def mistake_in(field: str, error: InputError, value: object) -> Mistake:
     """Return the mistake that a field's own check found, showing text as the user wrote it."""
     shown = value if isinstance(value, str) else error.value
     place = (field,) if error.field == field else (field, error.field)
-    return Mistake(place, InputError(error.field, shown, error.condition, error.remedy))
+    # No file can write None: the key is not there.
+    return Mistake(place, InputError(error.field, shown, error.condition, error.remedy), absent=shown is None)
 
 
 def mistakes_in(error: ValidationError, table: type[BaseModel]) -> list[Mistake]:
@@ -121,11 +122,10 @@ def mistakes_in(error: ValidationError, table: type[BaseModel]) -> list[Mistake]
     """
     found: list[Mistake] = []
     misspelled: set[Place] = set()
-    absent: list[Mistake] = []
     for item in error.errors(include_url=False):
         place: Place = tuple(part + 1 if isinstance(part, int) else part for part in item["loc"])
         if item["type"] == "missing":
-            absent.append(missing(place, _way_out(table, place)))
+            found.append(missing(place, _way_out(table, place)))
         elif item["type"] == "extra_forbidden":
             known = _table_at(table, place[:-1]).model_fields
             word = str(place[-1])
@@ -133,7 +133,7 @@ def mistakes_in(error: ValidationError, table: type[BaseModel]) -> list[Mistake]
             misspelled.add((*place[:-1], nearest(word, known) or word))
         else:
             found.extend(_told(item, place))
-    return found + [mistake for mistake in absent if mistake.place not in misspelled]
+    return [mistake for mistake in found if not (mistake.absent and mistake.place in misspelled)]
 
 
 def _told(item: Any, place: Place) -> list[Mistake]:

@@ -26,6 +26,7 @@ _KINDS = {
     "rad": ("angle", "0.5 mrad"),
     "N mm": ("moment", "5 N m"),
 }
+_BEGINNING = re.compile(r"\s*[-+]?\.?\d")
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*", re.DOTALL)
 _FACTOR = r"(?:[A-Za-zµμ°%]+(?:(?:\^|\*\*)?-?[1-9]|[²³])?)"
 _UNIT = re.compile(rf"(?:1\s*/\s*|/\s*)?{_FACTOR}(?:(?:\s*[*·/]\s*|\s+){_FACTOR})*")
@@ -80,6 +81,17 @@ def in_unit(field: str, value: Any, unit: str) -> Any:
     if unit == "":
         raise InputError(field, value, "be a plain number", "write it without quotes and without a unit")
     return _converted(field, value, unit)
+
+
+def begins_with_digits(text: str) -> bool:
+    """Return whether a text is meant for a number, with a unit or without, and not for a word.
+
+    Examples
+    --------
+    >>> begins_with_digits("8 mm"), begins_with_digits("plane-strain")
+    (True, False)
+    """
+    return _BEGINNING.match(text) is not None
 
 
 def _converted(field: str, text: str, unit: str) -> float:

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from numbers import Real
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import finite, one_of, positive
+from nonhertz.model.checks import finite, positive
+from nonhertz.model.finite import FIRST_IMAGE, DepthRule, FaceRule, check_depth, check_images, face_weights
 from nonhertz.model.material import STEEL, Material
 from nonhertz.model.profile import Profile, Straight
 
 Array = NDArray[np.float64]
+Diameter = float | Callable[[Array], ArrayLike] | None
 
 _LENGTH_REMEDY = "give the distance between the side faces in mm, or leave it out for an unbounded body"
 _DIAMETER_REMEDY = "give the diameter in mm, negative for a concave surface, or leave it out for a flat one"
@@ -57,6 +60,13 @@ class TabulatedDiameter:
         return diameter
 
 
+def convex(diameter: Diameter) -> bool:
+    """Return whether a diameter is positive, as far as can be told without knowing where the bodies will touch."""
+    if isinstance(diameter, TabulatedDiameter):
+        return diameter.diameter[0] > 0.0
+    return callable(diameter) or (isinstance(diameter, Real) and diameter > 0.0)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Body:
     """A body with, in every plane of constant y, a constant radius of curvature across the contact.
@@ -77,8 +87,17 @@ class Body:
         at most ``length``; None for all of it.
     position : float
         Axial position y of the middle of the body [mm].
-    side_faces, depth : str
-        Corrections for finite length and thickness. Only ``"none"`` so far: both bodies answer as half-spaces.
+    side_faces : str or float or pair of them
+        How the side faces are made free: by images of the pressure with weight 1 (``"mirror"``), with the weight
+        that comes nearest to the exact free face (``"calibrated"``) or with a weight of your own, or not at all
+        (``"none"``). A pair is for the faces at low and high y. A body without a length has none.
+    images : int or str
+        Mirror images per face: 1; or n, with the n - 1 shifted ones between them that mirrors of mirrors make; or
+        ``"series"`` for all of them, which needs a depth, without which their sum has no limit.
+    depth : str or float
+        The point that the displacement is measured against: far away (``"none"``), where it makes the compression
+        of a long cylinder that of plane strain (``"plane-strain"``, the default of a roller), the diameter
+        (``"diameter"``), or a depth below the surface [mm] such as the thickness of a ring.
 
     Raises
     ------
@@ -92,13 +111,14 @@ class Body:
     """
 
     material: Material = STEEL
-    diameter: float | Callable[[Array], ArrayLike] | None = None
+    diameter: Diameter = None
     length: float | None = None
     profile: Profile = field(default_factory=Straight)
     effective_length: float | None = None
     position: float = 0.0
-    side_faces: str = "none"
-    depth: str = "none"
+    side_faces: FaceRule | tuple[FaceRule, FaceRule] = "mirror"
+    images: int | str = FIRST_IMAGE
+    depth: DepthRule = "none"
 
     def __post_init__(self) -> None:
         if not isinstance(self.material, Material):
@@ -114,9 +134,11 @@ class Body:
         if self.effective_length is not None:
             self._check_effective_length(self.effective_length)
         finite("position", self.position, "give the axial position of the body's middle in mm")
-        remedy = "leave it out or write 'none'; other choices are not available in this version"
-        one_of("side_faces", self.side_faces, ("none",), remedy)
-        one_of("depth", self.depth, ("none",), remedy)
+        asked = face_weights(self.side_faces, self.material.poisson)
+        if self.length is None and self.side_faces != "mirror" and max(asked) > 0.0:
+            raise InputError("length", None, f"be given where side_faces = {self.side_faces!r}", _LENGTH_REMEDY)
+        check_depth(self.depth, convex(self.diameter))
+        check_images(self.images, self.face_weights, self.depth)
 
     def _check_effective_length(self, effective_length: float) -> None:
         remedy = "give the length that can touch in mm, or leave it out for all of the body"
@@ -131,6 +153,17 @@ class Body:
         low, high = (-np.inf, np.inf) if length is None else (-0.5 * length, 0.5 * length)
         defined = self.profile.extent
         return (self.position + max(low, defined[0]), self.position + min(high, defined[1]))
+
+    @property
+    def faces(self) -> tuple[float, float]:
+        """Axial positions [mm] of the side faces, free or not; infinite for an unbounded body."""
+        half = np.inf if self.length is None else 0.5 * self.length
+        return (self.position - half, self.position + half)
+
+    @property
+    def face_weights(self) -> tuple[float, float]:
+        """Weights of the images about the side faces; zero where a face is not made free."""
+        return (0.0, 0.0) if self.length is None else face_weights(self.side_faces, self.material.poisson)
 
     @property
     def bends(self) -> tuple[float, ...]:
@@ -166,23 +199,30 @@ class Body:
 class Roller(Body):
     """A convex body of finite length: `Body` with a positive ``diameter`` and a ``length``.
 
+    Unless told otherwise both its side faces are free and it is as thick as a long cylinder in plane strain.
+
     Examples
     --------
     >>> Roller(diameter=20, length=20).interval
     (-10.0, 10.0)
     """
 
+    depth: DepthRule = "plane-strain"
+
     def __post_init__(self) -> None:
-        super().__post_init__()
-        if self.diameter is None or (not callable(self.diameter) and self.diameter <= 0.0):
+        # First, because the default depth asks for a diameter too.
+        if self.diameter is None or not convex(self.diameter):
             raise InputError("diameter", self.diameter, "be positive", "give the roller's diameter in mm")
         if self.length is None:
             raise InputError("length", self.length, "be given", "give the roller's length in mm")
+        super().__post_init__()
 
 
 @dataclass(frozen=True, kw_only=True)
 class Ring(Body):
     """A raceway: `Body` with a ``diameter``, positive on an inner ring, negative (concave) on an outer ring.
+
+    With a ``length``, its width, it has two free side faces; without one it goes on for ever.
 
     Examples
     --------

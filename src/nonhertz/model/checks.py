@@ -36,6 +36,6 @@ def one_of(field: str, value: object, allowed: tuple[str, ...], remedy: str) -> 
 def _is_number(value: object) -> bool:
     try:
         float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return False
     return not isinstance(value, str)

@@ -76,7 +76,7 @@ class Element:
     hertz_ratio: float
     centre_factor: float
     """p(0) = centre_factor * q / a, the pressure that the element itself has on the centre line."""
-    _constant: float = field(repr=False)
+    far_constant: float
     """A(t) - ln(2 t) at infinity, -int phi ln|xi|."""
     _moments: tuple[Callable[[int], float], Callable[[int], float]] = field(repr=False)
     """k -> int phi xi^2k and k -> int psi xi^2k."""
@@ -145,7 +145,7 @@ class Element:
         rows = np.zeros((terms, 4))
         binomial = 1.0
         for k in range(terms):
-            rows[k, A] = self._constant if k == 0 else -binomial * of_phi(k) / (2 * k)
+            rows[k, A] = self.far_constant if k == 0 else -binomial * of_phi(k) / (2 * k)
             rows[k, T_DA] = binomial * of_phi(k)
             rows[k, B] = binomial * of_psi(k)
             rows[k, T_DB] = -2 * k * binomial * of_psi(k)
@@ -279,7 +279,7 @@ SEMI_ELLIPTIC = Element(
     line_factor=4.0,
     hertz_ratio=1.0,
     centre_factor=2.0 / math.pi,
-    _constant=math.log(2.0) + 0.5,
+    far_constant=math.log(2.0) + 0.5,
     _moments=(_semi_elliptic_moment, _semi_elliptic_slope_moment),
     _closed_forms=_semi_elliptic_closed_forms,
     # A' = (4/pi) (ln(4/t) - 1), B = (4/pi) t ln(4/t)
@@ -292,7 +292,7 @@ PARABOLIC = Element(
     line_factor=6.0,
     hertz_ratio=math.sqrt(2.0 / 3.0),
     centre_factor=0.75,
-    _constant=4.0 / 3.0,
+    far_constant=4.0 / 3.0,
     _moments=(_parabolic_moment, _parabolic_slope_moment),
     _closed_forms=_parabolic_closed_forms,
     # A' = 3/2 (ln(2/t) - 1) + 1 - 1/4 = 3/2 (ln(2/t) - 1/2), B = 3 t ln(2/t)

@@ -20,7 +20,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.strip.compiled import compiled
-from nonhertz.strip.influence import displacements
 from nonhertz.strip.state import Problem, State
 
 Array = NDArray[np.float64]
@@ -198,8 +197,8 @@ def overlaps(problem: Problem, state: State, interval: tuple[float, float]) -> l
     suspect = np.flatnonzero(apart & (depth > 0.0))
     overlapping = np.zeros(y.size, dtype=bool)
     if suspect.size:
-        low, high, table = state.edges[:-1], state.edges[1:], problem.element.table
-        lift = displacements(y[suspect], low, high, state.r, state.m, problem.terms, table)
+        table = problem.element.table
+        lift = problem.influence.displacements(y[suspect], state.edges, state.r, state.m, table)
         overlapping[suspect[lift < depth[suspect]]] = True
     step = float(y[1] - y[0])
     return [

@@ -5,12 +5,18 @@ acts beside the strip itself is a *term*: a row (sign, offset, weight) that send
 ``sign * y + offset`` and counts ``weight`` times. The direct effect is the term (1, 0, 1); a mirror image about
 a face at f is (-1, 2 f, weight). The loops below add up terms and know nothing about what they stand for.
 
+The displacement is measured against points that may move themselves: the load of a strip lifts a point at depth
+d below the surface by a function of its edges over d. That part depends neither on the loads nor on the half-widths,
+so it is worked out once for a grid, as a matrix that the loop subtracts.
+
 All coefficients are per unit of compliance: with r = K q / a^2 and m = a^2 as unknowns, K appears nowhere.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,9 +31,85 @@ Indices = NDArray[np.int64]
 HALF_SPACE = np.array([[1.0, 0.0, 1.0]])
 
 
+@dataclass(frozen=True)
+class Depth:
+    """How loads on the surface of one body move the points that its displacement is measured against.
+
+    Attributes
+    ----------
+    below : callable
+        y [mm] -> depth d of the point below the surface [mm].
+    poisson_factor : float
+        1 / (2 (1 - nu)).
+    terms : ndarray, shape (terms, 3)
+        Rows as for the surface, of this body alone, its share of the compliance in the weights.
+    far : callable or None
+        y [mm] -> what images too far away to be told apart add to the surface's displacement, per unit of load.
+    """
+
+    below: Callable[[Array], Array]
+    poisson_factor: float
+    terms: Array
+    far: Callable[[Array], Array] | None = None
+
+    def displacement(self, y: Array, edges: Array) -> Array:
+        """Return the displacement at depth under ``y`` per unit of K q of each strip, shape (places, strips)."""
+        result = np.diff(_at_depth(y, self.below(y), edges, self.poisson_factor, self.terms), axis=1)
+        if self.far is not None:
+            result -= self.far(y)[:, None] * np.diff(edges)
+        return np.ascontiguousarray(result)
+
+
+@dataclass(frozen=True)
+class Influence:
+    """How strips act on the centre line: on both surfaces, and on the points at depth of each body that has any."""
+
+    terms: Array
+    depths: tuple[Depth, ...] = ()
+
+    def at_depth(self, y: Array, edges: Array) -> Array:
+        """Return the displacement of the points at depth per unit of K q, shape (places, strips)."""
+        if not self.depths:
+            return np.zeros((y.size, edges.size - 1))
+        return sum((depth.displacement(y, edges) for depth in self.depths[1:]), self.depths[0].displacement(y, edges))
+
+    def shallowest(self, y: Array) -> float:
+        """Return the least depth under the places ``y``, infinite where no body has one."""
+        return min((float(np.min(depth.below(y))) for depth in self.depths), default=math.inf)
+
+    def displacements(self, y: Array, edges: Array, r: Array, m: Array, table: Array) -> Array:
+        """Return the displacement per unit of compliance at several places ``y``."""
+        at_depth: Array = self.at_depth(y, edges) @ (r * m)
+        return displacements(y, edges[:-1], edges[1:], r, m, self.terms, table) - at_depth
+
+
+@compiled
+def _at_depth(y: Array, depth: Array, edges: Array, poisson_factor: float, terms: Array) -> Array:
+    """Return what a load from the far left up to each edge does at depth under each place, up to a constant."""
+    out = np.zeros((y.size, edges.size))
+    for i in range(y.size):
+        inverse = 1.0 / depth[i]
+        for k in range(terms.shape[0]):
+            sign, offset, weight = terms[k, 0], terms[k, 1] - y[i], terms[k, 0] * terms[k, 2]
+            for e in range(edges.size):
+                u = (sign * edges[e] + offset) * inverse
+                root = math.sqrt(1.0 + u * u)
+                value = math.log(abs(u) + root)
+                out[i, e] += weight * (math.copysign(value, u) + poisson_factor * u / root)
+    return out
+
+
 @compiled
 def coefficients(
-    y: Array, low: Array, high: Array, m: Array, active: Indices, terms: Array, table: Array, out: Array
+    y: Array,
+    low: Array,
+    high: Array,
+    m: Array,
+    active: Indices,
+    terms: Array,
+    at_depth: Array,
+    table: Array,
+    out: Array,
 ) -> None:
     """Fill ``out[:, i, j]`` with [A], [t A'], [B], [t B'] of strip j at the centre of strip i.
 
@@ -41,6 +123,8 @@ def coefficients(
         The strips that take part.
     terms : ndarray, shape (terms, 3)
         Rows (sign, offset, weight); see the module.
+    at_depth : ndarray, shape (n, n)
+        Displacement of the points at depth; see the module.
     table : ndarray
         The element's table.
     out : ndarray, shape (4, k, k)
@@ -60,6 +144,7 @@ def coefficients(
                 ta += weight * (ta1 - ta0)
                 b += weight * (b1 - b0)
                 tb += weight * (tb1 - tb0)
+            a -= at_depth[active[i], source]
             out[0, i, j], out[1, i, j], out[2, i, j], out[3, i, j] = a, ta, b, tb
 
 
@@ -67,7 +152,7 @@ def coefficients(
 def displacement(
     y: float, low: Array, high: Array, r: Array, m: Array, active: Indices, terms: Array, table: Array
 ) -> float:
-    """Return the displacement per unit of compliance at ``y`` of all ``active`` strips."""
+    """Return the surface's displacement per unit of compliance at ``y`` under all ``active`` strips."""
     total = 0.0
     for source in active:
         inverse = 1.0 / math.sqrt(m[source])
@@ -82,7 +167,7 @@ def displacement(
 
 @compiled
 def displacements(places: Array, low: Array, high: Array, r: Array, m: Array, terms: Array, table: Array) -> Array:
-    """Return the displacement per unit of compliance at several ``places``."""
+    """Return the surface's displacement per unit of compliance at several ``places``."""
     active = np.flatnonzero(m > 0.0)
     result = np.empty(places.size)
     for i in range(places.size):

@@ -49,6 +49,7 @@ def newton(
     prescribed: Flags,
     target: Array,
     terms: Array,
+    at_depth: Array,
     table: Array,
     r: Array,
     m: Array,
@@ -71,7 +72,7 @@ def newton(
         Whether the load (else the approach) and the moment (else the tilt) are prescribed.
     target : ndarray, shape (2,)
         K Q or delta, K T or gamma.
-    terms, table
+    terms, at_depth, table
         See `nonhertz.strip.influence`.
     r, m : ndarray, shape (n,)
         K q / a^2 and a^2; m = 0 marks a strip out of contact.
@@ -101,7 +102,7 @@ def newton(
             return STAGNATED, step, residual
         k = active.size
         blocks = np.empty((4, k, k))
-        coefficients(y, low, high, m, active, terms, table, blocks)
+        coefficients(y, low, high, m, active, terms, at_depth, table, blocks)
         width, ra = widths[active], r[active]
         qa = ra * m[active]
         lever = y[active] / half
@@ -116,7 +117,7 @@ def newton(
         load = np.sum(weights)
         moment = np.sum(weights * lever)
         off = _balance_residual(prescribed, target, rigid, load, moment, half)
-        _idle_gaps(y, low, high, separation, rigid, r, m, active, terms, table, gap)
+        _idle_gaps(y, low, high, separation, rigid, r, m, active, terms, at_depth, table, gap)
         reference = target[0] if prescribed[0] else load
         unsettled = max(
             (np.max(np.abs(gap_residual)) - noise) / scale,
@@ -144,7 +145,7 @@ def newton(
         entered = _enter(widths, curvature, gap, noise + LET_SETTLE * unsettled * scale, active, table, r, m)
         small = max(np.max(np.abs(rho)), np.max(np.abs(sigma - rho))) < SMALL_STEP
         if residual < NEARLY and small and not changed and not entered:
-            left = _check(y, low, high, separation, prescribed, target, rigid, r, m, terms, table, gap)
+            left = _check(y, low, high, separation, prescribed, target, rigid, r, m, terms, at_depth, table, gap)
             if left < tolerance:
                 return CONVERGED, step + 1, left
     return ITERATION_LIMIT, STEP_LIMIT, residual
@@ -198,6 +199,26 @@ def _relative(off: Array, prescribed: Flags, load: float) -> float:
 
 
 @compiled
+def _settling(
+    i: int,
+    y: Array,
+    low: Array,
+    high: Array,
+    r: Array,
+    m: Array,
+    active: Indices,
+    terms: Array,
+    at_depth: Array,
+    table: Array,
+) -> float:
+    """Return the displacement per unit of compliance at the centre of strip ``i`` against the points at depth."""
+    total = displacement(y[i], low, high, r, m, active, terms, table)
+    for j in active:
+        total -= at_depth[i, j] * r[j] * m[j]
+    return total
+
+
+@compiled
 def _idle_gaps(
     y: Array,
     low: Array,
@@ -208,6 +229,7 @@ def _idle_gaps(
     m: Array,
     active: Indices,
     terms: Array,
+    at_depth: Array,
     table: Array,
     gap: Array,
 ) -> None:
@@ -217,7 +239,7 @@ def _idle_gaps(
         if m[i] == 0.0:
             gap[i] = separation[i] - rigid[0] - rigid[1] * y[i]
             if np.isfinite(gap[i]):
-                gap[i] += displacement(y[i], low, high, r, m, active, terms, table)
+                gap[i] += _settling(i, y, low, high, r, m, active, terms, at_depth, table)
 
 
 @compiled
@@ -365,6 +387,7 @@ def _check(
     r: Array,
     m: Array,
     terms: Array,
+    at_depth: Array,
     table: Array,
     gap: Array,
 ) -> float:
@@ -372,11 +395,11 @@ def _check(
     half = 0.5 * (high[-1] - low[0])
     active = np.flatnonzero(m > 0.0)
     depth = _interference(y, separation, rigid, active)
-    _idle_gaps(y, low, high, separation, rigid, r, m, active, terms, table, gap)
+    _idle_gaps(y, low, high, separation, rigid, r, m, active, terms, at_depth, table, gap)
     worst = max(-np.min(gap), 0.0)
     for k in range(active.size):
         i = active[k]
-        gap[i] = displacement(y[i], low, high, r, m, active, terms, table) - depth[k]
+        gap[i] = _settling(i, y, low, high, r, m, active, terms, at_depth, table) - depth[k]
         worst = max(worst, abs(gap[i]))
     loads = r[active] * m[active] * (high - low)[active]
     load = np.sum(loads)

@@ -10,12 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.strip.element import Element
-from nonhertz.strip.influence import HALF_SPACE
-from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, TOLERANCE, newton
+from nonhertz.strip.influence import Influence
+from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, STAGNATED, TOLERANCE, newton
 from nonhertz.strip.start import prolong, springs
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+
+TOO_THIN = 0.7  # half-widths of independent springs, which are right to a third
 
 
 @dataclass(frozen=True)
@@ -32,8 +34,8 @@ class Problem:
         Whether the load (else the approach) and the moment (else the tilt) are given.
     target : ndarray, shape (2,)
         K Q [mm^2] or delta [mm]; K T [mm^3] or gamma [rad].
-    terms : ndarray, shape (terms, 3)
-        How strips act; see `nonhertz.strip.influence`.
+    influence : Influence
+        How strips act.
     """
 
     separation: Callable[[Array], Array]
@@ -41,7 +43,7 @@ class Problem:
     element: Element
     prescribed: Flags
     target: Array
-    terms: Array
+    influence: Influence
 
     def with_share(self, share: float) -> Problem:
         """Return the problem with its prescribed load and moment multiplied by ``share``."""
@@ -102,17 +104,17 @@ def settle(
     Where the loop fails from one start, the next is tried: springs, springs with shortened steps, and last the
     load raised in steps from a small one. The last two only if ``patient``.
     """
-    y = 0.5 * (edges[1:] + edges[:-1])
-    curvature, separation = problem.curvature(y), problem.separation(y)
+    strips = _Strips.of(problem, edges)
     state = None
     if near is not None:
-        state = _loop(problem, edges, y, curvature, separation, tolerance, near)
+        state = strips.loop(problem, tolerance, near)
     if state is None or not state.converged:
-        state = _loop(problem, edges, y, curvature, separation, tolerance)
+        state = strips.loop(problem, tolerance)
+    patient = patient and not strips.too_thin(problem, state)
     if patient and not state.converged:
-        state = _better(state, _loop(problem, edges, y, curvature, separation, tolerance, relaxation=0.5))
+        state = _better(state, strips.loop(problem, tolerance, relaxation=0.5))
     if patient and not state.converged and problem.prescribed[0]:
-        state = _better(state, _raised(problem, edges, y, curvature, separation))
+        state = _better(state, strips.raised(problem))
     return state
 
 
@@ -136,50 +138,65 @@ def _better(one: State, other: State) -> State:
     return other if other.residual < one.residual else one
 
 
-def _raised(problem: Problem, edges: Array, y: Array, curvature: Array, separation: Array) -> State:
-    """Return the state reached by raising the load from a small one, in steps as long as the loop allows."""
-    near, reached, share = None, 0.0, 0.01
-    for _ in range(40):
-        state = _loop(problem.with_share(share), edges, y, curvature, separation, TOLERANCE, near)
-        if state.converged and share == 1.0:
-            break
-        if state.converged:
-            near, reached, share = state, share, min(1.0, 2.0 * share)
-        else:
-            share = 0.5 * (reached + share)
-    return state
+@dataclass(frozen=True)
+class _Strips:
+    """Strips with all that is known of them before their loads are."""
 
+    edges: Array
+    y: Array
+    curvature: Array
+    separation: Array
+    at_depth: Array
+    shallowest: float
 
-def _loop(
-    problem: Problem,
-    edges: Array,
-    y: Array,
-    curvature: Array,
-    separation: Array,
-    tolerance: float,
-    near: State | None = None,
-    relaxation: float = 1.0,
-) -> State:
-    if near is not None:
-        r, m = prolong(near.y, near.r, near.m, y)
-        m[~np.isfinite(separation)] = 0.0
-        rigid = np.where(problem.prescribed, near.rigid, problem.target)
-    if near is None or not np.any(m > 0.0):
-        r, m, rigid = _springs(problem, edges, y, curvature, separation)
-    gap, stiffness = np.zeros_like(y), np.zeros((2, 2))
-    status, steps, residual = newton(
-        y, edges[:-1], edges[1:], curvature, separation, problem.prescribed, problem.target, problem.terms,
-        problem.element.table, r, m, rigid, gap, stiffness, tolerance, relaxation,
-    )  # fmt: skip
-    return State(edges, r, m, rigid, gap, stiffness, status, steps, residual)
+    @classmethod
+    def of(cls, problem: Problem, edges: Array) -> _Strips:
+        y = 0.5 * (edges[1:] + edges[:-1])
+        influence = problem.influence
+        return cls(
+            edges, y, problem.curvature(y), problem.separation(y), influence.at_depth(y, edges), influence.shallowest(y)
+        )
 
+    def too_thin(self, problem: Problem, state: State) -> bool:
+        """Return whether the points at depth lie within a contact as wide as ``state`` says.
 
-def half_space_problem(
-    separation: Callable[[Array], Array],
-    curvature: Callable[[Array], Array],
-    element: Element,
-    prescribed: Flags,
-    target: Array,
-) -> Problem:
-    """Return the problem in which both bodies answer as half-spaces."""
-    return Problem(separation, curvature, element, prescribed, target, HALF_SPACE)
+        They would then move more than the surface, and the equations have solutions that mean nothing.
+        """
+        widest = problem.element.hertz_ratio * float(np.sqrt(np.max(state.m, initial=0.0)))
+        return self.shallowest < TOO_THIN * widest
+
+    def raised(self, problem: Problem) -> State:
+        """Return the state reached by raising the load from a small one, in steps as long as the loop allows."""
+        near, reached, share = None, 0.0, 0.01
+        for _ in range(40):
+            state = self.loop(problem.with_share(share), TOLERANCE, near)
+            if state.converged and share == 1.0:
+                break
+            if state.converged:
+                near, reached, share = state, share, min(1.0, 2.0 * share)
+            else:
+                share = 0.5 * (reached + share)
+        return state
+
+    def loop(self, problem: Problem, tolerance: float, near: State | None = None, relaxation: float = 1.0) -> State:
+        """Return where the Newton loop ends that starts from a ``near`` state, else from springs."""
+        if near is not None:
+            r, m = prolong(near.y, near.r, near.m, self.y)
+            m[~np.isfinite(self.separation)] = 0.0
+            rigid = np.where(problem.prescribed, near.rigid, problem.target)
+        if near is None or not np.any(m > 0.0):
+            r, m, rigid = _springs(problem, self.edges, self.y, self.curvature, self.separation)
+        gap, stiffness = np.zeros_like(self.y), np.zeros((2, 2))
+        start = State(self.edges, r, m, rigid, gap, stiffness, STAGNATED, 0, np.inf)
+        if self.too_thin(problem, start):
+            return start
+        try:
+            status, steps, residual = newton(
+                self.y, self.edges[:-1], self.edges[1:], self.curvature, self.separation, problem.prescribed,
+                problem.target, problem.influence.terms, self.at_depth, problem.element.table, r, m, rigid, gap,
+                stiffness, tolerance, relaxation,
+            )  # fmt: skip
+        except np.linalg.LinAlgError:
+            # Only bodies thinner than the contact is wide have been seen to give singular equations.
+            status, steps, residual = STAGNATED, 0, np.inf
+        return State(self.edges, r, m, rigid, gap, stiffness, status, steps, residual)

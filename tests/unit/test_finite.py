@@ -1,0 +1,280 @@
+"""What side faces and thickness add: ends and their weights, chains of images, series, and depths."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.strip.finite import End, ends, influence_of, plane_strain_depth
+from nonhertz.strip.influence import Influence
+
+EDGES = np.linspace(-8.0, 8.0, 25)
+Y = 0.5 * (EDGES[1:] + EDGES[:-1])
+STEEL = nh.Material(modulus=206000.0, poisson=0.3)
+DIRECT = {(1.0, 0.0): 1.0}
+
+
+def roller(**changes):
+    return nh.Roller(**({"diameter": 15.0, "length": 16.0, "material": STEEL} | changes))
+
+
+def plate(**changes):
+    return nh.Plate(**({"material": STEEL} | changes))
+
+
+def on_plate(**changes):
+    return nh.Contact(roller(**changes), plate())
+
+
+def rows(contact, element=nh.SEMI_ELLIPTIC):
+    """(sign, offset) -> weight of all that acts on the surfaces."""
+    terms = influence_of(contact, element).terms
+    table = {(sign, offset): weight for sign, offset, weight in terms.tolist()}
+    assert len(table) == len(terms)  # no place twice
+    return table
+
+
+def below(contact, element=nh.SEMI_ELLIPTIC):
+    """Depth at Y of each body that has any."""
+    return [depth.below(Y) for depth in influence_of(contact, element).depths]
+
+
+# Ends
+
+
+def test_a_roller_that_ends_on_a_long_body_has_an_end_of_its_own_on_either_side():
+    # Equal materials: half of the compliance.
+    assert ends(on_plate()) == (End(-8.0, -1, (1.0, 0.0), 0.5, 0.5), End(8.0, 1, (1.0, 0.0), 0.5, 0.5))
+
+
+def test_the_share_of_the_compliance_counts():
+    # K ~ (1 - nu^2) / E: 0.91 / 206 against 0.91 / 618, three quarters of both.
+    stiff = plate(material=nh.Material(3.0 * STEEL.modulus, STEEL.poisson))
+    assert [end.image_weight for end in ends(nh.Contact(roller(), stiff))] == pytest.approx([0.75, 0.75], rel=1e-12)
+    assert [end.image_weight for end in ends(nh.Contact(stiff, roller()))] == pytest.approx([0.75, 0.75], rel=1e-12)
+
+
+def test_bodies_of_different_length_have_four_ends():
+    contact = nh.Contact(roller(), plate(length=24.0, position=1.0, side_faces=(0.5, "calibrated")))
+    found = [(end.y, end.side, end.weights, end.image_weight) for end in ends(contact)]
+    assert found == [
+        (-8.0, -1, (1.0, 0.0), 0.5),
+        (-11.0, -1, (0.0, 0.5), 0.25),
+        (8.0, 1, (1.0, 0.0), 0.5),
+        (13.0, 1, (0.0, 1.6), 0.8),
+    ]
+
+
+@pytest.mark.parametrize(("side_faces", "sides"), [("none", []), (("none", "mirror"), [1]), ((0.3, 0), [-1])], ids=str)
+def test_a_face_that_is_not_freed_is_no_end(side_faces, sides):
+    assert [end.side for end in ends(on_plate(side_faces=side_faces))] == sides
+
+
+def test_unbounded_bodies_have_no_ends():
+    assert ends(nh.Contact(nh.Body(diameter=15.0), plate())) == ()
+
+
+def test_ends_are_faces_not_where_contact_ends():
+    contact = on_plate(position=2.0, effective_length=10.0)
+    assert [end.y for end in ends(contact)] == [-6.0, 10.0]
+
+
+@pytest.mark.parametrize("shift", [0.0, 1.5e-5, -1.5e-5])
+def test_coincident_faces_are_one_end_with_the_weights_of_both(shift):
+    # To a millionth of the shorter length, 1.6e-5.
+    low, high = ends(nh.Contact(roller(), plate(length=16.0, position=shift)))
+    assert (low.weights, high.weights) == ((1.0, 1.0), (1.0, 1.0))
+    assert (low.image_weight, high.image_weight) == (1.0, 1.0)
+    assert (low.y, high.y) == pytest.approx((-8.0 + 0.5 * shift, 8.0 + 0.5 * shift), rel=1e-12)
+
+
+def test_faces_further_apart_are_two_ends():
+    found = ends(nh.Contact(roller(), plate(length=16.0, position=1.7e-5)))
+    assert [end.weights for end in found] == [(1.0, 0.0), (0.0, 1.0)] * 2
+
+
+def test_a_single_heavy_face_keeps_its_weight_up_to_kappa_one():
+    assert [end.weights for end in ends(on_plate(side_faces=1.999))] == [(1.999, 0.0)] * 2
+
+
+@pytest.mark.parametrize(
+    ("of_a", "of_b", "wanted", "used"),
+    [
+        ("calibrated", "calibrated", 1.6, (1.0, 1.0)),
+        ("calibrated", 0.8, 1.2, (1.6 / 1.2, 0.8 / 1.2)),
+        (3.0, "none", 1.5, (2.0, 0.0)),
+        ("mirror", "mirror", 1.0, (1.0, 1.0)),
+        (1.5, 0.3, 0.9, (1.5, 0.3)),
+    ],
+)
+def test_weights_are_lowered_in_proportion_to_kappa_one(of_a, of_b, wanted, used):
+    for end in ends(nh.Contact(roller(side_faces=of_a), plate(length=16.0, side_faces=of_b))):
+        assert end.wanted == pytest.approx(wanted, rel=1e-12)
+        assert end.weights == pytest.approx(used, rel=1e-12)
+        assert end.image_weight == pytest.approx(min(wanted, 1.0), rel=1e-12)
+
+
+def test_images_have_the_weights_that_were_lowered():
+    contact = nh.Contact(roller(side_faces="calibrated"), plate(length=20.0, side_faces=(4.0, "none")))
+    # Of the roller 1.6 alone; of the plate 4 times its half, lowered to 1.
+    expected = DIRECT | {(-1.0, -16.0): 0.8, (-1.0, 16.0): 0.8, (-1.0, -20.0): 1.0}
+    assert rows(contact) == pytest.approx(expected, rel=1e-12)
+
+
+# Images
+
+
+def test_half_spaces_act_directly_alone():
+    influence = influence_of(on_plate(side_faces="none", depth="none"), nh.SEMI_ELLIPTIC)
+    assert influence.terms.tolist() == [[1.0, 0.0, 1.0]]
+    assert influence.depths == ()
+
+
+def test_one_image_per_face_is_two_mirrored_strips():
+    expected = DIRECT | {(-1.0, -16.0): 0.5, (-1.0, 16.0): 0.5}
+    assert rows(on_plate()) == pytest.approx(expected, rel=1e-12)
+
+
+def test_images_move_with_the_body():
+    # Faces at -6 and 10.
+    expected = DIRECT | {(-1.0, -12.0): 0.5, (-1.0, 20.0): 0.5}
+    assert rows(on_plate(position=2.0)) == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 7])
+def test_several_images_alternate_between_both_faces(count):
+    # Per face count mirrored strips, 2 L apart, and count - 1 shifted by 2 L, 4 L ...
+    length = 16.0
+    mirrored = {(-1.0, side * (16.0 + 2.0 * length * k)): 0.5 for side in (-1, 1) for k in range(count)}
+    shifted = {(1.0, side * 2.0 * length * k): 0.5 for side in (-1, 1) for k in range(1, count)}
+    assert rows(on_plate(images=count)) == pytest.approx(DIRECT | mirrored | shifted, rel=1e-12)
+
+
+@pytest.mark.parametrize("images", [3, "series"])
+def test_a_single_free_face_has_a_single_image(images):
+    contact = on_plate(images=images, side_faces=("none", "mirror"))
+    assert rows(contact) == pytest.approx(DIRECT | {(-1.0, 16.0): 0.5}, rel=1e-12)
+
+
+def test_only_the_first_image_of_a_face_may_weigh_more_than_one():
+    # Low face 0.4, high face 1.6, each image also carrying the weights of those before it in its chain.
+    expected = {
+        (-1.0, -16.0): 0.4,
+        (1.0, 32.0): 0.4,  # and about the high face, at most 1
+        (-1.0, -48.0): 0.4 * 0.4,
+        (-1.0, 16.0): 1.6,
+        (1.0, -32.0): 1.6 * 0.4,
+        (-1.0, 48.0): 1.6 * 0.4,
+    }
+    found = rows(on_plate(images=2, side_faces=(0.4, 1.6)))
+    assert found == pytest.approx(DIRECT | {at: 0.5 * weight for at, weight in expected.items()}, rel=1e-12)
+
+
+def test_images_of_coincident_faces_are_added_up():
+    expected = DIRECT | {(-1.0, -16.0): 0.5 + 0.15, (-1.0, 16.0): 0.5 + 0.15}
+    contact = nh.Contact(roller(), plate(length=16.0, side_faces=0.3))
+    assert rows(contact) == pytest.approx(expected, rel=1e-12)
+
+
+def test_images_of_other_faces_are_kept_apart():
+    contact = nh.Contact(roller(), plate(length=24.0))
+    expected = DIRECT | dict.fromkeys([(-1.0, -16.0), (-1.0, 16.0), (-1.0, -24.0), (-1.0, 24.0)], 0.5)
+    assert rows(contact) == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda e: e.name)
+def test_a_mirrored_face_is_free_of_shear(element):
+    # A load and its image are even about the face: the surface of the body that ends there has no slope across it.
+    # The body alone, on a counterpart that is almost rigid.
+    rigid = plate(material=nh.Material(1e15 * STEEL.modulus, STEEL.poisson))
+    influence = influence_of(nh.Contact(roller(), rigid), element)
+    r, m = np.zeros(Y.size), np.full(Y.size, 0.04)
+    r[3] = 0.1
+    at = np.array([-8.0 - 1e-3, -8.0, -8.0 + 1e-3])
+    before, here, after = influence.displacements(at, EDGES, r, m, element.table)
+    # The strip alone has a slope of 1.4 times its displacement over the distance of 2.3 mm. The image about the other
+    # face, 30 mm away, leaves 2e-4 of that.
+    assert abs(after - before) < 1e-3 * abs(2e-3 * here / 2.3)
+
+
+# Series
+
+
+def displacement(influence, q, element=nh.SEMI_ELLIPTIC):
+    m = np.full(Y.size, 0.04)
+    return influence.displacements(Y, EDGES, q / m, m, element.table)
+
+
+# 100 images per face leave (16.5 / 200)^2 of what the far ones add. To one side alone they are also as far off as
+# the loads lie from the middle, in the first order.
+@pytest.mark.parametrize(
+    ("side_faces", "within"),
+    [("mirror", 0.01), (1.6, 0.01), ((0.97, 1.0), 0.01), ((0.5, 1.6), 0.04)],
+    ids=["mirror", "heavy", "light", "unlike"],
+)
+@pytest.mark.parametrize("depth", ["plane-strain", 3.0, 40.0])
+def test_a_series_is_what_many_images_add_up_to(side_faces, within, depth):
+    body = {"side_faces": side_faces, "depth": depth, "position": 0.5}
+    series = influence_of(on_plate(images="series", **body), nh.SEMI_ELLIPTIC)
+    explicit = influence_of(on_plate(images=100, **body), nh.SEMI_ELLIPTIC)
+    # A lopsided load, so that places and strips are told apart.
+    load = np.linspace(0.5, 1.5, Y.size)
+    exact, found = displacement(explicit, load), displacement(series, load)
+    nearest_only = Influence(series.terms, tuple(dataclasses.replace(part, far=None) for part in series.depths))
+    far = np.max(np.abs(displacement(nearest_only, load) - exact))
+    assert far > 1e-9 * np.max(exact)
+    assert np.max(np.abs(found - exact)) < within * far
+
+
+# Depths
+
+
+def test_a_roller_on_a_plate_has_one_depth_of_its_own():
+    (depth,) = influence_of(on_plate(), nh.SEMI_ELLIPTIC).depths
+    assert depth.poisson_factor == pytest.approx(1.0 / 1.4, rel=1e-14)
+    # The roller's half of the compliance, directly and in both images.
+    table = {(sign, offset): weight for sign, offset, weight in depth.terms.tolist()}
+    assert table == pytest.approx(dict.fromkeys([(1.0, 0.0), (-1.0, -16.0), (-1.0, 16.0)], 0.5), rel=1e-12)
+
+
+@pytest.mark.parametrize("poisson", [0.0, 0.3, 0.45])
+def test_depth_of_a_long_cylinder_in_plane_strain(poisson):
+    semi_elliptic = math.exp(-0.5 + poisson / (2.0 * (1.0 - poisson)))
+    parabolic = math.sqrt(6.0) * math.exp(-11.0 / 6.0 + 1.0 / (2.0 * (1.0 - poisson)))
+    assert plane_strain_depth(nh.SEMI_ELLIPTIC, poisson) == pytest.approx(semi_elliptic, rel=1e-14)
+    assert plane_strain_depth(nh.PARABOLIC, poisson) == pytest.approx(parabolic, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("element", "factor"), [(nh.SEMI_ELLIPTIC, 0.75148), (nh.PARABOLIC, 0.79998)], ids=["semi-elliptic", "parabolic"]
+)
+def test_a_roller_is_as_deep_as_its_element_asks(element, factor):
+    # In five digits, as worked out by hand for nu = 0.3.
+    (depth,) = below(on_plate(), element)
+    np.testing.assert_allclose(depth, 15.0 * factor, rtol=1e-5, atol=0.0)
+
+
+@pytest.mark.parametrize(
+    ("contact", "depths"),
+    [
+        (on_plate(depth="none"), []),
+        (on_plate(depth="diameter"), [15.0]),
+        (on_plate(depth=4.0), [4.0]),
+        (nh.Contact(roller(depth=4.0), nh.Ring(diameter=-60.0, depth=5.0)), [4.0, 5.0]),
+        (nh.Contact(roller(depth="diameter"), nh.Ring(diameter=60.0, depth="diameter")), [15.0, 60.0]),
+        (nh.Contact(roller(depth="none"), plate(depth=7)), [7.0]),
+    ],
+)
+def test_depths_below_the_surface(contact, depths):
+    expected = np.tile(np.array(depths).reshape(-1, 1), Y.size)
+    np.testing.assert_allclose(np.array(below(contact)).reshape(expected.shape), expected, rtol=1e-15, atol=0.0)
+
+
+@pytest.mark.parametrize(("depth", "factor"), [("diameter", 1.0), ("plane-strain", 0.75148)])
+def test_depth_follows_a_tapered_diameter(depth, factor):
+    taper = nh.TabulatedDiameter((-8.0, 8.0), (14.0, 18.0))
+    (found,) = below(on_plate(diameter=taper, position=1.0, depth=depth))
+    expected = factor * np.clip(16.0 + 0.25 * (Y - 1.0), 14.0, 18.0)
+    np.testing.assert_allclose(found, expected, rtol=1e-5, atol=0.0)
