@@ -29,8 +29,7 @@ Array = NDArray[np.float64]
 
 SHARP_END_ERROR = 0.12
 FINITE_FROM = 1.0 - 1e-6  # kappa
-FIT_REACH, BIASED_STRIPS, FEWEST_POINTS = 0.5, 2, 4
-NEAR = 1e-5  # of the contact's length: an end of the strips this near to a face is at it
+FIT_REACH, BIASED_STRIPS, FEWEST_POINTS = 0.5, 2, 4  # the first in half-widths
 
 
 def edge_pressures(contact: Contact, element: Element, state: State) -> tuple[EdgePressure, EdgePressure]:
@@ -46,7 +45,7 @@ def sharp_end_error(contact: Contact, state: State) -> float:
     """
     length = sum(high - low for low, high in ends_of_contact(state))
     reached = sum(
-        float(state.width[at]) * math.pow(1.0 - image_weight(contact, state, side), 1.5)
+        float(state.width[at]) * math.pow(max(1.0 - image_weight(contact, state, side), 0.0), 1.5)
         for at, side in ((0, -1), (-1, 1))
         if reaches(state, side)
     )
@@ -54,10 +53,18 @@ def sharp_end_error(contact: Contact, state: State) -> float:
 
 
 def image_weight(contact: Contact, state: State, side: int) -> float:
-    """Return kappa at the outer edge of the strips on that side; zero where no free face is."""
-    place = float(state.edges[-1] if side > 0 else state.edges[0])
-    near = NEAR * float(state.edges[-1] - state.edges[0])
-    return next((end.image_weight for end in ends(contact) if end.side == side and abs(end.y - place) <= near), 0.0)
+    """Return kappa at the outer edge of the strips on that side; zero where no free face is.
+
+    Faces within half of the last strip count as at the end: its centre cannot tell.
+    """
+    return _image_weight_within(contact, state, side, 0.5 * float(state.width[-1 if side > 0 else 0]))
+
+
+def _image_weight_within(contact: Contact, state: State, side: int, reach: float) -> float:
+    """Return kappa of all free faces within a distance of the end."""
+    place = float(state.edges[-1 if side > 0 else 0])
+    found = (end.image_weight for end in ends(contact) if end.side == side and abs(end.y - place) <= reach)
+    return min(sum(found), 1.0)
 
 
 def _edge_pressure(contact: Contact, element: Element, state: State, side: int) -> EdgePressure:
@@ -75,6 +82,9 @@ def _edge_pressure(contact: Contact, element: Element, state: State, side: int) 
     exponent = math.acos(kappa) / math.pi
     half_width = element.hertz_ratio * math.sqrt(float(state.m[at]))
     strength = _strength(distance, width, pressure, exponent, half_width)
+    if kappa != _image_weight_within(contact, state, side, FIT_REACH * half_width):
+        # The face of the other body, a little further out, bends the pressure where K would be read off.
+        strength = None
     return EdgePressure(place, EdgeKind.SINGULAR, last, narrow, kappa, exponent, strength)
 
 
@@ -96,4 +106,5 @@ def _strength(distance: Array, width: Array, pressure: Array, exponent: float, h
     low, high = s - 0.5 * width[near], s + 0.5 * width[near]
     mean = (high ** (1.0 - exponent) - low ** (1.0 - exponent)) / ((1.0 - exponent) * width[near])
     shape = np.column_stack([mean, mean * (s / half_width) ** (2.0 * exponent)])
-    return float(np.linalg.lstsq(shape / pressure[near, None], np.ones(near.size), rcond=None)[0][0])
+    strength = float(np.linalg.lstsq(shape / pressure[near, None], np.ones(near.size), rcond=None)[0][0])
+    return strength if strength > 0.0 else None

@@ -306,13 +306,13 @@ def _depths(solution: Solution, half_width: Array) -> list[tuple[str, Body, floa
 
 
 def _heavy_images(contact: Contact) -> list[str]:
-    """Return a sentence for each place where images had to weigh less than asked."""
+    """Return a sentence for each side on which images had to weigh less than asked."""
+    heavy = {end.side: end for end in ends(contact) if end.wanted > HEAVIEST}
     return [
         f"The images about the side faces at y = {end.y:.6g} mm would weigh {end.wanted:.3g} of the surface together, "
         "and above 1 refinement leads nowhere: their weights were lowered to 1 together. The true pressure at an "
         "end that both bodies share is lower still."
-        for end in ends(contact)
-        if end.wanted > HEAVIEST
+        for end in heavy.values()
     ]
 
 

@@ -83,11 +83,24 @@ def test_ends_are_faces_not_where_contact_ends():
 
 @pytest.mark.parametrize("shift", [0.0, 1.5e-5, -1.5e-5])
 def test_coincident_faces_are_one_end_with_the_weights_of_both(shift):
-    # To a millionth of the shorter length, 1.6e-5.
+    # To a ten-thousandth of a hundredth of the shorter length, 1.6e-5.
     low, high = ends(nh.Contact(roller(), plate(length=16.0, position=shift)))
     assert (low.weights, high.weights) == ((1.0, 1.0), (1.0, 1.0))
     assert (low.image_weight, high.image_weight) == (1.0, 1.0)
     assert (low.y, high.y) == pytest.approx((-8.0 + 0.5 * shift, 8.0 + 0.5 * shift), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("apart", "kappa"), [(0.0, 1.0), (0.04, 4.0 / 7.0), (0.08, 2.0 / 3.0), (0.16, 0.8), (1.0, 0.8)]
+)
+def test_heavy_faces_a_little_apart_are_lowered_by_as_much_as_they_are_near(apart, kappa):
+    # Of kappa = 0.8 each, the other counts less with the distance and not at all from a hundredth of the length on.
+    heavy = {"side_faces": "calibrated"}
+    found = [
+        end for end in ends(nh.Contact(roller(**heavy), plate(length=16.0 + 2.0 * apart, **heavy))) if end.side > 0
+    ]
+    assert [end.image_weight for end in found] == pytest.approx([kappa] * len(found), rel=1e-12)
+    assert len(found) == (1 if apart == 0.0 else 2)
 
 
 def test_faces_further_apart_are_two_ends():

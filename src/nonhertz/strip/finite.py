@@ -28,7 +28,8 @@ from nonhertz.strip.influence import Depth, Influence
 
 Array = NDArray[np.float64]
 
-SAME_PLACE = 1e-6  # of the shorter body's length: faces nearer than that are one
+APART = 0.01  # of the shorter body's length: faces this far apart have nothing to do with each other's weight
+TOGETHER = 1.0 - 1e-4
 SEPARATE_LINKS, ALL_LINKS = 16, 5000  # of a series: told apart, and summed
 NO_WEIGHT = 1e-12
 
@@ -46,9 +47,9 @@ class End:
     weights : tuple of float
         Weights of the images of body a and b about this face, at most such that ``image_weight`` is 1.
     wanted : float
-        kappa of the weights that were asked for.
+        kappa of the weights that were asked for on this side, near faces of the other body counted in.
     image_weight : float
-        kappa of the weights used.
+        kappa of this face alone with the weights used.
     """
 
     y: float
@@ -60,28 +61,35 @@ class End:
 
 def ends(contact: Contact) -> tuple[End, ...]:
     """Return the free side faces of both bodies, those at one place together."""
-    shares = _shares(contact)
     found: list[End] = []
+    shares = _shares(contact)
     for index, side in enumerate((-1, 1)):
-        faces = [body.faces[index] for body in (contact.a, contact.b)]
-        asked = [body.face_weights[index] for body in (contact.a, contact.b)]
-        if _same_place(contact, faces):
-            found.append(_end(0.5 * (faces[0] + faces[1]), side, (asked[0], asked[1]), shares))
+        faces = contact.a.faces[index], contact.b.faces[index]
+        asked = contact.a.face_weights[index], contact.b.face_weights[index]
+        kappa = asked[0] * shares[0], asked[1] * shares[1]
+        together = _nearness(contact, faces)
+        wanted = kappa[0] + together * kappa[1], kappa[1] + together * kappa[0]
+        by = 1.0 / max(wanted[0], 1.0), 1.0 / max(wanted[1], 1.0)
+        if together == 1.0:
+            weights = by[0] * asked[0], by[0] * asked[1]
+            found.append(End(0.5 * (faces[0] + faces[1]), side, weights, wanted[0], by[0] * wanted[0]))
         else:
-            found.append(_end(faces[0], side, (asked[0], 0.0), shares))
-            found.append(_end(faces[1], side, (0.0, asked[1]), shares))
-    return tuple(end for end in found if end.wanted > 0.0)
+            found.append(End(faces[0], side, (by[0] * asked[0], 0.0), wanted[0], by[0] * kappa[0]))
+            found.append(End(faces[1], side, (0.0, by[1] * asked[1]), wanted[1], by[1] * kappa[1]))
+    return tuple(end for end in found if end.image_weight > 0.0)
 
 
-def _same_place(contact: Contact, faces: list[float]) -> bool:
+def _nearness(contact: Contact, faces: tuple[float, float]) -> float:
+    """Return 1 for faces at one place, falling to 0 at a distance of APART.
+
+    Faces a little apart act as one on all the contact but the last bit of it. The measure is continuous so that the
+    approach does not jump where they meet.
+    """
     lengths = [body.length for body in (contact.a, contact.b) if body.length is not None]
-    return bool(np.all(np.isfinite(faces))) and abs(faces[0] - faces[1]) <= SAME_PLACE * min(lengths)
-
-
-def _end(y: float, side: int, weights: tuple[float, float], shares: tuple[float, float]) -> End:
-    wanted = weights[0] * shares[0] + weights[1] * shares[1]
-    by = 1.0 / max(wanted, 1.0)
-    return End(y, side, (by * weights[0], by * weights[1]), wanted, by * wanted)
+    if len(lengths) < len(faces):
+        return 0.0
+    nearness = 1.0 - abs(faces[0] - faces[1]) / (APART * min(lengths))
+    return 1.0 if nearness > TOGETHER else max(0.0, nearness)
 
 
 def _shares(contact: Contact) -> tuple[float, float]:
