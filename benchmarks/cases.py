@@ -7,8 +7,10 @@ import sys
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import scipy.linalg  # noqa: F401  (its linear algebra is numba's; a limit holds for what is loaded by then)
 from threadpoolctl import threadpool_limits
 
@@ -18,6 +20,7 @@ Solve = Callable[[], nh.Solution]
 
 HALF_SPACE: dict[str, Any] = {"side_faces": "none", "depth": "none"}
 STRIPS, FIXED_TARGET, AUTOMATIC_TARGET, HELP_TARGET = 41, 1.5e-3, 6e-3, 0.5  # s
+FINITE_TARGET = 3.5  # times the half-spaces
 
 
 def crowned(extent: dict[str, Any] = HALF_SPACE) -> nh.Contact:
@@ -38,6 +41,34 @@ def finite() -> dict[str, dict[str, Any]]:
 
 def automatic() -> dict[str, Solve]:
     """Return solves between half-spaces on the automatic grid by name."""
+    return {name: solving(contact, **prescribed) for name, (contact, prescribed) in contacts().items()}
+
+
+def against_finite() -> dict[str, tuple[Solve, Solve]]:
+    """Return pairs of solves by name: between half-spaces, and with faces and depth on both bodies."""
+    pairs = {f"{STRIPS} equal strips: crown 4000, 20 kN": (crowned(), {"load": 20e3, "strips": STRIPS})} | contacts()
+    return {
+        name: (solving(contact, **prescribed), solving(made_finite(contact), **prescribed))
+        for name, (contact, prescribed) in pairs.items()
+    }
+
+
+def solving(contact: nh.Contact, **prescribed: Any) -> Solve:
+    """Return a solve of a contact."""
+    return lambda: nh.solve(contact, **prescribed)
+
+
+def made_finite(contact: nh.Contact) -> nh.Contact:
+    """Return the contact with four faces at places of their own and a depth in either body."""
+    low, high = contact.interval
+    length = high - low if np.isfinite(high - low) else 20.0
+    longer = {"side_faces": "mirror", "length": 1.2 * length}
+    a = replace(contact.a, **(longer if contact.a.length is None else {"side_faces": "mirror"}), depth="plane-strain")
+    return nh.Contact(a, replace(contact.b, **longer, depth=10.0))
+
+
+def contacts() -> dict[str, tuple[nh.Contact, dict[str, float]]]:
+    """Return contacts of half-spaces with what is prescribed, by name."""
     logarithmic = _on_plate(nh.profile.logarithmic(amplitude=0.005, length=20, fraction=0.9999), HALF_SPACE)
     straight, crown = _on_plate(nh.profile.straight(), HALF_SPACE), crowned()
     bearing = nh.Contact(
@@ -52,13 +83,13 @@ def automatic() -> dict[str, Solve]:
     )
     ellipse = nh.Contact(nh.Body(diameter=20, profile=nh.profile.crown(radius=100)), nh.Plate())
     return {
-        "crown 4000, 20 kN": lambda: nh.solve(crown, load=20e3),
-        "crown 4000, 20 kN, 0.5 mrad": lambda: nh.solve(crown, load=20e3, tilt=0.5e-3),
-        "logarithmic, 40 kN, -1 mrad": lambda: nh.solve(logarithmic, load=40e3, tilt=-1e-3),
-        "logarithmic, 20 kN, 5 N m": lambda: nh.solve(logarithmic, load=20e3, moment=5e3),
-        "straight, 20 kN": lambda: nh.solve(straight, load=20e3),
-        "bearing roller, ISO profile, 4.2 kN, 0.5 mrad": lambda: nh.solve(bearing, load=4.2e3, tilt=0.5e-3),
-        "Hertz ellipse, unbounded bodies, 1 kN": lambda: nh.solve(ellipse, load=1e3),
+        "crown 4000, 20 kN": (crown, {"load": 20e3}),
+        "crown 4000, 20 kN, 0.5 mrad": (crown, {"load": 20e3, "tilt": 0.5e-3}),
+        "logarithmic, 40 kN, -1 mrad": (logarithmic, {"load": 40e3, "tilt": -1e-3}),
+        "logarithmic, 20 kN, 5 N m": (logarithmic, {"load": 20e3, "moment": 5e3}),
+        "straight, 20 kN": (straight, {"load": 20e3}),
+        "bearing roller, ISO profile, 4.2 kN, 0.5 mrad": (bearing, {"load": 4.2e3, "tilt": 0.5e-3}),
+        "Hertz ellipse, unbounded bodies, 1 kN": (ellipse, {"load": 1e3}),
     }
 
 

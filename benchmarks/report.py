@@ -55,6 +55,7 @@ def measured() -> dict[str, Any]:
     results["curve"] = {strips: median_time(cases.fixed(strips)) for strips in CURVE}
     results["growth"] = growth(results["curve"])
     results["automatic"] = {name: automatic(solve) for name, solve in cases.automatic().items()}
+    results["finite"] = {name: compared(*pair) for name, pair in cases.against_finite().items()}
     results["split"] = {
         f"{cases.STRIPS} equal strips": split(cases.fixed(cases.STRIPS)),
         "400 equal strips": split(cases.fixed(400), runs=11),
@@ -129,6 +130,22 @@ def automatic(solve: cases.Solve) -> dict[str, float]:
         "steps": solution.iterations,
         "steps on all grids": sum(steps for _, steps, _ in loop.returned),
     }
+
+
+def compared(one: cases.Solve, other: cases.Solve, seconds: float = 2.0 * SECONDS) -> dict[str, float]:
+    """Return median times of two solves taken in turn, and the median of their ratios."""
+    one(), other()
+    times: list[tuple[float, float]] = []
+    while np.sum(times) < seconds or len(times) < FEWEST_RUNS:
+        pair = []
+        for run in (one, other):
+            start = time.perf_counter()
+            run()
+            pair.append(time.perf_counter() - start)
+        times.append((pair[0], pair[1]))
+    first, second = np.median(times, axis=0)
+    ratio = np.median([later / earlier for earlier, later in times])
+    return {"half-spaces": float(first), "finite": float(second), "ratio": float(ratio)}
 
 
 def growth(curve: dict[int, float]) -> float:
@@ -255,6 +272,8 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield "|---|---|---|"
     yield f"| {cases.STRIPS} equal strips | {_ms(cases.FIXED_TARGET)} | {_ms(curve[cases.STRIPS])} |"
     yield f"| automatic grid, slowest case below | {_ms(cases.AUTOMATIC_TARGET)} | {_ms(slowest)} |"
+    dearest = max(entry["ratio"] for entry in results["finite"].values())
+    yield f"| faces and depth on both bodies, dearest case below | {cases.FINITE_TARGET} times | {dearest:.2f} times |"
     yield f"| `nonhertz --help` | {_ms(cases.HELP_TARGET)} | {_ms(commands['nonhertz --help'])} |"
     yield ""
     yield "## Cost against strips"
@@ -273,6 +292,7 @@ def page(results: dict[str, Any]) -> Iterator[str]:
         steps = f"{entry['steps']} | {entry['steps on all grids']}"
         yield f"| {name} | {_ms(entry['time'])} | {entry['strips']} | {steps} |"
     yield ""
+    yield from finite_bodies(results)
     yield "## Where the time goes"
     yield ""
     yield "| | " + " | ".join(PARTS) + " |"
@@ -289,6 +309,20 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield "|---|---|"
     for name, seconds in commands.items():
         yield f"| `{name}` | {_ms(seconds)} |" if name != "python alone" else f"| {name} | {_ms(seconds)} |"
+    yield ""
+
+
+def finite_bodies(results: dict[str, Any]) -> Iterator[str]:
+    """Yield the lines of the comparison of half-spaces with finite bodies."""
+    yield "## Finite bodies"
+    yield ""
+    yield "The same contacts between half-spaces and with mirrored faces (at four places of their own) and a depth on"
+    yield "both bodies, solved in turn; the ratio is the median of pairs."
+    yield ""
+    yield "| case | half-spaces | finite | ratio |"
+    yield "|---|---|---|---|"
+    for name, entry in results["finite"].items():
+        yield f"| {name} | {_ms(entry['half-spaces'])} | {_ms(entry['finite'])} | {entry['ratio']:.2f} |"
     yield ""
 
 
