@@ -2,8 +2,9 @@
 
     python docs/figures.py
 
-Pictures are those that `nonhertz solve --out` writes. In the tutorial every line that begins with `$ nonhertz` is
-run and what it prints put below it; a comment `<!-- edit: `old` to `new` -->` edits the case file in between.
+Pictures of examples are those that `nonhertz solve --out` writes; those of finite bodies are drawn here. In the
+tutorial every line that begins with `$ nonhertz` is run and what it prints put below it; a comment `<!-- edit: `old`
+to `new` -->` edits the case file in between.
 """
 
 from __future__ import annotations
@@ -17,10 +18,29 @@ import tempfile
 import warnings
 from pathlib import Path
 
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import FancyArrowPatch, Rectangle
+from matplotlib.ticker import NullFormatter
+
 import nonhertz as nh
 from nonhertz.cli import main as nonhertz
 from nonhertz.io.casefile import Case, read_case
 from nonhertz.plot import figures, save
+from nonhertz.plot.sheets import WIDTH
+from nonhertz.plot.style import (
+    END_DASHES,
+    FAINT_INK,
+    FIRST,
+    HAIR,
+    INK,
+    PALE,
+    SECOND,
+    SMALL_SIZE,
+    THIN,
+    sheet_style,
+)
 
 ROOT = Path(__file__).parents[1]
 FIGURES = ROOT / "docs" / "figures"
@@ -31,6 +51,12 @@ EXAMPLES = {
     "crown": ("crowned-roller", ("pressure",)),
     "tabulated": ("tabulated-profile", ("pressure",)),
 }
+
+# Of the pictures of finite bodies: a roller, and the load on each millimetre of it.
+DIAMETER, LENGTH, LINE_LOAD = 20.0, 20.0, 1000.0  # mm, mm, N/mm
+SLENDERNESS = np.geomspace(0.5, 50.0, 13)  # length / diameter
+# Of the sketch of images, in lengths of the body: where the strip is and how wide, how far the sketch goes.
+STRIP_AT, STRIP_WIDTH, SKETCHED = 0.18, 0.12, 2.55
 
 STEP = re.compile(r"<!-- edit: `(?P<old>.*?)` to `(?P<new>.*?)` -->|```console\n(?P<lines>.*?)```", re.DOTALL)
 
@@ -44,6 +70,7 @@ def main() -> None:
         draw("first-solve", read_case(page), ("pressure", "footprint", "profile"))
     for stem, (example, names) in EXAMPLES.items():
         draw(stem, read_case(ROOT / "examples" / f"{example}.toml"), names)
+    draw_finite_bodies()
     TUTORIAL.write_text(with_output(TUTORIAL.read_text(encoding="utf-8")), encoding="utf-8")
     print(f"wrote {TUTORIAL.relative_to(ROOT)}")
 
@@ -55,10 +82,134 @@ def draw(stem: str, case: Case, names: tuple[str, ...]) -> None:
         solution = nh.solve(case.contact, **case.prescribed, **case.solver)
     drawn = figures(solution, case.title)
     for name in names:
-        vector, pixels = save(drawn[name], FIGURES / f"{stem}-{name}")
-        # One copy is enough for the documents.
-        vector.unlink()
-        print(f"wrote {pixels.relative_to(ROOT)}")
+        write(drawn[name], f"{stem}-{name}")
+
+
+def write(figure: Figure, stem: str) -> None:
+    """Write a figure as ``stem``.png."""
+    vector, pixels = save(figure, FIGURES / stem)
+    # One copy is enough for the documents.
+    vector.unlink()
+    print(f"wrote {pixels.relative_to(ROOT)}")
+
+
+def draw_finite_bodies() -> None:
+    """Write the pictures of images, of free ends and of depth."""
+    with sheet_style():
+        write(images_sketch(), "images")
+        write(free_ends(), "free-ends")
+        write(approach_over_length(), "depth")
+
+
+def images_sketch() -> Figure:
+    """Return a sketch of a strip and its images: body a ends at two faces, body b has none."""
+    figure = Figure(figsize=(WIDTH, 3.0))
+    axes = figure.add_axes((0.01, 0.01, 0.98, 0.98))
+    axes.set(xlim=(-SKETCHED, SKETCHED), ylim=(-1.0, 1.42))
+    axes.axis("off")
+    beyond = (-2.0 * SKETCHED, 4.0 * SKETCHED)
+    axes.add_patch(Rectangle((beyond[0], 0.0), beyond[1], 0.32, fill=False, linewidth=HAIR, edgecolor=FAINT_INK))
+    axes.add_patch(Rectangle((-0.5, 0.0), 1.0, 0.32, facecolor=PALE, edgecolor=INK, linewidth=THIN))
+    axes.add_patch(Rectangle((beyond[0], -0.9), beyond[1], 0.32, facecolor=PALE, edgecolor=INK, linewidth=THIN))
+    for face, name in ((-0.5, "$f_1$"), (0.5, "$f_2$")):
+        axes.plot([face, face], [-0.06, 0.7], color=INK, linewidth=THIN)
+        axes.text(face, -0.08, name, ha="center", va="top")
+    low, high = -1.0 - STRIP_AT, 1.0 - STRIP_AT
+    for y, colour, weight in (
+        (low, SECOND, r"$\psi_1$"),
+        (high, SECOND, r"$\psi_2$"),
+        (STRIP_AT + 2.0, FAINT_INK, r"$\psi_1\,\min(\psi_2, 1)$"),
+        (STRIP_AT - 2.0, FAINT_INK, r"$\psi_2\,\min(\psi_1, 1)$"),
+    ):
+        axes.add_patch(
+            Rectangle((y - 0.5 * STRIP_WIDTH, 0.32), STRIP_WIDTH, 0.24, linewidth=THIN, linestyle="--",
+                      edgecolor=colour, facecolor="white")
+        )  # fmt: skip
+        axes.text(y, 0.14, weight, ha="center", va="center", color=colour)
+    for surface in (0.32, -0.58):
+        axes.add_patch(Rectangle((STRIP_AT - 0.5 * STRIP_WIDTH, surface), STRIP_WIDTH, 0.24, facecolor=FIRST))
+        axes.text(STRIP_AT, surface - 0.18, "1", ha="center", va="center", color=FIRST)
+    for start, stop, colour, bow, free in (
+        (STRIP_AT, high, SECOND, -0.3, 1.0),
+        (STRIP_AT, low, SECOND, 0.25, 1.0),
+        (high, STRIP_AT - 2.0, FAINT_INK, 0.42, 10.0),
+        (low, STRIP_AT + 2.0, FAINT_INK, -0.38, 10.0),
+    ):
+        axes.add_patch(
+            FancyArrowPatch(
+                (start, 0.58), (stop, 0.58), arrowstyle="-|>", mutation_scale=7.0, linewidth=THIN, color=colour,
+                connectionstyle=f"arc3,rad={bow}", shrinkA=free, shrinkB=1.0,
+            )
+        )  # fmt: skip
+    axes.text(-0.46, 0.14, "body a", va="center", fontsize=SMALL_SIZE)
+    axes.text(-0.46, -0.76, "body b", va="center", fontsize=SMALL_SIZE)
+    return figure
+
+
+def free_ends() -> Figure:
+    """Return the pressure towards the end of a straight roller on a ring, by what is behind the end."""
+    cases = (
+        ("nothing mirrored", "none", None, FAINT_INK, ":"),
+        ("roller mirrored (default)", "mirror", None, FIRST, "-"),
+        ("roller calibrated", "calibrated", None, SECOND, "--"),
+        ("ring as long, both mirrored", "mirror", LENGTH, INK, END_DASHES),
+    )
+    figure = Figure(figsize=(WIDTH, 3.2))
+    along = figure.add_axes((0.09, 0.155, 0.4, 0.8))
+    near = figure.add_axes((0.575, 0.155, 0.4, 0.8))
+    for name, faces, width, colour, dashes in cases:
+        roller = nh.Roller(diameter=DIAMETER, length=LENGTH, side_faces=faces)
+        contact = nh.Contact(roller, nh.Ring(diameter=4.0 * DIAMETER, length=width))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", nh.AccuracyWarning)
+            solution = nh.solve(contact, load=LINE_LOAD * LENGTH)
+        middle = solution.strips // 2
+        ratio = solution.peak_pressure / solution.peak_pressure[middle]
+        distance = (0.5 * LENGTH - solution.y) / solution.half_width[middle]
+        shown = distance > 0.03  # the last strips say nothing
+        along.plot(solution.y[shown], ratio[shown], color=colour, linestyle=dashes, label=name)
+        alpha = solution.edge_pressure[1].exponent
+        exponent = rf"$\alpha$ = {alpha:.3g}" if alpha > 0.0 else "finite"
+        near.loglog(distance[shown], ratio[shown], color=colour, linestyle=dashes, label=exponent)
+    along.set(xlim=(0.0, 10.3), ylim=(0.8, 3.2), xlabel="$y$ [mm]", ylabel="pressure / that in the middle")
+    near.set(xlim=(0.03, 30.0), ylim=(0.8, 5.0), xlabel="distance from the end / half-width")
+    near.set_yticks([0.8, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0], ["0.8", "1", "1.5", "2", "3", "4", "5"])
+    near.yaxis.set_minor_formatter(NullFormatter())
+    near.set_xticks([0.1, 1.0, 10.0], ["0.1", "1", "10"])
+    along.legend(loc="upper left")
+    near.legend(loc="upper right")
+    return figure
+
+
+def approach_over_length() -> Figure:
+    """Return the approach of two equal rollers under the same load per length, over their length."""
+    cases = (
+        ("half-spaces", "none", "none", SECOND, ":"),
+        ('depth = "diameter"', "mirror", "diameter", INK, "--"),
+        ('depth = "plane-strain" (default)', "mirror", "plane-strain", FIRST, "-"),
+    )
+    figure = Figure(figsize=(WIDTH, 3.0))
+    axes: Axes = figure.add_axes((0.09, 0.165, 0.885, 0.79))
+    for name, faces, depth, colour, dashes in cases:
+        approach = [pressed_together(DIAMETER * ratio, faces, depth) for ratio in SLENDERNESS]
+        axes.semilogx(SLENDERNESS, 1e3 * np.array(approach), color=colour, linestyle=dashes, label=name)
+    steel = nh.MATERIALS["steel"]
+    line = nh.hertz.line_contact(line_load=LINE_LOAD, radius=0.25 * DIAMETER, compliance=2.0 * steel.compliance)
+    exact = nh.hertz.plane_strain_cylinder_compression(line, diameter=DIAMETER, material=steel)
+    axes.plot(SLENDERNESS[4:-1:2], np.full(SLENDERNESS[4:-1:2].shape, 2e3 * exact), "o", color=FAINT_INK, mfc="none",
+              markersize=5.0, label="plane strain, closed form")  # fmt: skip
+    axes.set(xlabel="length / diameter", ylabel="approach [\u03bcm]", xlim=(0.5, 50.0), ylim=(20.0, 55.0))
+    axes.set_xticks([0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0], ["0.5", "1", "2", "5", "10", "20", "50"])
+    axes.legend(loc="upper left")
+    return figure
+
+
+def pressed_together(length: float, faces: str, depth: str) -> float:
+    """Return the approach [mm] of two equal straight rollers of a length."""
+    roller = nh.Roller(diameter=DIAMETER, length=length, side_faces=faces, depth=depth)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        return nh.solve(nh.Contact(roller, roller), load=LINE_LOAD * length).approach
 
 
 def with_output(page: str) -> str:

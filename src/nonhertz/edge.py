@@ -1,10 +1,10 @@
 """The pressure at the ends of a contact: a number where there is one, exponent and strength where there is none.
 
-Where a contact runs out inside the bodies its pressure falls to zero, and refinement settles everything. Where it
-reaches the end of a body the surface stops short, and at distances s small against the half-width the equations of
-the strips become those of a plane wedge, with p ~ K / s^alpha and cos(pi alpha) = kappa (`nonhertz.strip.finite`).
-Only for kappa = 1, where both bodies end together with mirrored faces, is that a finite pressure. For less every
-refinement raises the pressure of the last strip, so it says nothing; K and alpha do.
+Where a contact runs out inside the bodies its pressure falls to zero. Where it reaches the end of a body the surface
+stops short, and at distances s small against the half-width the equations of the strips become those of a plane
+wedge, with p ~ K / s^alpha and cos(pi alpha) = kappa (`nonhertz.strip.finite`). Only for kappa = 1, as where both
+bodies end together with mirrored faces, is that a finite pressure. For less every refinement raises the pressure of
+the last strip, so it says nothing; K and alpha do.
 
 K is read off the strips within half a half-width of the end. There the pressure is K s^-alpha (1 + c s^(2 alpha)
 + ...): s^alpha also solves the equations of the wedge. The last two strips are left out, because collocation

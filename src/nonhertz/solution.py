@@ -52,7 +52,7 @@ class EdgeKind(enum.Enum):
     """How a contact ends; each member's value is the sentence that the user reads."""
 
     RUN_OUT = "The contact ends inside the bodies, where the pressure falls to zero."
-    FINITE = "Both bodies end here with freed side faces, and the pressure up to the end is finite."
+    FINITE = "The side faces freed here make up a whole mirror, and the pressure up to the end is finite."
     SINGULAR = "The contact reaches a sharp end, where the pressure grows without bound."
 
     @property
