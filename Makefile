@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo test campaign lint bench docs-numbers clean
+.PHONY: demo test campaign verify lint bench docs-numbers clean
 
 demo: $(READY)
 	$(BIN)/nonhertz solve examples/cylindrical-roller-bearing.toml --out out/demo
@@ -16,6 +16,9 @@ test: $(READY)
 
 campaign: $(READY)
 	$(BIN)/python -m pytest -m campaign -s tests/campaign
+
+verify: $(READY)
+	$(BIN)/nonhertz verify --out out/verify
 
 lint: $(READY)
 	$(BIN)/ruff check .
@@ -29,6 +32,7 @@ bench: $(READY)
 docs-numbers: $(READY)
 	$(BIN)/python docs/figures.py
 	$(BIN)/python docs/grid_study.py
+	$(BIN)/nonhertz verify --out docs/validation
 
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -m venv $(VENV)

@@ -71,7 +71,8 @@ def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
 
 @pytest.fixture
 def solution() -> Solution:
-    roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))
+    profile = nh.profile.crown(radius=4000)
+    roller = nh.Roller(diameter=20, length=20, profile=profile, side_faces="none", depth="none")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", nh.AccuracyWarning)
         return nh.solve(nh.Contact(roller, nh.Plate()), load=20000.0, tilt=0.0005)
@@ -103,7 +104,7 @@ def test_the_summary_names_what_an_engineer_asks_for(case: str, capsys: pytest.C
     assert rows["tilt"] == "0.50000 mrad"
     assert rows["contact along y"] == "-10.000 to 10.000 mm"
     # A crown of 4000 mm leaves the ends in contact: the pressure there has no limit, and the user is told.
-    assert "no limit, as at a sharp end" in rows["maximum pressure"]
+    assert rows["maximum pressure"].split(maxsplit=2) == ["no", "limit", "singular at y = -10 and 10 mm"]
     assert "warning: " in printed.out
 
 
@@ -158,6 +159,25 @@ def test_element_and_strips_reach_the_solver(case: str, capsys: pytest.CaptureFi
     assert main(["solve", case, "--json"]) == 0
     result = parsed(capsys.readouterr().out)
     assert (result["element"], result["strips"], len(result["y"])) == ("parabolic", 41, 41)
+
+
+def test_what_makes_a_body_finite_reaches_the_solver(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    finite = 'side_faces = ["calibrated", 1.2]\nimages = 3\ndepth = "0.8 cm"'
+    text = CASE.replace('side_faces = "none"', finite, 1).replace('depth = "none"', "", 1)
+    Path(case).write_text(text, encoding="utf-8")
+    assert main(["solve", case, "--json"]) == 0
+    result = parsed(capsys.readouterr().out)
+    roller = nh.Roller(
+        diameter=20,
+        length=20,
+        profile=nh.profile.crown(radius=4000),
+        side_faces=("calibrated", 1.2),
+        images=3,
+        depth=8,
+    )
+    expected = nh.solve(nh.Contact(roller, nh.Plate()), load=20000.0, tilt=0.0005)
+    assert result["approach"] == expected.approach
+    np.testing.assert_array_equal(result["peak_pressure"], expected.peak_pressure)
 
 
 def test_out_writes_results_table_and_figures(case: str, capsys: pytest.CaptureFixture[str]) -> None:

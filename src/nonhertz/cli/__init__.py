@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from nonhertz.errors import CaseError, InputError
 
 FINE, NOT_CONVERGED, BAD_INPUT, INTERNAL = range(4)
+NOT_VERIFIED = NOT_CONVERGED
 # As a shell reports a program that a signal has ended.
 INTERRUPTED, BROKEN_PIPE = 130, 141
 
@@ -32,7 +33,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns
     -------
     int
-        Exit code: 0 fine, 1 not converged, 2 bad input, 3 internal error, 130 interrupted.
+        Exit code: 0 fine, 1 not converged or not verified, 2 bad input, 3 internal error, 130 interrupted.
     """
     words = list(sys.argv[1:] if arguments is None else arguments)
     debug = "--debug" in words or os.environ.get("NONHERTZ_DEBUG", "0") not in {"", "0"}

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import App, CycloptsError, Parameter
 
 from nonhertz import __version__
-from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
+from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED, NOT_VERIFIED
 from nonhertz.errors import AccuracyWarning, CaseError, ConvergenceError, InputError
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 app = App(
     name="nonhertz",
     help="Elastic contact of rollers, raceways, gear teeth and wheels whose shape no Hertz formula fits.",
-    help_epilogue="Exit codes: 0 fine, 1 not converged, 2 bad input, 3 internal error.",
+    help_epilogue="Exit codes: 0 fine, 1 not converged or not verified, 2 bad input, 3 internal error.",
     version=__version__,
     exit_on_error=False,
     print_error=False,
@@ -129,6 +129,60 @@ def new(path: Path | None = None, /) -> int:
         write_starting_case(path)
         print(f"wrote {path}; solve it with: nonhertz solve {path}")
     return FINE
+
+
+@app.command
+def verify(
+    *,
+    out: Path | None = None,
+    only: Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)] = (),
+    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+) -> int:
+    """Compare with publications, exact solutions and other methods.
+
+    Every number is computed anew and set beside what it should be; the exit code is 1 if one is off by more
+    than its tolerance. It takes less than two minutes.
+
+    Parameters
+    ----------
+    out : Path
+        Directory for validation.md, its figures and verify.json; made if it does not exist.
+    only : tuple of str
+        Names of the sections to run, such as 'half-space plane-strain'; left out, all of them.
+    as_json : bool
+        Print a JSON list of all checks in place of the tables.
+    """
+    from nonhertz.cli.verification import Progress, print_section  # noqa: PLC0415
+    from nonhertz.io.results import refuse_file  # noqa: PLC0415
+    from nonhertz.verify import chosen, sections  # noqa: PLC0415
+    from nonhertz.verify.page import as_json as json_text  # noqa: PLC0415
+    from nonhertz.verify.page import summary, tally, write_page  # noqa: PLC0415
+
+    names = chosen(only)
+    if out is not None:
+        refuse_file(out)
+    found = {}
+    progress = Progress(len(names))
+    try:
+        with warnings.catch_warnings():
+            # The sections say themselves where a model is strained.
+            warnings.simplefilter("ignore", AccuracyWarning)
+            for name, section in sections(names, progress.announce):
+                progress.wipe()
+                found[name] = section
+                if not as_json:
+                    print_section(name, section)
+    finally:
+        progress.wipe()
+    command = " ".join(["nonhertz verify --out DIR", *(["--only", *names] if only else [])])
+    written = write_page(out, found, command) if out is not None else ()
+    if as_json:
+        print(json_text(found))
+    else:
+        for path in written:
+            print(f"wrote {path}")
+        print(summary(found))
+    return NOT_VERIFIED if tally(found)["FAIL"] else FINE
 
 
 @contextlib.contextmanager

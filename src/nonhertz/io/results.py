@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from nonhertz.errors import InputError
-from nonhertz.solution import Solution
+from nonhertz.solution import EdgePressure, Solution
 
 #: Units of the numbers in a result; what has no unit is left out.
 UNITS: dict[str, Any] = {
@@ -28,6 +28,7 @@ UNITS: dict[str, Any] = {
     "max_pressure": "MPa",
     "max_pressure_y": "mm",
     "contact_y": "mm",
+    "edge_pressure": {"y": "mm", "pressure": "MPa", "strip_width": "mm", "strength": "MPa mm^exponent"},
     "stiffness": [["N/mm", "N/rad"], ["N mm/mm", "N mm/rad"]],
     "y": "mm",
     "strip_width": "mm",
@@ -50,21 +51,40 @@ def as_object(solution: Solution, title: str) -> dict[str, Any]:
         "title": title,
         "status": solution.status.label,
         "element": solution.element.name,
-        "approach": _plain(solution.approach),
-        "tilt": _plain(solution.tilt),
-        "load": _plain(solution.load),
-        "moment": _plain(solution.moment),
-        "max_pressure": _plain(solution.max_pressure),
-        "max_pressure_y": _plain(solution.max_pressure_y),
-        "contact_y": _plain(solution.contact_y),
-        "stiffness": _plain(solution.stiffness),
+        "approach": plain(solution.approach),
+        "tilt": plain(solution.tilt),
+        "load": plain(solution.load),
+        "moment": plain(solution.moment),
+        "max_pressure": plain(solution.max_pressure),
+        "max_pressure_y": plain(solution.max_pressure_y),
+        "contact_y": plain(solution.contact_y),
+        "edge_pressure": [_edge_object(edge) for edge in solution.edge_pressure],
+        "stiffness": plain(solution.stiffness),
         "iterations": int(solution.iterations),
         "strips": solution.strips,
-        "error_estimate": {name: _plain(value) for name, value in vars(solution.error_estimate).items()},
+        "error_estimate": {name: plain(value) for name, value in vars(solution.error_estimate).items()},
         "warnings": list(solution.warnings),
         "units": UNITS,
-        **{name: _plain(getattr(solution, name)) for name in _COLUMNS},
+        **{name: plain(getattr(solution, name)) for name in _COLUMNS},
     }
+
+
+def plain(value: Any) -> Any:
+    """Return a number, or numbers nested in arrays, lists and tuples, as JSON has them.
+
+    Examples
+    --------
+    >>> plain(np.array([1.0, np.inf])), plain(None)
+    ([1.0, None], None)
+    """
+    if value is None:
+        return None
+    if isinstance(value, np.ndarray):
+        return plain(value.tolist())
+    if isinstance(value, list | tuple):
+        return [plain(entry) for entry in value]
+    number = float(value)
+    return number if math.isfinite(number) else None
 
 
 def as_json(solution: Solution, title: str) -> str:
@@ -112,24 +132,62 @@ def write_results(
     InputError
         If the directory cannot be written to.
     """
+
+    def write(folder: Path) -> None:
+        (folder / "result.json").write_text(as_json(solution, title) + "\n", encoding="utf-8")
+        (folder / "table.csv").write_text(as_table(solution), encoding="utf-8")
+        if draw is not None:
+            draw(folder)
+
+    return write_files(directory, write)
+
+
+def write_files(directory: str | Path, write: Callable[[Path], object]) -> tuple[Path, ...]:
+    """Put into a directory what ``write`` writes, all files or none.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Where to; made if it does not exist. Files of the same names are replaced.
+    write : callable
+        Writes the files into the directory that it is given, where they are drafts until it returns.
+
+    Returns
+    -------
+    tuple of Path
+        The files.
+
+    Raises
+    ------
+    InputError
+        If the directory cannot be written to.
+    """
     directory = Path(directory)
     try:
         with _directory(directory), _drafts(directory) as drafts:
-            (drafts / "result.json").write_text(as_json(solution, title) + "\n", encoding="utf-8")
-            (drafts / "table.csv").write_text(as_table(solution), encoding="utf-8")
-            if draw is not None:
-                draw(drafts)
+            write(drafts)
             return _moved(drafts, directory)
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
         raise InputError("--out", str(directory), f"be a directory to write to ({reason})", "choose another") from None
 
 
+def refuse_file(directory: Path) -> None:
+    """Refuse a file in the place of a directory: `write_files` would, but only when all the work is done.
+
+    Raises
+    ------
+    InputError
+        If there is a file of that name.
+    """
+    if directory.exists() and not directory.is_dir():
+        raise InputError("--out", str(directory), "be a directory, not a file", _OUT_REMEDY)
+
+
 @contextlib.contextmanager
 def _directory(directory: Path) -> Iterator[None]:
     """Make a directory, and take it away again if what follows fails."""
-    if directory.exists() and not directory.is_dir():
-        raise InputError("--out", str(directory), "be a directory, not a file", _OUT_REMEDY)
+    refuse_file(directory)
     made = [path for path in (directory, *directory.parents) if not path.exists()]
     try:
         directory.mkdir(parents=True, exist_ok=True)
@@ -161,10 +219,14 @@ def _moved(drafts: Path, directory: Path) -> tuple[Path, ...]:
     return tuple(target for _, target in files)
 
 
-def _plain(value: Any) -> Any:
-    if isinstance(value, np.ndarray):
-        return _plain(value.tolist())
-    if isinstance(value, list | tuple):
-        return [_plain(entry) for entry in value]
-    number = float(value)
-    return number if math.isfinite(number) else None
+def _edge_object(edge: EdgePressure) -> dict[str, Any]:
+    return {
+        "y": plain(edge.y),
+        "kind": edge.kind.label,
+        "pressure": plain(edge.pressure),
+        "strip_width": plain(edge.strip_width),
+        "image_weight": plain(edge.image_weight),
+        "exponent": plain(edge.exponent),
+        "strength": plain(edge.strength),
+        "converges": edge.converges,
+    }

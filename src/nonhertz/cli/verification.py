@@ -1,0 +1,62 @@
+"""What ``nonhertz verify`` prints for people."""
+
+from __future__ import annotations
+
+import sys
+
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from nonhertz.verify.claim import Section
+from nonhertz.verify.page import COLUMNS, row
+
+WIDTH = 100  # of what is piped
+_WIDTHS = {"claim": 3, "source": 2}  # shares of what the numbers leave
+_COLOURS = {"pass": "green", "FAIL": "bold red", "shown": "cyan"}
+
+
+def print_section(name: str, section: Section) -> None:
+    """Print a section's checks as a table."""
+    console = Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH)
+    table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="dim", expand=True)
+    for column in COLUMNS:
+        if column in _WIDTHS:
+            table.add_column(column, ratio=_WIDTHS[column], overflow="fold")
+        else:
+            table.add_column(column, justify="left" if column == "verdict" else "right", no_wrap=True)
+    for check in section.checks:
+        *cells, verdict = row(check)
+        table.add_row(*map(Text, cells), Text(verdict, style=_COLOURS[verdict]))
+    console.print(Text.assemble((section.title, "bold"), (f"  ({name})", "dim")))
+    console.print(table)
+    console.print()
+
+
+class Progress:
+    """One line on a terminal that says what is being done, wiped out before anything else is printed.
+
+    Parameters
+    ----------
+    steps : int
+        How many there will be.
+    """
+
+    def __init__(self, steps: int) -> None:
+        self._steps = steps
+        self._done = 0
+        self._line = ""
+
+    def announce(self, name: str) -> None:
+        """Say which step is next."""
+        self._done += 1
+        self._write(f"{self._done}/{self._steps} {name} ...")
+
+    def wipe(self) -> None:
+        """Leave an empty line."""
+        self._write("")
+
+    def _write(self, line: str) -> None:
+        if sys.stderr.isatty():
+            print(f"\r{' ' * len(self._line)}\r{line}", end="", file=sys.stderr, flush=True)
+        self._line = line

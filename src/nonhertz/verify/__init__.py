@@ -1,0 +1,75 @@
+"""Whether the numbers are right: comparisons with publications, exact solutions and other methods.
+
+Each comparison is a module with a function ``section`` that solves what it needs and returns a
+`nonhertz.verify.claim.Section`: checks with a verdict, a text and pictures. `sections` runs them, and
+`nonhertz.verify.page` makes the validation page of them.
+"""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from nonhertz.errors import InputError
+
+if TYPE_CHECKING:
+    from nonhertz.verify.claim import Section
+
+#: Name and module of every section, in reading order.
+CATALOGUE = {
+    "hertz-ellipse": "nonhertz.verify.hertz_ellipse",
+    "line-limits": "nonhertz.verify.line_limits",
+    "half-space": "nonhertz.verify.half_space",
+    "plane-strain": "nonhertz.verify.plane_strain",
+    "finite-bodies": "nonhertz.verify.finite_bodies",
+    "edge-exponents": "nonhertz.verify.edge_exponents",
+    "quarter-space": "nonhertz.verify.quarter_space",
+    "profiled-roller": "nonhertz.verify.profiled_roller",
+    "load-compression": "nonhertz.verify.load_compression",
+    "cost": "nonhertz.verify.cost",
+}
+
+
+def chosen(only: Iterable[str] = ()) -> tuple[str, ...]:
+    """Return the names of the wanted sections in reading order.
+
+    Parameters
+    ----------
+    only : iterable of str
+        Names in any order; empty for all sections.
+
+    Raises
+    ------
+    InputError
+        If a name is not in the catalogue.
+    """
+    wanted = list(only)
+    for name in wanted:
+        if name not in CATALOGUE:
+            raise InputError("--only", name, "be a section", f"choose from {', '.join(CATALOGUE)}")
+    return tuple(name for name in CATALOGUE if name in wanted or not wanted)
+
+
+def sections(
+    only: Iterable[str] = (), announce: Callable[[str], object] | None = None
+) -> Iterator[tuple[str, Section]]:
+    """Run sections one after another.
+
+    Parameters
+    ----------
+    only : iterable of str
+        Their names; empty for all.
+    announce : callable or None
+        Called with the name of each section before it runs.
+
+    Yields
+    ------
+    tuple of str and Section
+        Name and result, each as soon as it is there.
+    """
+    for name in chosen(only):
+        if announce is not None:
+            announce(name)
+        # Late, so that asking for one section does not load the others.
+        yield name, importlib.import_module(CATALOGUE[name]).section()

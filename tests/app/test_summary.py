@@ -1,0 +1,131 @@
+"""What the summary and the result say about the pressure where a contact ends."""
+
+from __future__ import annotations
+
+import json
+import re
+import warnings
+
+import pytest
+
+import nonhertz as nh
+from nonhertz.cli.summary import print_summary, summary_rows
+from nonhertz.io.results import UNITS, as_json
+from nonhertz.solution import Solution
+
+
+def solved(roller: nh.Body, against: nh.Body, tilt: float = 0.0, load: float = 20e3, **more: object) -> Solution:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        return nh.solve(nh.Contact(roller, against), load=load, tilt=tilt, **more)  # type: ignore[arg-type]
+
+
+@pytest.fixture(scope="module")
+def sharp() -> Solution:
+    """A straight roller on a plate, both half-spaces."""
+    roller = nh.Roller(diameter=20, length=20, side_faces="none", depth="none")
+    return solved(roller, nh.Plate(depth="none"), tilt=0.5e-3)
+
+
+@pytest.fixture(scope="module")
+def coincident() -> Solution:
+    roller = nh.Roller(diameter=20, length=20)
+    return solved(roller, roller)
+
+
+@pytest.fixture(scope="module")
+def crowned() -> Solution:
+    return solved(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=2000)), nh.Plate(), load=2e3)
+
+
+def rows(solution: Solution) -> dict[str, tuple[str, str]]:
+    """Return values and remarks by name; what follows under a name is ``name+``."""
+    found: dict[str, tuple[str, str]] = {}
+    name = ""
+    for title, value, remark in summary_rows(solution):
+        name = title or f"{name}+"
+        found[name] = (value, remark)
+    return found
+
+
+def test_a_singular_end_has_a_strength_in_place_of_a_maximum(sharp: Solution) -> None:
+    shown = rows(sharp)
+    # The side of positive y bears more, so its K is the one beside the maximum.
+    high = sharp.edge_pressure[1]
+    assert shown["maximum pressure"] == ("no limit", "singular at y = -10 and 10 mm")
+    assert shown["maximum pressure+"] == ("", f"p ~ K / s^0.5, K = {high.strength:.4g} MPa mm^0.5")
+    assert shown["edge at y = 10 mm"] == ("singular", f"K = {high.strength:.4g} MPa mm^0.5, s^-0.5")
+    assert shown["edge at y = -10 mm"][0] == "singular"
+    assert f"{sharp.max_pressure:.0f}" not in str(shown)
+
+
+def test_the_largest_pressure_away_from_singular_ends_is_beyond_a_half_width(sharp: Solution) -> None:
+    shown = rows(sharp)
+    pressure = float(shown["away from the ends"][0].removesuffix(" MPa"))
+    y = float(shown["away from the ends+"][0].removeprefix("at y = ").removesuffix(" mm"))
+    half_width = sharp.half_width[-1]
+    beyond = sharp.y < 10.0 - half_width
+    # Five digits are printed. The strips are a tenth of a half-width wide there.
+    assert 10.0 - 1.5 * half_width < y < 10.0 - half_width
+    assert pressure == pytest.approx(sharp.peak_pressure[beyond & (sharp.y > 0.0)].max(), rel=1e-4)
+    assert pressure < 0.5 * sharp.max_pressure
+
+
+def test_nothing_is_away_from_the_ends_of_a_contact_shorter_than_wide() -> None:
+    short = solved(nh.Roller(diameter=20, length=0.4), nh.Plate(), load=200.0)
+    shown = rows(short)
+    assert shown["maximum pressure"][0] == "no limit"
+    assert "away from the ends" not in shown
+
+
+def test_a_strength_that_too_few_strips_leave_unknown_is_called_so() -> None:
+    coarse = solved(nh.Roller(diameter=20, length=20), nh.Plate(), strips=7)
+    shown = rows(coarse)
+    assert shown["edge at y = 10 mm"] == ("singular", "K unknown on so few strips, s^-0.333")
+    # The last of so wide strips is no neighbour of the end; its pressure has no limit all the same.
+    assert shown["maximum pressure"][1] == "no limit, as at a sharp end or corner"
+
+
+def test_freed_faces_that_both_bodies_have_give_a_finite_pressure(coincident: Solution) -> None:
+    shown = rows(coincident)
+    for edge in coincident.edge_pressure:
+        value, remark = shown[f"edge at y = {edge.y:.5g} mm"]
+        assert remark == "finite, faces freed"
+        assert float(value.removesuffix(" MPa")) == pytest.approx(edge.pressure, rel=1e-4)
+    assert re.fullmatch(r"[\d.]+ MPa", shown["maximum pressure"][0])
+    assert "away from the ends" not in shown
+
+
+def test_a_contact_that_ends_inside_runs_out(crowned: Solution) -> None:
+    shown = rows(crowned)
+    for edge in crowned.edge_pressure:
+        assert abs(edge.y) < 9.0
+        assert shown[f"edge at y = {edge.y:.5g} mm"] == ("runs out", "")
+    assert shown["maximum pressure"][0].endswith(" MPa")
+
+
+def test_the_rows_fit_a_narrow_terminal(sharp: Solution, capsys: pytest.CaptureFixture[str]) -> None:
+    print_summary(sharp, "sharp")
+    lines = [line.rstrip() for line in capsys.readouterr().out.splitlines() if not line.startswith("warning")]
+    # A row that is broken begins with the remark's column.
+    assert len(lines) == len(summary_rows(sharp)) + 1
+
+
+@pytest.mark.parametrize("name", ["sharp", "coincident", "crowned"])
+def test_the_result_has_both_ends(name: str, request: pytest.FixtureRequest) -> None:
+    solution: Solution = request.getfixturevalue(name)
+    result = json.loads(as_json(solution, name), parse_constant=pytest.fail)
+    assert len(result["edge_pressure"]) == 2
+    for entry, edge in zip(result["edge_pressure"], solution.edge_pressure, strict=True):
+        assert entry == {
+            "y": edge.y,
+            "kind": edge.kind.label,
+            "pressure": edge.pressure,
+            "strip_width": edge.strip_width,
+            "image_weight": edge.image_weight,
+            "exponent": edge.exponent,
+            "strength": edge.strength,
+            "converges": edge.kind is not nh.EdgeKind.SINGULAR,
+        }
+        assert set(UNITS["edge_pressure"]) <= set(entry)
+    assert result["max_pressure"] == solution.max_pressure

@@ -1,0 +1,118 @@
+"""``nonhertz verify`` as a user meets it: tables, page, JSON, exit codes."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+import nonhertz.verify.half_space
+from nonhertz.cli import main
+from nonhertz.verify import CATALOGUE
+from nonhertz.verify.claim import Check, Section
+
+FIGURES = {"half-space-pressure.svg", "half-space-pressure.png"}
+TEXTS = {"validation.md", "verify.json"}
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def let_it_fail(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the section half-space be one check, which fails."""
+    failed = Section("Wrong", "Two is not three.", (Check("two", "counting", 3.0, 2.0, 1e-6),))
+    monkeypatch.setattr(nonhertz.verify.half_space, "section", lambda: failed)
+
+
+def test_a_section_is_printed_and_written(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["verify", "--only", "half-space", "--out", "new/page"]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    lines = printed.out.splitlines()
+    assert lines[0].split() == ["Rollers", "on", "half-spaces", "(half-space)"]
+    assert lines[1].split() == ["claim", "source", "expected", "computed", "difference", "tolerance", "verdict"]
+    assert max(map(len, lines)) <= 100
+    assert {line.split()[-1] for line in lines[2:] if re.search(r" \S+e-\d+ ", line)} == {"pass", "shown"}
+    assert {path.name for path in Path("new/page").iterdir()} == FIGURES | TEXTS
+    assert "wrote new/page/validation.md" in printed.out.replace("\\", "/")
+
+    checks = json.loads(Path("new/page/verify.json").read_text(encoding="utf-8"))
+    verdicts = [check["verdict"] for check in checks]
+    assert lines[-1] == (
+        f"{len(checks)} checks: {verdicts.count('pass')} passed, 0 failed, {verdicts.count('shown')} shown"
+    )
+    page = Path("new/page/validation.md").read_text(encoding="utf-8")
+    assert "`nonhertz verify --out DIR --only half-space`" in page
+    assert all((Path("new/page") / name).exists() for name in re.findall(r"!\[.*?\]\((.+?)\)", page))
+
+
+def test_json_is_one_list_and_nothing_else(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["verify", "--only", "half-space", "--json", "--out", "page"]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    assert json.loads(printed.out) == json.loads(Path("page/verify.json").read_text(encoding="utf-8"))
+
+
+def test_sections_run_in_reading_order(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    let_it_fail(monkeypatch)
+    assert main(["verify", "--only", "edge-exponents", "half-space", "--json"]) == 1
+    names = [check["section"] for check in json.loads(capsys.readouterr().out)]
+    assert list(dict.fromkeys(names)) == ["half-space", "edge-exponents"]
+
+
+def test_a_failed_check_is_told_by_the_exit_code(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    let_it_fail(monkeypatch)
+    assert main(["verify", "--only", "half-space", "--out", "page"]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[2].split() == ["two", "counting", "3", "2", "-3.3e-1", "1e-6", "FAIL"]
+    assert lines[-1] == "1 checks: 0 passed, 1 failed, 0 shown"
+    page = Path("page/validation.md").read_text(encoding="utf-8")
+    assert "| two | counting | 3 | 2 | -3.3e-1 | 1e-6 | FAIL |" in page
+    assert main(["verify", "--only", "half-space", "--json"]) == 1
+
+
+def test_an_unknown_section_is_answered_with_the_known_ones(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["verify", "--only", "half-space", "nonsense", "--out", "page"]) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert printed.err == (f"--only = 'nonsense' must be a section: choose from {', '.join(CATALOGUE)}.\n")
+    assert not Path("page").exists()
+
+
+def test_a_file_in_the_place_of_the_directory_is_refused_before_anything_runs(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(nonhertz.verify.half_space, "section", lambda: pytest.fail("it ran"))
+    Path("page").write_text("mine", encoding="utf-8")
+    assert main(["verify", "--only", "half-space", "--out", "page"]) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert len(printed.err.splitlines()) == 1
+    assert "must be a directory, not a file" in printed.err
+    assert Path("page").read_text(encoding="utf-8") == "mine"
+
+
+def test_a_terminal_sees_what_is_being_done(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    let_it_fail(monkeypatch)
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    main(["verify", "--only", "half-space", "--json"])
+    assert "1/1 half-space ..." in capsys.readouterr().err
+
+
+def test_help_says_what_it_costs(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["verify", "--help"]) == 0
+    assert "two minutes" in " ".join(capsys.readouterr().out.split())
+
+
+def test_the_documentation_lists_every_section() -> None:
+    page = Path(__file__).parents[2] / "docs" / "reference" / "command-line.md"
+    text = page.read_text(encoding="utf-8")
+    assert all(f"`{name}`" in text for name in CATALOGUE)
