@@ -33,6 +33,7 @@ docs-numbers: $(READY)
 	$(BIN)/python docs/figures.py
 	$(BIN)/python docs/grid_study.py
 	$(BIN)/nonhertz verify --out docs/validation
+	rm docs/validation/*.png docs/validation/verify.json
 
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -m venv $(VENV)
