@@ -74,18 +74,36 @@ def _edge_pressure(contact: Contact, element: Element, state: State, side: int) 
     if not reaches(state, side) or place not in contact.interval:
         touched = ends_of_contact(state)
         y = touched[at][(side + 1) // 2] if touched else place
-        return EdgePressure(y, EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None)
+        return EdgePressure(y, EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, "the contact ends before both bodies do")
     kappa = image_weight(contact, state, side)
     last, narrow = float(pressure[0]), float(width[0])
+    convention = _convention(contact, place, side, 0.5 * narrow)
     if kappa >= FINITE_FROM:
-        return EdgePressure(place, EdgeKind.FINITE, last, narrow, kappa, 0.0, None)
+        return EdgePressure(place, EdgeKind.FINITE, last, narrow, kappa, 0.0, None, convention)
     exponent = math.acos(kappa) / math.pi
     half_width = element.hertz_ratio * math.sqrt(float(state.m[at]))
     strength = _strength(distance, width, pressure, exponent, half_width)
     if kappa != _image_weight_within(contact, state, side, FIT_REACH * half_width):
         # The face of the other body, a little further out, bends the pressure where K would be read off.
         strength = None
-    return EdgePressure(place, EdgeKind.SINGULAR, last, narrow, kappa, exponent, strength)
+    return EdgePressure(place, EdgeKind.SINGULAR, last, narrow, kappa, exponent, strength, convention)
+
+
+def _convention(contact: Contact, place: float, side: int, reach: float) -> str:
+    """Say of either body whether it ends at ``place``, and how its side face counts there."""
+    index, told = (side + 1) // 2, []
+    for which, (name, body) in enumerate((("a", contact.a), ("b", contact.b))):
+        face = body.faces[index]
+        weight = max((end.weights[which] for end in ends(contact) if end.side == side), default=0.0)
+        if abs(body.interval[index] - place) > reach:
+            told.append(f"{name} goes on")
+        elif math.isfinite(face) and abs(face - place) > reach:
+            told.append(f"{name} can touch no further, {abs(face - place):.3g} mm short of its side face")
+        elif weight > 0.0:
+            told.append(f"{name} ends with its side face freed by images of weight {weight:.3g}")
+        else:
+            told.append(f"{name} ends as a half-space")
+    return ", ".join(told)
 
 
 def _from_the_end(contact: Contact, element: Element, state: State, side: int) -> tuple[Array, Array, Array]:

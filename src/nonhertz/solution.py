@@ -82,10 +82,12 @@ class EdgePressure:
     strength : float or None
         K [MPa mm^alpha], fitted to the strips within half a half-width; None where nothing is singular or where
         fewer than six strips lie there.
+    convention : str
+        What ends here and what is freed, in words.
 
     Notes
     -----
-    On the strips' own refinement K settles within 3 % for kappa up to 0.8, and for kappa = 0 it is within 3 % of
+    On the strips' own refinement K settles within 3 % for kappa up to 0.8, and for kappa = 0 it is within 4 % of
     three-dimensional solutions. Towards kappa = 1 the two leading powers of s become one, and K with them
     uncertain: 15 % at 0.95. Nearer to the end than a tenth of the half-width the true pressure is no longer a
     semi-ellipse across.
@@ -98,6 +100,7 @@ class EdgePressure:
     image_weight: float
     exponent: float
     strength: float | None
+    convention: str
 
     @property
     def converges(self) -> bool:

@@ -323,8 +323,8 @@ def _singularities(contact: Contact, state: State, edges: tuple[EdgePressure, ..
         if edge.kind is EdgeKind.SINGULAR:
             known = "" if edge.strength is None else f" with K = {edge.strength:.4g} MPa mm^{edge.exponent:.3g}"
             sentences.append(
-                f"The contact reaches the sharp end at y = {edge.y:.6g} mm, where the pressure is singular, p ~ K / "
-                f"s^{edge.exponent:.3g} at a distance s{known}: the value there is that of a strip "
+                f"The contact reaches the sharp end at y = {edge.y:.6g} mm ({edge.convention}), where the pressure is "
+                f"singular, p ~ K / s^{edge.exponent:.3g} at a distance s{known}: the value there is that of a strip "
                 f"{edge.strip_width:.3g} mm wide, not a limit."
             )
     if _peaks_at_kink(contact, state):

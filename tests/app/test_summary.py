@@ -125,6 +125,7 @@ def test_the_result_has_both_ends(name: str, request: pytest.FixtureRequest) -> 
             "image_weight": edge.image_weight,
             "exponent": edge.exponent,
             "strength": edge.strength,
+            "convention": edge.convention,
             "converges": edge.kind is not nh.EdgeKind.SINGULAR,
         }
         assert set(UNITS["edge_pressure"]) <= set(entry)

@@ -116,7 +116,7 @@ def springs(
 
 
 def run_out(y: float) -> EdgePressure:
-    return EdgePressure(float(y), EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None)
+    return EdgePressure(float(y), EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, "")
 
 
 def runs(edges: NDArray[np.float64], touching: NDArray[np.bool_]) -> tuple[tuple[float, float], ...]:

@@ -228,5 +228,6 @@ def _edge_object(edge: EdgePressure) -> dict[str, Any]:
         "image_weight": plain(edge.image_weight),
         "exponent": plain(edge.exponent),
         "strength": plain(edge.strength),
+        "convention": edge.convention,
         "converges": edge.converges,
     }

@@ -1,0 +1,123 @@
+"""The pressure at the ends of a contact: its kind, exponent, strength and convention."""
+
+import math
+import warnings
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+
+HALF_SPACE = {"side_faces": "none", "depth": "none"}
+CROWN = nh.profile.crown(radius=4000)
+
+
+def solved(a, b, **options):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        return nh.solve(nh.Contact(a, b), **({"load": 20e3} | options))
+
+
+def roller(**options):
+    return nh.Roller(**({"diameter": 20.0, "length": 20.0} | options))
+
+
+def test_a_contact_that_ends_inside_the_bodies_runs_out():
+    solution = solved(roller(profile=CROWN), nh.Plate(), load=3e3)
+    for edge, y in zip(solution.edge_pressure, (solution.contact_y[0][0], solution.contact_y[-1][1]), strict=True):
+        assert edge.kind is nh.EdgeKind.RUN_OUT
+        assert (edge.y, edge.pressure, edge.exponent, edge.strength) == (y, 0.0, 0.0, None)
+        assert edge.converges
+        assert edge.convention == "the contact ends before both bodies do"
+
+
+def test_a_tilted_contact_has_ends_of_two_kinds():
+    solution = solved(roller(profile=CROWN), nh.Plate(), tilt=1.5e-3)
+    low, high = solution.edge_pressure
+    assert (low.kind, high.kind) == (nh.EdgeKind.RUN_OUT, nh.EdgeKind.SINGULAR)
+    assert low.y > -10.0
+    assert high.y == 10.0
+    assert high.strip_width == pytest.approx(solution.strip_width[-1], rel=1e-12)
+    assert high.pressure == pytest.approx(solution.peak_pressure[-1], rel=1e-12)
+    assert not high.converges
+
+
+@pytest.mark.parametrize(
+    ("weight", "modulus", "kappa"), [(0.0, 207e3, 0.0), (1.0, 207e3, 0.5), (1.0, 103.5e3, 1.0 / 3.0), (1.6, 207e3, 0.8)]
+)
+def test_the_exponent_follows_from_kappa(weight, modulus, kappa):
+    plate = nh.Plate(material=nh.Material(modulus, 0.3))
+    edge = solved(roller(side_faces=weight, depth="none"), plate).edge_pressure[1]
+    assert edge.image_weight == pytest.approx(kappa, rel=1e-12, abs=1e-15)
+    assert math.cos(math.pi * edge.exponent) == pytest.approx(kappa, rel=1e-12, abs=1e-15)
+
+
+@pytest.mark.parametrize("kappa", [0.0, 0.25, 0.5, 0.7, 0.8])
+@pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda element: element.name)
+def test_the_strength_is_that_of_strips_a_thousand_times_narrower(kappa, element):
+    # The figure in EdgePressure's notes. The narrow strips end in K s^-alpha (1 + c s^2alpha), read off at two
+    # places far below the half-width, so that the fit's own range and weights do not enter.
+    a, b = roller(side_faces=2.0 * kappa, depth="none"), nh.Plate()
+    edge = solved(a, b, element=element).edge_pressure[1]
+    widths = 1e-5 * 1.15 ** np.arange(80)
+    outer = 10.0 - np.concatenate([[0.0], np.cumsum(widths[np.cumsum(widths) < 7.0])])
+    edges = np.concatenate([-outer, np.linspace(-outer[-1], outer[-1], 13)[1:-1], outer[::-1]])
+    fine = solved(a, b, element=element, strips=edges)
+    s = np.array([1e-3, 4e-3])
+    levels = np.interp(s, (10.0 - fine.y)[::-1], fine.peak_pressure[::-1]) * s**edge.exponent
+    powers = s ** (2.0 * edge.exponent)
+    expected = (levels[0] * powers[1] - levels[1] * powers[0]) / (powers[1] - powers[0])
+    assert edge.strength == pytest.approx(expected, rel=0.04)
+
+
+def test_strength_scales_with_the_load_as_a_pressure():
+    # Twice the load at twice the modulus and the same shape: the same strips, twice the pressure.
+    def strength(factor):
+        steel = nh.Material(factor * 207e3, 0.3)
+        return solved(roller(material=steel), nh.Plate(material=steel), load=factor * 20e3).edge_pressure[1].strength
+
+    assert strength(2.0) == pytest.approx(2.0 * strength(1.0), rel=1e-9)
+
+
+def test_too_few_strips_near_the_end_give_no_strength():
+    edge = solved(roller(**HALF_SPACE), nh.Plate(), strips=41).edge_pressure[1]
+    assert (edge.kind, edge.strength) == (nh.EdgeKind.SINGULAR, None)
+
+
+def test_coincident_mirrored_ends_are_finite():
+    for edge in solved(roller(), roller()).edge_pressure:
+        assert edge.kind is nh.EdgeKind.FINITE
+        assert (edge.image_weight, edge.exponent, edge.strength) == (pytest.approx(1.0), 0.0, None)
+        assert edge.converges
+
+
+def test_a_face_a_little_further_out_leaves_the_exponent_and_takes_the_strength():
+    near = solved(roller(), nh.Plate(length=20.2)).edge_pressure[1]
+    far = solved(roller(), nh.Plate(length=22.0)).edge_pressure[1]
+    assert near.exponent == pytest.approx(far.exponent) == pytest.approx(1.0 / 3.0)
+    assert near.strength is None
+    assert far.strength > 0.0
+
+
+FREED = "ends with its side face freed by images of weight 1"
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "convention"),
+    [
+        (roller(**HALF_SPACE), nh.Plate(), "a ends as a half-space, b goes on"),
+        (roller(), nh.Plate(), f"a {FREED}, b goes on"),
+        (
+            roller(side_faces="calibrated"),
+            nh.Plate(length=20.0, side_faces="calibrated"),
+            f"a {FREED}, b {FREED}",
+        ),
+        (roller(effective_length=19.0), nh.Plate(), "a can touch no further, 0.5 mm short of its side face, b goes on"),
+        (roller(length=30.0), nh.Plate(length=20.0, side_faces="none"), "a goes on, b ends as a half-space"),
+    ],
+)  # fmt: skip
+def test_the_convention_says_what_ends_and_what_is_freed(a, b, convention):
+    solution = solved(a, b)
+    assert [edge.convention for edge in solution.edge_pressure] == [convention] * 2
+    singular = solution.edge_pressure[1].kind is nh.EdgeKind.SINGULAR
+    assert any(f"({convention})" in sentence for sentence in solution.warnings) is singular
