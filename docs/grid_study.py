@@ -250,7 +250,9 @@ def _solver(contact: nh.Contact, given: dict[str, float]) -> Callable[[Array | N
 
 
 def _on_plate(profile: Profile, length: float) -> nh.Contact:
-    return nh.Contact(nh.Roller(diameter=20, length=length, profile=profile), nh.Plate())
+    return nh.Contact(
+        nh.Roller(diameter=20, length=length, profile=profile, side_faces="none", depth="none"), nh.Plate()
+    )
 
 
 def _graded_by_hand(half: float, width: float) -> Array:
