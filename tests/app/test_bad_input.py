@@ -362,7 +362,7 @@ MISTAKES = {
     ),
     "round plate": (
         f"{A}[body.b]\nkind = 'plate'\ndiameter = 20\n{LOAD}",
-        ["body.b.diameter = 20.0 must be left out: use Roller, Ring or Body for a curved one."],
+        ["body.b.diameter = 20.0 must be left out: make a curved one a roller, a ring or a plain body."],
     ),
     "all of a finite body": (
         f"{A}kind = 'roller'\nside_faces = 'clibrated'\nimages = 0\ndepth = '8 N'\neffective_length = 21\n{B}{LOAD}",
