@@ -116,7 +116,9 @@ def _from_the_end(contact: Contact, element: Element, state: State, side: int) -
 
 def _strength(distance: Array, width: Array, pressure: Array, exponent: float, half_width: float) -> float | None:
     """Return K [MPa mm^alpha], or None where too few strips lie near the end to tell."""
-    near = np.flatnonzero(distance < FIT_REACH * half_width)[BIASED_STRIPS:]
+    idle = np.flatnonzero(pressure == 0.0)
+    run = idle[0] if idle.size else pressure.size
+    near = np.flatnonzero(distance[:run] < FIT_REACH * half_width)[BIASED_STRIPS:]
     if near.size < FEWEST_POINTS:
         return None
     s = distance[near]

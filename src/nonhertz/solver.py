@@ -21,7 +21,7 @@ from nonhertz.strip.finite import depth_below, ends, influence_of
 from nonhertz.strip.grid import ends_of_contact, kinks
 from nonhertz.strip.levels import Levels, on_automatic_strips, on_equal_strips, on_given_strips
 from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, STAGNATED
-from nonhertz.strip.state import Problem, State, sprung
+from nonhertz.strip.state import SCARCELY, Problem, State, sprung
 
 Array = NDArray[np.float64]
 
@@ -272,7 +272,7 @@ def _refuse_thin_bodies(solution: Solution, problem: Problem) -> None:
     half_width = solution.half_width
     if not converged:
         half_width = solution.element.hertz_ratio * np.sqrt(sprung(problem, solution.edges).m)
-    least = 1.0 if converged else LEAST_DEPTH
+    least = 1.0 if converged else SCARCELY
     widest = float(np.max(half_width))
     for name, body, ratio in _depths(solution, half_width):
         if ratio < least:

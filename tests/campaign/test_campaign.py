@@ -77,6 +77,7 @@ def test_every_sensible_case_converges_to_a_right_answer():
     percentile = float(np.percentile(steps, 95))
     print("\ncases", most_common(outcome.kind for outcome in outcomes))
     print("accuracy warnings", most_common(sentence for outcome in outcomes for sentence in outcome.warned))
+    print("failures", "".join(f"\n    {failure}" for failure in failures))
     print(f"Newton steps: 95th percentile {percentile}, max {max(steps)}")
     assert not failures, failures[:20]
     # A refusal is a case that the drawn number of strips cannot carry, or too thin; there must be next to none.

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.strip.element import evaluate_displacement
 
 ELEMENTS = {element.name: element for element in (nh.SEMI_ELLIPTIC, nh.PARABOLIC)}
 FUNCTIONS = ("A", "tA'", "B", "tB'")
@@ -132,3 +133,11 @@ def test_parabolic_coefficients_of_a_separate_implementation(seen_from):
         [4.0 / 3.0 * c**3 * a, c**2 * (4.0 * a - 4.0 / 3.0 * ta), 4.0 / 3.0 * c * b, 4.0 / 3.0 * (b - tb)]
     )
     np.testing.assert_allclose(found, COEFFICIENTS[seen_from], rtol=5e-9, atol=0.0)
+
+
+@pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda element: element.name)
+def test_what_is_no_number_stays_none(element):
+    # It must not become a place beyond the table either, which only ends a process now and then.
+    for values in element.functions(math.nan):
+        assert math.isnan(values)
+    assert math.isnan(evaluate_displacement(math.nan, element.table))

@@ -202,3 +202,29 @@ def test_a_sharp_end_in_contact_is_named_in_the_solution():
     for said, place in zip(solution.warnings, ("-10", "10"), strict=True):
         assert f"sharp end at y = {place} mm" in said
     assert solution.error_estimate.max_pressure == math.inf
+
+
+@pytest.mark.parametrize("strips", [None, 41])
+@pytest.mark.parametrize("given", [{"load": 20e3}, {"approach": 0.01}, {"load": 20e3, "moment": 3e3}], ids=str)
+@pytest.mark.parametrize("depth", [1e-5, 0.01, 0.05, 0.1, 0.2])
+@pytest.mark.parametrize("plate_depth", ["none", "same"])
+def test_a_body_thinner_than_its_contact_is_refused_in_one_sentence(depth, plate_depth, given, strips):
+    # Warnings are errors here: nothing may be divided by zero on the way to the sentence.
+    roller = nh.Roller(diameter=20, length=20, depth=depth)
+    plate = nh.Plate(depth=depth if plate_depth == "same" else "none")
+    with pytest.raises(nh.InputError, match=r"body.a.depth = .* must be large against the half-width of the contact"):
+        nh.solve(nh.Contact(roller, plate), strips=strips, **given)
+
+
+def test_a_body_that_is_rather_thin_is_warned_of():
+    with pytest.warns(nh.AccuracyWarning, match="depth of body b is only"):
+        solution = nh.solve(nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate(depth=0.8)), load=20e3)
+    assert solution.status is nh.Status.CONVERGED
+
+
+def test_an_approach_that_no_thin_body_reaches_is_refused():
+    # Where the half-width comes near to the depth the approach of a line contact turns back.
+    soft = nh.Roller(diameter=1800, length=18000, depth=30, material=nh.Material(20000, 0.41))
+    softer = nh.Body(diameter=7000, length=18000, depth=6, material=nh.Material(1000, 0.07))
+    with pytest.raises(nh.InputError, match=r"body.b.depth = 6 must be large"):
+        nh.solve(nh.Contact(soft, softer), approach=0.020, strips=24)

@@ -251,4 +251,6 @@ class Plate(Body):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.diameter is not None:
-            raise InputError("diameter", self.diameter, "be left out", "make a curved one a roller, a ring or a plain body")
+            raise InputError(
+                "diameter", self.diameter, "be left out", "make a curved one a roller, a ring or a plain body"
+            )

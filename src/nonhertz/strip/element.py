@@ -161,7 +161,7 @@ class Element:
 def evaluate(t: float, table: Array) -> tuple[float, float, float, float]:
     """Return A, t A', B and t B' at one ``t`` from an element's table."""
     size = abs(t)
-    if size >= FAR:
+    if not size < FAR:  # nor is NaN, which must not become a place in the table
         return _far(t, size, table)
     if size < SMALL:
         return _small(t, size, table)
@@ -218,7 +218,7 @@ def _locate(size: float) -> tuple[np.uint64, float]:
 def evaluate_displacement(t: float, table: Array) -> float:
     """Return A alone at one ``t``."""
     size = abs(t)
-    if size >= FAR or size < SMALL:
+    if not SMALL <= size < FAR:
         return evaluate(t, table)[0]
     first, x = _locate(size)
     a = 0.0

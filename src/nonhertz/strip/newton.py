@@ -139,6 +139,8 @@ def newton(
         motion = _rigid_step(response, off, prescribed, weights, lever, d_q)
         rho = d_r[:, 0] + motion[0] * d_r[:, 1] + motion[1] * d_r[:, 2]
         sigma = d_q[:, 0] + motion[0] * d_q[:, 1] + motion[1] * d_q[:, 2]
+        if not (np.all(np.isfinite(rho)) and np.all(np.isfinite(sigma))):
+            return STAGNATED, step, residual
         rigid[0] += relaxation * motion[0]
         rigid[1] += relaxation * motion[1] / half
         changed = _update(blocks, active, width, rho, sigma, relaxation, table, r, m)

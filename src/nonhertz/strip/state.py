@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -17,7 +18,10 @@ from nonhertz.strip.start import prolong, springs
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-TOO_THIN = 0.7  # half-widths of independent springs, which are right to a third
+LEAST_RISE = 1e-3  # of the load, below which raising it further is given up
+# Depths in half-widths of independent springs, which may be half of the true ones where bodies are thin: below the
+# first no loop is started, below the second none that failed is helped.
+HOPELESS, SCARCELY = 0.7, 4.0
 
 
 @dataclass(frozen=True)
@@ -106,12 +110,12 @@ def settle(
     """
     strips = _Strips.of(problem, edges)
     state = None
-    if near is not None:
+    if near is not None and near.converged:
         state = strips.loop(problem, tolerance, near)
     if state is None or not state.converged:
         state = strips.loop(problem, tolerance)
-    patient = patient and not strips.too_thin(problem, state)
-    if patient and not state.converged:
+    patient = patient and not state.converged and not strips.too_thin(problem, strips.springs(problem)[1], SCARCELY)
+    if patient:
         state = _better(state, strips.loop(problem, tolerance, relaxation=0.5))
     if patient and not state.converged and problem.prescribed[0]:
         state = _better(state, strips.raised(problem))
@@ -157,20 +161,24 @@ class _Strips:
             edges, y, problem.curvature(y), problem.separation(y), influence.at_depth(y, edges), influence.shallowest(y)
         )
 
-    def too_thin(self, problem: Problem, state: State) -> bool:
-        """Return whether the points at depth lie within a contact as wide as ``state`` says.
+    def springs(self, problem: Problem) -> tuple[Array, Array, Array]:
+        """Return r, m and the rigid motion of independent springs."""
+        return _springs(problem, self.edges, self.y, self.curvature, self.separation)
 
-        They would then move more than the surface, and the equations have solutions that mean nothing.
+    def too_thin(self, problem: Problem, m: Array, least: float) -> bool:
+        """Return whether a body is not ``least`` half-widths deep.
+
+        Where points at depth lie within the contact they move more than the surface, and the equations have either
+        no solution or some that mean nothing.
         """
-        widest = problem.element.hertz_ratio * float(np.sqrt(np.max(state.m, initial=0.0)))
-        return self.shallowest < TOO_THIN * widest
+        return self.shallowest < least * problem.element.hertz_ratio * math.sqrt(float(np.max(m)))
 
     def raised(self, problem: Problem) -> State:
         """Return the state reached by raising the load from a small one, in steps as long as the loop allows."""
         near, reached, share = None, 0.0, 0.01
         for _ in range(40):
             state = self.loop(problem.with_share(share), TOLERANCE, near)
-            if state.converged and share == 1.0:
+            if (state.converged and share == 1.0) or share - reached < LEAST_RISE:
                 break
             if state.converged:
                 near, reached, share = state, share, min(1.0, 2.0 * share)
@@ -185,11 +193,10 @@ class _Strips:
             m[~np.isfinite(self.separation)] = 0.0
             rigid = np.where(problem.prescribed, near.rigid, problem.target)
         if near is None or not np.any(m > 0.0):
-            r, m, rigid = _springs(problem, self.edges, self.y, self.curvature, self.separation)
+            r, m, rigid = self.springs(problem)
         gap, stiffness = np.zeros_like(self.y), np.zeros((2, 2))
-        start = State(self.edges, r, m, rigid, gap, stiffness, STAGNATED, 0, np.inf)
-        if self.too_thin(problem, start):
-            return start
+        if self.too_thin(problem, m, HOPELESS):
+            return State(self.edges, r, m, rigid, gap, stiffness, STAGNATED, 0, np.inf)
         try:
             status, steps, residual = newton(
                 self.y, self.edges[:-1], self.edges[1:], self.curvature, self.separation, problem.prescribed,
