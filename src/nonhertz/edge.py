@@ -20,10 +20,8 @@ from numpy.typing import NDArray
 
 from nonhertz.model.contact import Contact
 from nonhertz.solution import EdgeKind, EdgePressure
-from nonhertz.strip.element import Element
-from nonhertz.strip.finite import ends
 from nonhertz.strip.grid import ends_of_contact, reaches
-from nonhertz.strip.state import State
+from nonhertz.strip.state import Problem, State
 
 Array = NDArray[np.float64]
 
@@ -32,12 +30,12 @@ FINITE_FROM = 1.0 - 1e-6  # kappa
 FIT_REACH, BIASED_STRIPS, FEWEST_POINTS = 0.5, 2, 4  # the first in half-widths
 
 
-def edge_pressures(contact: Contact, element: Element, state: State) -> tuple[EdgePressure, EdgePressure]:
+def edge_pressures(contact: Contact, problem: Problem, state: State) -> tuple[EdgePressure, EdgePressure]:
     """Return the pressure at the low and at the high end of a solved contact."""
-    return _edge_pressure(contact, element, state, -1), _edge_pressure(contact, element, state, 1)
+    return _edge_pressure(contact, problem, state, -1), _edge_pressure(contact, problem, state, 1)
 
 
-def sharp_end_error(contact: Contact, state: State) -> float:
+def sharp_end_error(problem: Problem, state: State) -> float:
     """Return the relative error that strips leave at the ends they reach, in proportion to the last one's width.
 
     Measured on straight rollers: a tenth of both widths over the length, on equal and graded grids alike; 0.4 of
@@ -45,56 +43,56 @@ def sharp_end_error(contact: Contact, state: State) -> float:
     """
     length = sum(high - low for low, high in ends_of_contact(state))
     reached = sum(
-        float(state.width[at]) * math.pow(max(1.0 - image_weight(contact, state, side), 0.0), 1.5)
+        float(state.width[at]) * math.pow(max(1.0 - image_weight(problem, state, side), 0.0), 1.5)
         for at, side in ((0, -1), (-1, 1))
         if reaches(state, side)
     )
     return SHARP_END_ERROR * reached / length
 
 
-def image_weight(contact: Contact, state: State, side: int) -> float:
+def image_weight(problem: Problem, state: State, side: int) -> float:
     """Return kappa at the outer edge of the strips on that side; zero where no free face is.
 
     Faces within half of the last strip count as at the end: its centre cannot tell.
     """
-    return _image_weight_within(contact, state, side, 0.5 * float(state.width[-1 if side > 0 else 0]))
+    return _image_weight_within(problem, state, side, 0.5 * float(state.width[-1 if side > 0 else 0]))
 
 
-def _image_weight_within(contact: Contact, state: State, side: int, reach: float) -> float:
+def _image_weight_within(problem: Problem, state: State, side: int, reach: float) -> float:
     """Return kappa of all free faces within a distance of the end."""
     place = float(state.edges[-1 if side > 0 else 0])
-    found = (end.image_weight for end in ends(contact) if end.side == side and abs(end.y - place) <= reach)
+    found = (end.image_weight for end in problem.influence.ends if end.side == side and abs(end.y - place) <= reach)
     return min(sum(found), 1.0)
 
 
-def _edge_pressure(contact: Contact, element: Element, state: State, side: int) -> EdgePressure:
+def _edge_pressure(contact: Contact, problem: Problem, state: State, side: int) -> EdgePressure:
     at = -1 if side > 0 else 0
-    place = float(state.edges[at])
-    distance, width, pressure = _from_the_end(contact, element, state, side)
+    place, width = float(state.edges[at]), float(state.width[at])
     if not reaches(state, side) or place not in contact.interval:
         touched = ends_of_contact(state)
         y = touched[at][(side + 1) // 2] if touched else place
         return EdgePressure(y, EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, "the contact ends before both bodies do")
-    kappa = image_weight(contact, state, side)
-    last, narrow = float(pressure[0]), float(width[0])
-    convention = _convention(contact, place, side, 0.5 * narrow)
+    pressure = 2.0 * state.pressure[::-side] / (np.pi * problem.element.hertz_ratio * contact.compliance)
+    convention = _convention(contact, problem, place, side, 0.5 * width)
+    kappa = image_weight(problem, state, side)
     if kappa >= FINITE_FROM:
-        return EdgePressure(place, EdgeKind.FINITE, last, narrow, kappa, 0.0, None, convention)
+        return EdgePressure(place, EdgeKind.FINITE, float(pressure[0]), width, kappa, 0.0, None, convention)
     exponent = math.acos(kappa) / math.pi
-    half_width = element.hertz_ratio * math.sqrt(float(state.m[at]))
-    strength = _strength(distance, width, pressure, exponent, half_width)
-    if kappa != _image_weight_within(contact, state, side, FIT_REACH * half_width):
-        # The face of the other body, a little further out, bends the pressure where K would be read off.
-        strength = None
-    return EdgePressure(place, EdgeKind.SINGULAR, last, narrow, kappa, exponent, strength, convention)
+    half_width = problem.element.hertz_ratio * math.sqrt(float(state.m[at]))
+    strength = None
+    # The face of another body a little further out bends the pressure where K would be read off.
+    if kappa == _image_weight_within(problem, state, side, FIT_REACH * half_width):
+        distance = np.abs(state.y - place)[::-side]
+        strength = _strength(distance, state.width[::-side], pressure, exponent, half_width)
+    return EdgePressure(place, EdgeKind.SINGULAR, float(pressure[0]), width, kappa, exponent, strength, convention)
 
 
-def _convention(contact: Contact, place: float, side: int, reach: float) -> str:
+def _convention(contact: Contact, problem: Problem, place: float, side: int, reach: float) -> str:
     """Say of either body whether it ends at ``place``, and how its side face counts there."""
     index, told = (side + 1) // 2, []
     for which, (name, body) in enumerate((("a", contact.a), ("b", contact.b))):
         face = body.faces[index]
-        weight = max((end.weights[which] for end in ends(contact) if end.side == side), default=0.0)
+        weight = max((end.weights[which] for end in problem.influence.ends if end.side == side), default=0.0)
         if abs(body.interval[index] - place) > reach:
             told.append(f"{name} goes on")
         elif math.isfinite(face) and abs(face - place) > reach:
@@ -106,16 +104,11 @@ def _convention(contact: Contact, place: float, side: int, reach: float) -> str:
     return ", ".join(told)
 
 
-def _from_the_end(contact: Contact, element: Element, state: State, side: int) -> tuple[Array, Array, Array]:
-    """Return distances of the strip centres from the end, widths and pressures, the last strip first."""
-    order = slice(None, None, -side)
-    distance = np.abs(state.y - state.edges[-1 if side > 0 else 0])
-    pressure = 2.0 * state.pressure / (np.pi * element.hertz_ratio * contact.compliance)
-    return distance[order], state.width[order], pressure[order]
-
-
 def _strength(distance: Array, width: Array, pressure: Array, exponent: float, half_width: float) -> float | None:
-    """Return K [MPa mm^alpha], or None where too few strips lie near the end to tell."""
+    """Return K [MPa mm^alpha], or None where too few strips lie near the end to tell.
+
+    Distances of the strip centres from the end, widths and pressures begin with the last strip.
+    """
     idle = np.flatnonzero(pressure == 0.0)
     run = idle[0] if idle.size else pressure.size
     near = np.flatnonzero(distance[:run] < FIT_REACH * half_width)[BIASED_STRIPS:]

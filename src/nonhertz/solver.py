@@ -17,7 +17,7 @@ from nonhertz.model.checks import finite, positive
 from nonhertz.model.contact import Contact
 from nonhertz.solution import EdgeKind, EdgePressure, ErrorEstimate, Solution, Status
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
-from nonhertz.strip.finite import depth_below, ends, influence_of
+from nonhertz.strip.finite import depth_below, influence_of
 from nonhertz.strip.grid import ends_of_contact, kinks
 from nonhertz.strip.levels import Levels, on_automatic_strips, on_equal_strips, on_given_strips
 from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, STAGNATED
@@ -104,7 +104,7 @@ def solve(
         raise ConvergenceError(
             f"{solution.status.value} Try another number of strips, or a smaller load first.", solution
         )
-    strains = _strains(solution)
+    strains = _strains(solution, problem)
     for sentence in strains:
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
     return replace(solution, warnings=(*strains, *_singularities(contact, levels.finest, solution.edge_pressure)))
@@ -211,7 +211,7 @@ def _solution(contact: Contact, element: Element, problem: Problem, levels: Leve
         element_half_width=np.sqrt(state.m),
         gap=state.gap,
         contact_y=tuple(ends_of_contact(state)),
-        edge_pressure=edge_pressures(contact, element, state),
+        edge_pressure=edge_pressures(contact, problem, state),
         iterations=state.steps,
         error_estimate=_error_estimate(contact, problem, levels),
         warnings=(),
@@ -223,7 +223,7 @@ def _error_estimate(contact: Contact, problem: Problem, levels: Levels) -> Error
     if not state.converged:
         return ErrorEstimate(math.inf, math.inf, math.inf)
     by_load = bool(problem.prescribed[0])
-    floor = sharp_end_error(contact, state)
+    floor = sharp_end_error(problem, state)
     singular = floor > 0.0 or _peaks_at_kink(contact, state)
     return ErrorEstimate(
         approach=max(floor, levels.difference(lambda level: float(level.rigid[0]))) if by_load else 0.0,
@@ -241,7 +241,7 @@ def _peaks_at_kink(contact: Contact, state: State) -> bool:
     )
 
 
-def _strains(solution: Solution) -> tuple[str, ...]:
+def _strains(solution: Solution, problem: Problem) -> tuple[str, ...]:
     """Return a sentence for every way in which the result leaves the model's validity."""
     sentences = []
     widest = 2.0 * float(np.max(solution.half_width))
@@ -261,7 +261,7 @@ def _strains(solution: Solution) -> tuple[str, ...]:
             "half-spaces nor a parabolic separation describe such a contact."
         )
     sentences.extend(_thin_bodies(solution))
-    sentences.extend(_heavy_images(solution.contact))
+    sentences.extend(_heavy_images(problem))
     return tuple(sentences)
 
 
@@ -305,9 +305,9 @@ def _depths(solution: Solution, half_width: Array) -> list[tuple[str, Body, floa
     return found
 
 
-def _heavy_images(contact: Contact) -> list[str]:
+def _heavy_images(problem: Problem) -> list[str]:
     """Return a sentence for each side on which images had to weigh less than asked."""
-    heavy = {end.side: end for end in ends(contact) if end.wanted > HEAVIEST}
+    heavy = {end.side: end for end in problem.influence.ends if end.wanted > HEAVIEST}
     return [
         f"The images about the side faces at y = {end.y:.6g} mm would weigh {end.wanted:.3g} of the surface together, "
         "and above 1 refinement leads nowhere: their weights were lowered to 1 together. The true pressure at an "

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,7 +23,7 @@ from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
 from nonhertz.model.finite import SERIES
 from nonhertz.strip.element import Element
-from nonhertz.strip.influence import Depth, Influence
+from nonhertz.strip.influence import Depth, End, Influence
 
 Array = NDArray[np.float64]
 
@@ -32,31 +31,6 @@ APART = 0.01  # of the shorter body's length: faces this far apart have nothing 
 TOGETHER = 1.0 - 1e-4
 SEPARATE_LINKS, ALL_LINKS = 16, 5000  # of a series: told apart, and summed
 NO_WEIGHT = 1e-12
-
-
-@dataclass(frozen=True)
-class End:
-    """A place where one body or both have a free side face, with image weights that have a solution.
-
-    Attributes
-    ----------
-    y : float
-        Where [mm].
-    side : int
-        -1 at the low, 1 at the high end of the bodies.
-    weights : tuple of float
-        Weights of the images of body a and b about this face, at most such that ``image_weight`` is 1.
-    wanted : float
-        kappa of the weights that were asked for on this side, near faces of the other body counted in.
-    image_weight : float
-        kappa of this face alone with the weights used.
-    """
-
-    y: float
-    side: int
-    weights: tuple[float, float]
-    wanted: float
-    image_weight: float
 
 
 def ends(contact: Contact) -> tuple[End, ...]:
@@ -110,7 +84,7 @@ def influence_of(contact: Contact, element: Element) -> Influence:
             factor = 1.0 / (2.0 * (1.0 - body.material.poisson))
             far = _far_images(body, weights, share, below, factor) if body.images == SERIES else None
             depths.append(Depth(below, factor, _rows({direct: share, **images}), far))
-    return Influence(_rows(terms), tuple(depths))
+    return Influence(_rows(terms), tuple(depths), found)
 
 
 def _rows(terms: dict[tuple[float, float], float]) -> Array:

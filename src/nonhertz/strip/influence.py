@@ -61,11 +61,47 @@ class Depth:
 
 
 @dataclass(frozen=True)
+class End:
+    """A place where one body or both have a free side face, with image weights that have a solution.
+
+    Attributes
+    ----------
+    y : float
+        Where [mm].
+    side : int
+        -1 at the low, 1 at the high end of the bodies.
+    weights : tuple of float
+        Weights of the images of body a and b about this face, at most such that ``image_weight`` is 1.
+    wanted : float
+        kappa of the weights that were asked for on this side, near faces of the other body counted in.
+    image_weight : float
+        kappa of this face alone with the weights used.
+    """
+
+    y: float
+    side: int
+    weights: tuple[float, float]
+    wanted: float
+    image_weight: float
+
+
+@dataclass(frozen=True)
 class Influence:
-    """How strips act on the centre line: on both surfaces, and on the points at depth of each body that has any."""
+    """How strips act on the centre line: on both surfaces, and on the points at depth of each body that has any.
+
+    Attributes
+    ----------
+    terms : ndarray, shape (terms, 3)
+        Rows (sign, offset, weight); see the module.
+    depths : tuple of Depth
+        Of the bodies that have one.
+    ends : tuple of End
+        The free side faces that the images in ``terms`` are about.
+    """
 
     terms: Array
     depths: tuple[Depth, ...] = ()
+    ends: tuple[End, ...] = ()
 
     def at_depth(self, y: Array, edges: Array) -> Array:
         """Return the displacement of the points at depth per unit of K q, shape (places, strips)."""
