@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from nonhertz.model.contact import Contact
 from nonhertz.solution import EdgeKind, EdgePressure
-from nonhertz.strip.grid import ends_of_contact, reaches
+from nonhertz.strip.grid import reaches
 from nonhertz.strip.state import Problem, State
 
 Array = NDArray[np.float64]
@@ -41,7 +41,7 @@ def sharp_end_error(problem: Problem, state: State) -> float:
     Measured on straight rollers: a tenth of both widths over the length, on equal and graded grids alike; 0.4 of
     that at kappa = 1/4, 0.2 at 1/2, 0.06 at 3/4 and none at 1.
     """
-    length = sum(high - low for low, high in ends_of_contact(state))
+    length = sum(high - low for low, high in state.contact)
     reached = sum(
         float(state.width[at]) * math.pow(max(1.0 - image_weight(problem, state, side), 0.0), 1.5)
         for at, side in ((0, -1), (-1, 1))
@@ -69,7 +69,7 @@ def _edge_pressure(contact: Contact, problem: Problem, state: State, side: int) 
     at = -1 if side > 0 else 0
     place, width = float(state.edges[at]), float(state.width[at])
     if not reaches(state, side) or place not in contact.interval:
-        touched = ends_of_contact(state)
+        touched = state.contact
         y = touched[at][(side + 1) // 2] if touched else place
         return EdgePressure(y, EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, "the contact ends before both bodies do")
     pressure = 2.0 * state.pressure[::-side] / (np.pi * problem.element.hertz_ratio * contact.compliance)

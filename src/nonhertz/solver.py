@@ -18,7 +18,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.solution import EdgeKind, EdgePressure, ErrorEstimate, Solution, Status
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 from nonhertz.strip.finite import depth_below, influence_of
-from nonhertz.strip.grid import ends_of_contact, kinks
+from nonhertz.strip.grid import kinks
 from nonhertz.strip.levels import Levels, on_automatic_strips, on_equal_strips, on_given_strips
 from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, STAGNATED
 from nonhertz.strip.state import SCARCELY, Problem, State, sprung
@@ -210,7 +210,7 @@ def _solution(contact: Contact, element: Element, problem: Problem, levels: Leve
         line_load=state.r * state.m / compliance,
         element_half_width=np.sqrt(state.m),
         gap=state.gap,
-        contact_y=tuple(ends_of_contact(state)),
+        contact_y=state.contact,
         edge_pressure=edge_pressures(contact, problem, state),
         iterations=state.steps,
         error_estimate=_error_estimate(contact, problem, levels),

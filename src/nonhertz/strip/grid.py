@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.strip.compiled import compiled
-from nonhertz.strip.state import Problem, State
+from nonhertz.strip.state import Problem, State, runs
 
 Array = NDArray[np.float64]
 
@@ -73,30 +73,6 @@ def uniform(low: float, high: float, count: int) -> Array:
     return np.linspace(low, high, count + 1)
 
 
-def ends_of_contact(state: State) -> list[tuple[float, float]]:
-    """Return the intervals in contact, their ends where m, continued linearly, vanishes."""
-    return [(_end(state, first, last, -1), _end(state, last, first, 1)) for first, last in _runs(state.m > 0.0)]
-
-
-def _runs(flags: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """Return the first and last index of every run of true flags."""
-    change = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]])))
-    return [(int(first), int(beyond) - 1) for first, beyond in change.reshape(-1, 2)]
-
-
-def _end(state: State, at: int, other: int, side: int) -> float:
-    """Return where the contact around strip ``at`` ends on the given side, at most one strip away."""
-    edge = float(state.edges[at + (side > 0)])
-    next_in = at - side
-    next_out = at + side
-    bodies_end = not 0 <= next_out < state.m.size
-    limit = edge if bodies_end else float(state.y[next_out])
-    if at == other or state.m[next_in] <= state.m[at]:
-        return edge
-    run = state.m[at] * abs(state.y[at] - state.y[next_in]) / (state.m[next_in] - state.m[at])
-    return float(side * min(side * (state.y[at] + side * run), side * limit))
-
-
 def reaches(state: State, side: int) -> bool:
     """Return whether the contact is still open at the outer edge of the strips on that side."""
     at = -1 if side > 0 else 0
@@ -124,7 +100,7 @@ def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tu
         Where the bodies may touch [mm], finite.
     """
     half_width = np.sqrt(state.m)
-    contact = np.array(ends_of_contact(state))
+    contact = np.array(state.contact)
     length = float(contact[-1, 1] - contact[0, 0])
     low, high = state.edges[0], state.edges[-1]
     places, widths = [], []
@@ -189,7 +165,7 @@ def overlaps(problem: Problem, state: State, interval: tuple[float, float]) -> l
 
     A wide strip out of contact sees the gap at its centre only; another place of contact may lie beside it.
     """
-    contact = np.array(ends_of_contact(state))
+    contact = np.array(state.contact)
     y = np.linspace(*interval, SAMPLES + 1)
     depth = state.rigid[0] + state.rigid[1] * y - problem.separation(y)
     margin = 0.02 * (contact[:, 1:] - contact[:, :1])
@@ -202,7 +178,7 @@ def overlaps(problem: Problem, state: State, interval: tuple[float, float]) -> l
         overlapping[suspect[lift < depth[suspect]]] = True
     step = float(y[1] - y[0])
     return [
-        (float(0.5 * (y[i] + y[j])), max(float(y[j] - y[i]), step) / STRIPS_PER_OVERLAP) for i, j in _runs(overlapping)
+        (float(0.5 * (y[i] + y[j])), max(float(y[j] - y[i]), step) / STRIPS_PER_OVERLAP) for i, j in runs(overlapping)
     ]
 
 
@@ -318,7 +294,8 @@ def _cut(side: tuple[Array, Array], start: float, corners: Array, share: float) 
         # A corner close to another edge would cut off a sliver.
         if min(wanted) < LEAST_STRIP and mark != y[-1]:
             continue
-        inner = np.interp(np.linspace(begin, reached, max(1, round(wanted[0])) + 1)[1:], count, y)
+        strips = max(1, round(wanted[0]))
+        inner = np.interp(begin + (reached - begin) / strips * np.arange(1, strips + 1), count, y)
         inner[-1] = mark
         pieces.append(inner)
         begin = reached

@@ -23,7 +23,7 @@ from nonhertz.strip.feasible import (
     refuse_infeasible,
     refuse_no_contact,
 )
-from nonhertz.strip.grid import Grading, ends_of_contact, graded, overlaps, sizes, uniform
+from nonhertz.strip.grid import Grading, graded, overlaps, sizes, uniform
 from nonhertz.strip.newton import ROUGH_TOLERANCE, TOLERANCE
 from nonhertz.strip.state import Problem, State, settle, sprung
 
@@ -142,7 +142,7 @@ def _located(problem: Problem, interval: Interval, finite: Interval) -> State:
     for _ in range(40):
         if not state.converged:
             break
-        ends = ends_of_contact(state)
+        ends = state.contact
         first, last = ends[0][0], ends[-1][1]
         span = last - first
         low, high = float(state.edges[0]), float(state.edges[-1])

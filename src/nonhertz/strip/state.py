@@ -79,6 +79,23 @@ class State:
         """Strip widths [mm]."""
         return np.diff(self.edges)
 
+    @cached_property
+    def contact(self) -> tuple[tuple[float, float], ...]:
+        """The intervals in contact [mm], their ends where m, continued linearly, vanishes."""
+        return tuple((self._end(first, last, -1), self._end(last, first, 1)) for first, last in runs(self.m > 0.0))
+
+    def _end(self, at: int, other: int, side: int) -> float:
+        """Return where the contact around strip ``at`` ends on the given side, at most one strip away."""
+        edge = float(self.edges[at + (side > 0)])
+        next_in = at - side
+        next_out = at + side
+        bodies_end = not 0 <= next_out < self.m.size
+        limit = edge if bodies_end else float(self.y[next_out])
+        if at == other or self.m[next_in] <= self.m[at]:
+            return edge
+        run = self.m[at] * abs(self.y[at] - self.y[next_in]) / (self.m[next_in] - self.m[at])
+        return float(side * min(side * (self.y[at] + side * run), side * limit))
+
     @property
     def converged(self) -> bool:
         """Whether every contact condition is met."""
@@ -98,6 +115,16 @@ class State:
     def pressure(self) -> Array:
         """The ratio q / a on each strip, in units of 1 / K; proportional to the pressure."""
         return self.r * np.sqrt(self.m)
+
+
+def runs(flags: Flags) -> list[tuple[int, int]]:
+    """Return the first and last index of every run of true flags."""
+    change = (np.flatnonzero(flags[1:] != flags[:-1]) + 1).tolist()
+    if flags[0]:
+        change.insert(0, 0)
+    if flags[-1]:
+        change.append(flags.size)
+    return [(first, beyond - 1) for first, beyond in zip(change[::2], change[1::2], strict=True)]
 
 
 def settle(
