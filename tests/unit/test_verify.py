@@ -171,3 +171,13 @@ def test_the_catalogue_lists_every_section():
     for name, module in verify.CATALOGUE.items():
         assert module == f"nonhertz.verify.{name.replace('-', '_')}"
         assert callable(importlib.import_module(module).section)
+
+
+def test_a_section_that_cannot_finish_is_a_failed_check(monkeypatch):
+    def stopped():
+        raise nh.InputError("load", 0.0, "be positive", "raise it")
+
+    monkeypatch.setattr(importlib.import_module(verify.CATALOGUE["line-limits"]), "section", stopped)
+    ((name, section),) = verify.sections(["line-limits"])
+    assert (name, section.failed) == ("line-limits", 1)
+    assert "load = 0.0 must be positive" in section.text

@@ -34,9 +34,9 @@ mm at sharp ends from a denser grid fitted to the contact. Their own uncertainty
 At a sharp end the pressure is singular, $p \\sim K / \\sqrt s$ at a distance $s$. The pressure *at* the end has no
 value to compare; $K$ has.
 
-**Found.** In the middle strips are exact to a few parts in ten thousand, sharp ends or not. Half a millimetre from
-the sharp ends, 1.3 to 1.6 half-widths, the pressure is off by {near:.1f} % at most. $K$ comes out {low:.1f} and
-{high:.1f} % high: near the end the true contact flares, and that of the strips less.
+**Found.** In the middle strips are off by {centre:.3f} % at most, sharp ends or not. Half a millimetre from the sharp
+ends, more than one half-width, the pressure is off by {near:.1f} % at most. $K$ comes out {low:+.1f} and {high:+.1f}
+% off: near the end the true contact flares, and that of the strips less.
 """
 
 
@@ -85,7 +85,8 @@ def section() -> Section:
         checks += _checks(reference, solution)
     strengths = [100.0 * check.difference for check in checks if check.claim.endswith("K at the end")]
     near = max(abs(100.0 * check.difference) for check in checks if f"y = {_JUDGED_TO:g}" in check.claim)
-    text = _TEXT.format(near=near, low=min(strengths), high=max(strengths))
+    centre = max(abs(100.0 * check.difference) for check in checks if "centre" in check.claim)
+    text = _TEXT.format(centre=centre, near=near, low=min(strengths), high=max(strengths))
     picture = Picture(
         "half-space-pressure",
         "Pressure on the centre line: strips (lines with a dot per strip) and the reference (rings). The last dots "
