@@ -4,7 +4,7 @@
 
 Pictures of examples are those that `nonhertz solve --out` writes; those of finite bodies are drawn here. In the
 tutorial every line that begins with `$ nonhertz` is run and what it prints put below it; a comment `<!-- edit: `old`
-to `new` -->` edits the case file in between.
+to `new` -->` edits the case file in between. The tutorial's pictures are of its own case, as edited by then.
 """
 
 from __future__ import annotations
@@ -65,14 +65,34 @@ def main() -> None:
     """Make everything."""
     FIGURES.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
-        page = Path(folder, "first-solve.toml")
-        nonhertz_quietly(["new", str(page)])
-        draw("first-solve", read_case(page), ("pressure", "footprint", "profile"))
+        case = Path(folder, "first-solve.toml")
+        nonhertz_quietly(["new", str(case)])
+        draw("first-solve", read_case(case), ("pressure", "footprint", "profile"))
+        edit_as_before("first-solve-crown-pressure.png", case)
+        draw("first-solve-crown", read_case(case), ("pressure",))
     for stem, (example, names) in EXAMPLES.items():
         draw(stem, read_case(ROOT / "examples" / f"{example}.toml"), names)
     draw_finite_bodies()
     TUTORIAL.write_text(with_output(TUTORIAL.read_text(encoding="utf-8")), encoding="utf-8")
     print(f"wrote {TUTORIAL.relative_to(ROOT)}")
+
+
+def edit_as_before(picture: str, case: Path) -> None:
+    """Edit a case file as the tutorial does before it shows a picture."""
+    before, found, _ = TUTORIAL.read_text(encoding="utf-8").partition(picture)
+    if not found:
+        raise ValueError(f"{TUTORIAL} does not show {picture}")
+    for step in STEP.finditer(before):
+        if step["lines"] is None:
+            edit(case, step["old"], step["new"])
+
+
+def edit(case: Path, old: str, new: str) -> None:
+    """Replace a text in a case file."""
+    text = case.read_text(encoding="utf-8")
+    if old not in text:
+        raise ValueError(f"{case} has no {old!r}")
+    case.write_text(text.replace(old, new), encoding="utf-8")
 
 
 def draw(stem: str, case: Case, names: tuple[str, ...]) -> None:
@@ -221,10 +241,7 @@ def with_output(page: str) -> str:
 def _step(found: re.Match[str]) -> str:
     if found["lines"] is None:
         (case,) = Path().glob("*.toml")
-        text = case.read_text(encoding="utf-8")
-        if found["old"] not in text:
-            raise ValueError(f"{case} has no {found['old']!r}")
-        case.write_text(text.replace(found["old"], found["new"]), encoding="utf-8")
+        edit(case, found["old"], found["new"])
         return found[0]
     commands = [line for line in found["lines"].splitlines() if line.startswith("$ nonhertz ")]
     shown = [f"{line}\n{nonhertz_quietly(shlex.split(line)[2:])}" for line in commands]

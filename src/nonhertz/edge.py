@@ -26,8 +26,11 @@ from nonhertz.strip.state import Problem, State
 Array = NDArray[np.float64]
 
 SHARP_END_ERROR = 0.12
-FINITE_FROM = 1.0 - 1e-6  # kappa
+# kappa; alpha is below 0.015 there, less than 10 % of pressure in three decades of distance.
+FINITE_FROM = 0.999
 FIT_REACH, BIASED_STRIPS, FEWEST_POINTS = 0.5, 2, 4  # the first in half-widths
+LEAST_EXPONENT = 0.1
+AT_ONE_PLACE = 0.01  # of the last strip
 
 
 def edge_pressures(contact: Contact, problem: Problem, state: State) -> tuple[EdgePressure, EdgePressure]:
@@ -42,20 +45,17 @@ def sharp_end_error(problem: Problem, state: State) -> float:
     that at kappa = 1/4, 0.2 at 1/2, 0.06 at 3/4 and none at 1.
     """
     length = sum(high - low for low, high in state.contact)
-    reached = sum(
-        float(state.width[at]) * math.pow(max(1.0 - image_weight(problem, state, side), 0.0), 1.5)
-        for at, side in ((0, -1), (-1, 1))
-        if reaches(state, side)
-    )
+    reached = 0.0
+    for at, side in ((0, -1), (-1, 1)):
+        kappa = image_weight(problem, state, side)
+        if reaches(state, side) and kappa < FINITE_FROM:
+            reached += float(state.width[at]) * math.pow(1.0 - kappa, 1.5)
     return SHARP_END_ERROR * reached / length
 
 
 def image_weight(problem: Problem, state: State, side: int) -> float:
-    """Return kappa at the outer edge of the strips on that side; zero where no free face is.
-
-    Faces within half of the last strip count as at the end: its centre cannot tell.
-    """
-    return _image_weight_within(problem, state, side, 0.5 * float(state.width[-1 if side > 0 else 0]))
+    """Return kappa at the outer edge of the strips on that side; zero where no free face is."""
+    return _image_weight_within(problem, state, side, AT_ONE_PLACE * float(state.width[-1 if side > 0 else 0]))
 
 
 def _image_weight_within(problem: Problem, state: State, side: int, reach: float) -> float:
@@ -68,23 +68,29 @@ def _image_weight_within(problem: Problem, state: State, side: int, reach: float
 def _edge_pressure(contact: Contact, problem: Problem, state: State, side: int) -> EdgePressure:
     at = -1 if side > 0 else 0
     place, width = float(state.edges[at]), float(state.width[at])
-    if not reaches(state, side) or place not in contact.interval:
-        touched = state.contact
-        y = touched[at][(side + 1) // 2] if touched else place
-        return EdgePressure(y, EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, "the contact ends before both bodies do")
+    if not reaches(state, side):
+        y = state.contact[at][(side + 1) // 2] if state.contact else place
+        told = "the contact ends before both bodies do"
+        return EdgePressure(y, EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, None, told)
     pressure = 2.0 * state.pressure[::-side] / (np.pi * problem.element.hertz_ratio * contact.compliance)
-    convention = _convention(contact, problem, place, side, 0.5 * width)
+    if place not in contact.interval:
+        told = "the strips end before the contact does"
+        return EdgePressure(place, EdgeKind.CUT_OFF, float(pressure[0]), width, 0.0, 0.0, None, None, told)
+    convention = _convention(contact, problem, place, side, AT_ONE_PLACE * width)
     kappa = image_weight(problem, state, side)
     if kappa >= FINITE_FROM:
-        return EdgePressure(place, EdgeKind.FINITE, float(pressure[0]), width, kappa, 0.0, None, convention)
+        return EdgePressure(place, EdgeKind.FINITE, float(pressure[0]), width, kappa, 0.0, None, None, convention)
     exponent = math.acos(kappa) / math.pi
     half_width = problem.element.hertz_ratio * math.sqrt(float(state.m[at]))
-    strength = None
+    strength = correction = None
     # The face of another body a little further out bends the pressure where K would be read off.
-    if kappa == _image_weight_within(problem, state, side, FIT_REACH * half_width):
+    alone = kappa == _image_weight_within(problem, state, side, FIT_REACH * half_width)
+    if alone and exponent >= LEAST_EXPONENT:
         distance = np.abs(state.y - place)[::-side]
-        strength = _strength(distance, state.width[::-side], pressure, exponent, half_width)
-    return EdgePressure(place, EdgeKind.SINGULAR, float(pressure[0]), width, kappa, exponent, strength, convention)
+        strength, correction = _strength(distance, state.width[::-side], pressure, exponent, half_width)
+    return EdgePressure(
+        place, EdgeKind.SINGULAR, float(pressure[0]), width, kappa, exponent, strength, correction, convention
+    )
 
 
 def _convention(contact: Contact, problem: Problem, place: float, side: int, reach: float) -> str:
@@ -104,8 +110,10 @@ def _convention(contact: Contact, problem: Problem, place: float, side: int, rea
     return ", ".join(told)
 
 
-def _strength(distance: Array, width: Array, pressure: Array, exponent: float, half_width: float) -> float | None:
-    """Return K [MPa mm^alpha], or None where too few strips lie near the end to tell.
+def _strength(
+    distance: Array, width: Array, pressure: Array, exponent: float, half_width: float
+) -> tuple[float | None, float | None]:
+    """Return K [MPa mm^alpha] and c [mm^(-2 alpha)], or None where too few strips lie near the end to tell.
 
     Distances of the strip centres from the end, widths and pressures begin with the last strip.
     """
@@ -113,11 +121,13 @@ def _strength(distance: Array, width: Array, pressure: Array, exponent: float, h
     run = idle[0] if idle.size else pressure.size
     near = np.flatnonzero(distance[:run] < FIT_REACH * half_width)[BIASED_STRIPS:]
     if near.size < FEWEST_POINTS:
-        return None
+        return None, None
     s = distance[near]
     # What a strip carries is the mean over its width.
     low, high = s - 0.5 * width[near], s + 0.5 * width[near]
     mean = (high ** (1.0 - exponent) - low ** (1.0 - exponent)) / ((1.0 - exponent) * width[near])
     shape = np.column_stack([mean, mean * (s / half_width) ** (2.0 * exponent)])
-    strength = float(np.linalg.lstsq(shape / pressure[near, None], np.ones(near.size), rcond=None)[0][0])
-    return strength if strength > 0.0 else None
+    fit = np.linalg.lstsq(shape / pressure[near, None], np.ones(near.size), rcond=None)[0]
+    if fit[0] <= 0.0:
+        return None, None
+    return float(fit[0]), float(fit[1] / fit[0] * half_width ** (-2.0 * exponent))

@@ -306,13 +306,13 @@ def _depths(solution: Solution, half_width: Array) -> list[tuple[str, Body, floa
 
 
 def _heavy_images(problem: Problem) -> list[str]:
-    """Return a sentence for each side on which images had to weigh less than asked."""
-    heavy = {end.side: end for end in problem.influence.ends if end.wanted > HEAVIEST}
+    """Return a sentence for each place at which images had to weigh less than asked."""
     return [
-        f"The images about the side faces at y = {end.y:.6g} mm would weigh {end.wanted:.3g} of the surface together, "
-        "and above 1 refinement leads nowhere: their weights were lowered to 1 together. The true pressure at an "
-        "end that both bodies share is lower still."
-        for end in heavy.values()
+        f"The images about the side face at y = {end.y:.6g} mm would weigh {end.wanted:.3g} of the surface, a face of "
+        "the other body at the same place counted in, and above 1 refinement leads nowhere: their weights were lowered "
+        "until it is 1. The pressure up to that end is finite only by this."
+        for end in problem.influence.ends
+        if end.wanted > HEAVIEST
     ]
 
 
@@ -324,8 +324,13 @@ def _singularities(contact: Contact, state: State, edges: tuple[EdgePressure, ..
             known = "" if edge.strength is None else f" with K = {edge.strength:.4g} MPa mm^{edge.exponent:.3g}"
             sentences.append(
                 f"The contact reaches the sharp end at y = {edge.y:.6g} mm ({edge.convention}), where the pressure is "
-                f"singular, p ~ K / s^{edge.exponent:.3g} at a distance s{known}: the value there is that of a strip "
-                f"{edge.strip_width:.3g} mm wide, not a limit."
+                f"singular, p ~ K / s^{edge.exponent:.3g} at small distances s{known}: the value there is that of a "
+                f"strip {edge.strip_width:.3g} mm wide, not a limit."
+            )
+        elif edge.kind is EdgeKind.CUT_OFF:
+            sentences.append(
+                f"The strips end at y = {edge.y:.6g} mm while the contact goes on: the pressure there is that of "
+                "bodies cut off; give strips up to the end of the contact, or leave them out."
             )
     if _peaks_at_kink(contact, state):
         at = int(np.argmax(state.pressure))

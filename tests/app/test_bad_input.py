@@ -9,6 +9,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.cli import main
+from nonhertz.io.casefile import placed
 
 A = "[body.a]\ndiameter = 20.0\nlength = 20.0\n"
 B = "[body.b]\n"
@@ -264,11 +265,19 @@ MISTAKES = {
     "weight with a unit": (with_keys("side_faces = '1 mm'"), [f"body.a.side_faces = '1 mm' {PLAIN}"]),
     "side faces that are true": (
         with_keys("side_faces = true"),
-        [f"body.a.side_faces = True must be a finite number: {FACES_REMEDY}."],
+        [f"body.a.side_faces = True must be one of 'mirror', 'calibrated', 'none' or a weight: {FACES_REMEDY}."],
     ),
-    "table of side faces": refused_word("side_faces", "{}", "be a finite number", FACES_REMEDY),
-    "no side faces in a list": refused_word("side_faces", "[]", "be one rule or two", FACES_REMEDY),
-    "three side faces": refused_word("side_faces", "[1, 2, 3]", "be one rule or two", FACES_REMEDY),
+    "table of side faces": refused_word(
+        "side_faces", "{}", "be one of 'mirror', 'calibrated', 'none' or a weight", FACES_REMEDY
+    ),
+    "no side faces in a list": (
+        with_keys("side_faces = []"),
+        [f"body.a.side_faces = () must be one rule, or a pair of rules: {FACES_REMEDY}."],
+    ),
+    "three side faces": (
+        with_keys("side_faces = [1, 2, 3]"),
+        [f"body.a.side_faces = (1, 2, 3) must be one rule, or a pair of rules: {FACES_REMEDY}."],
+    ),
     "both side faces": (
         with_keys("side_faces = ['miror', '1']"),
         [
@@ -279,11 +288,14 @@ MISTAKES = {
     ),
     "list in a list of side faces": (
         with_keys("side_faces = ['none', [1, 2]]"),
-        [f"body.a.side_faces[2] = [1, 2] must be a finite number: {FACES_REMEDY}."],
+        [f"body.a.side_faces[2] = [1, 2] must be one of 'mirror', 'calibrated', 'none' or a weight: {FACES_REMEDY}."],
     ),
     "side faces without a length": (
         f"[body.a]\ndiameter = 20\nside_faces = 'calibrated'\n{B}{LOAD}",
-        [f"body.a.length must be given where side_faces = 'calibrated': {LENGTH_REMEDY}."],
+        [
+            "body.a.length must be given where side_faces = 'calibrated': "
+            "give the distance between the side faces in mm, or leave out side_faces."
+        ],
     ),
     "side faces with a misspelt length": (
         f"[body.a]\ndiameter = 20\nlenght = 20\nside_faces = 'calibrated'\n{B}{LOAD}",
@@ -297,10 +309,10 @@ MISTAKES = {
     "images in quotes": (with_keys("images = '3'"), [f"body.a.images = '3' {PLAIN}"]),
     "images that are true": (
         with_keys("images = true"),
-        [f"body.a.images = True must be a finite number: {IMAGES_REMEDY}."],
+        [f"body.a.images = True must be a whole number from 1 to 100: {IMAGES_REMEDY}."],
     ),
-    "infinitely many images": refused_word("images", "inf", "be a finite number", IMAGES_REMEDY),
-    "list of images": refused_word("images", "[3]", "be a finite number", IMAGES_REMEDY),
+    "infinitely many images": refused_word("images", "inf", "be a whole number from 1 to 100", IMAGES_REMEDY),
+    "list of images": refused_word("images", "[3]", "be a whole number from 1 to 100", IMAGES_REMEDY),
     "series without a depth": refused_word(
         "images",
         "'series'",
@@ -316,7 +328,9 @@ MISTAKES = {
     "depth of another kind": refused_word("depth", "'8 kg'", "have a unit of length", f"write {LENGTH}"),
     "depth in quotes": refused_word("depth", "'8'", "have a unit", "write 8 without quotes if it is in mm"),
     "depth of nan": refused_word("depth", "nan", "be a finite number", DEPTH_REMEDY),
-    "list of depths": refused_word("depth", "[8]", "be a finite number", DEPTH_REMEDY),
+    "list of depths": refused_word(
+        "depth", "[8]", "be one of 'none', 'plane-strain', 'diameter' or a length", DEPTH_REMEDY
+    ),
     "diameter of a plate for its depth": (
         f"{A}[body.b]\ndepth = 'diameter'\n{LOAD}",
         [f"body.b.depth = 'diameter' {NOT_CONVEX}"],
@@ -362,7 +376,7 @@ MISTAKES = {
     ),
     "round plate": (
         f"{A}[body.b]\nkind = 'plate'\ndiameter = 20\n{LOAD}",
-        ["body.b.diameter = 20.0 must be left out: make a curved one a roller, a ring or a plain body."],
+        ["body.b.diameter = 20.0 must be left out: make a curved one a roller or a ring, or leave its kind open."],
     ),
     "all of a finite body": (
         f"{A}kind = 'roller'\nside_faces = 'clibrated'\nimages = 0\ndepth = '8 N'\neffective_length = 21\n{B}{LOAD}",
@@ -383,9 +397,28 @@ MISTAKES = {
     "conforming bodies": (
         f"{A}{B}diameter = -20\n{LOAD}",
         [
-            "body.diameter = (20.0, -20.0) must leave a positive combined curvature: "
+            "body.b.diameter = -20.0 must leave a positive combined curvature with body.a.diameter = 20.0: "
             "make the concave body's diameter larger than the convex one's."
         ],
+    ),
+    "concave body on a flat one": (
+        f"[body.a]\ndiameter = -20\nlength = 5\n{B}{LOAD}",
+        [
+            "body.a.diameter = -20.0 must leave a positive combined curvature with body.b, which is flat: "
+            "make the concave body's diameter larger than the convex one's."
+        ],
+    ),
+    "body in a changing one that is narrower somewhere": (
+        f"[body.a]\ndiameter = {{ y = [-10, 10], diameter = [-30, -19] }}\n[body.b]\ndiameter = 20\n{LOAD}",
+        [
+            "body.a.diameter = TabulatedDiameter(y=(-10.0, 10.0), diameter=(-30.0, -19.0)) must leave a positive "
+            "combined curvature with body.b.diameter = 20.0: "
+            "make the concave body's diameter larger than the convex one's."
+        ],
+    ),
+    "two flat bodies": (
+        f"[body.a]\nlength = 20\n{B}{LOAD}",
+        ["body.a.diameter must be given: the bodies are both flat, so give the diameter of one of them in mm."],
     ),
     "several": (
         f"{A}lenght = 3\n{B}material = 'bras'\n[load]\nload = -1\ntilt = '5 kg'\n",
@@ -472,10 +505,18 @@ def test_what_only_the_solver_sees_is_a_sentence_too(folder: Path, capsys: pytes
     (folder / "case.toml").write_text(f"[body.a]\ndiameter = 20\n{B}{LOAD}", encoding="utf-8")
     assert main(["solve", "case.toml"]) == 2
     sentence = capsys.readouterr().err
-    assert sentence.startswith("body.length ")
+    assert sentence.startswith("body.a.length must be given where nothing else ends the contact: ")
     assert len(sentence.splitlines()) == 1
     assert main(["check", "case.toml"]) == 2
     assert capsys.readouterr().out == f"1. {sentence}"
+
+
+def test_a_complaint_of_the_solver_about_both_bodies_names_keys_of_the_file() -> None:
+    with pytest.raises(nh.InputError) as caught:
+        nh.Contact(nh.Roller(diameter=20.0, length=20.0), nh.Ring(diameter=-10.0)).curvature(0.0)
+    assert placed(caught.value).startswith(
+        "body.b.diameter = -10.0 must leave a positive combined curvature with body.a"
+    )
 
 
 def test_a_body_thinner_than_its_contact_is_wide_is_refused(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -6,6 +6,7 @@ import json
 import re
 import warnings
 
+import numpy as np
 import pytest
 
 import nonhertz as nh
@@ -25,6 +26,13 @@ def sharp() -> Solution:
     """A straight roller on a plate, both half-spaces."""
     roller = nh.Roller(diameter=20, length=20, side_faces="none", depth="none")
     return solved(roller, nh.Plate(depth="none"), tilt=0.5e-3)
+
+
+@pytest.fixture(scope="module")
+def flat() -> Solution:
+    """A crown so flat that the contact reaches both ends, with the largest strip pressure in the middle."""
+    roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))
+    return solved(roller, nh.Plate(), load=10e3)
 
 
 @pytest.fixture(scope="module")
@@ -71,6 +79,25 @@ def test_the_largest_pressure_away_from_singular_ends_is_beyond_a_half_width(sha
     assert pressure < 0.5 * sharp.max_pressure
 
 
+def test_a_maximum_in_the_middle_does_not_hide_singular_ends(flat: Solution) -> None:
+    shown = rows(flat)
+    assert flat.max_pressure_y == pytest.approx(0.0, abs=1e-9)
+    assert shown["maximum pressure"] == ("no limit", "singular at y = -10 and 10 mm")
+    assert re.fullmatch(r"p ~ K / s\^0\.333, K = [\d.]+ MPa mm\^0\.333", shown["maximum pressure+"][1])
+    value, remark = shown["away from the ends"]
+    assert float(value.removesuffix(" MPa")) == pytest.approx(flat.max_pressure, rel=1e-4)
+    assert remark == ""
+    assert shown["away from the ends+"][0] == "at y = 0 mm"
+
+
+def test_both_of_two_equal_places_are_named() -> None:
+    shown = rows(solved(nh.Roller(diameter=20, length=20), nh.Plate()))
+    place = re.fullmatch(r"at y = -([\d.]+) and ([\d.]+) mm", shown["away from the ends+"][0])
+    assert place is not None
+    assert place[1] == place[2]
+    assert 9.0 < float(place[1]) < 10.0
+
+
 def test_nothing_is_away_from_the_ends_of_a_contact_shorter_than_wide() -> None:
     short = solved(nh.Roller(diameter=20, length=0.4), nh.Plate(), load=200.0)
     shown = rows(short)
@@ -81,16 +108,34 @@ def test_nothing_is_away_from_the_ends_of_a_contact_shorter_than_wide() -> None:
 def test_a_strength_that_too_few_strips_leave_unknown_is_called_so() -> None:
     coarse = solved(nh.Roller(diameter=20, length=20), nh.Plate(), strips=7)
     shown = rows(coarse)
-    assert shown["edge at y = 10 mm"] == ("singular", "K unknown on so few strips, s^-0.333")
-    # The last of so wide strips is no neighbour of the end; its pressure has no limit all the same.
-    assert shown["maximum pressure"][1] == "no limit, as at a sharp end or corner"
+    assert shown["edge at y = 10 mm"] == ("singular", "K unknown, s^-0.333")
+    # The last of so wide strips is no neighbour of the end; the pressure has no limit all the same.
+    assert shown["maximum pressure"] == ("no limit", "singular at y = -10 and 10 mm")
+    assert shown["maximum pressure+"] == ("", "p ~ K / s^0.333, K unknown")
+
+
+def test_strips_that_end_before_the_contact_are_said_to_cut_it_off() -> None:
+    cut = solved(nh.Roller(diameter=20, length=20), nh.Plate(), strips=np.linspace(-5.0, 6.0, 45))
+    shown = rows(cut)
+    value, remark = shown["edge at y = 6 mm"]
+    assert remark == "cut off by the strips"
+    assert float(value.removesuffix(" MPa")) == pytest.approx(cut.edge_pressure[1].pressure, rel=1e-4)
+    # The end strips bear the most, and only because they are the last.
+    assert shown["maximum pressure"][1] == "cut off by the strips"
+
+
+def test_a_maximum_at_a_corner_of_the_profile_has_no_limit() -> None:
+    tapered = nh.Roller(diameter=20, length=20, profile=nh.profile.tapered_ends(straight=10, angle=10e-3))
+    cornered = solved(tapered, nh.Plate(), load=5e3)
+    assert {edge.kind for edge in cornered.edge_pressure} == {nh.EdgeKind.RUN_OUT}
+    assert rows(cornered)["maximum pressure"][1] == "no limit, at a corner of the profile"
 
 
 def test_freed_faces_that_both_bodies_have_give_a_finite_pressure(coincident: Solution) -> None:
     shown = rows(coincident)
     for edge in coincident.edge_pressure:
         value, remark = shown[f"edge at y = {edge.y:.5g} mm"]
-        assert remark == "finite, faces freed"
+        assert remark == "finite; the true end is lower"
         assert float(value.removesuffix(" MPa")) == pytest.approx(edge.pressure, rel=1e-4)
     assert re.fullmatch(r"[\d.]+ MPa", shown["maximum pressure"][0])
     assert "away from the ends" not in shown
@@ -125,8 +170,10 @@ def test_the_result_has_both_ends(name: str, request: pytest.FixtureRequest) -> 
             "image_weight": edge.image_weight,
             "exponent": edge.exponent,
             "strength": edge.strength,
+            "correction": edge.correction,
             "convention": edge.convention,
             "converges": edge.kind is not nh.EdgeKind.SINGULAR,
         }
         assert set(UNITS["edge_pressure"]) <= set(entry)
     assert result["max_pressure"] == solution.max_pressure
+    assert UNITS["edge_pressure"]["correction"] == "mm^(-2 exponent)"

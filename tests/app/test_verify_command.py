@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import json
+import os
 import re
 from pathlib import Path
 
@@ -96,6 +98,40 @@ def test_a_file_in_the_place_of_the_directory_is_refused_before_anything_runs(
     assert len(printed.err.splitlines()) == 1
     assert "must be a directory, not a file" in printed.err
     assert Path("page").read_text(encoding="utf-8") == "mine"
+
+
+@pytest.mark.parametrize("out", ["file/below", "new/page"])
+def test_a_directory_that_cannot_be_written_is_refused_before_anything_runs(
+    out: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object, **__: object) -> str:
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+
+    monkeypatch.setattr(nonhertz.verify.half_space, "section", lambda: pytest.fail("it ran"))
+    # Whoever runs the tests may be allowed everything.
+    monkeypatch.setattr("tempfile.mkdtemp", refuse)
+    Path("file").write_text("mine", encoding="utf-8")
+    assert main(["verify", "--only", "half-space", "--out", out]) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert len(printed.err.splitlines()) == 1
+    assert "must be a directory to write to (" in printed.err
+    assert [path.name for path in Path().iterdir()] == ["file"]
+
+
+def test_a_directory_is_tried_without_a_trace(monkeypatch: pytest.MonkeyPatch) -> None:
+    seen = []
+
+    def section() -> Section:
+        seen.append(sorted(str(path) for path in Path().rglob("*")))
+        raise RuntimeError("the computer broke")
+
+    monkeypatch.setattr(nonhertz.verify.half_space, "section", section)
+    Path("old").mkdir()
+    Path("old/notes.txt").write_text("mine", encoding="utf-8")
+    for out in ("old", "new/page"):
+        assert main(["verify", "--only", "half-space", "--out", out]) == 3
+    assert seen == [["old", str(Path("old/notes.txt"))]] * 2
 
 
 def test_a_terminal_sees_what_is_being_done(

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-# The package's rule for faces of both bodies on one side: at this share of the shorter body's length they have nothing
-# to do with each other, and as good as at one place they are one.
-APART, TOGETHER = 0.01, 1.0 - 1e-4
+# The package's rule for faces of both bodies on one side: at this share of the combined radius they have nothing to
+# do with each other, and as good as at one place they are one.
+APART, TOGETHER = 0.02, 1.0 - 1e-4
 ROUNDING = 1e-15  # of approach and separation, whose difference the interference is
 SERIES_LINKS, NEAR_LINKS = 400, 24  # of a series: summed, and with strips instead of line loads
 TOLERANCE, SERIES_TOLERANCE = 1e-9, 2e-4
@@ -70,6 +70,7 @@ class Surfaces:
         self.element = solution.element
         self.bodies = (solution.contact.a, solution.contact.b)
         self.compliances = [(1.0 - b.material.poisson**2) / (math.pi * b.material.modulus) for b in self.bodies]
+        self.contact = solution.contact
         self.weights = self._weights()
         self.bounded = any(max(weights) > 0.0 for weights in self.weights)
         self.endless = any(b.images == "series" for b in self.bodies)
@@ -100,12 +101,19 @@ class Surfaces:
         weights = [[0.0, 0.0], [0.0, 0.0]]
         for side in (0, 1):
             apart = abs(self.bodies[0].faces[side] - self.bodies[1].faces[side])
-            nearness = max(0.0, 1.0 - apart / (APART * min(lengths))) if len(lengths) == 2 else 0.0
+            nearness = max(0.0, 1.0 - apart / (APART * self._radius(side))) if len(lengths) == 2 else 0.0
             nearness = 1.0 if nearness > TOGETHER else nearness
             for one, other in ((0, 1), (1, 0)):
                 kappa = shares[one] * asked[one][side] + nearness * shares[other] * asked[other][side]
                 weights[one][side] = asked[one][side] / max(kappa, 1.0)
         return weights
+
+    def _radius(self, side):
+        """Combined radius between the faces of both bodies on one side, or where the contact must have ended."""
+        between = 0.5 * (self.bodies[0].faces[side] + self.bodies[1].faces[side])
+        low, high = self.contact.interval
+        place = np.array([min(max(between, low), high)])
+        return 1.0 / float(self.contact.curvature(place)[0])
 
     def _images(self, body, weights, depth):
         """Yield (link, weight, low, high): the strips mirrored at either face, at the other one, and so on."""

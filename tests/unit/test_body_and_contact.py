@@ -217,11 +217,20 @@ NO_SUM = "must only be asked of a body with a depth, without which it has no sum
         (lambda: roller(side_faces=("mirror", -0.5)), "side_faces = -0.5 must not be negative"),
         (lambda: roller(side_faces=math.nan), "side_faces = nan must be a finite number"),
         (lambda: roller(side_faces=math.inf), "side_faces = inf must be a finite number"),
-        (lambda: roller(side_faces=True), "side_faces = True must be a finite number"),
-        (lambda: roller(side_faces=None), "side_faces = None must be a finite number"),
-        (lambda: roller(side_faces=(1.0, 1.0, 1.0)), "side_faces = (1.0, 1.0, 1.0) must be one rule or two"),
-        (lambda: roller(side_faces=("mirror",)), "side_faces = ('mirror',) must be one rule or two"),
-        (lambda: roller(side_faces=()), "side_faces = () must be one rule or two"),
+        (
+            lambda: roller(side_faces=True),
+            "side_faces = True must be one of 'mirror', 'calibrated', 'none' or a weight",
+        ),
+        (
+            lambda: roller(side_faces=None),
+            "side_faces = None must be one of 'mirror', 'calibrated', 'none' or a weight",
+        ),
+        (
+            lambda: roller(side_faces=(1.0, 1.0, 1.0)),
+            "side_faces = (1.0, 1.0, 1.0) must be one rule, or a pair of rules",
+        ),
+        (lambda: roller(side_faces=("mirror",)), "side_faces = ('mirror',) must be one rule, or a pair of rules"),
+        (lambda: roller(side_faces=()), "side_faces = () must be one rule, or a pair of rules"),
         (lambda: nh.Plate(side_faces=1.5), "length = None must be given where side_faces = 1.5"),
         (
             lambda: nh.Ring(diameter=-80.0, side_faces="calibrated"),
@@ -237,8 +246,8 @@ NO_SUM = "must only be asked of a body with a depth, without which it has no sum
         (lambda: nh.Plate(depth=-5.0), "depth = -5.0 must be positive"),
         (lambda: roller(depth=math.nan), "depth = nan must be a finite number"),
         (lambda: roller(depth=math.inf), "depth = inf must be a finite number"),
-        (lambda: roller(depth=True), "depth = True must be a finite number"),
-        (lambda: roller(depth=None), "depth = None must be a finite number"),
+        (lambda: roller(depth=True), "depth = True must be one of 'none', 'plane-strain', 'diameter' or a length"),
+        (lambda: roller(depth=None), "depth = None must be one of 'none', 'plane-strain', 'diameter' or a length"),
         (lambda: nh.Plate(depth="plane-strain"), f"depth = 'plane-strain' {NOT_CONVEX}"),
         (lambda: nh.Plate(depth="diameter"), f"depth = 'diameter' {NOT_CONVEX}"),
         (lambda: nh.Ring(diameter=-80.0, depth="plane-strain"), f"depth = 'plane-strain' {NOT_CONVEX}"),
@@ -247,9 +256,9 @@ NO_SUM = "must only be asked of a body with a depth, without which it has no sum
         (lambda: roller(images=-1), f"images = -1 {NO_COUNT}"),
         (lambda: roller(images=101), f"images = 101 {NO_COUNT}"),
         (lambda: roller(images=1.5), f"images = 1.5 {NO_COUNT}"),
-        (lambda: roller(images=math.inf), "images = inf must be a finite number"),
-        (lambda: roller(images=True), "images = True must be a finite number"),
-        (lambda: roller(images=None), "images = None must be a finite number"),
+        (lambda: roller(images=math.inf), "images = inf must be a whole number from 1 to 100"),
+        (lambda: roller(images=True), "images = True must be a whole number from 1 to 100"),
+        (lambda: roller(images=None), "images = None must be a whole number from 1 to 100"),
         (lambda: roller(images="all"), "images = 'all' must be a whole number or 'series'"),
         (lambda: roller(images="3"), "images = '3' must be a whole number or 'series'"),
         (lambda: roller(images="series", depth="none"), f"images = 'series' {NO_SUM}"),
@@ -300,3 +309,11 @@ def test_impossible_bodies_and_contacts_are_refused(make, complaint):
 def test_a_diameter_that_vanishes_somewhere_is_refused_when_asked_for():
     with pytest.raises(nh.InputError, match="must return a finite diameter other than zero for every y"):
         nh.Ring(diameter=lambda y: 4.0 + y).curvature(Y)
+
+
+@pytest.mark.parametrize("rules", [["mirror", 0.5], np.array([1.0, 0.5])], ids=["list", "array"])
+def test_a_pair_of_faces_is_kept_as_a_tuple(rules):
+    body = roller(side_faces=rules)
+    assert isinstance(body.side_faces, tuple)
+    assert body.face_weights == (1.0, 0.5)
+    assert hash(body) == hash(roller(side_faces=tuple(rules)))

@@ -70,6 +70,60 @@ def test_the_strength_is_that_of_strips_a_thousand_times_narrower(kappa, element
     assert edge.strength == pytest.approx(expected, rel=0.04)
 
 
+@pytest.mark.parametrize("kappa", [0.0, 0.5, 0.8])
+def test_with_its_correction_the_strength_gives_the_pressure_up_to_half_a_half_width(kappa):
+    solution = solved(roller(side_faces=2.0 * kappa, depth="none"), nh.Plate())
+    edge, s = solution.edge_pressure[1], 10.0 - solution.y
+    near = (s < 0.5 * solution.half_width[-1]) & (s > 3.0 * edge.strip_width)
+    assert np.count_nonzero(near) >= 4
+    np.testing.assert_allclose(edge.at(s[near]), solution.peak_pressure[near], rtol=0.02, atol=0.0)
+    # Without it, it does not.
+    alone = edge.strength * s[near] ** -edge.exponent
+    assert np.max(np.abs(alone / solution.peak_pressure[near] - 1.0)) > 0.1
+
+
+def test_without_a_strength_there_is_no_pressure_near_the_end():
+    assert np.all(np.isnan(solved(roller(profile=CROWN), nh.Plate(), load=3e3).edge_pressure[0].at([0.1, 0.2])))
+
+
+def test_nearly_whole_mirrors_are_called_finite_and_weak_singularities_have_no_strength():
+    def edge(modulus):
+        return solved(roller(), nh.Plate(material=nh.Material(modulus, 0.3))).edge_pressure[1]
+
+    assert edge(207e3 * 2e3).kind is nh.EdgeKind.FINITE
+    weak = edge(207e3 * 50.0)
+    assert (weak.kind, weak.strength) == (nh.EdgeKind.SINGULAR, None)
+    assert 0.0 < weak.exponent < 0.1
+
+
+@pytest.mark.parametrize("moduli", [(310e3, 0.26, 70e3, 0.33), (207e3, 0.3, 110e3, 0.34), (1e3, 0.4, 3e3, 0.1)])
+def test_rounding_of_kappa_leaves_a_finite_end_its_error_estimate(moduli):
+    a = roller(material=nh.Material(*moduli[:2]))
+    b = roller(material=nh.Material(*moduli[2:]))
+    solution = solved(a, b, load=1e3)
+    assert solution.edge_pressure[1].kind is nh.EdgeKind.FINITE
+    assert math.isfinite(solution.error_estimate.max_pressure)
+
+
+def test_coarse_strips_do_not_make_two_faces_one():
+    solution = solved(roller(), roller(length=20.02), strips=41)
+    assert solution.edge_pressure[1].kind is nh.EdgeKind.SINGULAR
+    assert solution.error_estimate.max_pressure == math.inf
+
+
+def test_strips_that_end_before_the_contact_are_said_to():
+    solution = solved(roller(), nh.Plate(), strips=np.linspace(-9.9, 9.9, 42))
+    for edge, y in zip(solution.edge_pressure, (-9.9, 9.9), strict=True):
+        assert (edge.kind, edge.y, edge.converges) == (nh.EdgeKind.CUT_OFF, y, False)
+    assert sum("while the contact goes on" in sentence for sentence in solution.warnings) == 2
+
+
+def test_each_face_whose_images_weigh_less_than_asked_is_named():
+    solution = solved(roller(side_faces=5.0), roller(length=30.0, side_faces=5.0))
+    named = [f"y = {y} mm" for y in (-10, -15, 10, 15)]
+    assert all(any(place in sentence and "lowered" in sentence for sentence in solution.warnings) for place in named)
+
+
 def test_strength_scales_with_the_load_as_a_pressure():
     # Twice the load at twice the modulus and the same shape: the same strips, twice the pressure.
     def strength(factor):

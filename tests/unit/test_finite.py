@@ -81,9 +81,9 @@ def test_ends_are_faces_not_where_contact_ends():
     assert [end.y for end in ends(contact)] == [-6.0, 10.0]
 
 
-@pytest.mark.parametrize("shift", [0.0, 1.5e-5, -1.5e-5])
+@pytest.mark.parametrize("shift", [0.0, 1.4e-5, -1.4e-5])
 def test_coincident_faces_are_one_end_with_the_weights_of_both(shift):
-    # To a ten-thousandth of a hundredth of the shorter length, 1.6e-5.
+    # To a ten-thousandth of 0.02 of the combined radius of 7.5 mm, 1.5e-5.
     low, high = ends(nh.Contact(roller(), plate(length=16.0, position=shift)))
     assert (low.weights, high.weights) == ((1.0, 1.0), (1.0, 1.0))
     assert (low.image_weight, high.image_weight) == (1.0, 1.0)
@@ -91,10 +91,10 @@ def test_coincident_faces_are_one_end_with_the_weights_of_both(shift):
 
 
 @pytest.mark.parametrize(
-    ("apart", "kappa"), [(0.0, 1.0), (0.04, 4.0 / 7.0), (0.08, 2.0 / 3.0), (0.16, 0.8), (1.0, 0.8)]
+    ("apart", "kappa"), [(0.0, 1.0), (0.0375, 4.0 / 7.0), (0.075, 2.0 / 3.0), (0.15, 0.8), (1.0, 0.8)]
 )
 def test_heavy_faces_a_little_apart_are_lowered_by_as_much_as_they_are_near(apart, kappa):
-    # Of kappa = 0.8 each, the other counts less with the distance and not at all from a hundredth of the length on.
+    # Of kappa = 0.8 each, the other counts less with the distance and not at all from 0.02 of the radius, 7.5 mm, on.
     heavy = {"side_faces": "calibrated"}
     found = [
         end for end in ends(nh.Contact(roller(**heavy), plate(length=16.0 + 2.0 * apart, **heavy))) if end.side > 0

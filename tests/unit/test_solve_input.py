@@ -228,3 +228,10 @@ def test_an_approach_that_no_thin_body_reaches_is_refused():
     softer = nh.Body(diameter=7000, length=18000, depth=6, material=nh.Material(1000, 0.07))
     with pytest.raises(nh.InputError, match=r"body.b.depth = 6 must be large"):
         nh.solve(nh.Contact(soft, softer), approach=0.020, strips=24)
+
+
+def test_a_thin_part_that_does_not_touch_does_not_matter():
+    stepped = nh.TabulatedDiameter(y=(-10, -7, -6.9, 10), diameter=(0.2, 0.2, 20, 20))
+    roller = nh.Roller(diameter=stepped, length=20, profile=nh.profile.crown(radius=500))
+    solution = nh.solve(nh.Contact(roller, nh.Plate()), load=10e3)
+    assert solution.status is nh.Status.CONVERGED

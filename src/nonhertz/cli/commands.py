@@ -153,14 +153,14 @@ def verify(
         Print a JSON list of all checks in place of the tables.
     """
     from nonhertz.cli.verification import Progress, print_section  # noqa: PLC0415
-    from nonhertz.io.results import refuse_file  # noqa: PLC0415
+    from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
     from nonhertz.verify import chosen, sections  # noqa: PLC0415
     from nonhertz.verify.page import as_json as json_text  # noqa: PLC0415
     from nonhertz.verify.page import summary, tally, write_page  # noqa: PLC0415
 
     names = chosen(only)
     if out is not None:
-        refuse_file(out)
+        refuse_unwritable(out)
     found = {}
     progress = Progress(len(names))
     try:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from nonhertz.plot.singular import at_corner, largest_away, singular_ends
 from nonhertz.solution import EdgeKind, EdgePressure, Solution
 
 
@@ -72,38 +72,35 @@ def digits(value: float, significant: int = 5) -> str:
 
 
 def _pressure_rows(solution: Solution) -> list[tuple[str, str, str]]:
-    """Return the maximum pressure and where it is, or at which singular end it has no limit."""
-    at_end = _near_singular_ends(solution)
-    if not at_end[solution.peak_pressure.argmax()]:
-        remark = _error(solution.error_estimate.max_pressure, "no limit, as at a sharp end or corner")
-        return [
-            ("maximum pressure", f"{digits(solution.max_pressure)} MPa", remark),
-            ("", f"at y = {digits(solution.max_pressure_y)} mm", ""),
-        ]
-    singular = [edge for edge in solution.edge_pressure if edge.kind is EdgeKind.SINGULAR]
-    highest = min(singular, key=lambda edge: abs(edge.y - solution.max_pressure_y))
+    """Return the maximum pressure and where it is, or at which singular ends it has no limit."""
+    singular = singular_ends(solution)
+    if not singular:
+        return _largest("maximum pressure", solution, _error(solution.error_estimate.max_pressure))
+    highest = max(singular, key=lambda edge: edge.pressure)
     places = " and ".join(f"{edge.y:.5g}" for edge in singular)
-    rows = [
+    return [
         ("maximum pressure", "no limit", f"singular at y = {places} mm"),
         ("", "", f"p ~ K / s^{highest.exponent:.3g}, {_strength(highest)}"),
+        *_largest("away from the ends", solution, ""),
     ]
-    if not np.all(at_end):
-        pressure = np.where(at_end, 0.0, solution.peak_pressure)
-        highest_at = int(pressure.argmax())
-        rows += [
-            ("away from the ends", f"{digits(float(pressure[highest_at]))} MPa", ""),
-            ("", f"at y = {digits(float(solution.y[highest_at]))} mm", ""),
-        ]
-    return rows
 
 
-def _near_singular_ends(solution: Solution) -> NDArray[np.bool_]:
-    """Return which strips lie within a half-width of an end where the pressure is singular."""
-    near = np.zeros(solution.strips, dtype=bool)
-    for edge, half_width in zip(solution.edge_pressure, solution.half_width[[0, -1]], strict=True):
-        if edge.kind is EdgeKind.SINGULAR:
-            near |= np.abs(solution.y - edge.y) <= half_width
-    return near
+def _largest(name: str, solution: Solution, remark: str) -> list[tuple[str, str, str]]:
+    """Return the largest pressure away from singular ends and where it is."""
+    strips = largest_away(solution)
+    if not strips:
+        return []
+    at = strips[0]
+    edge = solution.edge_pressure[0 if solution.y[at] < np.mean(solution.edges[[0, -1]]) else 1]
+    if at_corner(solution, at):
+        remark = "no limit, at a corner of the profile"
+    elif edge.kind is EdgeKind.CUT_OFF and at in {0, solution.strips - 1}:
+        remark = "cut off by the strips"
+    places = " and ".join(digits(y) for y in solution.y[list(strips)].tolist())
+    return [
+        (name, f"{digits(float(solution.peak_pressure[at]))} MPa", remark),
+        ("", f"at y = {places} mm", ""),
+    ]
 
 
 def _convention(edge: EdgePressure) -> tuple[str, str]:
@@ -111,15 +108,15 @@ def _convention(edge: EdgePressure) -> tuple[str, str]:
         case EdgeKind.RUN_OUT:
             return "runs out", ""
         case EdgeKind.FINITE:
-            return f"{digits(edge.pressure)} MPa", "finite, faces freed"
+            return f"{digits(edge.pressure)} MPa", "finite; the true end is lower"
         case EdgeKind.SINGULAR:
             return "singular", f"{_strength(edge)}, s^-{edge.exponent:.3g}"
+        case EdgeKind.CUT_OFF:
+            return f"{digits(edge.pressure)} MPa", "cut off by the strips"
 
 
 def _strength(edge: EdgePressure) -> str:
-    if edge.strength is None:
-        return "K unknown on so few strips"
-    return f"K = {edge.strength:.4g} MPa mm^{edge.exponent:.3g}"
+    return "K unknown" if edge.strength is None else f"K = {edge.strength:.4g} MPa mm^{edge.exponent:.3g}"
 
 
 def _rounded(value: float, scale: float) -> float:
@@ -127,8 +124,8 @@ def _rounded(value: float, scale: float) -> float:
     return value if abs(value) > 1e-12 * abs(scale) else 0.0
 
 
-def _error(relative: float, endless: str = "error unknown") -> str:
+def _error(relative: float) -> str:
     if not math.isfinite(relative):
-        return endless
+        return "error unknown"
     # A load that is prescribed, say, is met to rounding.
     return f"error about {100.0 * relative:.1g} %" if relative > 1e-12 else ""

@@ -15,8 +15,8 @@ from typing import Any
 from nonhertz.errors import CaseError, InputError
 from nonhertz.model.contact import Contact
 
+_OF_BOTH_BODIES = ("diameter", "length", "position")
 _SECTIONS = {
-    "body": ("diameter", "length", "position"),
     "load": ("load", "approach", "tilt", "moment"),
     "solver": ("element", "strips"),
 }
@@ -142,6 +142,10 @@ def write_starting_case(path: str | Path) -> None:
 
 def placed(error: InputError) -> str:
     """Return the sentence of a complaint that `nonhertz.solve` made, with the field as the file names it."""
+    if error.field in _OF_BOTH_BODIES:
+        from nonhertz.io.document import of_both  # noqa: PLC0415  (pydantic is slow to import)
+
+        return of_both(error).within(("body",)).sentence
     for section, fields in _SECTIONS.items():
         if error.field in fields:
             return str(error.within(section))

@@ -36,7 +36,7 @@ from nonhertz.io.units import begins_with_digits, in_unit
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter, convex
 from nonhertz.model.checks import finite, positive
 from nonhertz.model.contact import Contact
-from nonhertz.model.finite import FIRST_IMAGE, MOST_IMAGES, SERIES
+from nonhertz.model.finite import FEWEST_IMAGES, MOST_IMAGES, SERIES
 from nonhertz.model.material import MATERIALS, STEEL, Material
 from nonhertz.model.profile import Profile, straight
 
@@ -53,7 +53,7 @@ _FACE_SCHEMA: list[dict[str, Any]] = [
 _FACES_SCHEMA = {
     "anyOf": [*_FACE_SCHEMA, {"type": "array", "items": {"anyOf": _FACE_SCHEMA}, "minItems": 2, "maxItems": 2}]
 }
-_IMAGES_SCHEMA = {"anyOf": [{"type": "integer", "minimum": FIRST_IMAGE, "maximum": MOST_IMAGES}, {"const": SERIES}]}
+_IMAGES_SCHEMA = {"anyOf": [{"type": "integer", "minimum": FEWEST_IMAGES, "maximum": MOST_IMAGES}, {"const": SERIES}]}
 _DEPTH_SCHEMA = {
     "anyOf": [
         {"enum": ["none", "plane-strain", "diameter"]},
@@ -287,13 +287,28 @@ class BodiesTable(Table):
             contact = self.contact()
             contact.curvature(_sampled(contact.interval))
         except InputError as error:
-            place = ("b", error.field) if error.field == "position" else (error.field,)
-            raise TableError([Mistake(place, error)]) from None
+            raise TableError([of_both(error)]) from None
         return self
 
     def contact(self) -> Contact:
         """Return the contact of both bodies."""
         return Contact(self.a.body(), self.b.body())
+
+
+def of_both(error: InputError) -> Mistake:
+    """Return a complaint about both bodies with its place among their tables: one body's key has to change."""
+    if error.field != "diameter" or not isinstance(error.value, tuple):
+        return Mistake(("a" if error.field == "length" else "b", error.field), error, absent=error.value is None)
+    diameters = dict(zip("ab", error.value, strict=True))
+    concave = [name for name, diameter in diameters.items() if diameter is not None and not convex(diameter)]
+    if not concave:
+        return missing(("a", "diameter"), "the bodies are both flat, so give the diameter of one of them in mm")
+    name, other = concave[0], "b" if concave[0] == "a" else "a"
+    against = f"body.{other}, which is flat" if diameters[other] is None else f"body.{other}.diameter"
+    if isinstance(diameters[other], float):
+        against += f" = {diameters[other]}"
+    condition = f"{error.condition} with {against}"
+    return Mistake((name, "diameter"), InputError("diameter", diameters[name], condition, error.remedy))
 
 
 def _sampled(interval: tuple[float, float]) -> NDArray[np.float64]:

@@ -28,7 +28,13 @@ UNITS: dict[str, Any] = {
     "max_pressure": "MPa",
     "max_pressure_y": "mm",
     "contact_y": "mm",
-    "edge_pressure": {"y": "mm", "pressure": "MPa", "strip_width": "mm", "strength": "MPa mm^exponent"},
+    "edge_pressure": {
+        "y": "mm",
+        "pressure": "MPa",
+        "strip_width": "mm",
+        "strength": "MPa mm^exponent",
+        "correction": "mm^(-2 exponent)",
+    },
     "stiffness": [["N/mm", "N/rad"], ["N mm/mm", "N mm/rad"]],
     "y": "mm",
     "strip_width": "mm",
@@ -168,35 +174,56 @@ def write_files(directory: str | Path, write: Callable[[Path], object]) -> tuple
             write(drafts)
             return _moved(drafts, directory)
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
-        raise InputError("--out", str(directory), f"be a directory to write to ({reason})", "choose another") from None
+        raise _unwritable(directory, error) from None
 
 
-def refuse_file(directory: Path) -> None:
-    """Refuse a file in the place of a directory: `write_files` would, but only when all the work is done.
+def refuse_unwritable(directory: Path) -> None:
+    """Refuse what is no directory to write to: `write_files` would, but only when all the work is done.
+
+    The directory is tried and left as it was.
 
     Raises
     ------
     InputError
-        If there is a file of that name.
+        If the directory cannot be written to.
     """
-    if directory.exists() and not directory.is_dir():
-        raise InputError("--out", str(directory), "be a directory, not a file", _OUT_REMEDY)
+    made = _missing(directory)
+    try:
+        with _directory(directory), _drafts(directory):
+            pass
+    except OSError as error:
+        raise _unwritable(directory, error) from None
+    _take_away(made)
+
+
+def _unwritable(directory: Path, error: OSError) -> InputError:
+    reason = (error.strerror or str(error)).lower()
+    return InputError("--out", str(directory), f"be a directory to write to ({reason})", "choose another")
 
 
 @contextlib.contextmanager
 def _directory(directory: Path) -> Iterator[None]:
     """Make a directory, and take it away again if what follows fails."""
-    refuse_file(directory)
-    made = [path for path in (directory, *directory.parents) if not path.exists()]
+    if directory.exists() and not directory.is_dir():
+        raise InputError("--out", str(directory), "be a directory, not a file", _OUT_REMEDY)
+    made = _missing(directory)
     try:
         directory.mkdir(parents=True, exist_ok=True)
         yield
     except BaseException:
-        for path in made:
-            with contextlib.suppress(OSError):
-                path.rmdir()
+        _take_away(made)
         raise
+
+
+def _missing(directory: Path) -> list[Path]:
+    """Return what has to be made for a directory to be there, the innermost first."""
+    return [path for path in (directory, *directory.parents) if not path.exists()]
+
+
+def _take_away(made: list[Path]) -> None:
+    for path in made:
+        with contextlib.suppress(OSError):
+            path.rmdir()
 
 
 @contextlib.contextmanager
@@ -228,6 +255,7 @@ def _edge_object(edge: EdgePressure) -> dict[str, Any]:
         "image_weight": plain(edge.image_weight),
         "exponent": plain(edge.exponent),
         "strength": plain(edge.strength),
+        "correction": plain(edge.correction),
         "convention": edge.convention,
         "converges": edge.converges,
     }

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.model.checks import finite, positive
-from nonhertz.model.finite import FIRST_IMAGE, DepthRule, FaceRule, check_depth, check_images, face_weights
+from nonhertz.model.finite import FEWEST_IMAGES, DepthRule, FaceRule, check_depth, check_images, face_weights
 from nonhertz.model.material import STEEL, Material
 from nonhertz.model.profile import Profile, Straight
 
@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 Diameter = float | Callable[[Array], ArrayLike] | None
 
 _LENGTH_REMEDY = "give the distance between the side faces in mm, or leave it out for an unbounded body"
+_FACELESS_REMEDY = "give the distance between the side faces in mm, or leave out side_faces"
 _DIAMETER_REMEDY = "give the diameter in mm, negative for a concave surface, or leave it out for a flat one"
 
 
@@ -117,7 +118,7 @@ class Body:
     effective_length: float | None = None
     position: float = 0.0
     side_faces: FaceRule | tuple[FaceRule, FaceRule] = "mirror"
-    images: int | str = FIRST_IMAGE
+    images: int | str = FEWEST_IMAGES
     depth: DepthRule = "none"
 
     def __post_init__(self) -> None:
@@ -134,9 +135,11 @@ class Body:
         if self.effective_length is not None:
             self._check_effective_length(self.effective_length)
         finite("position", self.position, "give the axial position of the body's middle in mm")
+        if isinstance(self.side_faces, (list, np.ndarray)):
+            object.__setattr__(self, "side_faces", tuple(self.side_faces))
         asked = face_weights(self.side_faces, self.material.poisson)
         if self.length is None and self.side_faces != "mirror" and max(asked) > 0.0:
-            raise InputError("length", None, f"be given where side_faces = {self.side_faces!r}", _LENGTH_REMEDY)
+            raise InputError("length", None, f"be given where side_faces = {self.side_faces!r}", _FACELESS_REMEDY)
         check_depth(self.depth, convex(self.diameter))
         check_images(self.images, self.face_weights, self.depth)
 
@@ -252,5 +255,5 @@ class Plate(Body):
         super().__post_init__()
         if self.diameter is not None:
             raise InputError(
-                "diameter", self.diameter, "be left out", "make a curved one a roller, a ring or a plain body"
+                "diameter", self.diameter, "be left out", "make a curved one a roller or a ring, or leave its kind open"
             )

@@ -7,16 +7,17 @@ stress on the face instead of removing it, so the end is still too stiff; a weig
 from __future__ import annotations
 
 import math
+from numbers import Real
 
 import numpy as np
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import finite, not_negative, positive
+from nonhertz.model.checks import not_negative, positive
 
 FaceRule = str | float
 DepthRule = str | float
 
-FIRST_IMAGE = 1
+FEWEST_IMAGES = 1
 MOST_IMAGES = 100
 SERIES = "series"
 
@@ -36,7 +37,8 @@ def calibrated_weight(poisson: float) -> float:
     Parameters
     ----------
     poisson : float
-        Poisson's ratio nu [-]. Linear between the fitted values, constant outside 0 to 0.4.
+        Poisson's ratio nu [-]. Linear between the fitted values; outside 0 to 0.4, where nothing was fitted, the
+        outermost weight is held.
 
     Examples
     --------
@@ -56,7 +58,7 @@ def face_weights(rule: FaceRule | tuple[FaceRule, FaceRule], poisson: float) -> 
     """
     pair = rule if isinstance(rule, (tuple, list)) else (rule, rule)
     if len(pair) != 2:
-        raise InputError("side_faces", rule, "be one rule or two", _FACE_REMEDY)
+        raise InputError("side_faces", rule, "be one rule, or a pair of rules", _FACE_REMEDY)
     low, high = (_face_weight(single, poisson) for single in pair)
     return low, high
 
@@ -68,7 +70,7 @@ def _face_weight(rule: FaceRule, poisson: float) -> float:
         return calibrated_weight(poisson)
     if rule == "none":
         return 0.0
-    if isinstance(rule, str):
+    if isinstance(rule, bool) or not isinstance(rule, Real):
         raise InputError("side_faces", rule, "be one of 'mirror', 'calibrated', 'none' or a weight", _FACE_REMEDY)
     not_negative("side_faces", rule, _FACE_REMEDY)
     return float(rule)
@@ -76,14 +78,14 @@ def _face_weight(rule: FaceRule, poisson: float) -> float:
 
 def check_depth(rule: DepthRule, convex: bool) -> None:
     """Refuse a depth that is none of the words or a positive length, or asks a diameter of a body without one."""
-    if isinstance(rule, str):
-        if rule not in ("none", "plane-strain", "diameter"):
-            raise InputError("depth", rule, "be one of 'none', 'plane-strain', 'diameter' or a length", _DEPTH_REMEDY)
-        if rule != "none" and not convex:
-            remedy = "give the thickness of a ring or plate in mm, or write 'none'"
-            raise InputError("depth", rule, "only be asked of a convex body, which has a diameter to go by", remedy)
-        return
-    positive("depth", rule, _DEPTH_REMEDY)
+    words = ("none", "plane-strain", "diameter")
+    if isinstance(rule, bool) or not (isinstance(rule, Real) or rule in words):
+        raise InputError("depth", rule, "be one of 'none', 'plane-strain', 'diameter' or a length", _DEPTH_REMEDY)
+    if not isinstance(rule, str):
+        positive("depth", rule, _DEPTH_REMEDY)
+    elif rule != "none" and not convex:
+        remedy = "give the thickness of a ring or plate in mm, or write 'none'"
+        raise InputError("depth", rule, "only be asked of a convex body, which has a diameter to go by", remedy)
 
 
 def check_images(images: int | str, weights: tuple[float, float], depth: DepthRule) -> None:
@@ -97,6 +99,8 @@ def check_images(images: int | str, weights: tuple[float, float], depth: DepthRu
                 "images", images, "only be asked of a body with a depth, without which it has no sum", remedy
             )
         return
-    finite("images", images, _IMAGES_REMEDY)
-    if images != int(images) or not FIRST_IMAGE <= images <= MOST_IMAGES:
-        raise InputError("images", images, f"be a whole number from {FIRST_IMAGE} to {MOST_IMAGES}", _IMAGES_REMEDY)
+    whole = (
+        isinstance(images, Real) and not isinstance(images, bool) and math.isfinite(images) and images == int(images)
+    )
+    if not whole or not FEWEST_IMAGES <= images <= MOST_IMAGES:
+        raise InputError("images", images, f"be a whole number from {FEWEST_IMAGES} to {MOST_IMAGES}", _IMAGES_REMEDY)

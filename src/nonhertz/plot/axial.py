@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.plot.singular import Bools, away_from_ends
 from nonhertz.plot.style import END_DASHES, FAINT_INK, SMALL_SIZE, THIN
 from nonhertz.solution import Solution, Status
 
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 AXIAL_LABEL = "Axial position $y$ [mm]"
 
@@ -57,20 +57,13 @@ def strip_edges(solution: Solution) -> Array:
 
 
 def regular(solution: Solution) -> Bools:
-    """Return which strips' pressures have a meaning of their own, shape (strips,).
+    """Return which strips set the scale of a drawing, shape (strips,).
 
-    At a sharp end the pressure grows with every refinement and would set the scale of the whole drawing. The
+    At a singular end the pressure grows with every refinement and would set the scale of the whole drawing. The
     strips within one half-width of such an end are left out, as long as any others are in contact.
     """
-    touching = solution.line_load > 0.0
-    if not np.isinf(solution.error_estimate.max_pressure):
-        return touching
-    away = touching.copy()
-    edges = strip_edges(solution)
-    for end, edge in ((0, edges[0]), (-1, edges[-1])):
-        if touching[end]:
-            away &= np.abs(solution.y - edge) > solution.half_width[end]
-    return away if np.any(away) else touching
+    away = away_from_ends(solution)
+    return away if np.any(away) else solution.line_load > 0.0
 
 
 def body_ends(solution: Solution) -> list[tuple[float, str]]:

@@ -19,6 +19,7 @@ from nonhertz.plot.axial import (
     regular,
     strip_edges,
 )
+from nonhertz.plot.singular import at_corner, largest_away, singular_ends
 from nonhertz.plot.style import (
     BACKING,
     FAINT_INK,
@@ -31,7 +32,7 @@ from nonhertz.plot.style import (
     SMALL_SIZE,
     THIN,
 )
-from nonhertz.solution import Solution
+from nonhertz.solution import EdgePressure, Solution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -42,8 +43,12 @@ if TYPE_CHECKING:
 PRESSURE_SHARE, HALF_WIDTH_SHARE = 0.76, 0.52
 CONTACT_SHARE = 0.9
 
-# Where a singular end goes beyond the axis, the rest takes this share, and the words on the end stand above.
-CUT_PRESSURE_SHARE, CUT_HALF_WIDTH_SHARE, BEYOND_SHARE = 0.66, 0.44, 0.8
+# Where the pressure is singular the frame ends so many times above the largest pressure away from there, and the
+# spike leaves it. The half-width takes less, and the words on the ends stand above what is counted.
+BEYOND, CUT_HALF_WIDTH_SHARE, SINGULAR_SHARE = 1.6, 0.44, 0.77
+
+# Farther than this share of the range from its middle, words at a largest pressure stand on the middle's side.
+SIDE = 0.2
 
 
 def pressure(solution: Solution, ax: Axes) -> Axes:
@@ -51,9 +56,9 @@ def pressure(solution: Solution, ax: Axes) -> Axes:
 
     Both lines run through the centres of the strips; the pale steps are the strips themselves. The largest
     pressure, the ends of the contact and the ends of the bodies are marked. Where a sharp end makes the
-    pressure singular the left axis is cut: the largest value, which is that of one strip, is written with an
-    arrow, and a crest away from the ends is marked as well. The right axis belongs to a twin of ``ax`` in the
-    same figure.
+    pressure singular there is no largest: the left axis is cut, exponent and strength stand at that end, and
+    the largest pressure more than a half-width away from such ends is marked. The right axis belongs to a twin
+    of ``ax`` in the same figure.
 
     Parameters
     ----------
@@ -85,11 +90,10 @@ def pressure(solution: Solution, ax: Axes) -> Axes:
 
     ax.locator_params(axis="x", steps=[1, 2, 5, 10])
     ax.set_xlim(span)
-    counted = solution.peak_pressure[regular(solution)]
-    top = _top(float(counted.max(initial=0.0)), CUT_PRESSURE_SHARE)
-    beyond = solution.max_pressure > top
-    ax.set_ylim(0.0, top if beyond else _top(solution.max_pressure, PRESSURE_SHARE))
-    share = CUT_HALF_WIDTH_SHARE if beyond else HALF_WIDTH_SHARE
+    singular = bool(singular_ends(solution))
+    counted = float(solution.peak_pressure[regular(solution)].max(initial=0.0))
+    ax.set_ylim(0.0, _top(counted, 1.0 / BEYOND if singular else PRESSURE_SHARE))
+    share = CUT_HALF_WIDTH_SHARE if singular else HALF_WIDTH_SHARE
     right.set_ylim(0.0, _top(float(solution.half_width.max()), share))
     ax.set_xlabel(AXIAL_LABEL)
     ax.set_ylabel("Centre-line pressure $p_0$ [MPa]", color=FIRST)
@@ -99,6 +103,8 @@ def pressure(solution: Solution, ax: Axes) -> Axes:
     labels = ["pressure $p_0$ (left axis; steps: strips)", "half-width $b$ (right axis)"]
     head(solution, ax, [of_pressure, of_width], labels)
     _mark_maximum(solution, ax, span)
+    for edge in singular_ends(solution):
+        _mark_singular(solution, ax, edge)
     _mark_contact(solution, ax, span)
     return ax
 
@@ -108,42 +114,36 @@ def _top(largest: float, share: float) -> float:
 
 
 def _mark_maximum(solution: Solution, ax: Axes, span: tuple[float, float]) -> None:
-    if solution.max_pressure <= 0.0:
+    """Mark the largest pressure; near a singular end there is none."""
+    strips = largest_away(solution)
+    if not strips:
         return
-    y, largest = solution.max_pressure_y, solution.max_pressure
-    words = _value_words(largest, y, span)
-    if np.isinf(solution.error_estimate.max_pressure):
-        words += " (sharp end: rises with refinement)"
-    if largest <= ax.get_ylim()[1]:
-        _mark(ax, y, largest, words, span)
-        return
+    marked, largest = solution.y[list(strips)], float(solution.peak_pressure[strips[0]])
+    words = f"{number(largest)} MPa at $y$ = {' and '.join(place(y, span) for y in marked.tolist())} mm"
+    if at_corner(solution, strips[0]):
+        words += " (corner: rises with refinement)"
+    ax.plot(marked, [largest] * len(strips), "o", markersize=4.0, color=FIRST, markerfacecolor="white")
+    y = float(marked.mean())
+    side = alignment(ax, y, span, words)
+    if singular_ends(solution) and abs(y - 0.5 * sum(span)) > SIDE * (span[1] - span[0]):
+        # Outwards from there the curve climbs through where the words would stand.
+        side = "left" if y < 0.5 * sum(span) else "right"
+    _write(ax, words, (y, largest), side, 3.0, 6.0, ax.transData)
+
+
+def _mark_singular(solution: Solution, ax: Axes, edge: EdgePressure) -> None:
+    """Draw an arrow where the pressure has no limit and write how it grows."""
     across = ax.get_xaxis_transform()
-    ax.plot([y], [0.975], transform=across, marker="^", markersize=4.5, color=FIRST)
+    ax.plot([edge.y], [0.975], transform=across, marker="^", markersize=4.5, color=FIRST)
+    power = number(edge.exponent, 3)
+    words = f"singular: $p$ ∼ $K$ / $s^{{{power}}}$"
+    if edge.strength is not None:
+        words += f"\n$K$ = {number(edge.strength)} MPa mm$^{{{power}}}$"
     # The words keep clear of the curve, which climbs to the arrow from where it is as high as they are.
-    below = solution.y[solution.peak_pressure < BEYOND_SHARE * ax.get_ylim()[1]]
-    foot = float(below[np.abs(below - y).argmin()])
-    _write(ax, words, (foot, BEYOND_SHARE), alignment(ax, y, span, words), 4.0, 0.0, across)
-    crest = _crest(solution)
-    if crest is not None:
-        y, largest = float(solution.y[crest]), float(solution.peak_pressure[crest])
-        _mark(ax, y, largest, _value_words(largest, y, span), span)
-
-
-def _crest(solution: Solution) -> int | None:
-    """Return the strip of the highest crest away from singular ends, None where the pressure has none."""
-    pressure = np.where(regular(solution), solution.peak_pressure, np.inf)
-    inside = pressure[1:-1]
-    crests = 1 + np.flatnonzero(np.isfinite(inside) & (inside >= pressure[:-2]) & (inside >= pressure[2:]))
-    return int(crests[pressure[crests].argmax()]) if crests.size else None
-
-
-def _value_words(pressure: float, y: float, span: tuple[float, float]) -> str:
-    return f"{number(pressure)} MPa at $y$ = {place(y, span)} mm"
-
-
-def _mark(ax: Axes, y: float, pressure: float, words: str, span: tuple[float, float]) -> None:
-    ax.plot([y], [pressure], marker="o", markersize=4.0, color=FIRST, markerfacecolor="white")
-    _write(ax, words, (y, pressure), alignment(ax, y, span, words), 3.0, 6.0, ax.transData)
+    below = solution.y[solution.peak_pressure < SINGULAR_SHARE * ax.get_ylim()[1]]
+    foot = float(below[np.abs(below - edge.y).argmin()]) if below.size else edge.y
+    side: Alignment = "left" if edge is solution.edge_pressure[0] else "right"
+    _write(ax, words, (foot, SINGULAR_SHARE), side, 4.0, 0.0, across)
 
 
 def _write(

@@ -27,9 +27,9 @@ from nonhertz.strip.influence import Depth, End, Influence
 
 Array = NDArray[np.float64]
 
-APART = 0.01  # of the shorter body's length: faces this far apart have nothing to do with each other's weight
+APART = 0.02  # of the combined radius: about the half-width of a heavily loaded contact of metals
 TOGETHER = 1.0 - 1e-4
-SEPARATE_LINKS, ALL_LINKS = 16, 5000  # of a series: told apart, and summed
+SEPARATE_LINKS, ALL_LINKS = 16, 1000  # of a series: told apart, and summed one by one
 NO_WEIGHT = 1e-12
 
 
@@ -56,13 +56,15 @@ def ends(contact: Contact) -> tuple[End, ...]:
 def _nearness(contact: Contact, faces: tuple[float, float]) -> float:
     """Return 1 for faces at one place, falling to 0 at a distance of APART.
 
-    Faces a little apart act as one on all the contact but the last bit of it. The measure is continuous so that the
-    approach does not jump where they meet.
+    Faces much nearer to each other than the half-width act as one on all the contact but the last bit of it. The
+    measure is continuous so that the approach does not jump where they meet, and geometrical, not of the load, so that
+    twice the load is still a change of the load alone.
     """
-    lengths = [body.length for body in (contact.a, contact.b) if body.length is not None]
-    if len(lengths) < len(faces):
+    if not np.all(np.isfinite(faces)):
         return 0.0
-    nearness = 1.0 - abs(faces[0] - faces[1]) / (APART * min(lengths))
+    place = np.clip(0.5 * (faces[0] + faces[1]), *contact.interval)
+    radius = 1.0 / float(contact.curvature(np.array([place]))[0])
+    nearness = 1.0 - abs(faces[0] - faces[1]) / (APART * radius)
     return 1.0 if nearness > TOGETHER else max(0.0, nearness)
 
 
@@ -115,12 +117,12 @@ def _far_images(
     """Return what the images of a series add that are too far away to be told apart.
 
     They are line loads at multiples of the length L: from a distance s, surface less depth, 1/s - 1/sqrt(s^2 + d^2)
-    - d^2 / (2 (1 - nu) (s^2 + d^2)^(3/2)) per unit of load.
+    - d^2 / (2 (1 - nu) (s^2 + d^2)^(3/2)) per unit of load. Those beyond the last link come as the integral.
     """
     if len(weights) < 2 or body.length is None:  # one mirror alone makes one image
         return None
-    link = np.arange(SEPARATE_LINKS, ALL_LINKS)
-    distance = body.length * (link + 1.0)
+    length, link = body.length, np.arange(SEPARATE_LINKS, ALL_LINKS)
+    distance, beyond = length * (link + 1.0), length * (ALL_LINKS + 0.5)
     weight = np.zeros(link.size)
     for first, other in ((-1, 1), (1, -1)):
         again = min(weights[first], 1.0) ** (link // 2) * min(weights[other], 1.0) ** ((link + 1) // 2)
@@ -130,7 +132,9 @@ def _far_images(
         depth, back = np.unique(below(y), return_inverse=True)
         square = distance**2 + depth[:, None] ** 2
         kernel = 1.0 / distance - (1.0 + factor * depth[:, None] ** 2 / square) / np.sqrt(square)
-        total: Array = kernel @ weight
+        u = beyond / depth
+        remainder = np.arcsinh(u) - np.log(2.0 * u) + factor * (u / np.hypot(1.0, u) - 1.0)
+        total: Array = kernel @ weight + remainder / length * weight[-1]
         return total[back.ravel()]
 
     return added

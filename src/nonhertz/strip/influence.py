@@ -109,9 +109,12 @@ class Influence:
             return np.zeros((y.size, edges.size - 1))
         return sum((depth.displacement(y, edges) for depth in self.depths[1:]), self.depths[0].displacement(y, edges))
 
-    def shallowest(self, y: Array) -> float:
-        """Return the least depth under the places ``y``, infinite where no body has one."""
-        return min((float(np.min(depth.below(y))) for depth in self.depths), default=math.inf)
+    def shallowest(self, y: Array) -> Array:
+        """Return the lesser depth of both bodies under the places ``y``, infinite where neither has one."""
+        shallowest = np.full(y.shape, np.inf)
+        for depth in self.depths:
+            shallowest = np.minimum(shallowest, depth.below(y))
+        return shallowest
 
     def displacements(self, y: Array, edges: Array, r: Array, m: Array, table: Array) -> Array:
         """Return the displacement per unit of compliance at several places ``y``."""

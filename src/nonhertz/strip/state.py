@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -178,7 +177,7 @@ class _Strips:
     curvature: Array
     separation: Array
     at_depth: Array
-    shallowest: float
+    shallowest: Array
 
     @classmethod
     def of(cls, problem: Problem, edges: Array) -> _Strips:
@@ -198,7 +197,7 @@ class _Strips:
         Where points at depth lie within the contact they move more than the surface, and the equations have either
         no solution or some that mean nothing.
         """
-        return self.shallowest < least * problem.element.hertz_ratio * math.sqrt(float(np.max(m)))
+        return bool(np.any(self.shallowest < least * problem.element.hertz_ratio * np.sqrt(m)))
 
     def raised(self, problem: Problem) -> State:
         """Return the state reached by raising the load from a small one, in steps as long as the loop allows."""

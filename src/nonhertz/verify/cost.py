@@ -38,8 +38,9 @@ depths on both bodies.
 {rows}
 
 **Found.** Setting up grows like n^{assembly:.1f}. The solve as a whole grows like n^{whole:.1f} from {fitted} strips
-on: the linear equations, 2n of them, cost n^3 in the end, but few contacts want more than 90 strips. Times depend on
-the machine and wander by tens of per cent, so the exponents are shown and not judged.
+on: the linear equations, 2n of them, cost n^3 in the end, but few contacts want more than 90 strips. Times of
+different runs and machines differ by tens of per cent, and the exponents with them, so these are shown and not judged.
+The page on speed in docs/benchmarks measures half-spaces, on grids from coarse to fine, and has exponents of its own.
 """
 
 

@@ -32,30 +32,44 @@ NARROWEST, GROWTH, WIDEST = 3e-5, 1.15, 0.6  # mm, from strip to strip, mm
 BIASED_STRIPS, FIT_REACH, TENTH = 9, 0.3, 0.1  # the last two in half-widths
 _SOURCE = "cos(pi alpha) = kappa"
 _TEXT = """\
-A straight roller with free side faces is pressed on a plate that goes on beyond its ends. Close to the end, at
-distances $s$ small against the half-width, the equations of the strips become $\\int s'^{{-\\alpha}} [1/(s - s') +
-\\kappa/(s + s')]\\, ds' = 0$, with $\\kappa$ the weight of the roller's images times its share of the compliance.
+A straight roller, its side faces freed by images, is pressed on a plate that goes on beyond its ends. Close to the
+end, at distances $s$ small against the half-width, the equations of the strips become
+
+```math
+\\int_0^\\infty s'^{{-\\alpha}} \\left[\\frac{{1}}{{s - s'}} + \\frac{{\\kappa}}{{s + s'}}\\right] ds' = 0
+```
+
+with $\\kappa$ the weight of the roller's images times its share of the compliance.
 Hence $p \\sim K / s^\\alpha$ with $\\cos \\pi\\alpha = \\kappa$: 1/2 without images, 1/3 for mirrored faces and equal
 materials. (The exact frictionless quarter-plane on a half-plane of the same material has 0.226.)
 
 The exponent appears only very close to the end: at a tenth of the half-width the local slope of $\\ln p$ is still far
-from it. So the strips narrow geometrically to {narrowest:.0e} mm, and the exponent is extrapolated by fitting $\\ln p
-= \\ln K - \\alpha \\ln s + c_1 s^{{2\\alpha}} + c_2 s$ with $\\alpha$ unknown, from {first} strips off the end to
-{reach:g} half-widths.
+from it. So the strips narrow geometrically to {narrowest:.0e} mm, and the exponent is extrapolated by fitting
+
+```math
+\\ln p = \\ln K - \\alpha \\ln s + c_1 s^{{2\\alpha}} + c_2 s
+```
+
+with $\\alpha$ unknown, from {first} strips off the end to {reach:g} half-widths.
 
 **Found.** The extrapolated exponents agree with the formula within {worst:.3f} for all pairs. The last strip's
 pressure says nothing: a strip half as wide shows $2^\\alpha$ times as much.
 
-| kappa | alpha | extrapolated | local slope at 0.1 b |
-|---|---|---|---|
+| image weight | modulus of plate / roller | kappa | alpha | extrapolated | local slope at 0.1 b |
+|---|---|---|---|---|---|
 {rows}
 """
 
 
 @dataclass(frozen=True)
 class _End:
-    """The pressure near one end, distances in half-widths."""
+    """Image weight of the roller, modulus of plate over roller, and the pressure near one end.
 
+    Distances are in half-widths.
+    """
+
+    weight: float
+    ratio: float
     kappa: float
     distance: Array
     pressure: Array
@@ -92,12 +106,13 @@ def section() -> Section:
     ends = [_end(weight, ratio) for weight, ratio in CASES]
     checks = [
         Check(
-            f"exponent at a sharp end: image weight {weight:g}, plate {ratio:g} times as stiff (kappa {end.kappa:.3f})",
+            f"exponent, image weight {end.weight:g}, modulus of plate / roller {end.ratio:g}: kappa {end.kappa:.3f}",
             _SOURCE, end.expected, end.extrapolated, 0.03, absolute=True,
         )
-        for (weight, ratio), end in zip(CASES, ends, strict=True)
+        for end in ends
     ]  # fmt: skip
     rows = "\n".join(
+        f"| {end.weight:g} | {end.ratio:g} "
         f"| {end.kappa:.3f} | {end.expected:.3f} | {end.extrapolated:.3f} | {end.local:.3f} |"
         for end in sorted(ends, key=lambda end: end.kappa)
     )
@@ -138,7 +153,7 @@ def _end(weight: float, ratio: float) -> _End:
         )
     inwards = slice(None, None, -1)
     distance = (0.5 * LENGTH - solution.y[inwards]) / solution.half_width[-1]
-    return _End(solution.edge_pressure[1].image_weight, distance, solution.peak_pressure[inwards])
+    return _End(weight, ratio, solution.edge_pressure[1].image_weight, distance, solution.peak_pressure[inwards])
 
 
 def _draw(ends: list[_End], figure: Figure) -> None:

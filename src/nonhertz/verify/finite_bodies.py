@@ -40,8 +40,8 @@ What finite length and thickness must come to in their limits, whatever happens 
   written apart from this one, gave the approach for 1 to 40 images.
 - **Only what ends, ends**: the image of a body counts with its share of the compliance. The faces of a roller a
   thousand times stiffer than the plate must change nothing.
-- **Weights above kappa = 1** have no solution that refinement converges to. They must be lowered to 1 together, with a
-  warning that says so.
+- **Image weights that come to more than kappa = 1** have no solution that refinement converges to. They must be lowered
+  until it is 1, with a warning for each end.
 
 **Found.** {verdict} With one image per face the approach of the coincident pair, as long as thick, is
 {one_image:.2f} % too large, and its pressure off by at most {pressure:.4f} % (semi-elliptic strips).
@@ -174,7 +174,7 @@ def _stiff_roller() -> list[Check]:
 
 def _too_heavy() -> list[Check]:
     heavy, mirrored = _pair(side_faces="calibrated"), _pair(side_faces="mirror")
-    said = sum("lowered to 1" in sentence for sentence in heavy.warnings)
+    said = sum("weights were lowered" in sentence for sentence in heavy.warnings)
     finite = sum(edge.kind is EdgeKind.FINITE for edge in heavy.edge_pressure)
     return [
         Check("kappa 1.6 at both ends: warnings", "one for each end", 2.0, float(said), 0.0),

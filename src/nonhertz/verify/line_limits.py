@@ -30,12 +30,12 @@ PRESSURE_FACTOR = 4.0 * math.sqrt(6.0) / (3.0 * math.pi)
 _LACK = 0.5 + math.log(2.0) + 0.5 * math.log(1.5) - 4.0 / 3.0
 _TEXT = """\
 A strip that is long against its width is a line contact, and there both elements have closed forms. For two bodies
-with the compliances $K_a + K_b = K$, a load $q$ per unit length and the combined radius $\\rho$:
+with the compliances $`K_a + K_b = K`$, a load $q$ per unit length and the combined radius $\\rho$:
 
 - **Curvature, Eq. (59).** A parabola $p = s(c^2 - x^2)$, $q = \\frac43 s c^3$, curves two like surfaces by
-  $8(1-\\nu)c/(\\pi G)$ per unit of $s$. So $a^2 = \\kappa K q \\rho$, with $\\kappa$ = 6 for the parabola and 4 for the
-  semi-ellipse, which is Hertz.
-- **Conversion, Eqs. (61) and (62).** At equal load $b = \\sqrt{{2/3}}\\, c$ and $p_0 = 4\\sqrt6/(3\\pi)\\, s c^2$, with
+  $8(1-\\nu)c/(\\pi G)$ per unit of $s$. So $a^2 = 6 K q \\rho$. For the semi-ellipse $a^2 = 4 K q \\rho$, which is
+  Hertz. The numbers 6 and 4 are the elements' line factors.
+- **Conversion, Eqs. (61) and (62).** At equal load $b = \\sqrt{{2/3}} c$ and $`p_0 = 4\\sqrt6/(3\\pi)\\, s c^2`$, with
   $s = 3q/(4c^3)$: the half-width and pressure reported for a parabola are those of Hertz, while its own pressure in the
   middle is {own:.1f} % lower and its base {wider:.1f} % wider.
 
@@ -43,8 +43,8 @@ They are compared with the elements' influence functions, and with solved contac
 {diameter:g} mm, on a plate, {line_load:g} N/mm, {length:g} mm long, without side faces or depth.
 
 **Found.** Both elements have their limits to $10^{{{functions}}}$ for a strip {very_long:g} times as long as wide. A
-shorter one falls short like $1/t^2$, $t$ its half-length over its half-width: {short_ellipse:.1f} % of $\\kappa$ is
-missing at $t$ = 3 with the semi-ellipse and {short_parabola:.1f} % with the parabola. In the middle of the solved
+shorter one falls short like $1/t^2$, $t$ its half-length over its half-width: {short_ellipse:.1f} % of the line factor
+is missing at $t$ = 3 with the semi-ellipse and {short_parabola:.1f} % with the parabola. In the middle of the solved
 rollers half-width and pressure are Hertz's to $10^{{{solved}}}$, on one strip and on many, with either element. The
 parabola's displacement is smaller than that of the semi-ellipse of equal load by $2qK \\cdot {lack:.5f}$; this is why
 its approach on half-spaces is a little too small.
@@ -89,7 +89,7 @@ def _line_factor(element: Element, t: float) -> float:
 
 
 def _functions() -> list[Check]:
-    # A strip from -t to t lacks 1/t^2 of kappa: a tolerance of 1e-8 is that of t = 1e4.
+    # A strip from -t to t lacks 1/t^2 of its line factor: a tolerance of 1e-8 is that of t = 1e4.
     half_width = 0.3
     curvature = 2.0 * STEEL.compliance * (4.0 / 3.0) * half_width * _line_factor(PARABOLIC, VERY_LONG)
     expected = 8.0 * (1.0 - STEEL.poisson) * half_width / (math.pi * STEEL.shear_modulus)

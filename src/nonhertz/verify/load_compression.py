@@ -111,9 +111,9 @@ The paper's Figs. 8 and 9 show measured and calculated load against compression 
 and of a needle on a solid cylinder. The measurements are not available as numbers, so there is no comparison with
 them here. Two pairs of that kind, chosen by us, are set beside what practice computes with:
 
-- Palmgren, one contact: $\\delta = 3.84 \\cdot 10^{{-5}}\\, Q^{{0.9}} / L^{{0.8}}$
-- ISO/TS 16281, roller between two raceways: $Q = 35948\\, L^{{8/9}} \\delta^{{10/9}}$, of which one contact takes half:
-  $\\delta = {iso:.4f} \\cdot 10^{{-5}}\\, Q^{{0.9}} / L^{{0.8}}$
+- Palmgren, one contact: $`\\delta = 3.84 \\cdot 10^{{-5}}\\, Q^{{0.9}} / L^{{0.8}}`$
+- ISO/TS 16281, roller between two raceways: $`Q = 35948\\, L^{{8/9}} \\delta^{{10/9}}`$, one contact takes half of it:
+  $`\\delta = {iso:.4f} \\cdot 10^{{-5}}\\, Q^{{0.9}} / L^{{0.8}}`$
 
 in mm and N, for steel. Neither knows diameters, profiles or thickness. The **roller** is the stand-in of the section
 before: {roller.diameter:g} x {roller.length:g} mm, straight over {straight:g} mm, arcs of {arc:g} mm radius, on a

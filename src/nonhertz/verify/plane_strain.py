@@ -38,7 +38,7 @@ diameters long and with free ends, are pressed together. The depth at which thei
 strain is found by root finding, without any formula for it, and set beside the closed forms
 
 - semi-elliptic: $d = D \\exp(-1/2 + \\nu/(2(1-\\nu)))$
-- parabolic: $d = \\sqrt 6\\, D \\exp(-11/6 + 1/(2(1-\\nu)))$
+- parabolic: $d = \\sqrt 6 D \\exp(-11/6 + 1/(2(1-\\nu)))$
 
 **Found.** The depth is proportional to the diameter and independent of the load, as the closed forms say. It depends
 on Poisson's ratio and on the element: {low:.3f} to {high:.3f} D. At $\\nu$ = 0.3 it is {ellipse:.4f} D for the

@@ -57,7 +57,7 @@ holds the material together, so the true end is softer and its pressure lower. W
 three-dimensional solutions of the quarter-space after Hetényi, two overlapping half-spaces that cancel each other's
 stress on the faces. Case: bodies on $y > 0$ with $\\nu$ = 0.3 and E = 182000 MPa each, $\\rho$ = 100 mm, separation 0
 up to $y$ = 13 mm and $(y - 13)^2/5000$ beyond, 10996 N, no depth; the half-width is then about 0.85 mm. Listed is
-$p(0,y)/p(0,8\\ \\mathrm{{mm}})$.
+$p(0,y)/p(0,8)$.
 
 {table}
 
@@ -66,8 +66,8 @@ $p(0,y)/p(0,8\\ \\mathrm{{mm}})$.
 mirroring leaves is another matter: with weight 1 the pressure at $y$ = 0.25 mm under a roller that ends on a long
 body is {over:.0f} % above that of the true free end. The weight `"calibrated"`, 1.6 at $\\nu$ = 0.3, is what brings
 it nearest. Where both bodies end at the same place, weights up to 1 leave the pressure flat while the true one falls
-to about half, and heavier ones have no solution that refinement converges to. An exact end is not built in yet; in
-the table it has its rows.
+to about half, and heavier ones have no solution that refinement converges to. The exact rows are from the
+three-dimensional solution; an exact end is not built in yet.
 """
 
 
