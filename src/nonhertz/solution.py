@@ -166,6 +166,8 @@ class Solution:
         continued linearly, vanishes.
     edge_pressure : tuple of two EdgePressure
         The pressure at the low and at the high end, or why there is no such number.
+    peaks_at_corner : bool
+        Whether the largest strip pressure is at a corner of the profile, where it has no limit either.
     iterations : int
         Newton steps on the grid of the result.
     error_estimate : ErrorEstimate
@@ -188,6 +190,7 @@ class Solution:
     gap: Array
     contact_y: tuple[tuple[float, float], ...]
     edge_pressure: tuple[EdgePressure, EdgePressure]
+    peaks_at_corner: bool
     iterations: int
     error_estimate: ErrorEstimate
     warnings: tuple[str, ...]

@@ -107,7 +107,7 @@ def solve(
     strains = _strains(solution, problem)
     for sentence in strains:
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
-    return replace(solution, warnings=(*strains, *_singularities(contact, levels.finest, solution.edge_pressure)))
+    return replace(solution, warnings=(*strains, *_singularities(solution)))
 
 
 @dataclass(frozen=True)
@@ -197,6 +197,8 @@ def _checked_edges(contact: Contact, strips: ArrayLike) -> Array:
 
 def _solution(contact: Contact, element: Element, problem: Problem, levels: Levels) -> Solution:
     state, compliance = levels.finest, contact.compliance
+    edges = edge_pressures(contact, problem, state)
+    at_corner = state.converged and _peaks_at_kink(contact, state)
     return Solution(
         contact=contact,
         element=element,
@@ -211,20 +213,23 @@ def _solution(contact: Contact, element: Element, problem: Problem, levels: Leve
         element_half_width=np.sqrt(state.m),
         gap=state.gap,
         contact_y=state.contact,
-        edge_pressure=edge_pressures(contact, problem, state),
+        edge_pressure=edges,
+        peaks_at_corner=at_corner,
         iterations=state.steps,
-        error_estimate=_error_estimate(contact, problem, levels),
+        error_estimate=_error_estimate(problem, levels, edges, at_corner),
         warnings=(),
     )
 
 
-def _error_estimate(contact: Contact, problem: Problem, levels: Levels) -> ErrorEstimate:
+def _error_estimate(
+    problem: Problem, levels: Levels, edges: tuple[EdgePressure, ...], at_corner: bool
+) -> ErrorEstimate:
     state = levels.finest
     if not state.converged:
         return ErrorEstimate(math.inf, math.inf, math.inf)
     by_load = bool(problem.prescribed[0])
-    floor = sharp_end_error(problem, state)
-    singular = floor > 0.0 or _peaks_at_kink(contact, state)
+    floor = sharp_end_error(edges, sum(high - low for low, high in state.contact))
+    singular = at_corner or not all(edge.converges for edge in edges)
     return ErrorEstimate(
         approach=max(floor, levels.difference(lambda level: float(level.rigid[0]))) if by_load else 0.0,
         load=0.0 if by_load else max(floor, levels.difference(lambda level: level.load)),
@@ -316,10 +321,10 @@ def _heavy_images(problem: Problem) -> list[str]:
     ]
 
 
-def _singularities(contact: Contact, state: State, edges: tuple[EdgePressure, ...]) -> tuple[str, ...]:
+def _singularities(solution: Solution) -> tuple[str, ...]:
     """Return a sentence for every sharp end that the contact reaches, and for a corner that bears the maximum."""
     sentences = []
-    for edge in edges:
+    for edge in solution.edge_pressure:
         if edge.kind is EdgeKind.SINGULAR:
             known = "" if edge.strength is None else f" with K = {edge.strength:.4g} MPa mm^{edge.exponent:.3g}"
             sentences.append(
@@ -332,10 +337,10 @@ def _singularities(contact: Contact, state: State, edges: tuple[EdgePressure, ..
                 f"The strips end at y = {edge.y:.6g} mm while the contact goes on: the pressure there is that of "
                 "bodies cut off; give strips up to the end of the contact, or leave them out."
             )
-    if _peaks_at_kink(contact, state):
-        at = int(np.argmax(state.pressure))
+    if solution.peaks_at_corner:
+        width = float(solution.strip_width[solution.peak_pressure.argmax()])
         sentences.append(
-            f"The largest pressure is at a corner of the profile near y = {state.y[at]:.6g} mm, where it is singular: "
-            f"it is that of a strip {state.width[at]:.3g} mm wide, not a limit; give the corner a radius."
+            f"The largest pressure is at a corner of the profile near y = {solution.max_pressure_y:.6g} mm, where it "
+            f"is singular: it is that of a strip {width:.3g} mm wide, not a limit; give the corner a radius."
         )
     return tuple(sentences)

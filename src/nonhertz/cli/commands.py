@@ -164,14 +164,11 @@ def verify(
     found = {}
     progress = Progress(len(names))
     try:
-        with warnings.catch_warnings():
-            # The sections say themselves where a model is strained.
-            warnings.simplefilter("ignore", AccuracyWarning)
-            for name, section in sections(names, progress.announce):
-                progress.wipe()
-                found[name] = section
-                if not as_json:
-                    print_section(name, section)
+        for name, section in sections(names, progress.announce):
+            progress.wipe()
+            found[name] = section
+            if not as_json:
+                print_section(name, section)
     finally:
         progress.wipe()
     command = " ".join(["nonhertz verify --out DIR", *(["--only", *names] if only else [])])

@@ -43,6 +43,4 @@ def largest_away(solution: Solution) -> tuple[int, ...]:
 
 def at_corner(solution: Solution, strip: int) -> bool:
     """Return whether a strip is the largest pressure and at a corner of the profile, where it has no limit either."""
-    # Only the solver sees a corner, and this is how it tells.
-    told = any("is at a corner of the profile" in sentence for sentence in solution.warnings)
-    return told and bool(solution.peak_pressure[strip] >= (1.0 - SAME) * solution.max_pressure)
+    return solution.peaks_at_corner and bool(solution.peak_pressure[strip] >= (1.0 - SAME) * solution.max_pressure)

@@ -4,21 +4,18 @@ from __future__ import annotations
 
 import functools
 import math
-import warnings
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.errors import AccuracyWarning
 from nonhertz.model.body import Plate, Roller
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
 from nonhertz.plot.style import COLOUR_MAP, INK
-from nonhertz.solution import Solution
 from nonhertz.solver import solve
-from nonhertz.verify.claim import Check, Picture, Section
+from nonhertz.verify.claim import Check, Picture, Section, without_accuracy_warnings
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -101,6 +98,7 @@ class _End:
         return float(np.interp(math.log(TENTH), log_s, -np.gradient(np.log(self.pressure), log_s)))
 
 
+@without_accuracy_warnings()
 def section() -> Section:
     """Return the exponents of several image weights and pairs of materials."""
     ends = [_end(weight, ratio) for weight, ratio in CASES]
@@ -146,11 +144,8 @@ def graded_edges(length: float, narrowest: float, growth: float, widest: float) 
 def _end(weight: float, ratio: float) -> _End:
     roller = Roller(diameter=20.0, length=LENGTH, material=Material(MODULUS, 0.3), side_faces=weight, depth="none")
     plate = Plate(material=Material(ratio * MODULUS, 0.3))
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", AccuracyWarning)
-        solution: Solution = solve(
-            Contact(roller, plate), load=LOAD, strips=graded_edges(LENGTH, NARROWEST, GROWTH, WIDEST)
-        )
+    edges = graded_edges(LENGTH, NARROWEST, GROWTH, WIDEST)
+    solution = solve(Contact(roller, plate), load=LOAD, strips=edges)
     inwards = slice(None, None, -1)
     distance = (0.5 * LENGTH - solution.y[inwards]) / solution.half_width[-1]
     return _End(weight, ratio, solution.edge_pressure[1].image_weight, distance, solution.peak_pressure[inwards])

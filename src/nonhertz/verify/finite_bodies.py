@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import functools
-import warnings
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nonhertz.errors import AccuracyWarning
 from nonhertz.hertz import LineContact, line_contact, plane_strain_cylinder_compression
 from nonhertz.model.body import Body, Plate, Roller
 from nonhertz.model.contact import Contact
@@ -18,7 +16,7 @@ from nonhertz.plot.style import FIRST, INK, SECOND
 from nonhertz.solution import EdgeKind, Solution
 from nonhertz.solver import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
-from nonhertz.verify.claim import Check, Picture, Section
+from nonhertz.verify.claim import Check, Picture, Section, without_accuracy_warnings
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -48,6 +46,7 @@ What finite length and thickness must come to in their limits, whatever happens 
 """
 
 
+@without_accuracy_warnings()
 def section() -> Section:
     """Return the limits."""
     one, series = _pair(images=1), _pair(images="series")
@@ -87,13 +86,7 @@ def _line() -> LineContact:
 
 def _pair(element: Element = SEMI_ELLIPTIC, strips: int | None = None, **rules: str | int) -> Solution:
     roller = Roller(diameter=DIAMETER, length=DIAMETER, material=STEEL, **rules)  # type: ignore[arg-type]
-    return _solve(Contact(roller, roller), LOAD, element, strips)
-
-
-def _solve(contact: Contact, load: float, element: Element = SEMI_ELLIPTIC, strips: int | None = None) -> Solution:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", AccuracyWarning)
-        return solve(contact, load=load, element=element, strips=strips)
+    return solve(Contact(roller, roller), load=LOAD, element=element, strips=strips)
 
 
 def _far_away() -> list[Check]:
@@ -102,7 +95,7 @@ def _far_away() -> list[Check]:
             diameter=20.0, length=length, effective_length=20.0, profile=crown(4000.0), material=STEEL,
             side_faces=faces, depth=depth,
         )  # fmt: skip
-        return _solve(Contact(body, Plate(material=STEEL)), 3000.0)
+        return solve(Contact(body, Plate(material=STEEL)), load=3000.0)
 
     near = crowned(None, "none", "none")
     checks = []
@@ -165,7 +158,7 @@ def _stiff_roller() -> list[Check]:
     def pressed(faces: str) -> Solution:
         stiff = Material(1e3 * STEEL.modulus, STEEL.poisson)
         roller = Roller(diameter=20.0, length=20.0, material=stiff, side_faces=faces, depth="none")
-        return _solve(Contact(roller, Plate(material=STEEL)), 20000.0)
+        return solve(Contact(roller, Plate(material=STEEL)), load=20000.0)
 
     with_faces, without = pressed("mirror"), pressed("none")
     claim = "faces of a roller a thousand times stiffer than the plate: approach"
