@@ -2,7 +2,7 @@
 
 Where a contact runs out inside the bodies its pressure falls to zero. Where it reaches the end of a body the surface
 stops short, and at distances s small against the half-width the equations of the strips become those of a plane
-wedge, with p ~ K / s^alpha and cos(pi alpha) = kappa (`nonhertz.strip.finite`). Only for kappa = 1, as where both
+wedge, with p ~ K / s^alpha and cos(pi alpha) = kappa (`nonhertz.finite`). Only for kappa = 1, as where both
 bodies end together with mirrored faces, is that a finite pressure. For less every refinement raises the pressure of
 the last strip, so it says nothing; K and alpha do.
 

@@ -5,19 +5,19 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.edge import edge_pressures, sharp_end_error
 from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
+from nonhertz.finite import depth_below, influence_of
 from nonhertz.model.body import Body
-from nonhertz.model.checks import finite, positive
 from nonhertz.model.contact import Contact
+from nonhertz.model.prescription import Prescription
 from nonhertz.solution import EdgeKind, EdgePressure, ErrorEstimate, Solution, Status
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
-from nonhertz.strip.finite import depth_below, influence_of
 from nonhertz.strip.grid import kinks
 from nonhertz.strip.levels import Levels, on_automatic_strips, on_equal_strips, on_given_strips
 from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, STAGNATED
@@ -94,9 +94,9 @@ def solve(
     if not isinstance(element, Element):
         remedy = "use nonhertz.SEMI_ELLIPTIC or nonhertz.PARABOLIC"
         raise InputError("element", element, "be an element", remedy)
-    prescription = _Prescription.checked(approach, load, tilt, moment)
+    prescription = Prescription.checked(approach, load, tilt, moment)
     prescription.refuse_outside(contact)
-    problem = prescription.problem(contact, element)
+    problem = _problem(contact, prescription, element)
     levels = _levels(contact, problem, strips)
     solution = _solution(contact, element, problem, levels)
     _refuse_thin_bodies(solution, problem)
@@ -110,55 +110,15 @@ def solve(
     return replace(solution, warnings=(*strains, *_singularities(solution)))
 
 
-@dataclass(frozen=True)
-class _Prescription:
-    """The two given quantities, checked."""
-
-    by_load: bool
-    by_moment: bool
-    first: float
-    second: float
-
-    @classmethod
-    def checked(
-        cls, approach: float | None, load: float | None, tilt: float | None, moment: float | None
-    ) -> _Prescription:
-        if (approach is None) == (load is None):
-            raise InputError("load", load, "be given where approach is not, and only there", "give load or approach")
-        if tilt is not None and moment is not None:
-            raise InputError("moment", moment, "not be given together with tilt", "give tilt or moment")
-        if load is not None:
-            positive("load", load, "give the force in N that presses the bodies together")
-        if approach is not None:
-            finite("approach", approach, "give the approach in mm")
-        if moment is not None:
-            finite("moment", moment, "give the moment in N mm")
-        if tilt is not None:
-            finite("tilt", tilt, "give the tilt in rad")
-        first = load if load is not None else approach
-        second = moment if moment is not None else (tilt or 0.0)
-        assert first is not None
-        return cls(load is not None, moment is not None, float(first), float(second))
-
-    def refuse_outside(self, contact: Contact) -> None:
-        """Refuse a moment that no pressure between the ends of the bodies can have."""
-        low, high = contact.interval
-        if self.by_moment and self.by_load and not low < self.second / self.first < high:
-            condition = f"keep moment / load between {low:g} and {high:g} mm, where both bodies are"
-            raise InputError("moment", self.second, condition, "reduce it or raise the load")
-        if self.by_moment and ((self.second > 0.0 and high <= 0.0) or (self.second < 0.0 and low >= 0.0)):
-            condition = f"have the sign of the lever arms, which lie between {low:g} and {high:g} mm"
-            raise InputError("moment", self.second, condition, "turn its sign")
-
-    def problem(self, contact: Contact, element: Element) -> Problem:
-        factor = contact.compliance
-        target = np.array([
-            self.first * (factor if self.by_load else 1.0),
-            self.second * (factor if self.by_moment else 1.0),
-        ])  # fmt: skip
-        prescribed = np.array([self.by_load, self.by_moment])
-        influence = influence_of(contact, element)
-        return Problem(contact.separation, contact.curvature, element, prescribed, target, influence)
+def _problem(contact: Contact, given: Prescription, element: Element) -> Problem:
+    factor = contact.compliance
+    target = np.array([
+        given.first * (factor if given.by_load else 1.0),
+        given.second * (factor if given.by_moment else 1.0),
+    ])  # fmt: skip
+    prescribed = np.array([given.by_load, given.by_moment])
+    influence = influence_of(contact, element)
+    return Problem(contact.separation, contact.curvature, element, prescribed, target, influence)
 
 
 def _levels(contact: Contact, problem: Problem, strips: int | str | ArrayLike | None) -> Levels:

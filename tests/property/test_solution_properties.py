@@ -13,8 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nonhertz as nh
+from nonhertz.finite import plane_strain_depth
 from nonhertz.model.profile import Profile
-from nonhertz.strip.finite import plane_strain_depth
 
 # Faces that come to lie together may ask for more weight than has a solution; the laws hold with what is used.
 pytestmark = pytest.mark.filterwarnings("ignore:The images about:nonhertz.AccuracyWarning")

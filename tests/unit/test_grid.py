@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.finite import influence_of
 from nonhertz.model.profile import Profile
-from nonhertz.strip.finite import influence_of
+from nonhertz.strip.influence import displacements
 
 HALF = 10.0
 profile = nh.profile
@@ -187,12 +188,12 @@ def displaced_half_spaces(solution, y):
 
 
 def displaced_finite_bodies(solution, y):
-    """Displacement at ``y`` with images and depths, as `nonhertz.strip.finite` lists them."""
+    """Displacement at ``y`` with images and depths, as `nonhertz.finite` lists them."""
     m = solution.element_half_width**2
     q = solution.contact.compliance * solution.line_load
     r = np.divide(q, m, out=np.zeros_like(q), where=m > 0.0)
     influence = influence_of(solution.contact, solution.element)
-    return influence.displacements(y, solution.edges, r, m, solution.element.table)
+    return displacements(influence, y, solution.edges, r, m, solution.element.table)
 
 
 @pytest.mark.parametrize(

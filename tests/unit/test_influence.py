@@ -5,7 +5,8 @@ import pytest
 from scipy.integrate import quad
 
 import nonhertz as nh
-from nonhertz.strip.influence import HALF_SPACE, Depth, Influence, coefficients, displacement, self_displacement
+from nonhertz.finite import HALF_SPACE, Depth, Influence
+from nonhertz.strip.influence import coefficients, displacement, displacements, self_displacement
 
 EDGES = np.array([-2.0, -1.4, -0.3, 0.1, 0.9, 3.0])
 LOW, HIGH = EDGES[:-1], EDGES[1:]
@@ -209,6 +210,6 @@ def test_points_at_depth_count_against_the_displacement_alone(element):
 def test_displacements_are_those_of_the_surface_against_the_points_at_depth(element):
     terms = np.vstack([HALF_SPACE, (-1.0, 7.0, 0.7)])
     influence = Influence(terms, (deep(1.5, terms=terms),))
-    found = influence.displacements(Y, EDGES, R, M, element.table)
+    found = displacements(influence, Y, EDGES, R, M, element.table)
     expected = blocks(element, terms=terms, at_depth=influence.at_depth(Y, EDGES))[0] @ (R * M)[ACTIVE]
     np.testing.assert_allclose(found[ACTIVE], expected, rtol=1e-13, atol=0.0)

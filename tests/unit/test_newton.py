@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.finite import HALF_SPACE, Influence, influence_of
 from nonhertz.strip import newton as loop
-from nonhertz.strip.finite import influence_of
-from nonhertz.strip.influence import HALF_SPACE, Influence
 
 STRIPS = 21
 EDGES = np.linspace(-10.0, 10.0, STRIPS + 1)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.strip.finite import influence_of
+from nonhertz.finite import influence_of
 from nonhertz.strip.influence import coefficients
 
 STEEL = nh.Material(modulus=206000, poisson=0.3)

@@ -6,7 +6,7 @@ import pytest
 from matplotlib.figure import Figure
 
 import nonhertz as nh
-from nonhertz.strip import finite
+from nonhertz import finite
 
 PAPER = ("hertz_ellipse", "line_limits", "profiled_roller", "load_compression")
 BODIES = ("half_space", "plane_strain", "finite_bodies", "edge_exponents", "quarter_space")

@@ -26,7 +26,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.strip.compiled import compiled
+from nonhertz.compiled import compiled
 
 Array = NDArray[np.float64]
 

@@ -19,7 +19,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.strip.compiled import compiled
+from nonhertz.compiled import compiled
+from nonhertz.strip.influence import displacements
 from nonhertz.strip.state import Problem, State, runs
 
 Array = NDArray[np.float64]
@@ -174,7 +175,7 @@ def overlaps(problem: Problem, state: State, interval: tuple[float, float]) -> l
     overlapping = np.zeros(y.size, dtype=bool)
     if suspect.size:
         table = problem.element.table
-        lift = problem.influence.displacements(y[suspect], state.edges, state.r, state.m, table)
+        lift = displacements(problem.influence, y[suspect], state.edges, state.r, state.m, table)
         overlapping[suspect[lift < depth[suspect]]] = True
     step = float(y[1] - y[0])
     return [

@@ -21,7 +21,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.strip.compiled import compiled
+from nonhertz.compiled import compiled
 from nonhertz.strip.influence import coefficients, displacement, self_displacement
 
 Array = NDArray[np.float64]

@@ -9,8 +9,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.finite import Influence
 from nonhertz.strip.element import Element
-from nonhertz.strip.influence import Influence
 from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, STAGNATED, TOLERANCE, newton
 from nonhertz.strip.start import prolong, springs
 

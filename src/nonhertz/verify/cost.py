@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from nonhertz.finite import influence_of
 from nonhertz.model.body import Ring, Roller
 from nonhertz.model.contact import Contact
 from nonhertz.model.profile import iso_logarithmic
@@ -17,7 +18,6 @@ from nonhertz.plot.style import FIRST, INK, SECOND
 from nonhertz.solution import Solution
 from nonhertz.solver import solve
 from nonhertz.strip.element import SEMI_ELLIPTIC
-from nonhertz.strip.finite import influence_of
 from nonhertz.strip.influence import coefficients
 from nonhertz.verify.claim import Check, Picture, Section
 

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from nonhertz.finite import plane_strain_depth
 from nonhertz.hertz import line_contact, plane_strain_cylinder_compression
 from nonhertz.model.body import Roller
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
 from nonhertz.solver import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
-from nonhertz.strip.finite import plane_strain_depth
 from nonhertz.verify.claim import Check, Picture, Section
 
 if TYPE_CHECKING:

@@ -1,8 +1,8 @@
 """Numba's compiler behind a typed decorator, so that the numerical core stays fully typed.
 
 Numba keeps machine code on disk, but asks only whether the file of a function itself has changed since. Code that
-calls into another file would go on with that file's old functions; so all kept code goes as soon as any file of
-this folder is younger.
+calls into another file would go on with that file's old functions; so all kept code goes as soon as any file with
+compiled functions is younger.
 """
 
 from __future__ import annotations
@@ -13,6 +13,9 @@ from pathlib import Path
 from typing import TypeVar, cast
 
 import numba
+
+# The files with compiled functions.
+_COMPILED = ("compiled.py", "finite.py", "strip/*.py")
 
 Function = TypeVar("Function", bound=Callable[..., object])
 
@@ -28,11 +31,11 @@ def compiled(function: Function) -> Function:
 
 
 def _discard_outdated() -> None:
-    folder = Path(__file__).parent
+    package = Path(__file__).parent
     # Another process may discard the same files, and an installed package may not be writable.
     with contextlib.suppress(OSError):
-        youngest = max(source.stat().st_mtime for source in folder.glob("*.py"))
-        kept = list(folder.glob("__pycache__/*.nb[ic]"))
+        youngest = max(source.stat().st_mtime for pattern in _COMPILED for source in package.glob(pattern))
+        kept = list(package.rglob("__pycache__/*.nb[ic]"))
         if any(file.stat().st_mtime < youngest for file in kept):
             for file in kept:
                 file.unlink(missing_ok=True)

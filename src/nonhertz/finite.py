@@ -8,22 +8,28 @@ mirroring leaves on the face; further images only cancel the shear of earlier on
 The weight that governs a sharp end is kappa, the sum over the bodies that end there of image weight times share of
 the compliance. Up to kappa = 1 the pressure goes with the distance s from the end like s^-alpha, cos(pi alpha) =
 kappa; beyond, the equations have no solution that refinement converges to, so weights are lowered to kappa = 1.
+
+Everything that acts beside the load itself is a *term*: a row (sign, offset, weight) that sends what lies at y to
+``sign * y + offset`` and counts ``weight`` times. The direct effect is the term (1, 0, 1); a mirror image about a face
+at f is (-1, 2 f, weight). Displacements are measured against points at depth, which move themselves: a load lifts a
+point at depth d below the centre line by a function of its distance along y over d alone, line loads that is.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.compiled import compiled
 from nonhertz.errors import InputError
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
 from nonhertz.model.finite import SERIES
-from nonhertz.strip.element import Element
-from nonhertz.strip.influence import Depth, End, Influence
 
 Array = NDArray[np.float64]
 
@@ -31,6 +37,117 @@ APART = 0.02  # of the combined radius: about the half-width of a heavily loaded
 TOGETHER = 1.0 - 1e-4
 SEPARATE_LINKS, ALL_LINKS = 16, 1000  # of a series: told apart, and summed one by one
 NO_WEIGHT = 1e-12
+
+#: The direct effect alone, as `Influence.terms`: two half-spaces.
+HALF_SPACE = np.array([[1.0, 0.0, 1.0]])
+
+
+class Shape(Protocol):
+    """What matters, far away, of how the pressure is distributed across the contact: a strip element, or `HERTZ`."""
+
+    @property
+    def far_constant(self) -> float:
+        """-int phi ln|xi| of the shape phi, whose integral is 1, over its half-width."""
+
+    @property
+    def hertz_ratio(self) -> float:
+        """Half-width of the Hertz line contact of equal load over that of the shape."""
+
+
+@dataclass(frozen=True)
+class _Hertz:
+    far_constant: float = math.log(2.0) + 0.5
+    hertz_ratio: float = 1.0
+
+
+#: The semi-ellipse of a line contact.
+HERTZ: Shape = _Hertz()
+
+
+@dataclass(frozen=True)
+class Depth:
+    """How loads on the surface of one body move the points that its displacement is measured against.
+
+    Attributes
+    ----------
+    below : callable
+        y [mm] -> depth d of the point below the surface [mm].
+    poisson_factor : float
+        1 / (2 (1 - nu)).
+    terms : ndarray, shape (terms, 3)
+        Rows as for the surface, of this body alone, its share of the compliance in the weights.
+    far : callable or None
+        y [mm] -> what images too far away to be told apart add to the surface's displacement, per unit of load.
+    """
+
+    below: Callable[[Array], Array]
+    poisson_factor: float
+    terms: Array
+    far: Callable[[Array], Array] | None = None
+
+    def displacement(self, y: Array, edges: Array) -> Array:
+        """Return the displacement at depth under ``y`` per unit of K q of each strip, shape (places, strips)."""
+        result = np.diff(_at_depth(y, self.below(y), edges, self.poisson_factor, self.terms), axis=1)
+        if self.far is not None:
+            result -= self.far(y)[:, None] * np.diff(edges)
+        return np.ascontiguousarray(result)
+
+
+@dataclass(frozen=True)
+class End:
+    """A place where one body or both have a free side face, with image weights that have a solution.
+
+    Attributes
+    ----------
+    y : float
+        Where [mm].
+    side : int
+        -1 at the low, 1 at the high end of the bodies.
+    weights : tuple of float
+        Weights of the images of body a and b about this face, at most such that ``image_weight`` is 1.
+    wanted : float
+        kappa of the weights that were asked for on this side, near faces of the other body counted in.
+    image_weight : float
+        kappa of this face alone with the weights used.
+    """
+
+    y: float
+    side: int
+    weights: tuple[float, float]
+    wanted: float
+    image_weight: float
+
+
+@dataclass(frozen=True)
+class Influence:
+    """How strips act on the centre line: on both surfaces, and on the points at depth of each body that has any.
+
+    Attributes
+    ----------
+    terms : ndarray, shape (terms, 3)
+        Rows (sign, offset, weight); see the module.
+    depths : tuple of Depth
+        Of the bodies that have one.
+    ends : tuple of End
+        The free side faces that the images in ``terms`` are about.
+    """
+
+    terms: Array
+    depths: tuple[Depth, ...] = ()
+    ends: tuple[End, ...] = ()
+
+    def at_depth(self, y: Array, edges: Array) -> Array:
+        """Return the displacement of the points at depth per unit of K q, shape (places, strips)."""
+        if not self.depths:
+            return np.zeros((y.size, edges.size - 1))
+        return sum((depth.displacement(y, edges) for depth in self.depths[1:]), self.depths[0].displacement(y, edges))
+
+    def shallowest(self, y: Array) -> Array:
+        """Return the lesser depth of both bodies under the places ``y``, infinite where neither has one."""
+        shallowest = np.full(y.shape, np.inf)
+        for depth in self.depths:
+            shallowest = np.minimum(shallowest, depth.below(y))
+        return shallowest
 
 
 def ends(contact: Contact) -> tuple[End, ...]:
@@ -72,7 +189,7 @@ def _shares(contact: Contact) -> tuple[float, float]:
     return (contact.a.material.compliance / contact.compliance, contact.b.material.compliance / contact.compliance)
 
 
-def influence_of(contact: Contact, element: Element) -> Influence:
+def influence_of(contact: Contact, shape: Shape) -> Influence:
     """Return how strips between two bodies act, with their side faces and depths."""
     found, direct = ends(contact), (1.0, 0.0)
     terms, depths = {direct: 1.0}, []
@@ -81,7 +198,7 @@ def influence_of(contact: Contact, element: Element) -> Influence:
         images = _images(body, (weights.get(-1, 0.0), weights.get(1, 0.0)), share)
         for place, weight in images.items():
             terms[place] = terms.get(place, 0.0) + weight
-        below = depth_below(body, element)
+        below = depth_below(body, shape)
         if below is not None:
             factor = 1.0 / (2.0 * (1.0 - body.material.poisson))
             far = _far_images(body, weights, share, below, factor) if body.images == SERIES else None
@@ -140,7 +257,7 @@ def _far_images(
     return added
 
 
-def depth_below(body: Body, element: Element) -> Callable[[Array], Array] | None:
+def depth_below(body: Body, shape: Shape) -> Callable[[Array], Array] | None:
     """Return y [mm] -> depth [mm] below the surface of the point that displacement is measured against.
 
     In plane strain the displacement of a strip of infinite length against depth d is 2 K q (ln(d / a) + C - 1 /
@@ -154,7 +271,7 @@ def depth_below(body: Body, element: Element) -> Callable[[Array], Array] | None
         return lambda y: np.full(y.shape, depth)
     factor = 1.0
     if body.depth == "plane-strain":
-        factor = plane_strain_depth(element, body.material.poisson)
+        factor = plane_strain_depth(shape, body.material.poisson)
 
     def below(y: Array) -> Array:
         curvature = body.curvature(y)
@@ -167,7 +284,7 @@ def depth_below(body: Body, element: Element) -> Callable[[Array], Array] | None
     return below
 
 
-def plane_strain_depth(element: Element, poisson: float) -> float:
+def plane_strain_depth(shape: Shape, poisson: float) -> float:
     """Return depth / diameter at which a long cylinder's compression is that of plane strain.
 
     Examples
@@ -176,5 +293,21 @@ def plane_strain_depth(element: Element, poisson: float) -> float:
     >>> round(plane_strain_depth(SEMI_ELLIPTIC, 0.3), 4)
     0.7515
     """
-    exponent = 1.0 / (2.0 * (1.0 - poisson)) - element.far_constant - 0.5
-    return 2.0 / element.hertz_ratio * math.exp(exponent)
+    exponent = 1.0 / (2.0 * (1.0 - poisson)) - shape.far_constant - 0.5
+    return 2.0 / shape.hertz_ratio * math.exp(exponent)
+
+
+@compiled
+def _at_depth(y: Array, depth: Array, edges: Array, poisson_factor: float, terms: Array) -> Array:
+    """Return what a load from the far left up to each edge does at depth under each place, up to a constant."""
+    out = np.zeros((y.size, edges.size))
+    for i in range(y.size):
+        inverse = 1.0 / depth[i]
+        for k in range(terms.shape[0]):
+            sign, offset, weight = terms[k, 0], terms[k, 1] - y[i], terms[k, 0] * terms[k, 2]
+            for e in range(edges.size):
+                u = (sign * edges[e] + offset) * inverse
+                root = math.sqrt(1.0 + u * u)
+                value = math.log(abs(u) + root)
+                out[i, e] += weight * (math.copysign(value, u) + poisson_factor * u / root)
+    return out
