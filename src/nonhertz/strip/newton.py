@@ -9,9 +9,11 @@ negative leaves, a strip whose gap is negative enters. Because a strip's own eff
 function through zero, a leaving or entering strip takes the m that its own equation asks for, which
 stops the flutter of nearly idle strips.
 
-The steps are taken in relative changes of r and q = r m. The approach and the tilt border the system: each
-step solves it for three right-hand sides, the residual and the two rigid motions, and a 2 x 2 system then
-serves any of the four pairs of prescribed quantities. The two extra solutions are the stiffness matrix.
+The curvature rows are linear in r. Every step first gives r what they ask for at the present m, which takes most of
+the nonlinearity out of what is left, and keeps from that elimination how r follows m: so the step itself is a system in
+m alone. The approach and the tilt border it: it is solved for three right-hand sides, the residual and the two rigid
+motions, and a 2 x 2 system then serves any of the four pairs of prescribed quantities. The two extra solutions are the
+stiffness matrix.
 """
 
 from __future__ import annotations
@@ -23,6 +25,7 @@ from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled
 from nonhertz.strip.influence import coefficients, displacement, self_displacement
+from nonhertz.strip.linear import add_product, solve_in_place
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -34,7 +37,10 @@ CONVERGED, ITERATION_LIMIT, STAGNATED = range(3)
 TOLERANCE, ROUGH_TOLERANCE = 1e-11, 1e-6
 # Once residual and step are this small, what the step leaves is its square, and the stiffness is exact to this.
 NEARLY, SMALL_STEP = 1e-8, 1e-5
+# The same on the way to a finer grid, where nobody asks for the stiffness.
+ROUGHLY_NEARLY, ROUGHLY_SMALL = 1e-3, 0.1
 STEP_LIMIT = 60
+LEAST_CHANGE = 0.3  # of r in one step, and its inverse the largest
 # A strip enters only if it overlaps by more than this share of what the others still lack: sooner it would flutter.
 LET_SETTLE = 0.1
 
@@ -94,6 +100,7 @@ def newton(
     """
     half = 0.5 * (high[-1] - low[0])
     widths = high - low
+    nearly, small_step = (ROUGHLY_NEARLY, ROUGHLY_SMALL) if tolerance > TOLERANCE else (NEARLY, SMALL_STEP)
     residual = np.inf
     for step in range(STEP_LIMIT):
         _keep_two(y, widths, prescribed, target, r, m)
@@ -103,16 +110,18 @@ def newton(
         k = active.size
         blocks = np.empty((4, k, k))
         coefficients(y, low, high, m, active, terms, at_depth, table, blocks)
-        width, ra = widths[active], r[active]
-        qa = ra * m[active]
+        width, ca = widths[active], curvature[active]
+        wanted, follows = _curved(blocks, ca)
+        ra, ma = _held(wanted, r[active]), m[active]
+        qa = ra * ma
+        r[active] = ra
         lever = y[active] / half
         depth = _interference(y, separation, rigid, active)
         scale = np.max(depth)
         if not scale > 0.0:
             scale = abs(rigid[0]) + abs(rigid[1]) * half
         noise = _rounding(separation, rigid, active, half)
-        gap_residual = blocks[0] @ qa - depth
-        curvature_residual = blocks[2] @ ra - curvature[active]
+        gap_residual = _product(blocks[0], qa) - depth
         weights = qa * width
         load = np.sum(weights)
         moment = np.sum(weights * lever)
@@ -121,15 +130,14 @@ def newton(
         reference = target[0] if prescribed[0] else load
         unsettled = max(
             (np.max(np.abs(gap_residual)) - noise) / scale,
-            np.max(np.abs(curvature_residual) / curvature[active]),
+            np.max(np.abs(_product(blocks[2], ra) / ca - 1.0)),
             _relative(off, prescribed, reference),
         )
         residual = max(unsettled, -(np.min(gap) + noise) / scale)
         if not math.isfinite(residual):
             return STAGNATED, step, residual
 
-        solution = _directions(blocks, ra, qa, gap_residual, curvature_residual, lever, scale)
-        d_r, d_q = solution[:k], solution[k:]
+        d_r, d_q = _directions(blocks, follows, wanted - ra, ra, ma, gap_residual, lever)
         response = _border(weights, lever, d_q)
         _store_stiffness(response, half, stiffness)
         if residual < tolerance:
@@ -145,8 +153,8 @@ def newton(
         rigid[1] += relaxation * motion[1] / half
         changed = _update(blocks, active, width, rho, sigma, relaxation, table, r, m)
         entered = _enter(widths, curvature, gap, noise + LET_SETTLE * unsettled * scale, active, table, r, m)
-        small = max(np.max(np.abs(rho)), np.max(np.abs(sigma - rho))) < SMALL_STEP
-        if residual < NEARLY and small and not changed and not entered:
+        small = max(np.max(np.abs(rho)), np.max(np.abs(sigma - rho))) < small_step
+        if residual < nearly and small and not changed and not entered:
             left = _check(y, low, high, separation, prescribed, target, rigid, r, m, terms, at_depth, table, gap)
             if left < tolerance:
                 return CONVERGED, step + 1, left
@@ -206,17 +214,17 @@ def _settling(
     y: Array,
     low: Array,
     high: Array,
-    r: Array,
-    m: Array,
+    inverse: Array,
+    q: Array,
     active: Indices,
     terms: Array,
     at_depth: Array,
     table: Array,
 ) -> float:
     """Return the displacement per unit of compliance at the centre of strip ``i`` against the points at depth."""
-    total = displacement(y[i], low, high, r, m, active, terms, table)
+    total = displacement(y[i], low, high, inverse, q, active, terms, table)
     for j in active:
-        total -= at_depth[i, j] * r[j] * m[j]
+        total -= at_depth[i, j] * q[j]
     return total
 
 
@@ -236,40 +244,74 @@ def _idle_gaps(
     gap: Array,
 ) -> None:
     """Fill ``gap`` for the strips out of contact, zero for those in contact."""
+    inverse, q = 1.0 / np.sqrt(m), r * m
     for i in range(y.size):
         gap[i] = 0.0
         if m[i] == 0.0:
             gap[i] = separation[i] - rigid[0] - rigid[1] * y[i]
             if np.isfinite(gap[i]):
-                gap[i] += _settling(i, y, low, high, r, m, active, terms, at_depth, table)
+                gap[i] += _settling(i, y, low, high, inverse, q, active, terms, at_depth, table)
+
+
+@compiled
+def _curved(blocks: Array, curvature: Array) -> tuple[Array, Array]:
+    """Return the r that meet the curvature rows, and d r / d (r mu) with mu the relative changes of m."""
+    k = curvature.size
+    equations = np.empty((k, 2 * k + 1))
+    equations[:, :k] = blocks[2]
+    equations[:, k:-1] = 0.5 * blocks[3]
+    equations[:, -1] = curvature
+    solve_in_place(equations)
+    return equations[:, -1].copy(), equations[:, k:-1].copy()
+
+
+@compiled
+def _held(wanted: Array, r: Array) -> Array:
+    """Return ``wanted`` where it is within a factor of ``r``: far from the answer it may not even be positive."""
+    held: Array = np.minimum(np.maximum(wanted, LEAST_CHANGE * r), r / LEAST_CHANGE)
+    return held
+
+
+@compiled
+def _product(matrix: Array, vector: Array) -> Array:
+    result = np.empty(matrix.shape[0])
+    for i in range(result.size):
+        total = 0.0
+        for j in range(vector.size):
+            total += matrix[i, j] * vector[j]
+        result[i] = total
+    return result
 
 
 @compiled
 def _directions(
-    blocks: Array,
-    ra: Array,
-    qa: Array,
-    gap_residual: Array,
-    curvature_residual: Array,
-    lever: Array,
-    scale: float,
-) -> Array:
-    """Return relative changes of r (upper half) and q (lower) for the residual and both rigid motions."""
-    k = ra.size
-    matrix = np.empty((2 * k, 2 * k))
+    blocks: Array, follows: Array, missing: Array, r: Array, m: Array, gap_residual: Array, lever: Array
+) -> tuple[Array, Array]:
+    """Return relative changes of r and of q for the residual and both rigid motions, shape (k, 3) each.
+
+    With v = r mu the gap rows are [A] m (missing + F v) + ([A] - [t A'] / 2) m v = sides, F being how r ``follows``.
+    """
+    k = r.size
+    loaded = blocks[0] * m
+    equations = np.empty((k, k + 3))
+    equations[:, :k] = loaded - 0.5 * blocks[1] * m
+    add_product(equations, loaded, follows)
+    equations[:, k] = -gap_residual - _product(loaded, missing)
+    equations[:, k + 1] = 1.0
+    equations[:, k + 2] = lever
+    solve_in_place(equations)
+    v = equations[:, k:].copy()
+    d_r, d_q = np.empty((k, 3)), np.empty((k, 3))
     for i in range(k):
+        one, two, three = missing[i], 0.0, 0.0
         for j in range(k):
-            a, ta, b, tb = blocks[0, i, j], blocks[1, i, j], blocks[2, i, j], blocks[3, i, j]
-            matrix[i, j] = ra[j] * (b + 0.5 * tb)
-            matrix[i, j + k] = -0.5 * ra[j] * tb
-            matrix[i + k, j] = 0.5 * qa[j] * ta / scale
-            matrix[i + k, j + k] = qa[j] * (a - 0.5 * ta) / scale
-    sides = np.zeros((2 * k, 3))
-    sides[:k, 0] = -curvature_residual
-    sides[k:, 0] = -gap_residual / scale
-    sides[k:, 1] = 1.0 / scale
-    sides[k:, 2] = lever / scale
-    return np.asarray(np.linalg.solve(matrix, sides), dtype=np.float64)
+            one += follows[i, j] * v[j, 0]
+            two += follows[i, j] * v[j, 1]
+            three += follows[i, j] * v[j, 2]
+        d_r[i, 0], d_r[i, 1], d_r[i, 2] = one / r[i], two / r[i], three / r[i]
+        for side in range(3):
+            d_q[i, side] = d_r[i, side] + v[i, side] / r[i]
+    return d_r, d_q
 
 
 @compiled
@@ -330,7 +372,7 @@ def _update(
         i = active[k]
         mu = relaxation * (sigma[k] - rho[k])
         old_r, old_m = r[i], m[i]
-        r[i] = old_r * min(max(1.0 + relaxation * rho[k], 0.3), 3.0)
+        r[i] = old_r * min(max(1.0 + relaxation * rho[k], LEAST_CHANGE), 1.0 / LEAST_CHANGE)
         if mu > 15.0:
             changed = True
             m[i] = 16.0 * old_m
@@ -399,9 +441,10 @@ def _check(
     depth = _interference(y, separation, rigid, active)
     _idle_gaps(y, low, high, separation, rigid, r, m, active, terms, at_depth, table, gap)
     worst = max(-np.min(gap), 0.0)
+    inverse, q = 1.0 / np.sqrt(m), r * m
     for k in range(active.size):
         i = active[k]
-        gap[i] = _settling(i, y, low, high, r, m, active, terms, at_depth, table) - depth[k]
+        gap[i] = _settling(i, y, low, high, inverse, q, active, terms, at_depth, table) - depth[k]
         worst = max(worst, abs(gap[i]))
     loads = r[active] * m[active] * (high - low)[active]
     load = np.sum(loads)

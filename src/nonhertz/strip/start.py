@@ -1,4 +1,4 @@
-"""Where the Newton loop starts: independent springs, or the solution on a coarser grid.
+"""Where the Newton loop starts: independent springs, or the solution on another grid.
 
 On springs (a Winkler foundation) every strip answers to its own load alone, q = d / (K Lambda), with one
 logarithm Lambda for the whole contact. That is a convex, piecewise linear problem which has a solution for any
@@ -8,10 +8,11 @@ of the four pairs of prescribed quantities, found by sorting for the approach an
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+
+from nonhertz.compiled import compiled
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -19,6 +20,30 @@ Flags = NDArray[np.bool_]
 SECANTS = 30
 
 
+@compiled
+def started(
+    y: Array,
+    width: Array,
+    curvature: Array,
+    separation: Array,
+    line_factor: float,
+    prescribed: Flags,
+    target: Array,
+    near_y: Array,
+    near_r: Array,
+    near_m: Array,
+    near_rigid: Array,
+) -> tuple[Array, Array, Array]:
+    """Return r, m and the rigid motion from a solution on other strips, or from springs if that has no strips."""
+    if near_y.size > 0:
+        r, m = prolong(near_y, near_r, near_m, y)
+        m[~np.isfinite(separation)] = 0.0
+        if np.any(m > 0.0):
+            return r, m, np.where(prescribed, near_rigid, target)
+    return springs(y, width, curvature, separation, line_factor, prescribed, target)
+
+
+@compiled
 def springs(
     y: Array,
     width: Array,
@@ -29,105 +54,119 @@ def springs(
     target: Array,
 ) -> tuple[Array, Array, Array]:
     """Return r, m and the rigid motion of independent springs; arguments as in `nonhertz.strip.newton`."""
-    half = 0.5 * float(np.sum(width))
-    usable = np.isfinite(separation)
-    foundation = _Foundation(y[usable], width[usable], separation[usable], prescribed, target)
+    half = 0.5 * np.sum(width)
+    usable = np.flatnonzero(np.isfinite(separation))
+    beds = y[usable], width[usable], separation[usable]
     r = curvature / line_factor
     m = np.zeros_like(y)
+    rigid = np.zeros(2)
     largest = 0.05 * half
     for _ in range(3):
         stiffness = 1.0 / (2.0 * (math.log(max(2.0 * half / largest, 1.5)) + 1.2))
-        rigid = foundation.balance(stiffness)
+        rigid = _balance(beds, stiffness, prescribed, target)
         m = np.maximum(rigid[0] + rigid[1] * y - separation, 0.0) * stiffness / r
-        largest = max(math.sqrt(float(np.max(m))), 1e-6 * half)
+        largest = max(math.sqrt(np.max(m)), 1e-6 * half)
     return r, m, rigid
 
 
-@dataclass(frozen=True)
-class _Foundation:
-    """Springs under the prescribed pair of quantities."""
+@compiled
+def _balance(beds: tuple[Array, Array, Array], stiffness: float, prescribed: Flags, target: Array) -> Array:
+    """Return approach and tilt of ``beds`` (place, width, separation) of this stiffness per unit of length."""
+    tilt, other = target[1], target[1]
+    if prescribed[1]:
+        tilt, other = _tilts(beds, stiffness, prescribed, target)
+    approach = _approach(beds, stiffness, tilt, prescribed, target)
+    # A moment may vanish because nothing touches; any other asks for the end of the bracket where something does.
+    if target[1] != 0.0 and not np.max(approach + tilt * beds[0] - beds[2]) > 0.0:
+        tilt = other
+        approach = _approach(beds, stiffness, tilt, prescribed, target)
+    return np.array([approach, tilt])
 
-    y: Array
-    width: Array
-    separation: Array
-    prescribed: Flags
-    target: Array
 
-    def balance(self, stiffness: float) -> Array:
-        """Return approach and tilt on springs of this stiffness per unit of length."""
-        tilts = self._tilts(stiffness) if self.prescribed[1] else (float(self.target[1]),)
-        # A moment may vanish because nothing touches; any other asks for the end of the bracket where something does.
-        for tilt in tilts:
-            rigid = np.array([self._approach(stiffness, tilt), tilt])
-            if self.target[1] == 0.0 or np.max(rigid[0] + tilt * self.y - self.separation) > 0.0:
-                break
-        return rigid
+@compiled
+def _tilts(beds: tuple[Array, Array, Array], stiffness: float, prescribed: Flags, target: Array) -> tuple[float, float]:
+    """Return the two ends of a short bracket around the tilt at which the moment is met."""
+    low, excess = 0.0, _excess_moment(beds, stiffness, 0.0, prescribed, target)
+    if excess == 0.0:
+        return 0.0, 0.0
+    reach = np.max(np.abs(beds[0]))
+    step = abs(target[0]) + abs(target[1]) / reach
+    if prescribed[0]:
+        step /= stiffness * np.sum(beds[1])
+    high = -math.copysign(step / reach, excess)
+    over = _excess_moment(beds, stiffness, high, prescribed, target)
+    for _ in range(200):
+        if over * excess <= 0.0:
+            break
+        low, excess, high = high, over, 2.0 * high
+        over = _excess_moment(beds, stiffness, high, prescribed, target)
+    # False position, which halves an end's weight when that stays.
+    for _ in range(SECANTS):
+        if over == 0.0 or abs(high - low) <= 1e-10 * (abs(high) + abs(low)):
+            break
+        middle = high - over * (high - low) / (over - excess)
+        found = _excess_moment(beds, stiffness, middle, prescribed, target)
+        if found * over < 0.0:
+            low, excess = high, over
+        else:
+            excess *= 0.5
+        high, over = middle, found
+    return high, low
 
-    def _tilts(self, stiffness: float) -> tuple[float, ...]:
-        """Return the two ends of a short bracket around the tilt at which the moment is met."""
-        low, excess = 0.0, self._excess_moment(stiffness, 0.0)
-        if excess == 0.0:
-            return (0.0,)
-        reach = float(np.max(np.abs(self.y)))
-        step = abs(self.target[0]) + abs(self.target[1]) / reach
-        if self.prescribed[0]:
-            step /= stiffness * float(np.sum(self.width))
-        high = -math.copysign(step / reach, excess)
-        over = self._excess_moment(stiffness, high)
-        for _ in range(200):
-            if over * excess <= 0.0:
-                break
-            low, excess, high = high, over, 2.0 * high
-            over = self._excess_moment(stiffness, high)
-        return self._narrowed(stiffness, low, excess, high, over)
 
-    def _narrowed(self, stiffness: float, low: float, excess: float, high: float, over: float) -> tuple[float, float]:
-        """Return the ends of the bracket after false position, which halves an end's weight when that stays."""
-        for _ in range(SECANTS):
-            if over == 0.0 or abs(high - low) <= 1e-10 * (abs(high) + abs(low)):
-                break
-            middle = high - over * (high - low) / (over - excess)
-            found = self._excess_moment(stiffness, middle)
-            if found * over < 0.0:
-                low, excess = high, over
-            else:
-                excess *= 0.5
-            high, over = middle, found
-        return (high, low)
+@compiled
+def _approach(
+    beds: tuple[Array, Array, Array], stiffness: float, tilt: float, prescribed: Flags, target: Array
+) -> float:
+    """Return the approach at this tilt: the prescribed one, or the one at which the springs carry the load.
 
-    def _approach(self, stiffness: float, tilt: float) -> float:
-        """Return the approach at this tilt: the prescribed one, or the one at which the springs carry the load.
-
-        With the springs in the order in which they come to bear, the approach at which the first k carry the load
-        follows from sums; the right k is the first whose approach leaves the next spring untouched.
-        """
-        if not self.prescribed[0]:
-            return float(self.target[0])
-        height = self.separation - tilt * self.y
+    With the springs in the order in which they come to bear, the approach at which the first k carry the load
+    follows from sums; the right k is the first whose approach leaves the next spring untouched.
+    """
+    approach = target[0]
+    if prescribed[0]:
+        y, width, separation = beds
+        height = separation - tilt * y
         order = np.argsort(height)
-        height, width = height[order], stiffness * self.width[order]
-        approach = (self.target[0] + np.cumsum(width * height)) / np.cumsum(width)
-        untouched = approach[:-1] <= height[1:]
-        return float(approach[np.argmax(untouched)] if np.any(untouched) else approach[-1])
+        carried, bearing = target[0], 0.0
+        for k in range(order.size):
+            bearing += stiffness * width[order[k]]
+            carried += stiffness * width[order[k]] * height[order[k]]
+            approach = carried / bearing
+            if k + 1 < order.size and approach <= height[order[k + 1]]:
+                break
+    return float(approach)
 
-    def _excess_moment(self, stiffness: float, tilt: float) -> float:
-        depth = np.maximum(self._approach(stiffness, tilt) + tilt * self.y - self.separation, 0.0)
-        return float(stiffness * np.sum(self.width * self.y * depth) - self.target[1])
+
+@compiled
+def _excess_moment(
+    beds: tuple[Array, Array, Array], stiffness: float, tilt: float, prescribed: Flags, target: Array
+) -> float:
+    y, width, separation = beds
+    depth = np.maximum(_approach(beds, stiffness, tilt, prescribed, target) + tilt * y - separation, 0.0)
+    return float(stiffness * np.sum(width * y * depth) - target[1])
 
 
+@compiled
 def prolong(y_from: Array, r_from: Array, m_from: Array, y: Array) -> tuple[Array, Array]:
     """Return r and m interpolated to other strips.
 
     m runs linearly through zero where the contact ends: the first idle strip is given the value that continues
     the line, so that strips of the other grid are counted in or out by where the contact really ends.
     """
-    touching = m_from > 0.0
     extended = m_from.copy()
-    for side in (1, -1):
-        # A view with the contact coming first: idle strips whose two neighbours on this side touch.
-        m, place, beyond = m_from[::side], y_from[::side], extended[::side]
-        at = np.flatnonzero((m[2:] == 0.0) & (m[1:-1] > 0.0) & (m[:-2] > 0.0)) + 2
-        slope = (m[at - 1] - m[at - 2]) / (place[at - 1] - place[at - 2])
-        beyond[at] = np.minimum(beyond[at], m[at - 1] + slope * (place[at] - place[at - 1]))
+    _continue_past_ends(y_from, m_from, extended)
+    # The same seen from the other side.
+    _continue_past_ends(y_from[::-1], m_from[::-1], extended[::-1])
+    touching = np.flatnonzero(m_from > 0.0)
     m = np.maximum(np.interp(y, y_from, extended), 0.0)
     return np.interp(y, y_from[touching], r_from[touching]), m
+
+
+@compiled
+def _continue_past_ends(y: Array, m: Array, extended: Array) -> None:
+    """Continue m into the first idle strip after two that touch, as far as that leads below what is there."""
+    for at in range(2, m.size):
+        if m[at] == 0.0 and m[at - 1] > 0.0 and m[at - 2] > 0.0:
+            slope = (m[at - 1] - m[at - 2]) / (y[at - 1] - y[at - 2])
+            extended[at] = min(extended[at], m[at - 1] + slope * (y[at] - y[at - 1]))

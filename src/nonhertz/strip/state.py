@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from nonhertz.finite import Influence
 from nonhertz.strip.element import Element
 from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, STAGNATED, TOLERANCE, newton
-from nonhertz.strip.start import prolong, springs
+from nonhertz.strip.start import springs, started
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -21,6 +21,7 @@ LEAST_RISE = 1e-3  # of the load, below which raising it further is given up
 # Depths in half-widths of independent springs, which may be half of the true ones where bodies are thin: below the
 # first no loop is started, below the second none that failed is helped.
 HOPELESS, SCARCELY = 0.7, 4.0
+_NOTHING = np.empty(0)
 
 
 @dataclass(frozen=True)
@@ -134,7 +135,7 @@ def settle(
     Where the loop fails from one start, the next is tried: springs, springs with shortened steps, and last the
     load raised in steps from a small one. The last two only if ``patient``.
     """
-    strips = _Strips.of(problem, edges)
+    strips = Strips.of(problem, edges)
     state = None
     if near is not None and near.converged:
         state = strips.loop(problem, tolerance, near)
@@ -169,22 +170,30 @@ def _better(one: State, other: State) -> State:
 
 
 @dataclass(frozen=True)
-class _Strips:
+class Strips:
     """Strips with all that is known of them before their loads are."""
 
     edges: Array
     y: Array
+    width: Array
     curvature: Array
     separation: Array
     at_depth: Array
     shallowest: Array
 
     @classmethod
-    def of(cls, problem: Problem, edges: Array) -> _Strips:
+    def of(cls, problem: Problem, edges: Array) -> Strips:
+        """Return the strips between ``edges``."""
         y = 0.5 * (edges[1:] + edges[:-1])
         influence = problem.influence
         return cls(
-            edges, y, problem.curvature(y), problem.separation(y), influence.at_depth(y, edges), influence.shallowest(y)
+            edges,
+            y,
+            np.diff(edges),
+            problem.curvature(y),
+            problem.separation(y),
+            influence.at_depth(y, edges),
+            influence.shallowest(y),
         )
 
     def springs(self, problem: Problem) -> tuple[Array, Array, Array]:
@@ -197,6 +206,8 @@ class _Strips:
         Where points at depth lie within the contact they move more than the surface, and the equations have either
         no solution or some that mean nothing.
         """
+        if not problem.influence.depths:
+            return False
         return bool(np.any(self.shallowest < least * problem.element.hertz_ratio * np.sqrt(m)))
 
     def raised(self, problem: Problem) -> State:
@@ -214,22 +225,18 @@ class _Strips:
 
     def loop(self, problem: Problem, tolerance: float, near: State | None = None, relaxation: float = 1.0) -> State:
         """Return where the Newton loop ends that starts from a ``near`` state, else from springs."""
-        if near is not None:
-            r, m = prolong(near.y, near.r, near.m, self.y)
-            m[~np.isfinite(self.separation)] = 0.0
-            rigid = np.where(problem.prescribed, near.rigid, problem.target)
-        if near is None or not np.any(m > 0.0):
-            r, m, rigid = self.springs(problem)
+        element, influence = problem.element, problem.influence
+        start = (near.y, near.r, near.m, near.rigid) if near is not None else (_NOTHING, _NOTHING, _NOTHING, _NOTHING)
+        r, m, rigid = started(
+            self.y, self.width, self.curvature, self.separation, element.line_factor, problem.prescribed,
+            problem.target, *start,
+        )  # fmt: skip
         gap, stiffness = np.zeros_like(self.y), np.zeros((2, 2))
         if self.too_thin(problem, m, HOPELESS):
             return State(self.edges, r, m, rigid, gap, stiffness, STAGNATED, 0, np.inf)
-        try:
-            status, steps, residual = newton(
-                self.y, self.edges[:-1], self.edges[1:], self.curvature, self.separation, problem.prescribed,
-                problem.target, problem.influence.terms, self.at_depth, problem.element.table, r, m, rigid, gap,
-                stiffness, tolerance, relaxation,
-            )  # fmt: skip
-        except np.linalg.LinAlgError:
-            # Only bodies thinner than the contact is wide have been seen to give singular equations.
-            status, steps, residual = STAGNATED, 0, np.inf
+        status, steps, residual = newton(
+            self.y, self.edges[:-1], self.edges[1:], self.curvature, self.separation, problem.prescribed,
+            problem.target, influence.terms, self.at_depth, element.table, r, m, rigid, gap, stiffness, tolerance,
+            relaxation,
+        )  # fmt: skip
         return State(self.edges, r, m, rigid, gap, stiffness, status, steps, residual)
