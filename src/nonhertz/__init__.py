@@ -18,11 +18,14 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from nonhertz import hertz as hertz
+    from nonhertz import patch as patch
     from nonhertz.errors import AccuracyWarning as AccuracyWarning
     from nonhertz.errors import CaseError as CaseError
     from nonhertz.errors import ConvergenceError as ConvergenceError
     from nonhertz.errors import InputError as InputError
     from nonhertz.errors import NonhertzError as NonhertzError
+    from nonhertz.many import Solutions as Solutions
+    from nonhertz.many import solve_many as solve_many
     from nonhertz.model import profile as profile
     from nonhertz.model.body import Body as Body
     from nonhertz.model.body import Plate as Plate
@@ -64,11 +67,13 @@ _HOMES = {
     "Roller": "nonhertz.model.body",
     "SEMI_ELLIPTIC": "nonhertz.strip.element",
     "Solution": "nonhertz.solution",
+    "Solutions": "nonhertz.many",
     "Status": "nonhertz.solution",
     "TabulatedDiameter": "nonhertz.model.body",
     "solve": "nonhertz.solver",
+    "solve_many": "nonhertz.many",
 }
-_MODULES = {"hertz": "nonhertz.hertz", "profile": "nonhertz.model.profile"}
+_MODULES = {"hertz": "nonhertz.hertz", "patch": "nonhertz.patch", "profile": "nonhertz.model.profile"}
 
 
 def __getattr__(name: str) -> Any:

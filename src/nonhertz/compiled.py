@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numba
-from numba.core import config
+import numba.core.config
 from numba.core.compiler_lock import global_compiler_lock
 
 # The files with compiled functions.
@@ -32,7 +32,7 @@ def compiled(function: Function) -> Function:
     Multiplications and additions may be fused; nothing else about floating point is relaxed. The global
     interpreter lock is released, so that many solves can share a process.
     """
-    made = numba.njit(cache=True, nogil=True, fastmath={"contract"}, error_model="numpy")(function)
+    made: Any = numba.njit(cache=True, nogil=True, fastmath={"contract"}, error_model="numpy")(function)
     compile_plainly = made.compile
 
     def compile_gathering(signature: Any) -> Any:
@@ -46,13 +46,14 @@ def compiled(function: Function) -> Function:
 @contextlib.contextmanager
 def _operations_gathered() -> Iterator[None]:
     """Let the compiler gather like operations of straight code; under its lock, since the setting is for all."""
+    settings: Any = numba.core.config
     with global_compiler_lock:
-        before = config.SLP_VECTORIZE
-        config.SLP_VECTORIZE = 1
+        before = settings.SLP_VECTORIZE
+        settings.SLP_VECTORIZE = 1
         try:
             yield
         finally:
-            config.SLP_VECTORIZE = before
+            settings.SLP_VECTORIZE = before
 
 
 def _discard_outdated() -> None:

@@ -222,7 +222,7 @@ def evaluate_displacement(t: float, table: Array) -> float:
         return evaluate(t, table)[0]
     first, x = _locate(size)
     # Even and odd powers apart, so that the processor need not wait for every power before the next.
-    square, even, odd = x * x, table[first], 0.0
+    square, even, odd = x * x, float(table[first]), 0.0
     for k in range(1, DEGREE, 2):
         odd = odd * square + table[first + np.uint64(4 * k)]
         even = even * square + table[first + np.uint64(4 * k + 4)]

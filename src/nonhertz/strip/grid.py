@@ -40,6 +40,7 @@ SAMPLES = 600
 MOST_BENDS = 12
 STRIPS_PER_OVERLAP = 5.0
 LEAST_KINK = 1e-7  # rad
+NEAREST = 3  # strips, to say how wide the contact is somewhere
 
 
 @dataclass(frozen=True)
@@ -100,28 +101,26 @@ def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tu
     interval : tuple of float
         Where the bodies may touch [mm], finite.
     """
-    half_width = np.sqrt(state.m)
     contact = np.array(state.contact)
     length = float(contact[-1, 1] - contact[0, 0])
-    low, high = state.edges[0], state.edges[-1]
+    low, high = float(state.edges[0]), float(state.edges[-1])
     places, widths = [], []
-    for touched in contact:
-        inside = (state.y >= touched[0]) & (state.y <= touched[1]) & (state.m > 0.0)
+    for touched in state.contact:
         for end, side in zip(touched, (-1, 1), strict=True):
-            floor = NARROWEST * _near(state, half_width, end)
-            sharp = end in (low, high) and reaches(state, side)
+            floor = NARROWEST * _near(state.y, state.m, end)
+            sharp = end in {low, high} and reaches(state, side)
             places.append(end)
-            widths.append(floor if sharp else max(floor, END_SHARE * _fall(state, inside, end)))
+            widths.append(floor if sharp else max(floor, END_SHARE * _fall(state.y, state.m, *touched, side)))
     depth = float(np.max(state.rigid[0] + state.rigid[1] * state.y - problem.separation(state.y)))
     corners = kinks(problem.separation, bends, state)
     for place, turn in corners:
         places.append(place)
-        widths.append(max(KINK_SHARE * depth / turn, NARROWEST * _near(state, half_width, place)))
+        widths.append(max(KINK_SHARE * depth / turn, NARROWEST * _near(state.y, state.m, place)))
     for place, width in overlaps(problem, state, interval):
         places.append(place)
         widths.append(width)
         low, high = min(low, max(place - 5.0 * width, interval[0])), max(high, min(place + 5.0 * width, interval[1]))
-    sample_y, sample_width = _bending(problem, state, half_width)
+    sample_y, sample_width = _bending(problem, state)
     return Sizes(
         float(low),
         float(high),
@@ -137,28 +136,36 @@ def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tu
     )
 
 
-def _near(state: State, half_width: Array, place: float) -> float:
+@compiled
+def _near(y: Array, m: Array, place: float) -> float:
     """Return the half-width of the widest of the strips in contact nearest to ``place``."""
-    touching = np.flatnonzero(state.m > 0.0)
-    nearest = touching[np.argsort(np.abs(state.y[touching] - place))[:3]]
-    return float(np.max(half_width[nearest]))
+    touching = np.flatnonzero(m > 0.0)
+    nearest = touching[np.argsort(np.abs(y[touching] - place))[:NEAREST]]
+    return math.sqrt(np.max(m[nearest]))
 
 
-def _fall(state: State, inside: NDArray[np.bool_], end: float) -> float:
-    """Return the distance from ``end`` at which m has half the value of the nearest summit."""
-    order = np.flatnonzero(inside)
-    if order.size == 0:
-        return float(np.min(state.width))
-    order = order[np.argsort(np.abs(state.y[order] - end))]
-    m = state.m[order]
-    falling = np.flatnonzero(np.diff(m) < 0.0)
-    summit = falling[0] if falling.size else m.size - 1
-    at = int(np.argmax(m >= 0.5 * m[summit]))
-    distance = np.abs(state.y[order] - end)
+@compiled
+def _fall(y: Array, m: Array, low: float, high: float, side: int) -> float:
+    """Return the distance from one end of a contact at which m has half the value of the nearest summit."""
+    inside = np.flatnonzero((y >= low) & (y <= high) & (m > 0.0))
+    end = high if side > 0 else low
+    if inside.size == 0:
+        return float(high - low)
+    if side > 0:
+        inside = inside[::-1].copy()
+    summit = 0
+    while summit + 1 < inside.size and m[inside[summit + 1]] >= m[inside[summit]]:
+        summit += 1
+    half = 0.5 * m[inside[summit]]
+    at = 0
+    while m[inside[at]] < half:
+        at += 1
+    distance = abs(y[inside[at]] - end)
     if at == 0:
-        return float(distance[0])
-    share = (0.5 * m[summit] - m[at - 1]) / (m[at] - m[at - 1])
-    return float(distance[at - 1] + share * (distance[at] - distance[at - 1]))
+        return float(distance)
+    before = abs(y[inside[at - 1]] - end)
+    share = (half - m[inside[at - 1]]) / (m[inside[at]] - m[inside[at - 1]])
+    return float(before + share * (distance - before))
 
 
 def overlaps(problem: Problem, state: State, interval: tuple[float, float]) -> list[tuple[float, float]]:
@@ -167,9 +174,11 @@ def overlaps(problem: Problem, state: State, interval: tuple[float, float]) -> l
     A wide strip out of contact sees the gap at its centre only; another place of contact may lie beside it.
     """
     contact = np.array(state.contact)
-    y = np.linspace(*interval, SAMPLES + 1)
-    depth = state.rigid[0] + state.rigid[1] * y - problem.separation(y)
     margin = 0.02 * (contact[:, 1:] - contact[:, :1])
+    if len(contact) == 1 and contact[0, 0] - margin[0] <= interval[0] and contact[0, 1] + margin[0] >= interval[1]:
+        return []
+    y, h = problem.sampled(*interval, SAMPLES)
+    depth = state.rigid[0] + state.rigid[1] * y - h
     apart = np.all((y < contact[:, :1] - margin) | (y > contact[:, 1:] + margin), axis=0)
     suspect = np.flatnonzero(apart & (depth > 0.0))
     overlapping = np.zeros(y.size, dtype=bool)
@@ -214,24 +223,29 @@ def _turn(separation: Callable[[Array], Array], places: Array, step: float) -> A
     return turn
 
 
-def _bending(problem: Problem, state: State, half_width: Array) -> tuple[Array, Array]:
+def _bending(problem: Problem, state: State) -> tuple[Array, Array]:
     """Return samples along y and the width at which the profile sags by no more than SAG of the interference."""
-    y = np.linspace(state.edges[0], state.edges[-1], SAMPLES + 1)
-    h = problem.separation(y)
+    y, h = problem.sampled(float(state.edges[0]), float(state.edges[-1]), SAMPLES)
+    return y[1:-1], _sagging(y, h, state.rigid, NARROWEST * math.sqrt(float(np.max(state.m))))
+
+
+@compiled
+def _sagging(y: Array, h: Array, rigid: Array, narrowest: float) -> Array:
     step = y[1] - y[0]
-    depth = state.rigid[0] + state.rigid[1] * y - h
-    with np.errstate(invalid="ignore"):
-        bend = np.abs(h[2:] - 2.0 * h[1:-1] + h[:-2]) / step**2
-    bend[~np.isfinite(bend)] = 0.0
-    with np.errstate(divide="ignore", over="ignore"):
-        width = np.sqrt(8.0 * SAG * np.max(depth) / bend)
-    width[depth[1:-1] < 0.0] = np.inf
-    width = np.clip(width, NARROWEST * np.max(half_width), y[-1] - y[0])
+    deepest = np.max(rigid[0] + rigid[1] * y - h)
+    width = np.empty(y.size - 2)
+    for i in range(width.size):
+        bend = abs(h[i + 2] - 2.0 * h[i + 1] + h[i]) / step**2
+        wanted = y[-1] - y[0]
+        if math.isfinite(bend) and bend > 0.0 and rigid[0] + rigid[1] * y[i + 1] >= h[i + 1]:
+            wanted = min(wanted, math.sqrt(8.0 * SAG * deepest / bend))
+        width[i] = max(wanted, narrowest)
     # Let it grow away from every sample no faster than from a feature.
-    slope = GROWTH * y[1:-1]
-    width = np.minimum.accumulate(width - slope) + slope
-    width = np.minimum.accumulate((width + slope)[::-1])[::-1] - slope
-    return y[1:-1], width
+    for i in range(1, width.size):
+        width[i] = min(width[i], width[i - 1] + GROWTH * step)
+    for i in range(width.size - 2, -1, -1):
+        width[i] = min(width[i], width[i + 1] + GROWTH * step)
+    return width
 
 
 def graded(wanted: Sizes, limit: int) -> Grading:
@@ -278,29 +292,35 @@ class Grading:
             float(np.interp(half, self.right[1], self.right[0])) - self.centre,
             self.centre - float(np.interp(half, self.left[1], self.left[0])),
         )
-        right = _cut(self.right, self.centre + reach, self.corners, share)
-        left = _cut(self.left, self.centre - reach, self.corners, share)
+        right = _cut(*self.right, self.centre + reach, self.corners, share)
+        left = _cut(*self.left, self.centre - reach, self.corners, share)
         return np.concatenate([left[::-1], right])
 
 
-def _cut(side: tuple[Array, Array], start: float, corners: Array, share: float) -> Array:
+@compiled
+def _cut(y: Array, count: Array, start: float, corners: Array, share: float) -> Array:
     """Return edges from ``start`` outward, whole numbers of strips to every corner and to the end."""
-    y, count = side
     outward = 1.0 if y[-1] > y[0] else -1.0
-    begin = float(np.interp(outward * start, outward * y, count))
-    pieces = [np.array([start])]
-    for mark in (*sorted(corners, key=lambda place: outward * place), y[-1]):
-        reached = float(np.interp(outward * mark, outward * y, count))
-        wanted = share * (reached - begin), share * (count[-1] - reached)
+    along = outward * y
+    begin = np.interp(outward * start, along, count)
+    marks = np.append(np.sort(outward * corners), along[-1])
+    edges = np.empty(int(share * count[-1]) + marks.size + 3)
+    edges[0] = start
+    used = 1
+    for k in range(marks.size):
+        last = k == marks.size - 1
+        reached = np.interp(marks[k], along, count)
         # A corner close to another edge would cut off a sliver.
-        if min(wanted) < LEAST_STRIP and mark != y[-1]:
+        if not last and min(share * (reached - begin), share * (count[-1] - reached)) < LEAST_STRIP:
             continue
-        strips = max(1, round(wanted[0]))
-        inner = np.interp(begin + (reached - begin) / strips * np.arange(1, strips + 1), count, y)
-        inner[-1] = mark
-        pieces.append(inner)
+        strips = max(1, round(share * (reached - begin)))
+        for strip in range(1, strips):
+            edges[used] = np.interp(begin + (reached - begin) / strips * strip, count, y)
+            used += 1
+        edges[used] = outward * marks[k]
+        used += 1
         begin = reached
-    return np.concatenate(pieces)
+    return edges[:used].copy()
 
 
 @compiled

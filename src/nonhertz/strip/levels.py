@@ -67,21 +67,31 @@ class Levels:
         return float(SAFETY * max(changes[0], 0.5 * changes[-1]))
 
 
-def on_equal_strips(problem: Problem, interval: Interval, count: int) -> Levels:
-    """Return the solution on ``count`` equal strips over the interval on which the bodies can touch."""
+def equal_grids(problem: Problem, interval: Interval, count: int) -> list[Array]:
+    """Return the edges of ``count`` equal strips where the bodies can touch, and of half as many down to a few."""
     low, high = bounded(problem, interval)
     counts = [count]
     while counts[-1] // 2 >= COARSEST_LEVEL or (len(counts) == 1 and count > 1):
         counts.append(counts[-1] // 2)
-    return _raised(problem, [uniform(low, high, level) for level in counts])
+    return [uniform(low, high, level) for level in counts]
 
 
-def on_given_strips(problem: Problem, edges: Array) -> Levels:
-    """Return the solution on the strips between ``edges``; coarser levels leave out every other edge."""
+def given_grids(edges: Array) -> list[Array]:
+    """Return given edges, and coarser grids that leave out every other one."""
     grids = [edges]
     while grids[-1].size // 2 > COARSEST_LEVEL or (len(grids) == 1 and edges.size > 2):
         grids.append(np.unique(np.concatenate([grids[-1][:-1:2], edges[-1:]])))
-    return _raised(problem, grids)
+    return grids
+
+
+def on_equal_strips(problem: Problem, interval: Interval, count: int) -> Levels:
+    """Return the solution on ``count`` equal strips over the interval on which the bodies can touch."""
+    return _raised(problem, equal_grids(problem, interval, count))
+
+
+def on_given_strips(problem: Problem, edges: Array) -> Levels:
+    """Return the solution on the strips between ``edges``."""
+    return _raised(problem, given_grids(edges))
 
 
 def on_automatic_strips(problem: Problem, interval: Interval, bends: tuple[float, ...]) -> Levels:

@@ -123,7 +123,7 @@ def _approach(
     With the springs in the order in which they come to bear, the approach at which the first k carry the load
     follows from sums; the right k is the first whose approach leaves the next spring untouched.
     """
-    approach = target[0]
+    approach = float(target[0])
     if prescribed[0]:
         y, width, separation = beds
         height = separation - tilt * y

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.compiled import compiled
 from nonhertz.finite import Influence
 from nonhertz.strip.element import Element
 from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, STAGNATED, TOLERANCE, newton
@@ -48,6 +49,15 @@ class Problem:
     prescribed: Flags
     target: Array
     influence: Influence
+    _sampled: dict[tuple[float, float, int], tuple[Array, Array]] = field(default_factory=dict, repr=False)
+
+    def sampled(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
+        """Return places at equal distances and the separation there, kept for the next who asks."""
+        key = (low, high, intervals)
+        if key not in self._sampled:
+            y = np.linspace(low, high, intervals + 1)
+            self._sampled[key] = y, self.separation(y)
+        return self._sampled[key]
 
     def with_share(self, share: float) -> Problem:
         """Return the problem with its prescribed load and moment multiplied by ``share``."""
@@ -82,19 +92,7 @@ class State:
     @cached_property
     def contact(self) -> tuple[tuple[float, float], ...]:
         """The intervals in contact [mm], their ends where m, continued linearly, vanishes."""
-        return tuple((self._end(first, last, -1), self._end(last, first, 1)) for first, last in runs(self.m > 0.0))
-
-    def _end(self, at: int, other: int, side: int) -> float:
-        """Return where the contact around strip ``at`` ends on the given side, at most one strip away."""
-        edge = float(self.edges[at + (side > 0)])
-        next_in = at - side
-        next_out = at + side
-        bodies_end = not 0 <= next_out < self.m.size
-        limit = edge if bodies_end else float(self.y[next_out])
-        if at == other or self.m[next_in] <= self.m[at]:
-            return edge
-        run = self.m[at] * abs(self.y[at] - self.y[next_in]) / (self.m[next_in] - self.m[at])
-        return float(side * min(side * (self.y[at] + side * run), side * limit))
+        return tuple(map(tuple, _intervals(self.edges, self.y, self.m).tolist()))
 
     @property
     def converged(self) -> bool:
@@ -125,6 +123,33 @@ def runs(flags: Flags) -> list[tuple[int, int]]:
     if flags[-1]:
         change.append(flags.size)
     return [(first, beyond - 1) for first, beyond in zip(change[::2], change[1::2], strict=True)]
+
+
+@compiled
+def _intervals(edges: Array, y: Array, m: Array) -> Array:
+    """Return the two ends of every interval in contact, shape (intervals, 2)."""
+    found = np.empty((m.size, 2))
+    count, first = 0, -1
+    for i in range(m.size):
+        if m[i] > 0.0 and first < 0:
+            first = i
+        if m[i] > 0.0 and (i + 1 == m.size or m[i + 1] == 0.0):
+            found[count, 0] = _end(edges, y, m, first, i, -1)
+            found[count, 1] = _end(edges, y, m, i, first, 1)
+            count, first = count + 1, -1
+    return found[:count].copy()
+
+
+@compiled
+def _end(edges: Array, y: Array, m: Array, at: int, other: int, side: int) -> float:
+    """Return where the contact around strip ``at`` ends on the given side, at most one strip away."""
+    edge = edges[at + 1] if side > 0 else edges[at]
+    next_in, next_out = at - side, at + side
+    if at == other or m[next_in] <= m[at]:
+        return float(edge)
+    limit = y[next_out] if 0 <= next_out < m.size else edge
+    run = m[at] * abs(y[at] - y[next_in]) / (m[next_in] - m[at])
+    return float(side * min(side * (y[at] + side * run), side * limit))
 
 
 def settle(

@@ -1,0 +1,352 @@
+"""Thousands of cases in one call: loads, tilts and contacts, on all cores.
+
+On a number of strips, or on given ones, all cases of a contact go through compiled loops together. On the automatic
+grid every case learns a grid of its own, so they are solved one by one, side by side. Either way the result of a case
+is that of `nonhertz.solve`.
+"""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
+from nonhertz.model.contact import Contact
+from nonhertz.model.prescription import Prescription
+from nonhertz.outcome import outcome, suspected
+from nonhertz.solution import Solution
+from nonhertz.solver import levels_of, problem_of, target_of, wanted_strips
+from nonhertz.strip.batch import States, settle_all
+from nonhertz.strip.element import SEMI_ELLIPTIC, Element
+from nonhertz.strip.levels import Levels, equal_grids, given_grids
+from nonhertz.strip.state import Problem
+
+Array = NDArray[np.float64]
+Strips = int | str | ArrayLike | None
+Number = int | tuple[int, ...]
+
+CASES_AT_ONCE = 64  # fixed, so that results do not depend on the number of threads
+_PRESCRIBED = ("approach", "load", "tilt", "moment")
+_COLUMNS = ("approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y")
+
+
+def solve_many(
+    contacts: Contact | Sequence[Contact],
+    *,
+    approach: ArrayLike | None = None,
+    load: ArrayLike | None = None,
+    tilt: ArrayLike | None = None,
+    moment: ArrayLike | None = None,
+    element: Element = SEMI_ELLIPTIC,
+    strips: Strips = None,
+    threads: int | None = None,
+) -> Solutions:
+    """Press the bodies of many contacts together, or those of one contact in many ways.
+
+    Parameters
+    ----------
+    contacts : Contact or sequence of Contact
+        One contact for all cases, or one for each.
+    approach, load, tilt, moment : array_like, optional
+        As in `nonhertz.solve`, a number for all cases or an array; arrays and ``contacts`` are broadcast against each
+        other, and the shape that comes of it is that of the results. Along the last axis neighbouring cases should be
+        alike: a case may then start from the one before.
+    element : Element
+        As in `nonhertz.solve`.
+    strips : int or array_like or "auto", optional
+        As in `nonhertz.solve`, for all cases. A number of strips is several times as fast as the automatic grid, and
+        runs on any number of cores without their waiting for each other.
+    threads : int, optional
+        How many threads to use; all cores if left out. The results do not depend on it.
+
+    Returns
+    -------
+    Solutions
+
+    Raises
+    ------
+    InputError
+        If the input of any case cannot be used as it stands. What only solving shows, such as bodies that do not
+        touch, does not stop the others: see `Solutions.failures`.
+
+    Warns
+    -----
+    AccuracyWarning
+        If some results strain the model's validity, once for all of them; see `Solutions.strained`.
+
+    Notes
+    -----
+    Each case keeps its strips on all levels, 10 to 20 kB.
+
+    Examples
+    --------
+    >>> from nonhertz.model.body import Plate, Roller
+    >>> from nonhertz.model.profile import crown
+    >>> contact = Contact(Roller(diameter=20, length=20, profile=crown(radius=4000)), Plate())
+    >>> solutions = solve_many(contact, load=[10e3, 15e3, 20e3], tilt=0.2e-3, strips=41)
+    >>> solutions.max_pressure.round(-1)
+    array([1590., 1860., 2080.])
+    >>> solutions[2].max_pressure == solutions.max_pressure[2]
+    True
+    """
+    prescribed = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
+    shape, which, values = _spread(contacts, {name: value for name, value in prescribed.items() if value is not None})
+    tasks = _tasks(contacts if isinstance(contacts, Sequence) else (contacts,), which, values, element, strips)
+    with ThreadPoolExecutor(_checked_threads(threads)) as pool:
+        blocks = [block for found in pool.map(_Task.solved, tasks) for block in found]
+    solutions = Solutions(shape, tuple(blocks))
+    strained = solutions.strained
+    if strained:
+        first, sentences = next(iter(strained.items()))
+        text = f"{len(strained)} of {len(solutions)} cases strain the model; number {first}, the first: {sentences[0]}"
+        warnings.warn(text, AccuracyWarning, stacklevel=2)
+    return solutions
+
+
+class Solutions:
+    """The results of many cases: arrays of what is most asked for, and the whole `Solution` of any.
+
+    Where a case failed, numbers are not a number, and ``solutions[number]`` raises what `failures` holds.
+
+    Parameters
+    ----------
+    shape : tuple of int
+        Shape of the result arrays, below "(...)".
+    blocks : tuple
+        What was solved together.
+
+    Attributes
+    ----------
+    approach, tilt, load, moment : ndarray, shape (...)
+        As in `Solution` [mm, rad, N, N mm].
+    max_pressure, max_pressure_y : ndarray, shape (...)
+        The largest strip pressure [MPa] and where it is [mm].
+    stiffness : ndarray, shape (..., 2, 2)
+        As in `Solution`.
+    converged : ndarray of bool, shape (...)
+        Which cases have a solution.
+    """
+
+    def __init__(self, shape: tuple[int, ...], blocks: tuple[_Block, ...]) -> None:
+        self.shape = shape
+        self._blocks = blocks
+        self._place: dict[int, tuple[_Block, int]] = {
+            number: (block, row) for block in blocks for row, number in enumerate(block.numbers)
+        }
+        columns = {name: np.full(len(self._place), np.nan) for name in _COLUMNS}
+        stiffness = np.full((len(self._place), 2, 2), np.nan)
+        for block in blocks:
+            if block.error is None:
+                for name, column in zip(_COLUMNS, block.columns(), strict=True):
+                    columns[name][block.numbers] = column
+                stiffness[block.numbers] = block.finest.stiffness / block.contact.compliance
+        for name, column in columns.items():
+            column.flags.writeable = False
+            setattr(self, name, column.reshape(shape))
+        stiffness.flags.writeable = False
+        self.stiffness = stiffness.reshape(*shape, 2, 2)
+
+    approach: Array
+    tilt: Array
+    load: Array
+    moment: Array
+    max_pressure: Array
+    max_pressure_y: Array
+
+    @property
+    def converged(self) -> NDArray[np.bool_]:
+        """Which cases have a solution."""
+        return np.isfinite(self.approach)
+
+    def __len__(self) -> int:
+        return len(self._place)
+
+    def __iter__(self) -> Iterator[Solution]:
+        return (self._solution(number) for number in range(len(self)))
+
+    def __getitem__(self, number: int | tuple[int, ...]) -> Solution:
+        at = np.arange(len(self)).reshape(self.shape)[number]
+        if at.shape != ():
+            raise IndexError(f"one number for each of the {len(self.shape)} axes is wanted")
+        return self._solution(int(at))
+
+    def _solution(self, number: int) -> Solution:
+        block, row = self._place[number]
+        return block.solution(row)[0]
+
+    @cached_property
+    def failures(self) -> dict[Number, NonhertzError]:
+        """Why cases have no solution, by their number, or numbers where there are several axes."""
+        found = {number: block.error for block in self._blocks if block.error is not None for number in block.numbers}
+        return {self._label(number): error for number, error in sorted(found.items())}
+
+    @cached_property
+    def strained(self) -> dict[Number, tuple[str, ...]]:
+        """What strains the model, a tuple of sentences for each case where something does."""
+        found = {number: sentences for block in self._blocks for number, sentences in block.strains() if sentences}
+        return {self._label(number): sentences for number, sentences in sorted(found.items())}
+
+    def _label(self, number: int) -> Number:
+        if len(self.shape) == 1:
+            return number
+        return tuple(int(index) for index in np.unravel_index(number, self.shape))
+
+
+@dataclass(frozen=True)
+class _Block:
+    """Cases that were solved together, or one that has no solution."""
+
+    contact: Contact
+    problem: Problem
+    numbers: list[int]
+    targets: Array
+    states: tuple[States, ...]  # finest first
+    error: NonhertzError | None = None
+
+    @property
+    def finest(self) -> States:
+        return self.states[0]
+
+    def columns(self) -> tuple[Array, ...]:
+        """Return the results named in `_COLUMNS`, by the formulas of `Solution`."""
+        states, compliance = self.finest, self.contact.compliance
+        y, width = 0.5 * (states.edges[1:] + states.edges[:-1]), np.diff(states.edges)
+        line_load, half_width = states.r * states.m / compliance, self.problem.element.hertz_ratio * np.sqrt(states.m)
+        pressure = np.zeros_like(line_load)
+        touching = half_width > 0.0
+        pressure[touching] = 2.0 * line_load[touching] / (np.pi * half_width[touching])
+        return (
+            states.rigid[:, 0], states.rigid[:, 1], line_load @ width, line_load @ (width * y),
+            pressure.max(axis=1), y[pressure.argmax(axis=1)],
+        )  # fmt: skip
+
+    def solution(self, row: int) -> tuple[Solution, tuple[str, ...]]:
+        """Return the solution of one case, and what strains the model in it."""
+        if self.error is not None:
+            raise self.error
+        problem = replace(self.problem, target=self.targets[row])
+        states = [states.one(row) for states in self.states]
+        levels = Levels((states[0], *(state for state in states[1:] if state.converged)))
+        return outcome(self.contact, problem, levels)
+
+    def strains(self) -> Iterator[tuple[int, tuple[str, ...]]]:
+        """Yield number and sentences of cases that may strain the model."""
+        if self.error is None:
+            for row in np.flatnonzero(suspected(self.contact, self.problem, self.finest.edges, self.finest.m)):
+                yield self.numbers[row], self.solution(int(row))[1]
+
+
+@dataclass(frozen=True)
+class _Task:
+    """Cases of one contact for one thread."""
+
+    contact: Contact
+    problem: Problem
+    numbers: list[int]
+    targets: Array
+    strips: Strips
+
+    def solved(self) -> list[_Block]:
+        """Return the cases solved, those together that were solved together."""
+        grids = self._grids()
+        if grids is None:
+            return [self._alone(row) for row in range(len(self.numbers))]
+        states = tuple(settle_all(self.problem, grids, self.targets))
+        done = np.flatnonzero(states[0].converged & ~self._too_thin(states[0]))
+        blocks = [self._alone(row) for row in range(len(self.numbers)) if row not in done]
+        if done.size:
+            numbers, kept = [self.numbers[row] for row in done], tuple(level.only(done) for level in states)
+            blocks.append(_Block(self.contact, self.problem, numbers, self.targets[done], kept))
+        return blocks
+
+    def _grids(self) -> list[Array] | None:
+        """Return the grids that the cases share, or None where each has its own."""
+        count, edges = wanted_strips(self.contact, self.strips)
+        low, high = self.contact.interval
+        if count is not None and np.isfinite(high - low):
+            return equal_grids(self.problem, self.contact.interval, count)
+        return given_grids(edges) if edges is not None else None
+
+    def _too_thin(self, states: States) -> NDArray[np.bool_]:
+        y = 0.5 * (states.edges[1:] + states.edges[:-1])
+        half_width = self.problem.element.hertz_ratio * np.sqrt(states.m)
+        thin: NDArray[np.bool_] = np.any(self.problem.influence.shallowest(y) < half_width, axis=1)
+        return thin
+
+    def _alone(self, row: int) -> _Block:
+        """Return one case, solved as `nonhertz.solve` does."""
+        problem = replace(self.problem, target=self.targets[row])
+        at = [self.numbers[row]], self.targets[row : row + 1]
+        try:
+            levels = levels_of(self.contact, problem, self.strips)
+            if not levels.finest.converged or problem.influence.depths:
+                outcome(self.contact, problem, levels)
+        except NonhertzError as error:
+            return _Block(self.contact, self.problem, *at, (), error)
+        return _Block(self.contact, self.problem, *at, tuple(States.of(state) for state in levels.states))
+
+
+def _spread(
+    contacts: Contact | Sequence[Contact], given: dict[str, ArrayLike]
+) -> tuple[tuple[int, ...], list[int], list[dict[str, float]]]:
+    """Return the shape of the results, and for each case which contact it is of and what is prescribed."""
+    columns = [np.arange(len(contacts)) if isinstance(contacts, Sequence) else np.zeros((), dtype=int)]
+    for name, value in given.items():
+        try:
+            columns.append(np.asarray(value, dtype=float))
+        except (TypeError, ValueError):
+            raise InputError(name, value, "be a number or an array of numbers", "give plain numbers") from None
+    try:
+        spread = np.broadcast_arrays(*columns)
+    except ValueError:
+        shapes = ", ".join(
+            f"{name}: {column.shape}" for name, column in zip(("contacts", *given), columns, strict=True)
+        )
+        raise InputError("shapes", shapes, "fit together", "give numbers, or arrays that broadcast") from None
+    if spread[0].size == 0:
+        raise InputError("contacts", (), "be at least one case", "leave the call out where there is none")
+    which, *values = (column.ravel().tolist() for column in spread)
+    shape = spread[0].shape or (1,)
+    return shape, which, [dict(zip(given, numbers, strict=True)) for numbers in zip(*values, strict=True)]
+
+
+def _tasks(
+    contacts: Sequence[Contact], which: list[int], given: list[dict[str, float]], element: Element, strips: Strips
+) -> list[_Task]:
+    """Return the cases in portions of one contact each; input that cannot be used is refused here."""
+    problems: dict[int, Problem] = {}
+    shared: dict[int, list[int]] = {}
+    targets = np.empty((len(which), 2))
+    for number, (index, values) in enumerate(zip(which, given, strict=True)):
+        contact = contacts[index]
+        try:
+            prescription = Prescription.checked(*(values.get(name) for name in _PRESCRIBED))
+            if id(contact) not in problems:
+                problems[id(contact)] = problem_of(contact, prescription, element)
+                wanted_strips(contact, strips)
+            targets[number] = target_of(contact, prescription)
+        except InputError as error:
+            raise (error.within(f"case {number}") if len(which) > 1 else error) from None
+        shared.setdefault(id(contact), []).append(number)
+    tasks = []
+    for key, numbers in shared.items():
+        contact = contacts[which[numbers[0]]]
+        for first in range(0, len(numbers), CASES_AT_ONCE):
+            portion = numbers[first : first + CASES_AT_ONCE]
+            tasks.append(_Task(contact, problems[key], portion, targets[portion], strips))
+    return tasks
+
+
+def _checked_threads(threads: int | None) -> int:
+    if threads is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if isinstance(threads, bool) or not isinstance(threads, (int, np.integer)) or threads < 1:
+        raise InputError("threads", threads, "be a whole number of at least 1", "leave it out for all cores")
+    return int(threads)
