@@ -1,9 +1,10 @@
 """Small dense linear equations, by Gaussian elimination with row pivoting.
 
 With a hundred unknowns a call to LAPACK is as dear in copies, and in threads that wait for each other, as it is cheap
-in arithmetic. Four rows are subtracted at a time, so that each number is fetched and put back once for four
-multiplications. One thread does the same in the same order whoever else is at work, so that a contact solved among a
-thousand others comes out as if it had been alone.
+in arithmetic. Here nearly all of the work is one product of matrices, in tiles of 4 x 8 numbers that stay in the
+processor while a row and a column run past them. So that tiles never meet an edge, systems are padded to whole blocks
+with equations that say x = 0. One thread does the same in the same order whoever else is at work: a contact solved
+among a thousand others comes out as if it had been alone.
 """
 
 from __future__ import annotations
@@ -14,90 +15,98 @@ from numpy.typing import NDArray
 from nonhertz.compiled import compiled
 
 Array = NDArray[np.float64]
+Eight = tuple[float, float, float, float, float, float, float, float]
 
-BLOCK = 4
+BLOCK = 8  # rows and columns eliminated at a time, and the width of a tile
+_TALL = 4  # the height of a tile
+_NONE = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@compiled
+def padded(count: int) -> int:
+    """Return ``count`` rounded up to whole blocks."""
+    return (count + BLOCK - 1) // BLOCK * BLOCK
+
+
+@compiled
+def blank(unknowns: int, sides: int) -> Array:
+    """Return room for a system, all zero but for the padding.
+
+    Returns
+    -------
+    ndarray, shape (padded(unknowns), padded(unknowns) + padded(sides))
+        The matrix belongs into the first rows and columns, the right-hand sides into the columns from
+        ``padded(unknowns)`` on.
+    """
+    n = padded(unknowns)
+    equations = np.zeros((n, n + padded(sides)))
+    for i in range(unknowns, n):
+        equations[i, i] = 1.0
+    return equations
 
 
 @compiled
 def solve_in_place(equations: Array) -> None:
-    """Replace the right-hand sides in ``equations`` by the solutions.
+    """Replace the right-hand sides of a system that `blank` made by its solutions.
 
-    Parameters
-    ----------
-    equations : ndarray, shape (n, n + sides)
-        A matrix, and beside it the right-hand sides. The matrix is overwritten. Where it is singular the solutions are
-        not finite.
+    The matrix is overwritten. Where it is singular the solutions are not finite.
     """
-    n = equations.shape[0]
+    n, columns = equations.shape
+    panel = np.empty((BLOCK, n))
     for first in range(0, n, BLOCK):
-        beyond = min(first + BLOCK, n)
-        _pivot(equations, first, beyond)
+        beyond = first + BLOCK
+        _pivot(equations, first, panel)
         for k in range(first + 1, beyond):
             for other in range(first, k):
                 _subtract(equations[k, beyond:], equations[other, beyond:], equations[k, other])
-        _subtract_rows(equations, first, beyond, beyond, n, beyond)
-    for first in range((n - 1) // BLOCK * BLOCK, -1, -BLOCK):
-        beyond = min(first + BLOCK, n)
-        for k in range(beyond - 1, first - 1, -1):
-            for other in range(k + 1, beyond):
+        _subtract_tiles(equations, equations, equations, beyond, n, beyond, columns, first, first, 0, BLOCK)
+    for first in range(n - BLOCK, -1, -BLOCK):
+        for k in range(first + BLOCK - 1, first - 1, -1):
+            for other in range(k + 1, first + BLOCK):
                 _subtract(equations[k, n:], equations[other, n:], equations[k, other])
             equations[k, n:] *= 1.0 / equations[k, k]
-        _subtract_rows(equations, first, beyond, 0, first, n)
+        _subtract_tiles(equations, equations, equations, 0, first, n, columns, first, first, 0, BLOCK)
 
 
 @compiled
-def _pivot(equations: Array, first: int, beyond: int) -> None:
-    """Eliminate within the columns from ``first`` to ``beyond``, leaving the factors below the diagonal."""
+def subtract_product(result: Array, left: Array, right: Array, column: int) -> None:
+    """Subtract a product of padded square matrices from the square at the left of ``result``.
+
+    Parameters
+    ----------
+    result, left : ndarray, shape (n, n or more)
+        Arrays of whole blocks.
+    right : ndarray, shape (n, column + n or more)
+        The square that begins in this ``column`` counts.
+    """
+    n = result.shape[0]
+    _subtract_tiles(result, left, right, 0, n, 0, n, 0, 0, column, n)
+
+
+@compiled
+def _pivot(equations: Array, first: int, panel: Array) -> None:
+    """Eliminate within one block of columns, leaving the factors below the diagonal."""
     n = equations.shape[0]
-    for k in range(first, beyond):
+    for i in range(first, n):
+        for c in range(BLOCK):
+            panel[c, i] = equations[i, first + c]
+    for c in range(BLOCK):
+        k = first + c
         largest = k
         for i in range(k + 1, n):
-            if abs(equations[i, k]) > abs(equations[largest, k]):
+            if abs(panel[c, i]) > abs(panel[c, largest]):
                 largest = i
         if largest != k:
             for j in range(first, equations.shape[1]):
                 equations[k, j], equations[largest, j] = equations[largest, j], equations[k, j]
-        inverse = 1.0 / equations[k, k]
-        for i in range(k + 1, n):
-            factor = equations[i, k] * inverse
-            equations[i, k] = factor
-            for j in range(k + 1, beyond):
-                equations[i, j] -= factor * equations[k, j]
-
-
-@compiled
-def _subtract_rows(equations: Array, first: int, beyond: int, start: int, stop: int, column: int) -> None:
-    """Subtract the rows from ``first`` to ``beyond`` from those between ``start`` and ``stop``.
-
-    The factors are what these have in the columns from ``first`` to ``beyond``; what lies from ``column`` on is
-    changed.
-    """
-    if beyond - first < BLOCK:
-        for i in range(start, stop):
-            for other in range(first, beyond):
-                _subtract(equations[i, column:], equations[other, column:], equations[i, other])
-        return
-    one, two = equations[first, column:], equations[first + 1, column:]
-    three, four = equations[first + 2, column:], equations[first + 3, column:]
-    for i in range(start, stop):
-        row = equations[i]
-        f1, f2, f3, f4 = row[first], row[first + 1], row[first + 2], row[first + 3]
-        _subtract_four(row[column:], one, two, three, four, f1, f2, f3, f4)
-
-
-@compiled
-def add_product(result: Array, left: Array, right: Array) -> None:
-    """Add the matrix product ``left @ right`` to the first columns of ``result``."""
-    n, columns = right.shape
-    whole = n // BLOCK * BLOCK
-    for k in range(0, whole, BLOCK):
-        one, two, three, four = right[k], right[k + 1], right[k + 2], right[k + 3]
-        for i in range(result.shape[0]):
-            f1, f2, f3, f4 = -left[i, k], -left[i, k + 1], -left[i, k + 2], -left[i, k + 3]
-            _subtract_four(result[i, :columns], one, two, three, four, f1, f2, f3, f4)
-    for k in range(whole, n):
-        for i in range(result.shape[0]):
-            _subtract(result[i, :columns], right[k], -left[i, k])
+            for other in range(BLOCK):
+                panel[other, k], panel[other, largest] = panel[other, largest], panel[other, k]
+        panel[c, k + 1 :] *= 1.0 / panel[c, k]
+        for other in range(c + 1, BLOCK):
+            _subtract(panel[other, k + 1 :], panel[c, k + 1 :], panel[other, k])
+    for i in range(first, n):
+        for c in range(BLOCK):
+            equations[i, first + c] = panel[c, i]
 
 
 @compiled
@@ -107,8 +116,66 @@ def _subtract(row: Array, other: Array, factor: float) -> None:
 
 
 @compiled
-def _subtract_four(
-    row: Array, one: Array, two: Array, three: Array, four: Array, f1: float, f2: float, f3: float, f4: float
+def _subtract_tiles(
+    result: Array,
+    left: Array,
+    right: Array,
+    top: int,
+    bottom: int,
+    begin: int,
+    end: int,
+    left_column: int,
+    right_row: int,
+    shift: int,
+    depth: int,
 ) -> None:
-    for j in range(row.size):
-        row[j] -= f1 * one[j] + f2 * two[j] + f3 * three[j] + f4 * four[j]
+    """Subtract from rows ``top`` to ``bottom`` and columns ``begin`` to ``end`` of ``result`` a product.
+
+    Its left factor has ``depth`` columns from ``left_column`` on, its right one as many rows from ``right_row`` on, and
+    columns ``shift`` to the right of those of the result. Unsigned numbers spare a check for negative indices.
+    """
+    tall, wide = np.uint64(_TALL), np.uint64(BLOCK)
+    i = np.uint64(top)
+    while i < np.uint64(bottom):
+        j = np.uint64(begin)
+        while j < np.uint64(end):
+            one = two = three = four = _NONE
+            for k in range(np.uint64(depth)):
+                at, row, column = np.uint64(left_column) + k, np.uint64(right_row) + k, np.uint64(shift) + j
+                one = _more(one, left[i, at], right, row, column)
+                two = _more(two, left[i + np.uint64(1), at], right, row, column)
+                three = _more(three, left[i + np.uint64(2), at], right, row, column)
+                four = _more(four, left[i + np.uint64(3), at], right, row, column)
+            _take_from(result, i, j, one)
+            _take_from(result, i + np.uint64(1), j, two)
+            _take_from(result, i + np.uint64(2), j, three)
+            _take_from(result, i + np.uint64(3), j, four)
+            j += wide
+        i += tall
+
+
+@compiled
+def _more(s: Eight, factor: float, right: Array, row: np.uint64, column: np.uint64) -> Eight:
+    """Return ``s`` and ``factor`` times eight numbers of a row."""
+    return (
+        s[0] + factor * right[row, column],
+        s[1] + factor * right[row, column + np.uint64(1)],
+        s[2] + factor * right[row, column + np.uint64(2)],
+        s[3] + factor * right[row, column + np.uint64(3)],
+        s[4] + factor * right[row, column + np.uint64(4)],
+        s[5] + factor * right[row, column + np.uint64(5)],
+        s[6] + factor * right[row, column + np.uint64(6)],
+        s[7] + factor * right[row, column + np.uint64(7)],
+    )
+
+
+@compiled
+def _take_from(result: Array, row: np.uint64, column: np.uint64, s: Eight) -> None:
+    result[row, column] -= s[0]
+    result[row, column + np.uint64(1)] -= s[1]
+    result[row, column + np.uint64(2)] -= s[2]
+    result[row, column + np.uint64(3)] -= s[3]
+    result[row, column + np.uint64(4)] -= s[4]
+    result[row, column + np.uint64(5)] -= s[5]
+    result[row, column + np.uint64(6)] -= s[6]
+    result[row, column + np.uint64(7)] -= s[7]

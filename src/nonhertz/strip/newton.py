@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled
 from nonhertz.strip.influence import coefficients, displacement, self_displacement
-from nonhertz.strip.linear import add_product, solve_in_place
+from nonhertz.strip.linear import blank, padded, solve_in_place, subtract_product
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -41,6 +41,7 @@ NEARLY, SMALL_STEP = 1e-8, 1e-5
 ROUGHLY_NEARLY, ROUGHLY_SMALL = 1e-3, 0.1
 STEP_LIMIT = 60
 LEAST_CHANGE = 0.3  # of r in one step, and its inverse the largest
+WIDEST = 1e4  # half-width over half the length of the strips, from which on nothing is left to hope for
 # A strip enters only if it overlaps by more than this share of what the others still lack: sooner it would flutter.
 LET_SETTLE = 0.1
 
@@ -147,7 +148,8 @@ def newton(
         motion = _rigid_step(response, off, prescribed, weights, lever, d_q)
         rho = d_r[:, 0] + motion[0] * d_r[:, 1] + motion[1] * d_r[:, 2]
         sigma = d_q[:, 0] + motion[0] * d_q[:, 1] + motion[1] * d_q[:, 2]
-        if not (np.all(np.isfinite(rho)) and np.all(np.isfinite(sigma))):
+        lost = np.max(m) > (WIDEST * half) ** 2
+        if lost or not (np.all(np.isfinite(rho)) and np.all(np.isfinite(sigma))):
             return STAGNATED, step, residual
         rigid[0] += relaxation * motion[0]
         rigid[1] += relaxation * motion[1] / half
@@ -255,14 +257,20 @@ def _idle_gaps(
 
 @compiled
 def _curved(blocks: Array, curvature: Array) -> tuple[Array, Array]:
-    """Return the r that meet the curvature rows, and d r / d (r mu) with mu the relative changes of m."""
+    """Return the r that meet the curvature rows, and F = d r / d (r mu) with mu the relative changes of m.
+
+    F is left where it was solved for: in a larger array, from column ``padded(k)`` on.
+    """
     k = curvature.size
-    equations = np.empty((k, 2 * k + 1))
-    equations[:, :k] = blocks[2]
-    equations[:, k:-1] = 0.5 * blocks[3]
-    equations[:, -1] = curvature
+    equations = blank(k, k + 1)
+    at = padded(k)
+    for i in range(k):
+        for j in range(k):
+            equations[i, j] = blocks[2, i, j]
+            equations[i, at + j] = 0.5 * blocks[3, i, j]
+        equations[i, at + k] = curvature[i]
     solve_in_place(equations)
-    return equations[:, -1].copy(), equations[:, k:-1].copy()
+    return equations[:k, at + k].copy(), equations
 
 
 @compiled
@@ -291,26 +299,31 @@ def _directions(
 
     With v = r mu the gap rows are [A] m (missing + F v) + ([A] - [t A'] / 2) m v = sides, F being how r ``follows``.
     """
-    k = r.size
-    loaded = blocks[0] * m
-    equations = np.empty((k, k + 3))
-    equations[:, :k] = loaded - 0.5 * blocks[1] * m
-    add_product(equations, loaded, follows)
-    equations[:, k] = -gap_residual - _product(loaded, missing)
-    equations[:, k + 1] = 1.0
-    equations[:, k + 2] = lever
+    k, at = r.size, padded(r.size)
+    equations, loaded = blank(k, 3), np.zeros((at, at))
+    for i in range(k):
+        for j in range(k):
+            loaded[i, j] = -blocks[0, i, j] * m[j]
+            equations[i, j] = (blocks[0, i, j] - 0.5 * blocks[1, i, j]) * m[j]
+    subtract_product(equations, loaded, follows, at)
+    # What the product brought into the padding must not tie it to the rest.
+    equations[:, k:at] = 0.0
+    for i in range(k, at):
+        equations[i, i] = 1.0
+    equations[:k, at] = _product(loaded[:k], missing) - gap_residual
+    equations[:k, at + 1] = 1.0
+    equations[:k, at + 2] = lever
     solve_in_place(equations)
-    v = equations[:, k:].copy()
     d_r, d_q = np.empty((k, 3)), np.empty((k, 3))
     for i in range(k):
         one, two, three = missing[i], 0.0, 0.0
         for j in range(k):
-            one += follows[i, j] * v[j, 0]
-            two += follows[i, j] * v[j, 1]
-            three += follows[i, j] * v[j, 2]
+            one += follows[i, at + j] * equations[j, at]
+            two += follows[i, at + j] * equations[j, at + 1]
+            three += follows[i, at + j] * equations[j, at + 2]
         d_r[i, 0], d_r[i, 1], d_r[i, 2] = one / r[i], two / r[i], three / r[i]
         for side in range(3):
-            d_q[i, side] = d_r[i, side] + v[i, side] / r[i]
+            d_q[i, side] = d_r[i, side] + equations[i, at + side] / r[i]
     return d_r, d_q
 
 

@@ -72,7 +72,7 @@ def springs(
 @compiled
 def _balance(beds: tuple[Array, Array, Array], stiffness: float, prescribed: Flags, target: Array) -> Array:
     """Return approach and tilt of ``beds`` (place, width, separation) of this stiffness per unit of length."""
-    tilt, other = target[1], target[1]
+    tilt = other = float(target[1])
     if prescribed[1]:
         tilt, other = _tilts(beds, stiffness, prescribed, target)
     approach = _approach(beds, stiffness, tilt, prescribed, target)

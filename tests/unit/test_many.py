@@ -1,0 +1,189 @@
+"""Many cases in one call: each as if it had been solved alone, and none lost."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+
+CROWNED = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000)), nh.Plate())
+LOGARITHMIC = nh.Contact(
+    nh.Roller(diameter=20, length=20, profile=nh.profile.logarithmic(amplitude=0.005, length=20, fraction=0.9999)),
+    nh.Ring(diameter=-90, length=24),
+)
+BALL = nh.Contact(nh.Body(diameter=20, profile=nh.profile.crown(60)), nh.Plate())
+LOADS = np.linspace(8e3, 12e3, 150)
+# Both meet their equations to 1e-11, which the condition of the system makes into ten times that.
+SAME = {"rtol": 1e-9, "atol": 0.0}
+
+
+def alone(contact, **case):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        return nh.solve(contact, **case)
+
+
+def assert_same(many, number, one, **tolerance):
+    for name in ("approach", "load", "max_pressure", "max_pressure_y"):
+        np.testing.assert_allclose(getattr(many, name)[number], getattr(one, name), err_msg=name, **tolerance)
+    scale = abs(one.load) * np.array([1.0, 1.0])
+    np.testing.assert_allclose([many.moment[number]], [one.moment], rtol=0.0, atol=tolerance["rtol"] * scale[0])
+    of_stiffness = one.stiffness[0, 0] * np.array([[1.0, 10.0], [10.0, 100.0]])
+    # The stiffness is that of the last matrix, which may have been 1e-8 off.
+    np.testing.assert_allclose(
+        many.stiffness[number] / of_stiffness, one.stiffness / of_stiffness, rtol=0.0, atol=max(tolerance["rtol"], 1e-7)
+    )
+
+
+@pytest.mark.parametrize("contact", [CROWNED, LOGARITHMIC], ids=["crowned", "logarithmic"])
+@pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda element: element.name)
+@pytest.mark.parametrize("strips", [41, 12, 1], ids=str)
+def test_a_sweep_on_equal_strips_is_that_of_single_solves(contact, element, strips):
+    # Tilted, or two strips would bear the same maximum.
+    case = {"tilt": 1e-4 if strips > 1 else 0.0, "element": element, "strips": strips}
+    many = nh.solve_many(contact, load=LOADS, **case)
+    assert np.all(many.converged)
+    for number in (0, 1, 77, 149):
+        assert_same(many, number, alone(contact, load=LOADS[number], **case), **SAME)
+
+
+def test_random_cases_in_any_order_are_those_of_single_solves():
+    rng = np.random.default_rng(2)
+    load, tilt = rng.uniform(1e3, 30e3, 70), rng.uniform(-2e-3, 2e-3, 70)
+    many = nh.solve_many(LOGARITHMIC, load=load, tilt=tilt, strips=41)
+    for number in range(0, 70, 9):
+        assert_same(many, number, alone(LOGARITHMIC, load=load[number], tilt=tilt[number], strips=41), **SAME)
+
+
+@pytest.mark.parametrize(
+    "case",
+    [
+        {"load": np.array([9e3, 9.1e3]), "moment": np.array([1e3, -4e3])},
+        {"approach": np.array([0.012, 0.0125]), "tilt": np.array([1e-4, 1.2e-4])},
+        {"approach": np.array([0.012, 0.0125]), "moment": np.array([1e3, 1.1e3])},
+    ],
+    ids=["load and moment", "approach and tilt", "approach and moment"],
+)
+def test_every_pair_of_prescribed_quantities_works(case):
+    many = nh.solve_many(CROWNED, **case, strips=21)
+    for number in range(2):
+        one = alone(CROWNED, **{name: values[number] for name, values in case.items()}, strips=21)
+        assert_same(many, number, one, **SAME)
+
+
+def test_automatic_grids_are_the_same_to_the_bit():
+    many = nh.solve_many([CROWNED, LOGARITHMIC, BALL], load=[9e3, 12e3, 800.0], tilt=[3e-4, -5e-4, 0.0])
+    for number, (contact, load, tilt) in enumerate(
+        zip([CROWNED, LOGARITHMIC, BALL], [9e3, 12e3, 800.0], [3e-4, -5e-4, 0.0], strict=True)
+    ):
+        one = alone(contact, load=load, tilt=tilt)
+        assert many.approach[number] == one.approach
+        assert many.max_pressure[number] == one.max_pressure
+        assert np.array_equal(many[number].edges, one.edges)
+        assert np.array_equal(many[number].peak_pressure, one.peak_pressure)
+        assert many[number].error_estimate == one.error_estimate
+        assert many[number].warnings == one.warnings
+
+
+def test_given_edges_and_unbounded_bodies_work():
+    edges = alone(CROWNED, load=9e3).edges
+    on_edges = nh.solve_many(CROWNED, load=[9e3, 9.5e3], strips=edges)
+    assert_same(on_edges, 1, alone(CROWNED, load=9.5e3, strips=edges), **SAME)
+    unbounded = nh.solve_many(BALL, load=[500.0, 900.0], strips=30)
+    assert_same(unbounded, 0, alone(BALL, load=500.0, strips=30), **SAME)
+
+
+def test_the_number_of_threads_changes_nothing():
+    load = np.linspace(2e3, 30e3, 200)
+    one, three = (nh.solve_many(CROWNED, load=load, tilt=4e-4, strips=31, threads=count) for count in (1, 3))
+    for name in ("approach", "moment", "max_pressure", "stiffness"):
+        assert np.array_equal(getattr(one, name), getattr(three, name))
+
+
+def test_a_solution_comes_whole():
+    many = nh.solve_many(CROWNED, load=LOADS[:5], strips=41)
+    one = alone(CROWNED, load=LOADS[3], strips=41)
+    found = many[3]
+    assert isinstance(found, nh.Solution)
+    np.testing.assert_allclose(found.contact_y, one.contact_y, **SAME)
+    # The estimate compares levels that were solved to 1e-6 only.
+    assert found.error_estimate.approach == pytest.approx(one.error_estimate.approach, rel=1e-2)
+    assert many.max_pressure[3] == found.max_pressure
+    assert [solution.load for solution in many] == pytest.approx(LOADS[:5].tolist(), rel=1e-10)
+    assert len(many) == 5
+
+
+def test_arrays_spread_into_a_map():
+    many = nh.solve_many(CROWNED, load=np.array([[5e3], [9e3], [15e3]]), tilt=[0.0, 2e-4], strips=15)
+    assert many.shape == many.approach.shape == (3, 2)
+    assert many.stiffness.shape == (3, 2, 2, 2)
+    assert many.max_pressure[1, 1] == many[1, 1].max_pressure
+    assert_same(many, (2, 1), alone(CROWNED, load=15e3, tilt=2e-4, strips=15), **SAME)
+    with pytest.raises(IndexError, match="one number for each of the 2 axes"):
+        many[1]
+
+
+def test_a_case_that_fails_stops_no_other():
+    many = nh.solve_many(CROWNED, approach=[0.01, -0.5, 0.012], tilt=0.0, strips=21)
+    assert many.converged.tolist() == [True, False, True]
+    assert np.isnan(many.load[1])
+    assert set(many.failures) == {1}
+    assert str(many.failures[1]).startswith("approach = -0.5 must exceed ")
+    with pytest.raises(nh.InputError, match=r"approach = -0\.5 must exceed"):
+        many[1]
+
+
+@pytest.mark.parametrize("strips", [21, None], ids=["equal", "automatic"])
+def test_a_body_thinner_than_its_contact_is_refused_among_others(strips):
+    thin = nh.Contact(nh.Roller(diameter=20, length=20, depth=0.2), nh.Plate())
+    with pytest.warns(nh.AccuracyWarning):  # the first one's depth is no three half-widths
+        many = nh.solve_many(thin, load=[2e3, 60e3], strips=strips)
+    assert many.converged.tolist() == [True, False]
+    assert "depth" in str(many.failures[1])
+
+
+def test_what_strains_the_model_is_told_once():
+    with pytest.warns(nh.AccuracyWarning, match=r"1 of 2 cases strain the model; number 1, the first: The half-width"):
+        many = nh.solve_many(CROWNED, load=[2e3, 3e6], strips=21)
+    assert list(many.strained) == [1]
+    assert many.strained[1][0] in many[1].warnings
+
+
+def test_strained_circles_are_told_apart_from_long_contacts():
+    wide = nh.Contact(nh.Body(diameter=100, profile=nh.profile.crown(20)), nh.Plate())
+    with pytest.warns(nh.AccuracyWarning, match="wider than long"):
+        many = nh.solve_many([wide, BALL], load=200.0)
+    assert list(many.strained) == [0]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "complaint"),
+    [
+        ({"load": [1e3, -2.0]}, r"case 1\.load = -2\.0 must be positive"),
+        ({"load": [1e3, np.nan]}, r"case 1\.load = nan must be"),
+        ({"load": [1e3, 2e3], "tilt": [0.0, 1e-4, 2e-4]}, r"shapes = .* must fit together"),
+        ({"load": "much"}, r"load = 'much' must be a number or an array of numbers"),
+        ({"load": []}, "must be at least one case"),
+        ({"load": [1e3, 1e3], "moment": [0.0, 1e6]}, r"case 1\.moment = 1000000\.0 must keep moment / load between"),
+        ({"load": [1e3], "approach": [0.1]}, "load = 1000.0 must be given where approach is not"),
+        ({"tilt": [0.0]}, "load = None must be given where approach is not"),
+        ({"load": [1e3], "strips": 0}, "strips = 0 must lie between"),
+        ({"load": [1e3], "threads": 0}, "threads = 0 must be a whole number"),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_bad_input_is_refused_before_anything_is_solved(arguments, complaint):
+    with pytest.raises(nh.InputError, match=complaint):
+        nh.solve_many(CROWNED, **arguments)
+
+
+def test_what_is_no_contact_is_refused():
+    with pytest.raises(nh.InputError, match="must be a Contact"):
+        nh.solve_many([CROWNED, None], load=1e3, strips=5)
+
+
+def test_results_cannot_be_written_to():
+    many = nh.solve_many(CROWNED, load=[1e3], strips=5)
+    with pytest.raises(ValueError, match="read-only"):
+        many.approach[0] = 1.0
