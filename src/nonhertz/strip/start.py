@@ -54,7 +54,7 @@ def springs(
     target: Array,
 ) -> tuple[Array, Array, Array]:
     """Return r, m and the rigid motion of independent springs; arguments as in `nonhertz.strip.newton`."""
-    half = 0.5 * np.sum(width)
+    half = 0.5 * float(np.sum(width))
     usable = np.flatnonzero(np.isfinite(separation))
     beds = y[usable], width[usable], separation[usable]
     r = curvature / line_factor
