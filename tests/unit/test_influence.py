@@ -36,6 +36,25 @@ def test_coefficients_are_differences_between_edges(element):
 
 
 @both_elements
+@pytest.mark.parametrize(
+    "active", [np.arange(12), np.arange(3, 9), np.array([0, 1, 5, 6, 7])], ids=["all", "some", "two runs"]
+)
+def test_equal_strips_share_edges_and_have_the_same_coefficients(element, active):
+    # The first term moves edges along, the second turns them about a face.
+    edges, m = np.linspace(-6.0, 6.0, 13), np.linspace(0.1, 0.4, 12)
+    y, terms = 0.5 * (edges[1:] + edges[:-1]), np.array([[1.0, 0.0, 1.0], [-1.0, 13.0, 0.8], [1.0, 26.0, 0.3]])
+    values, expected = np.empty((4, active.size, active.size)), np.zeros((4, active.size, active.size))
+    coefficients(y, edges[:-1], edges[1:], m, active, terms, np.zeros((12, 12)), element.table, values)
+    a = np.sqrt(m[active])
+    for sign, offset, weight in terms:
+        ends = [
+            element.functions((sign * side[active] + offset - y[active, None]) / a) for side in (edges[1:], edges[:-1])
+        ]
+        expected += sign * weight * np.subtract(*ends)
+    np.testing.assert_allclose(values, expected, rtol=1e-12, atol=1e-14)
+
+
+@both_elements
 def test_a_distant_strip_is_the_point_load_of_boussinesq(element):
     # w = K Q / distance, and its curvature K Q / distance^3; the next terms are (width / distance)^2 = 6e-6.
     m, width, distance = 0.04, 0.5, 200.0
