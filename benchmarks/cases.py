@@ -19,7 +19,8 @@ import nonhertz as nh
 Solve = Callable[[], nh.Solution]
 
 HALF_SPACE: dict[str, Any] = {"side_faces": "none", "depth": "none"}
-STRIPS, FIXED_TARGET, AUTOMATIC_TARGET, HELP_TARGET = 41, 1.5e-3, 6e-3, 0.5  # s
+STRIPS, FIXED_TARGET, AUTOMATIC_TARGET, HELP_TARGET = 41, 1.5e-3, 3e-3, 0.5  # s
+MANY, MANY_TARGET, GAIN_TARGET = 2000, 0.5e-3, 1.8  # cases; s each on one thread; times that on two
 FINITE_TARGET = 3.5  # times the half-spaces
 
 
@@ -32,6 +33,19 @@ def fixed(strips: int | str, extent: dict[str, Any] = HALF_SPACE) -> Solve:
     """Return a solve of the crowned roller on that many equal strips, or on the automatic grid."""
     contact = crowned(extent)
     return lambda: nh.solve(contact, load=20e3, strips=strips)
+
+
+def many() -> dict[str, Callable[[int], nh.Solutions]]:
+    """Return solves of many cases on equal strips by name, as functions of the number of threads."""
+    contact, rng = crowned(), np.random.default_rng(1)
+    sweep = {"load": np.linspace(5e3, 30e3, MANY), "tilt": 3e-4}
+    scattered = {"load": rng.uniform(5e3, 30e3, MANY), "tilt": rng.uniform(-1e-3, 1e-3, MANY)}
+    return {
+        "loads and tilts at random": lambda threads: nh.solve_many(
+            contact, **scattered, strips=STRIPS, threads=threads
+        ),
+        "a sweep of loads": lambda threads: nh.solve_many(contact, **sweep, strips=STRIPS, threads=threads),
+    }
 
 
 def finite() -> dict[str, dict[str, Any]]:

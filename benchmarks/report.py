@@ -7,10 +7,7 @@ Everything is measured in one run, warm, on one thread; figures are medians. Lea
 
 from __future__ import annotations
 
-import importlib.metadata
 import json
-import os
-import platform
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
@@ -20,8 +17,8 @@ from typing import Any
 
 import cases
 import numpy as np
+from machine import machine
 from matplotlib.figure import Figure
-from threadpoolctl import threadpool_info
 
 import nonhertz as nh
 from nonhertz.plot import save
@@ -35,6 +32,7 @@ GROWING = 80  # strips from which on the growth is fitted
 SECONDS, FEWEST_RUNS = 1.0, 21  # of measuring each solve
 COMMAND_RUNS = 11
 SPLIT_RUNS = 101
+MANY_ROUNDS = 9
 PARTS = ("assembly", "linear algebra", "rest of the Newton loop", "laying the grid", "Python around them")
 
 
@@ -55,6 +53,7 @@ def measured() -> dict[str, Any]:
     results["curve"] = {strips: median_time(cases.fixed(strips)) for strips in CURVE}
     results["growth"] = growth(results["curve"])
     results["automatic"] = {name: automatic(solve) for name, solve in cases.automatic().items()}
+    results["many"] = {name: on_threads(solve) for name, solve in cases.many().items()}
     results["finite"] = {name: compared(*pair) for name, pair in cases.against_finite().items()}
     results["split"] = {
         f"{cases.STRIPS} equal strips": split(cases.fixed(cases.STRIPS)),
@@ -68,32 +67,6 @@ def measured() -> dict[str, Any]:
         "python alone": command_time("-c", ""),
     }
     return results
-
-
-def machine() -> dict[str, Any]:
-    """Return what the figures depend on."""
-    names = ("numpy", "scipy", "numba")
-    return {
-        "processor": processor(),
-        "cores": os.cpu_count(),
-        "load": round(os.getloadavg()[0], 2),
-        "threads": max((pool["num_threads"] for pool in threadpool_info()), default=1),
-        "versions": {
-            "nonhertz": nh.__version__,
-            "python": platform.python_version(),
-            **{name: importlib.metadata.version(name) for name in names},
-        },
-    }
-
-
-def processor() -> str:
-    """Return the processor's model, as far as the system tells."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-    except OSError:
-        return platform.processor() or platform.machine()
-    models = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
-    return models[0] if models else platform.machine()
 
 
 def median_time(run: Callable[[], object], seconds: float = SECONDS) -> float:
@@ -130,6 +103,22 @@ def automatic(solve: cases.Solve) -> dict[str, float]:
         "steps": solution.iterations,
         "steps on all grids": sum(steps for _, steps, _ in loop.returned),
     }
+
+
+def on_threads(solve: Callable[[int], nh.Solutions], rounds: int = MANY_ROUNDS) -> dict[str, float]:
+    """Return median times of a case on one thread and on two, taken in turn, and the median of their ratios."""
+    cases_solved = len(solve(1))
+    times = []
+    for _ in range(rounds):
+        pair = []
+        for threads in (1, 2):
+            start = time.perf_counter()
+            solve(threads)
+            pair.append((time.perf_counter() - start) / cases_solved)
+        times.append(pair)
+    one, two = np.median(times, axis=0)
+    gain = np.median([first / second for first, second in times])
+    return {"one thread": float(one), "two threads": float(two), "gain": float(gain)}
 
 
 def compared(one: cases.Solve, other: cases.Solve, seconds: float = 2.0 * SECONDS) -> dict[str, float]:
@@ -199,7 +188,8 @@ def split(solve: cases.Solve, runs: int = SPLIT_RUNS) -> dict[str, float]:
     watches = {}
     compiled, interpreted = newton.newton, newton.newton.py_func
     with ExitStack() as stack:
-        for module, name in ((levels, "sizes"), (levels, "graded"), (newton, "coefficients"), (newton, "_directions")):
+        inside_loop = ((newton, name) for name in ("coefficients", "_curved", "_directions"))
+        for module, name in ((levels, "sizes"), (levels, "graded"), *inside_loop):
             watches[name] = stack.enter_context(timed(module, name))
         stack.callback(setattr, state, "newton", compiled)
         rows = []
@@ -210,7 +200,8 @@ def split(solve: cases.Solve, runs: int = SPLIT_RUNS) -> dict[str, float]:
             grid = watches["sizes"].seconds + watches["graded"].seconds
             state.newton = interpreted
             seconds(solve, watches)
-            inside = watches["coefficients"].seconds, watches["_directions"].seconds
+            algebra = watches["_curved"].seconds + watches["_directions"].seconds
+            inside = watches["coefficients"].seconds, algebra
             rows.append([whole, loop.seconds, grid, *inside])
     whole, of_loop, of_grid, of_assembly, of_algebra = np.min(rows, axis=0)
     parts = (
@@ -268,10 +259,17 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield f"{computer['threads']} thread, medians. {computer['processor']}, {computer['cores']} cores, load average"
     yield f"{computer['load']} at the start; {versions}."
     yield ""
+    yield "Beside other programs: [the race](race.md). Against an earlier state: [before and now](against.md)."
+    yield ""
     yield "| | target | measured |"
     yield "|---|---|---|"
     yield f"| {cases.STRIPS} equal strips | {_ms(cases.FIXED_TARGET)} | {_ms(curve[cases.STRIPS])} |"
     yield f"| automatic grid, slowest case below | {_ms(cases.AUTOMATIC_TARGET)} | {_ms(slowest)} |"
+    slowest_of_many = max(entry["one thread"] for entry in results["many"].values())
+    least_gain = min(entry["gain"] for entry in results["many"].values())
+    label = f"{cases.STRIPS} equal strips, each of {cases.MANY} cases in `solve_many`, one thread"
+    yield f"| {label} | {_ms(cases.MANY_TARGET)} | {_ms(slowest_of_many)} |"
+    yield f"| the same on two threads, how many times as fast | {cases.GAIN_TARGET} | {least_gain:.2f} |"
     dearest = max(entry["ratio"] for entry in results["finite"].values())
     yield f"| faces and depth on both bodies, dearest case below | {cases.FINITE_TARGET} times | {dearest:.2f} times |"
     yield f"| `nonhertz --help` | {_ms(cases.HELP_TARGET)} | {_ms(commands['nonhertz --help'])} |"
@@ -292,7 +290,20 @@ def page(results: dict[str, Any]) -> Iterator[str]:
         steps = f"{entry['steps']} | {entry['steps on all grids']}"
         yield f"| {name} | {_ms(entry['time'])} | {entry['strips']} | {steps} |"
     yield ""
+    yield from many_cases(results)
     yield from finite_bodies(results)
+    yield from parts(results)
+    yield "## Starting"
+    yield ""
+    yield "| | time |"
+    yield "|---|---|"
+    for name, seconds in commands.items():
+        yield f"| `{name}` | {_ms(seconds)} |" if name != "python alone" else f"| {name} | {_ms(seconds)} |"
+    yield ""
+
+
+def parts(results: dict[str, Any]) -> Iterator[str]:
+    """Yield the lines of what takes which share."""
     yield "## Where the time goes"
     yield ""
     yield "| | " + " | ".join(PARTS) + " |"
@@ -300,15 +311,23 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     for name, parts in results["split"].items():
         yield f"| {name} | " + " | ".join(f"{100 * parts[part]:.0f} %" for part in PARTS) + " |"
     yield ""
-    yield "Assembly is the influence of every strip on every other; linear algebra builds and solves the Newton"
-    yield "system."
+    yield "Assembly is the influence of every strip on every other; linear algebra builds and solves the equations of a"
+    yield "Newton step."
     yield ""
-    yield "## Starting"
+
+
+def many_cases(results: dict[str, Any]) -> Iterator[str]:
+    """Yield the lines of many cases in one call."""
+    yield "## Many cases in one call"
     yield ""
-    yield "| | time |"
-    yield "|---|---|"
-    for name, seconds in commands.items():
-        yield f"| `{name}` | {_ms(seconds)} |" if name != "python alone" else f"| {name} | {_ms(seconds)} |"
+    yield f"{cases.MANY} cases on {cases.STRIPS} equal strips in one `solve_many`, on one thread and two in turn; the"
+    yield "time of the call over the number of cases, and the median of the ratios. Of a sweep, each case starts from"
+    yield "the one before."
+    yield ""
+    yield "| cases | one thread | two threads | gain |"
+    yield "|---|---|---|---|"
+    for name, entry in results["many"].items():
+        yield f"| {name} | {_ms(entry['one thread'])} | {_ms(entry['two threads'])} | {entry['gain']:.2f} |"
     yield ""
 
 

@@ -1,0 +1,215 @@
+"""The race: strips, the plane grid and other programs on the same contacts. Writes docs/benchmarks/race.{json,md,svg}.
+
+    python benchmarks/race.py [--threads N] [--quick]
+
+Everything in one run on the same number of threads; every program is stopped at the same distance from the solution
+of its own equations. Takes some nine minutes; leave the machine alone meanwhile.
+"""
+
+from __future__ import annotations
+
+import argparse
+import itertools
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import arrivals
+import entrants
+import heat
+import race_figures
+import race_page
+import races
+from machine import machine
+
+from nonhertz.plot import save
+
+ROOT = Path(__file__).parents[1]
+FOLDER = ROOT / "docs" / "benchmarks"
+STRIPS = {
+    "strips: semi-elliptic": ("auto", 11, 21, 41, 81, 161, 321),
+    "strips: parabolic": ("auto", 41),
+    "batch: semi-elliptic": (entrants.LEARNT, 21, 41, 81, 161),
+}
+# Cells four and sixteen times as many along as across: contacts are long, and a narrow peak at an end wants the latter.
+CELLS = [(8, 32), (16, 64), (32, 128), (16, 256), (64, 256), (32, 512), (128, 512), (64, 1024)]
+FULL_SIZE, FULL_RACE = (512, 1024), "crowned"
+QUICK_CELLS, QUICK_STRIPS, QUICK_FULL = [(16, 64)], ("auto", 21), (16, 64)
+PLAYOFF_CELLS = (64, 256)
+JUDGES = ("ContactMechanics: with restart", "tamaas", "patch")
+LONGEST = 3.0  # s, for the runs of a heat
+DEAREST = 2.5  # s, a solve expected to take longer is left out
+MARGIN = 1.4  # iterations grow with the grid
+THREADS = ("OMP", "OPENBLAS", "MKL", "NUMBA", "VECLIB_MAXIMUM", "NUMEXPR")
+
+
+def main() -> None:
+    """Race and write."""
+    asked = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    asked.add_argument("--threads", type=int, default=1)
+    asked.add_argument("--quick", action="store_true", help="coarse grids only, to see that everything runs")
+    options = asked.parse_args()
+    results = raced(options.threads, options.quick)
+    folder = ROOT / "out" / "race" if options.quick else FOLDER
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "race.json").write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+    for name, figure in race_figures.figures(results).items():
+        save(figure, folder / name)
+    (folder / "race.md").write_text("\n".join(race_page.page(results)), encoding="utf-8")
+    print(f"wrote {folder.relative_to(ROOT)} in {results['seconds']:.0f} s")
+
+
+def raced(threads: int, quick: bool) -> dict[str, Any]:
+    """Return all that was measured."""
+    start, absent = time.perf_counter(), entrants.missing()
+    results: dict[str, Any] = {
+        "machine": machine() | {"threads": threads, "peers": entrants.versions()},
+        "missing": absent,
+        "algebraic": {"approach": heat.APPROACH_TARGET, "pressure": heat.PRESSURE_TARGET},
+        "batch": {"cases": entrants.BATCH, "range": entrants.LOAD_RANGE},
+        "races": {},
+    }
+    track = Track(threads, quick, absent)
+    entered = races.all_races()
+    entered = {FULL_RACE: entered[FULL_RACE]} if quick else entered
+    track.play_off(entered)
+    results["play-off"] = {"entries": track.playoffs, "winner": track.winner}
+    for name, race in entered.items():
+        results["races"][name] = {
+            "entries": track.run(name),
+            "title": race.title,
+            "load": race.load,
+            "tilt": race.tilt,
+            "region": race.region,
+            "answer": race.answer,
+            "uncertainty": race.uncertainty,
+            "source": race.source,
+        }
+    results["full size"] = {"race": FULL_RACE, "entries": track.full_size(FULL_RACE)}
+    results["failures"] = track.failures
+    results["headlines"] = arrivals.headlines(results)
+    results["seconds"] = time.perf_counter() - start
+    return results
+
+
+class Track:
+    """Where heats are run: the programs that are there, how many threads they get, and what has been tuned so far."""
+
+    def __init__(self, threads: int, quick: bool, absent: dict[str, str]) -> None:
+        self.threads, self.quick = threads, quick
+        self.plane = [name for name in entrants.PLANE if name not in absent]
+        self.lines = {name: grids for name, grids in STRIPS.items() if name.partition(":")[0] not in absent}
+        # Whose converged solution the others are held against: a peer's, so that ours is checked by it.
+        self.judges = [name for name in JUDGES if name.partition(":")[0] in self.plane]
+        self.tolerance: dict[str, float] = {}
+        self.failures: list[str] = []
+        self.playoffs: dict[str, list[dict[str, Any]]] = {}
+        self.winner = ""
+        self.scratch = tempfile.TemporaryDirectory()
+
+    def play_off(self, names: Iterable[str]) -> None:
+        """Choose among the solvers of ContactMechanics the one that takes least for all contacts together."""
+        if "ContactMechanics" not in self.plane:
+            return
+        cells = QUICK_CELLS[-1] if self.quick else PLAYOFF_CELLS
+        variants = entrants.PLAYOFF[:1] if self.quick else entrants.PLAYOFF
+        for name in names:
+            self.tolerance = {}
+            self.converge(name, QUICK_CELLS if self.quick else CELLS)
+            tried = [self.heat(f"ContactMechanics: {variant}", name, cells) for variant in variants]
+            self.playoffs[name] = [entry for entry in tried if entry]
+        taken: dict[str, list[float]] = {}
+        for entry in itertools.chain(*self.playoffs.values()):
+            taken.setdefault(entry["entrant"], []).append(entry["fastest"])
+        finished = {entrant: sum(times) for entrant, times in taken.items() if len(times) == len(self.playoffs)}
+        self.winner = min(finished, key=finished.__getitem__)
+
+    def run(self, name: str) -> list[dict[str, Any]]:
+        """Return the entries of a race."""
+        cells = QUICK_CELLS if self.quick else CELLS
+        self.tolerance = {}
+        self.converge(name, cells)
+        entries: list[dict[str, Any] | None] = []
+        for program, grids in self.lines.items():
+            chosen = [grid for grid in grids if not self.quick or grid in QUICK_STRIPS]
+            entries += [self.heat(program, name, grid) for grid in chosen]
+        for grid in cells:
+            for entrant in self.on_plane():
+                entries.append(self.unless_dear(entrant, name, grid, entries))
+        return [entry for entry in entries if entry]
+
+    def on_plane(self) -> list[str]:
+        """Return the programs on plane grids, with the solver that won."""
+        return [self.winner if name == "ContactMechanics" else name for name in self.plane]
+
+    def unless_dear(
+        self, entrant: str, name: str, cells: entrants.Cells, entries: list[dict[str, Any] | None]
+    ) -> dict[str, Any] | None:
+        """Return an entry, or nothing where the program's last ones say that it would take too long."""
+        size = cells[0] * cells[1]
+        before = [entry for entry in entries if entry and entry["entrant"] == entrant]
+        expected = max((MARGIN * e["time"] * size / (e["grid"][0] * e["grid"][1]) for e in before[-2:]), default=0.0)
+        return None if expected > DEAREST else self.heat(entrant, name, cells)
+
+    def full_size(self, name: str) -> list[dict[str, Any]]:
+        """Return one large grid with every plane-grid program."""
+        cells = QUICK_FULL if self.quick else FULL_SIZE
+        self.tolerance = {}
+        # The last judge is ours where it is there, to save a minute; peers that disagreed with it would fail.
+        self.converge(name, [cells], judge=-1)
+        return [entry for entrant in self.on_plane() if (entry := self.heat(entrant, name, cells, start=1e-4))]
+
+    def heat(self, entrant: str, name: str, grid: Any, start: float = heat.LOOSEST) -> dict[str, Any] | None:
+        """Return one entry, or nothing where the program fails."""
+        plane = isinstance(grid, tuple)
+        asked = {
+            "entrant": entrant,
+            "race": name,
+            "grid": grid,
+            "threads": self.threads,
+            "limit": self.limit(name, grid) if plane else None,
+            # Two notches looser than a coarser grid needed: what it needs itself is found from there.
+            "tolerance": self.tolerance.get(entrant, start),
+            "longest": 0.1 if self.quick else LONGEST,
+        }
+        entry = self.in_a_process(asked)
+        if entry and plane:
+            self.tolerance[entrant] = min(heat.LOOSEST, entry["tolerance"] * heat.NOTCH**2)
+        return entry
+
+    def converge(self, name: str, grids: list[entrants.Cells], judge: int = 0) -> None:
+        """Solve the equations on these grids far beyond what is asked, once for all programs."""
+        grids = [grid for grid in grids if not Path(self.limit(name, grid)).exists()]
+        if self.judges and grids:
+            asked = {"entrant": self.judges[judge], "race": name, "grids": grids, "threads": self.threads}
+            self.in_a_process(asked | {"write": [self.limit(name, grid) for grid in grids]})
+
+    def limit(self, name: str, grid: entrants.Cells) -> str:
+        """Return where the converged solution on a grid is kept."""
+        return str(Path(self.scratch.name) / f"{name} {grid[0]} {grid[1]}.npy")
+
+    def in_a_process(self, asked: dict[str, Any]) -> dict[str, Any] | None:
+        """Return what a heat wrote; of one that failed its last words are kept."""
+        environment = os.environ | {f"{name}_NUM_THREADS": str(self.threads) for name in THREADS}
+        spoken = {"input": json.dumps(asked), "capture_output": True, "text": True}
+        ended = subprocess.run([sys.executable, heat.__file__], env=environment, check=False, **spoken)
+        label = f"{asked['entrant']}, {asked['race']}, {asked.get('grid', 'all grids')}"
+        if ended.returncode:
+            last = ended.stderr.strip().splitlines()[-1:] or [f"ended with {ended.returncode}"]
+            self.failures.append(f"{label}: {last[0]}")
+            print(self.failures[-1], flush=True)
+            return None
+        found = json.loads(ended.stdout.splitlines()[-1])
+        if found:
+            print(f"{label}: {1e3 * found['time']:.3g} ms, approach {found['error']['approach']:.1e}", flush=True)
+        return found
+
+
+if __name__ == "__main__":
+    main()
