@@ -19,8 +19,8 @@ class Status(enum.Enum):
     """How a solve ended; each member's value is the sentence that the user reads."""
 
     CONVERGED = "The solution satisfies every contact condition."
-    ITERATION_LIMIT = "The Newton loop reached its limit of steps before the contact conditions were met."
-    STAGNATED = "The Newton loop could not reduce the residual any further."
+    ITERATION_LIMIT = "The iterations reached their limit before the contact conditions were met."
+    STAGNATED = "The iterations could not reduce the residual any further."
 
     @property
     def label(self) -> str:

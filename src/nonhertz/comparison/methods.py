@@ -1,0 +1,132 @@
+"""The verb: one case, solved three times."""
+
+from __future__ import annotations
+
+import statistics
+import time
+import warnings
+from collections.abc import Callable
+from typing import TypeVar
+
+from numpy.typing import ArrayLike
+
+from nonhertz.comparison.quantities import quantities
+from nonhertz.comparison.reasons import stretches
+from nonhertz.comparison.stations import stations
+from nonhertz.comparison.value import Comparison, Seconds
+from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
+from nonhertz.model.contact import Contact
+from nonhertz.patch import PatchSolution
+from nonhertz.patch import solve as solve_patch
+from nonhertz.solution import Solution
+from nonhertz.solver import solve
+from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
+
+RUNS = 5
+Outcome = TypeVar("Outcome")
+
+
+def compare(
+    contact: Contact,
+    *,
+    approach: float | None = None,
+    load: float | None = None,
+    tilt: float | None = None,
+    moment: float | None = None,
+    cells: tuple[int, int] | None = None,
+    strips: int | str | ArrayLike | None = None,
+    threads: int | None = None,
+    announce: Callable[[str], object] | None = None,
+) -> Comparison:
+    """Solve a contact with strips of both elements and on a plane grid, and compare them.
+
+    Parameters
+    ----------
+    contact : Contact
+        The two bodies.
+    approach, load, tilt, moment : float, optional
+        What is prescribed, as in `nonhertz.solve`.
+    cells : tuple of int, optional
+        Number of cells (across, along) of the plane grid, as in `nonhertz.patch.solve`.
+    strips : int or array_like or "auto", optional
+        As in `nonhertz.solve`.
+    threads : int, optional
+        Threads for the plane grid.
+    announce : callable or None
+        Called with the name of each method before it runs.
+
+    Returns
+    -------
+    Comparison
+        With the solutions, whose warnings stay with them: none is raised here.
+
+    Raises
+    ------
+    InputError
+        If the input cannot be solved as it stands, by any of the methods, or nothing touches.
+    ConvergenceError
+        If one of the methods fails; the sentence says which.
+
+    Examples
+    --------
+    >>> from nonhertz.model.body import Plate, Roller
+    >>> from nonhertz.model.profile import crown
+    >>> contact = Contact(Roller(diameter=20, length=20, profile=crown(radius=4000)), Plate())
+    >>> found = compare(contact, load=6e3, cells=(48, 96))
+    >>> semi_elliptic, parabolic = found.quantity("approach").differences
+    >>> abs(semi_elliptic) < 1e-3 < abs(parabolic)
+    True
+    """
+    given = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
+
+    def on_strips(element: Element) -> tuple[Solution, float]:
+        return _timed(
+            f"{element.name} strips", lambda: solve(contact, **given, element=element, strips=strips), RUNS, announce
+        )
+
+    def on_grid() -> PatchSolution:
+        return solve_patch(contact, **given, cells=cells, threads=threads)
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", AccuracyWarning)
+        (semi, of_semi), (parabola, of_parabola) = on_strips(SEMI_ELLIPTIC), on_strips(PARABOLIC)
+        _refuse_nothing(approach, semi)
+        patch, of_patch = _timed("plane grid", on_grid, 0, announce)
+    _refuse_nothing(approach, patch)
+    return Comparison(
+        semi_elliptic=semi,
+        parabolic=parabola,
+        patch=patch,
+        seconds=Seconds(of_semi, of_parabola, of_patch, RUNS),
+        quantities=quantities(semi, parabola, patch),
+        stretches=stretches(semi, parabola, patch),
+        stations=stations(semi, patch),
+    )
+
+
+def _timed(
+    name: str, run: Callable[[], Outcome], again: int, announce: Callable[[str], object] | None
+) -> tuple[Outcome, float]:
+    """Return an outcome and the median time of so many further runs, or that of the one run if there are none.
+
+    The first solve on strips may compile them; the plane grid shares what it has compiled with them.
+    """
+    if announce is not None:
+        announce(name)
+    try:
+        outcome, first = _clocked(run)
+        times = [_clocked(run)[1] for _ in range(again)]
+    except ConvergenceError as error:
+        raise ConvergenceError(f"On {name}: {error}", error.solution) from None
+    return outcome, statistics.median(times or [first])
+
+
+def _clocked(run: Callable[[], Outcome]) -> tuple[Outcome, float]:
+    begin = time.perf_counter()
+    outcome = run()
+    return outcome, time.perf_counter() - begin
+
+
+def _refuse_nothing(approach: float | None, solution: Solution | PatchSolution) -> None:
+    if not solution.line_load.any():
+        raise InputError("approach", approach, "bring the bodies into contact", "give a larger one, or a load")

@@ -1,0 +1,103 @@
+"""Results of strips and plane grid side by side."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.comparison.value import Quantity, away_from_sharp_ends, sharp_ends
+from nonhertz.patch.solution import PatchSolution
+from nonhertz.solution import Solution
+
+Array = NDArray[np.float64]
+
+ROUNDING = 1e-6  # of the load times the farthest strip: less is a moment that symmetry makes zero
+NEAREST = 4  # values that a cubic goes through
+
+
+def quantities(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Quantity, ...]:
+    """Return approach, tilt, load, moment, the middle of the contact, the largest pressure and the ends.
+
+    Parameters
+    ----------
+    semi, parabola : Solution
+        On semi-elliptic and on parabolic strips.
+    patch : PatchSolution
+        On the plane grid.
+    """
+    at = centre(semi)
+    of_each = [semi, parabola]
+    pressure = [_at(at, one.y, one.peak_pressure) for one in of_each]
+    width = [_at(at, one.y, one.half_width) for one in of_each]
+    return (
+        Quantity("approach", "mm", patch.approach, semi.approach, parabola.approach),
+        Quantity("tilt", "rad", patch.tilt, semi.tilt, parabola.tilt),
+        Quantity("load", "N", patch.load, semi.load, parabola.load),
+        _moment(semi, parabola, patch),
+        Quantity(f"pressure at y = {at:.5g} mm", "MPa", _at(at, patch.y, patch.centre_pressure), *pressure),
+        Quantity(f"half-width at y = {at:.5g} mm", "mm", _at(at, patch.y, patch.half_width), *width,
+                 remark=f"cells {patch.dx:.2g} mm across"),
+        *_largest(semi, parabola, patch),
+        *_ends(semi, parabola, patch),
+    )  # fmt: skip
+
+
+def centre(semi: Solution) -> float:
+    """Return y = 0 if that is in contact, else the middle of the contact, else where the line load is largest [mm]."""
+    low, high = semi.contact_y[0][0], semi.contact_y[-1][1]
+    for y in (0.0, 0.5 * (low + high)):
+        if any(start < y < end for start, end in semi.contact_y):
+            return y
+    return float(semi.y[semi.line_load.argmax()])
+
+
+def _at(at: float, y: Array, values: Array) -> float:
+    """Return a value between strips or cells: a cubic through the four nearest if all are in contact, else linear."""
+    first = int(np.clip(np.searchsorted(y, at) - NEAREST // 2, 0, max(y.size - NEAREST, 0)))
+    near, found = y[first : first + NEAREST], values[first : first + NEAREST]
+    if near.size < NEAREST or np.any(found <= 0.0):
+        return float(np.interp(at, y, values))
+    weights = [np.prod([(at - other) / (here - other) for other in near if other != here]) for here in near]
+    return float(np.array(weights) @ found)
+
+
+def _moment(semi: Solution, parabola: Solution, patch: PatchSolution) -> Quantity:
+    found = np.array([patch.moment, semi.moment, parabola.moment])
+    found[np.abs(found) < ROUNDING * patch.load * float(np.max(np.abs(semi.edges)))] = 0.0
+    return Quantity("moment", "N mm", *found.tolist())
+
+
+def _largest(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Quantity, Quantity]:
+    """Return the largest pressure and where it is, of what is away from ends at which there is no limit."""
+    found = [_peak(semi, patch.y, patch.centre_pressure)]
+    found += [_peak(one, one.y, one.peak_pressure) for one in (semi, parabola)]
+    ends, remark = sharp_ends(semi), ""
+    if ends:
+        places = " and ".join(f"{edge.y:.5g}" for edge, _ in ends)
+        remark = f"more than a half-width from the sharp ends at y = {places} mm, where it has no limit"
+    elif semi.peaks_at_corner:
+        remark = "at a corner of the profile, where it has no limit"
+    name = "largest pressure" if ends else "maximum pressure"
+    (p, y), (p_semi, y_semi), (p_parabola, y_parabola) = found
+    return (
+        Quantity(name, "MPa", p, p_semi, p_parabola, remark=remark),
+        Quantity(f"position of the {name}", "mm", y, y_semi, y_parabola, absolute=True),
+    )
+
+
+def _peak(solution: Solution, y: Array, pressure: Array) -> tuple[float, float]:
+    counted = np.where(away_from_sharp_ends(solution, y), pressure, 0.0)
+    at = int(counted.argmax())
+    return (float(counted[at]), float(y[at])) if counted[at] > 0.0 else (math.nan, math.nan)
+
+
+def _ends(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Quantity, Quantity]:
+    rows = patch.y[patch.footprint.any(axis=0)]
+    remark = f"cells {patch.dy:.2g} mm along"
+    low, high = float(rows[0]) - 0.5 * patch.dy, float(rows[-1]) + 0.5 * patch.dy
+    return (
+        Quantity("contact from", "mm", low, semi.contact_y[0][0], parabola.contact_y[0][0], True, remark),
+        Quantity("contact to", "mm", high, semi.contact_y[-1][1], parabola.contact_y[-1][1], True, remark),
+    )

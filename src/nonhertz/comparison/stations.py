@@ -1,0 +1,46 @@
+"""Three places at which to look across the contact."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nonhertz.comparison.quantities import centre
+from nonhertz.comparison.value import Station, away_from_sharp_ends
+from nonhertz.patch.solution import PatchSolution
+from nonhertz.solution import Solution
+
+NEAR = 0.25  # of a half-width: as near to the end as strips can be looked at
+
+
+def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, Station]:
+    """Return the middle, where the pressures along the line differ most, and a place near the more loaded end.
+
+    The middle is y = 0, or the middle of the contact if that is not in contact. The more loaded end is the one with
+    the larger line load a half-width inside it; the place is a quarter of the largest half-width from it. The
+    difference is that of pressures in MPa of semi-elliptic strips, more than a half-width from ends at which the
+    pressure has no limit, and a half-width (or an eighth of a short contact) from the other two places.
+    """
+    middle, end = centre(semi), _near_end(semi)
+    low, high = semi.contact_y[0][0], semi.contact_y[-1][1]
+    apart = min(float(semi.half_width.max()), 0.125 * (high - low))
+    expected = np.interp(semi.y, patch.y, patch.centre_pressure)
+    free = (semi.line_load > 0.0) & away_from_sharp_ends(semi, semi.y)
+    free &= (np.abs(semi.y - middle) > apart) & (np.abs(semi.y - end) > apart)
+    between = 0.5 * (middle + end)
+    if np.any(free):
+        between = float(semi.y[np.where(free, np.abs(semi.peak_pressure - expected), -1.0).argmax()])
+    return (
+        Station(middle, "middle"),
+        Station(between, "largest difference"),
+        Station(end, "near the more loaded end"),
+    )
+
+
+def _near_end(semi: Solution) -> float:
+    widest = float(semi.half_width.max())
+    low, high = semi.contact_y[0][0], semi.contact_y[-1][1]
+    inwards = min(widest, 0.25 * (high - low))
+    at_low, at_high = np.interp([low + inwards, high - inwards], semi.y, semi.line_load)
+    step = min(NEAR * widest, 0.25 * inwards)
+    # Symmetry leaves either larger by rounding.
+    return float(low + step if at_low > (1.0 + 1e-6) * at_high else high - step)

@@ -1,0 +1,241 @@
+"""What a comparison returns: the three solutions and everything that was found of them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.model.contact import Contact
+from nonhertz.patch.solution import PatchSolution
+from nonhertz.solution import EdgeKind, EdgePressure, Solution
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One result of all three methods.
+
+    Attributes
+    ----------
+    name : str
+        What it is, in words.
+    unit : str
+        Its unit.
+    patch, semi_elliptic, parabolic : float
+        What the plane grid and the strips of either element say; not a number where there is none.
+    absolute : bool
+        Whether differences are in ``unit``, as for positions; else relative to ``patch``.
+    remark : str
+        What has to be known of it; empty if nothing has.
+    """
+
+    name: str
+    unit: str
+    patch: float
+    semi_elliptic: float
+    parabolic: float
+    absolute: bool = False
+    remark: str = ""
+
+    @property
+    def differences(self) -> tuple[float, float]:
+        """Semi-elliptic and parabolic strips less the plane grid; not a number relative to zero."""
+        scale = 1.0 if self.absolute else abs(self.patch) or math.nan
+        return (self.semi_elliptic - self.patch) / scale, (self.parabolic - self.patch) / scale
+
+
+@dataclass(frozen=True)
+class Seconds:
+    """Wall-clock times [s], compilation not counted.
+
+    Attributes
+    ----------
+    semi_elliptic, parabolic : float
+        Median of ``runs`` solves on strips.
+    patch : float
+        One solve on the plane grid.
+    runs : int
+        How many solves on strips.
+    """
+
+    semi_elliptic: float
+    parabolic: float
+    patch: float
+    runs: int
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A piece of the centre line on which strips differ from the plane grid by more than 1 %.
+
+    Attributes
+    ----------
+    element : str
+        Name of the strips' element.
+    low, high : float
+        Outer edges of its strips [mm].
+    largest : float
+        The largest difference there, relative to the plane grid; infinite where that has no contact.
+    at : float
+        Centre of the strip that has it [mm].
+    reasons : tuple of str
+        What the solutions tell of why, a sentence each; empty where they tell nothing.
+    """
+
+    element: str
+    low: float
+    high: float
+    largest: float
+    at: float
+    reasons: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Station:
+    """A place to look across the contact.
+
+    Attributes
+    ----------
+    y : float
+        Position [mm].
+    reason : str
+        Why there.
+    """
+
+    y: float
+    reason: str
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """Strips of both elements and a plane grid on one case.
+
+    Attributes
+    ----------
+    semi_elliptic, parabolic : Solution
+        The strips.
+    patch : PatchSolution
+        The plane grid.
+    seconds : Seconds
+        What each took.
+    quantities : tuple of Quantity
+        Results side by side.
+    stretches : tuple of Stretch
+        Where along the line they differ by more than 1 %, and why; of semi-elliptic strips first.
+    stations : tuple of three Station
+        Where to look across.
+    """
+
+    semi_elliptic: Solution
+    parabolic: Solution
+    patch: PatchSolution
+    seconds: Seconds
+    quantities: tuple[Quantity, ...]
+    stretches: tuple[Stretch, ...]
+    stations: tuple[Station, ...]
+
+    @property
+    def contact(self) -> Contact:
+        """What was solved."""
+        return self.patch.contact
+
+    @property
+    def strips(self) -> tuple[Solution, Solution]:
+        """Both solutions on strips."""
+        return self.semi_elliptic, self.parabolic
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What strains any of the three, each sentence once."""
+        return tuple(dict.fromkeys((*self.semi_elliptic.warnings, *self.patch.warnings)))
+
+    def quantity(self, name: str) -> Quantity:
+        """Return the quantity whose name begins so.
+
+        Raises
+        ------
+        KeyError
+            If there is none.
+        """
+        for each in self.quantities:
+            if each.name.startswith(name):
+                return each
+        raise KeyError(name)
+
+    def along(self, solution: Solution) -> Array:
+        """Return how far each strip is from the plane grid; see `differences`."""
+        return differences(solution, self.patch)
+
+
+def differences(solution: Solution, patch: PatchSolution) -> Array:
+    """Return the pressure of each strip less that of the plane grid at its centre, relative to the latter.
+
+    Parameters
+    ----------
+    solution : Solution
+        On strips; its pressure is p0 = 2 q / (pi b), for a parabola too.
+    patch : PatchSolution
+        Its pressure on x = 0, linear between cells.
+
+    Returns
+    -------
+    ndarray, shape (strips,)
+        Not a number where neither has contact, infinite where only the strip has.
+    """
+    expected = np.interp(solution.y, patch.y, patch.centre_pressure)
+    found = solution.peak_pressure
+    relative = np.full(found.size, np.nan)
+    relative[found > 0.0] = np.inf
+    pressed = expected > 0.0
+    relative[pressed] = found[pressed] / expected[pressed] - 1.0
+    return relative
+
+
+def sharp_ends(solution: Solution) -> list[tuple[EdgePressure, float]]:
+    """Return the ends at which the pressure has no limit, and the half-width [mm] at each."""
+    pairs = zip(solution.edge_pressure, solution.half_width[[0, -1]].tolist(), strict=True)
+    return [(edge, width) for edge, width in pairs if edge.kind is EdgeKind.SINGULAR]
+
+
+def away_from_sharp_ends(solution: Solution, y: Array) -> Flags:
+    """Return which positions [mm] are more than a half-width from every end at which the pressure has no limit."""
+    away = np.ones(y.shape, dtype=bool)
+    for edge, width in sharp_ends(solution):
+        away &= np.abs(y - edge.y) > width
+    return away
+
+
+def excess_of_fourth_moment(patch: PatchSolution) -> Array:
+    """Return how far the pressure across is from a semi-ellipse, by its fourth moment.
+
+    A semi-ellipse of any load and width has <x^4> = 2 <x^2>^2, a rectangle 1.8 and a triangle 2.4.
+
+    Parameters
+    ----------
+    patch : PatchSolution
+        The plane grid.
+
+    Returns
+    -------
+    ndarray, shape (ny,)
+        <x^4> / (2 <x^2>^2) - 1 about the middle; not a number with fewer than `FEWEST_ACROSS` cells in contact.
+    """
+    pressure, load = patch.pressure, patch.pressure.sum(axis=0)
+    excess = np.full(patch.y.size, np.nan)
+    wide = patch.footprint.sum(axis=0) >= FEWEST_ACROSS
+    share = pressure[:, wide] / load[wide]
+    away = patch.x[:, None] - patch.x @ share
+    # Each cell's pressure is uniform: its own moments about its middle belong to it.
+    cell = patch.dx**2 / 12.0
+    second = np.sum(share * away**2, axis=0) + cell
+    fourth = np.sum(share * (away**4 + 6.0 * cell * away**2), axis=0) + patch.dx**4 / 80.0
+    excess[wide] = fourth / (2.0 * second**2) - 1.0
+    return excess
+
+
+FEWEST_ACROSS = 12

@@ -1,0 +1,111 @@
+"""From pressures to displacements in n log n.
+
+The displacement is the convolution of the pressure with `kernel.rectangles`, done by Fourier transforms on a grid of
+twice the size, so that nothing that leaves the region on one side comes back on the other.
+
+The kernel is even across the contact, and the direct effect along it too: its spectrum is a cosine transform, real,
+and a quarter of the doubled grid. Side faces add terms (`nonhertz.finite`). A shifted copy of the pressure changes the
+spectrum, which is complex then. A mirrored copy is a convolution with the mirrored pressure, whose spectrum is the
+conjugate, in x reversed: one more product, and no further transform. What the loads do at depth under the centre line
+depends on the line loads alone: a matrix, subtracted from all cells of a row.
+
+References
+----------
+S. Liu, Q. Wang and G. Liu, A versatile method of discrete convolution and FFT (DC-FFT) for contact analyses, Wear 243
+(2000) 101-111, doi:10.1016/S0043-1648(00)00427-0.
+"""
+
+from __future__ import annotations
+
+from concurrent.futures import Executor
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import fft
+
+from nonhertz.finite import Influence
+from nonhertz.patch.grid import Grid
+from nonhertz.patch.kernel import edges_from, rectangles
+from nonhertz.patch.transform import ROWS, fast_half, filtered, in_blocks, times_even
+
+Array = NDArray[np.float64]
+Spectrum = NDArray[np.complex128]
+
+
+class Convolution:
+    """The displacement of both surfaces on one grid, as a function of the pressure.
+
+    Parameters
+    ----------
+    grid : Grid
+        The cells.
+    influence : Influence
+        Side faces and depths.
+    pool : Executor or None
+        Threads to share work out to.
+
+    Attributes
+    ----------
+    count : int
+        Convolutions done.
+    own : float
+        What a cell's own pressure does in its middle [mm].
+    """
+
+    def __init__(self, grid: Grid, influence: Influence, pool: Executor | None = None) -> None:
+        self.grid = grid
+        self.count = 0
+        self._pool = pool
+        self._half = fast_half(grid.cells[0]), fast_half(grid.cells[1])
+        self._shifted, self._mirrored = self._spectra(influence.terms)
+        self.own = float(rectangles(edges_from(0.0, 1, grid.dx), edges_from(0.0, 1, grid.dy))[0, 0])
+        self._at_depth = grid.dx * influence.at_depth(grid.y, grid.y_edges) if influence.depths else None
+
+    def __call__(self, pressure: Array) -> Array:
+        """Return the displacement [mm] under a pressure times K [-], both of shape (nx, ny)."""
+        self.count += 1
+        displacement = filtered(pressure, (2 * self._half[0], 2 * self._half[1]), self._product, self._pool)
+        if self._at_depth is not None:
+            displacement -= self._at_depth @ pressure.sum(axis=0)
+        return displacement
+
+    def _product(self, columns: Spectrum, at: slice) -> Spectrum:
+        if self._mirrored is None:
+            return times_even(columns, self._shifted[:, at])
+        reversed_ = np.roll(columns[::-1], 1, axis=0).conj()
+        product = times_even(columns, self._shifted[:, at])
+        product += times_even(reversed_, self._mirrored[:, at])
+        return product
+
+    def _spectra(self, terms: Array) -> tuple[Array | Spectrum, Spectrum | None]:
+        """Return the spectra of all that is seen shifted, real without images, and of all that is seen mirrored."""
+        shifts = [(offset, weight) for sign, offset, weight in terms.tolist() if sign > 0.0]
+        mirrors = [(offset, weight) for sign, offset, weight in terms.tolist() if sign < 0.0]
+        shifted: Array | Spectrum
+        if shifts == [(0.0, 1.0)]:
+            shifted = fft.dctn(self._cells(0.0, self._half[1] + 1), type=1, overwrite_x=True)
+        else:
+            # From y_j to y_i it is (i - j) dy - offset, and i - j of either sign.
+            shifted = self._complex_spectrum(shifts, 0.0, 2 * self._half[1] - self.grid.cells[1])
+        # From the mirror image of y_j to y_i it is 2 y_0 + (i + j) dy - offset.
+        return shifted, self._complex_spectrum(mirrors, 2.0 * float(self.grid.y[0]), 0) if mirrors else None
+
+    def _complex_spectrum(self, terms: list[tuple[float, float]], first: float, before: int) -> Spectrum:
+        """Return the spectrum of weighted kernels at first - offset + k dy, k from -``before`` on, cyclic."""
+        count = 2 * self._half[1]
+        kernel = np.zeros((self._half[0] + 1, count))
+        for offset, weight in terms:
+            kernel += weight * self._cells(first - offset - before * self.grid.dy, count)
+        kernel = np.roll(kernel, -before, axis=1)
+        return np.asarray(fft.dct(fft.rfft(kernel, axis=1), type=1, axis=0, overwrite_x=True))
+
+    def _cells(self, start: float, count: int) -> Array:
+        """Return the kernel from x = 0 on, and at ``count`` distances along from ``start`` on."""
+        x_edges, y_edges = edges_from(0.0, self._half[0] + 1, self.grid.dx), edges_from(start, count, self.grid.dy)
+        kernel = np.empty((x_edges.size - 1, count))
+
+        def fill(rows: slice) -> None:
+            kernel[rows] = rectangles(x_edges[rows.start : rows.stop + 1], y_edges)
+
+        in_blocks(fill, kernel.shape[0], ROWS, self._pool)
+        return kernel

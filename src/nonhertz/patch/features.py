@@ -1,0 +1,189 @@
+"""What strips cannot see: reliefs that change across the contact too.
+
+Every feature is a value that is called with positions x, y [mm] and returns a relief [mm], positive where material is
+taken away, to be added to the gap of the bodies. Write your own as any function of x and y.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.model.checks import finite, not_negative, positive
+
+Array = NDArray[np.float64]
+
+DIRECTIONS = {"across": 0.0, "along": 0.5 * math.pi}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Dent:
+    """A round dent, as a hard particle leaves in a raceway when it is rolled over, with a shoulder if wanted.
+
+    The bowl is depth cos^2(pi s / diameter) within s = diameter / 2 of its middle, smooth where it begins. The
+    shoulder is material pushed up around it: -shoulder sin^2(2 pi (s - diameter/2) / (shoulder_diameter - diameter))
+    between both circles.
+
+    Parameters
+    ----------
+    x, y : float
+        Middle [mm].
+    depth : float
+        Depth of the bowl [mm], positive.
+    diameter : float
+        Its diameter [mm], positive.
+    shoulder : float
+        Height of the shoulder [mm], zero for none.
+    shoulder_diameter : float or None
+        Outer diameter of the shoulder [mm], larger than ``diameter``; 1.6 times that if left out.
+
+    Raises
+    ------
+    InputError
+        If a value is out of range.
+
+    Examples
+    --------
+    >>> dent = Dent(depth=0.003, diameter=0.4, shoulder=0.0005)
+    >>> dent([0.0, 0.2, 0.26], 0.0).round(6).tolist()
+    [0.003, 0.0, -0.0005]
+    """
+
+    x: float = 0.0
+    y: float = 0.0
+    depth: float
+    diameter: float
+    shoulder: float = 0.0
+    shoulder_diameter: float | None = None
+
+    def __post_init__(self) -> None:
+        finite("x", self.x, "give the middle of the dent in mm")
+        finite("y", self.y, "give the middle of the dent in mm")
+        positive("depth", self.depth, "give the depth of the dent in mm")
+        positive("diameter", self.diameter, "give the diameter of the dent in mm")
+        not_negative("shoulder", self.shoulder, "give the height of the shoulder in mm, or leave it out")
+        if self.shoulder_diameter is None:
+            object.__setattr__(self, "shoulder_diameter", 1.6 * self.diameter)
+        remedy = "give the outer diameter of the shoulder in mm, or leave it out"
+        positive("shoulder_diameter", self._outer, remedy)
+        if self._outer <= self.diameter:
+            condition = f"exceed the diameter of {self.diameter} mm"
+            raise InputError("shoulder_diameter", self._outer, condition, remedy)
+
+    @property
+    def _outer(self) -> float:
+        assert self.shoulder_diameter is not None
+        return self.shoulder_diameter
+
+    def __call__(self, x: ArrayLike, y: ArrayLike) -> Array:
+        """Return the relief [mm] at positions ``x``, ``y`` [mm], broadcast against each other."""
+        away = np.hypot(np.asarray(x, dtype=float) - self.x, np.asarray(y, dtype=float) - self.y)
+        bowl = np.cos(math.pi * np.minimum(away / self.diameter, 0.5)) ** 2
+        into = (2.0 * away - self.diameter) / (self._outer - self.diameter)
+        relief: Array = self.depth * bowl - self.shoulder * np.sin(math.pi * np.clip(into, 0.0, 1.0)) ** 2
+        return relief
+
+
+@dataclass(frozen=True, kw_only=True)
+class Waviness:
+    """Waves in any direction: relief amplitude (1 - cos(2 pi s / wavelength + phase)), s along the direction.
+
+    Parameters
+    ----------
+    amplitude : float
+        Half of the height from valley to crest [mm].
+    wavelength : float
+        Distance from crest to crest [mm], positive.
+    direction : str or float
+        The way in which it waves: ``"across"`` (in x, ridges run along the contact), ``"along"`` (in y), or an angle
+        from x towards y [rad].
+    phase : float
+        Phase at the origin [rad]; with zero a crest, no relief, is there.
+
+    Raises
+    ------
+    InputError
+        If a value is out of range.
+
+    Examples
+    --------
+    >>> Waviness(amplitude=0.001, wavelength=0.5, direction="along")(0.0, [0.0, 0.25]).round(6).tolist()
+    [0.0, 0.002]
+    """
+
+    amplitude: float
+    wavelength: float
+    direction: str | float = "across"
+    phase: float = 0.0
+
+    def __post_init__(self) -> None:
+        not_negative("amplitude", self.amplitude, "give half of the height of the waves in mm")
+        positive("wavelength", self.wavelength, "give the distance from crest to crest in mm")
+        finite("phase", self.phase, "give the phase at the origin in rad")
+        if self.direction not in DIRECTIONS:
+            finite("direction", self.direction, "write 'across', 'along' or an angle from x in rad")  # type: ignore[arg-type]
+
+    def __call__(self, x: ArrayLike, y: ArrayLike) -> Array:
+        """Return the relief [mm] at positions ``x``, ``y`` [mm], broadcast against each other."""
+        angle = DIRECTIONS[self.direction] if isinstance(self.direction, str) else float(self.direction)
+        along = np.asarray(x, dtype=float) * math.cos(angle) + np.asarray(y, dtype=float) * math.sin(angle)
+        relief: Array = self.amplitude * (1.0 - np.cos(2.0 * math.pi * along / self.wavelength + self.phase))
+        return relief
+
+
+@dataclass(frozen=True, kw_only=True)
+class ChamferRun:
+    """A chamfer whose start wanders around the roller, as one that is ground askew: its edge is a slanted line.
+
+    The relief is slope times the distance beyond the edge y = start + skew x, towards the end of the body. Within
+    ``blend`` of the edge the corner is rounded by a parabola, without which the pressure there would have no limit.
+
+    Parameters
+    ----------
+    start : float
+        Where the chamfer begins on the centre line [mm]; towards +y if positive, towards -y if negative.
+    slope : float
+        Tangent of the angle of the chamfer, positive.
+    skew : float
+        Slope dy/dx of its edge [-].
+    blend : float
+        Half of the length over which the corner is rounded [mm], zero for a sharp one.
+
+    Raises
+    ------
+    InputError
+        If a value is out of range.
+
+    Examples
+    --------
+    >>> ChamferRun(start=9.0, slope=0.1)(0.0, [8.0, 9.5]).round(6).tolist()
+    [0.0, 0.05]
+    """
+
+    start: float
+    slope: float
+    skew: float = 0.0
+    blend: float = 0.0
+
+    def __post_init__(self) -> None:
+        remedy = "give the position where the chamfer begins in mm, positive for the end at high y"
+        finite("start", self.start, remedy)
+        if self.start == 0.0:
+            raise InputError("start", self.start, "not be zero", remedy)
+        positive("slope", self.slope, "give the tangent of the angle of the chamfer")
+        finite("skew", self.skew, "give the slope dy/dx of the chamfer's edge")
+        not_negative("blend", self.blend, "give half of the rounded length in mm, or leave it out")
+
+    def __call__(self, x: ArrayLike, y: ArrayLike) -> Array:
+        """Return the relief [mm] at positions ``x``, ``y`` [mm], broadcast against each other."""
+        edge = self.start + self.skew * np.asarray(x, dtype=float)
+        beyond = math.copysign(1.0, self.start) * (np.asarray(y, dtype=float) - edge)
+        if self.blend == 0.0:
+            return self.slope * np.maximum(beyond, 0.0)
+        into = np.clip(beyond + self.blend, 0.0, 2.0 * self.blend)
+        relief: Array = self.slope * (into**2 / (4.0 * self.blend) + np.maximum(beyond - self.blend, 0.0))
+        return relief

@@ -1,0 +1,57 @@
+"""From displacements to roughly the pressures, for a third of a convolution: what preconditions the iterations.
+
+A kernel laid around a torus has an inverse that costs one division in Fourier space. On a contact set K_AA the
+torus's inverse, restricted to the set, is nearly K_AA^-1: it errs where the set ends, and there by a factor between 1
+and 5, whatever the number of cells. So conjugate gradients gain half a digit per step on every grid. The torus is a
+few cells larger than the region, lest the two ends of a contact that fills it take each other for neighbours.
+
+References
+----------
+E. A. H. Vollebregt, The bound-constrained conjugate gradient method for non-negative matrices, Journal of Optimization
+Theory and Applications 162 (2014) 931-953, doi:10.1007/s10957-013-0499-x: there the FAI preconditioner.
+"""
+
+from __future__ import annotations
+
+from concurrent.futures import Executor
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import fft
+
+from nonhertz.patch.grid import Grid
+from nonhertz.patch.kernel import edges_from, rectangles
+from nonhertz.patch.transform import fast_half, filtered, times_even
+
+Array = NDArray[np.float64]
+Spectrum = NDArray[np.complex128]
+
+APART = 4  # cells between the ends of the region on the torus
+LEAST = 1e-3  # of the median symbol: positive on every grid tried, and a preconditioner has to be
+
+
+class Inverse:
+    """Roughly the inverse of `Convolution` without side faces and depth.
+
+    Parameters
+    ----------
+    grid : Grid
+        The cells.
+    pool : Executor or None
+        Threads to share work out to.
+    """
+
+    def __init__(self, grid: Grid, pool: Executor | None = None) -> None:
+        self._pool = pool
+        half = [fast_half(-(-(cells + APART) // 2)) for cells in grid.cells]
+        self._size = 2 * half[0], 2 * half[1]
+        kernel = rectangles(edges_from(0.0, half[0] + 1, grid.dx), edges_from(0.0, half[1] + 1, grid.dy))
+        spectrum = fft.dctn(kernel, type=1, overwrite_x=True)
+        self._symbol = 1.0 / np.maximum(spectrum, LEAST * float(np.median(spectrum)))
+
+    def __call__(self, displacement: Array) -> Array:
+        """Return roughly the pressure times K [-] for a displacement [mm], both of shape (nx, ny)."""
+        return filtered(displacement, self._size, self._product, self._pool)
+
+    def _product(self, columns: Spectrum, at: slice) -> Spectrum:
+        return times_even(columns, self._symbol[:, at])

@@ -1,0 +1,74 @@
+"""How many bytes a solve takes at its peak, told before it is started."""
+
+from __future__ import annotations
+
+import os
+
+from nonhertz.errors import InputError
+from nonhertz.finite import HERTZ, influence_of
+from nonhertz.model.contact import Contact
+from nonhertz.patch.transform import fast_half
+
+FIELDS = 14.0
+"""Arrays of the size of the grid alive at once: gaps, pressure, residual, direction and what it moves, the two
+answers to approach and tilt, the spectrum of rows, and a temporary or two."""
+FEW, MAKING = 3.0, 2.25  # while grids are made: fields, and copies of the matrix of the depths
+DOUBLE = 8
+SHARE = 0.8  # of the machine's available memory
+
+
+def memory(cells: tuple[int, int], contact: Contact | None = None) -> int:
+    """Return the bytes that a solve needs at its peak, within a fifth.
+
+    Parameters
+    ----------
+    cells : tuple of int
+        Number of cells (across, along).
+    contact : Contact, optional
+        Its side faces and depths count too; half-spaces if left out.
+
+    Returns
+    -------
+    int
+
+    Examples
+    --------
+    >>> round(memory((512, 1024)) / 2**20)  # MiB
+    60
+    """
+    nx, ny = cells
+    spectra = DOUBLE * (fast_half(nx) + 1) * (fast_half(ny) + 1)
+    fields, depth = DOUBLE * nx * ny, 0
+    if contact is not None:
+        influence = influence_of(contact, HERTZ)
+        mirrored = bool((influence.terms[:, 0] < 0.0).any())
+        shifted = int((influence.terms[:, 0] > 0.0).sum()) > 1
+        spectra *= 1 + 2 * mirrored + 2 * shifted  # complex ones
+        depth = DOUBLE * ny * ny * bool(influence.depths)
+    # Either while the iterations run, or before, while the matrix of the depths is made of larger ones.
+    return int(spectra + max(FIELDS * fields + depth, FEW * fields + MAKING * depth))
+
+
+def refuse_excess(cells: tuple[int, int], contact: Contact) -> None:
+    """Refuse cells that need more memory than the machine has available.
+
+    Raises
+    ------
+    InputError
+    """
+    needed, available = memory(cells, contact), SHARE * _available()
+    if needed > available:
+        condition = f"need less than the {available / 2**30:.1f} GiB of memory at hand, not {needed / 2**30:.1f} GiB"
+        raise InputError("cells", cells, condition, "give fewer cells, or a smaller region")
+
+
+def _available() -> float:
+    """Return the bytes of memory that are free, all of the machine's where only that is known."""
+    try:
+        with open("/proc/meminfo", encoding="ascii") as lines:  # noqa: PTH123  (a pseudo-file, not a path)
+            for line in lines:
+                if line.startswith("MemAvailable:"):
+                    return 1024.0 * int(line.split()[1])
+        return float(os.sysconf("SC_PHYS_PAGES")) * os.sysconf("SC_PAGE_SIZE")
+    except (OSError, ValueError, AttributeError):
+        return 8.0 * 2**30

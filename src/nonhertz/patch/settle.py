@@ -1,0 +1,259 @@
+"""The contact conditions on one grid: which cells touch, and what they bear.
+
+Where surfaces touch the gap is zero, elsewhere the pressure is. For a given set of cells in contact this is a linear
+system, K_AA p_A = d_A - g_A with d = approach + tilt y, and what is given as load or moment adds an equation B^T p and
+makes approach or tilt its multiplier. Conjugate gradients solve it in the subspace of pressures that have the right
+load and moment: each preconditioned residual is freed of the part that approach and tilt take up (the constraint
+preconditioner [M^-1 B; B^T 0] of Gould, Hribar and Nocedal). All four pairs of given quantities differ in the columns
+of B alone.
+
+The set is found by a primal-dual active set, which is Newton's method on the contact conditions: cells that would pull
+leave, cells that would overlap enter. There is no point in solving for a wrong set: each solve goes on until its
+residual is small against what the next change of the set will upset. A change costs one convolution, a step another.
+
+References
+----------
+M. Hintermueller, K. Ito and K. Kunisch, The primal-dual active set strategy as a semismooth Newton method, SIAM Journal
+on Optimization 13 (2002) 865-888, doi:10.1137/S1052623401383558. N. I. M. Gould, M. E. Hribar and J. Nocedal, On the
+solution of equality constrained quadratic programming problems arising in optimization, SIAM Journal on Scientific
+Computing 23 (2001) 1376-1395, doi:10.1137/S1064827598345667. I. A. Polonsky and L. M. Keer, A numerical method for
+solving rough contact problems based on the multi-level multi-summation and conjugate gradient techniques, Wear 231
+(1999) 206-219, doi:10.1016/S0043-1648(99)00113-1.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.patch.convolution import Convolution
+from nonhertz.patch.inverse import Inverse
+from nonhertz.solution import Status
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+MOST_CHANGES = 60  # of the set
+MOST_MOTIONS = 100
+MOST_STEPS = 40  # for one set
+SHARE = 0.5  # of what the next change of the set upsets: how far to solve for this one
+ROUNDING, BALANCED = 1e-13, 1e-10  # of the load and moment
+TINY = 1e-300
+
+
+@dataclass(frozen=True, eq=False)
+class Task:
+    """A problem on one grid.
+
+    Attributes
+    ----------
+    undeformed : ndarray, shape (nx, ny)
+        Gap g [mm] of the undeformed bodies.
+    displacement : Convolution
+        Pressure to displacement.
+    inverse : Inverse
+        Roughly its inverse.
+    y : ndarray, shape (ny,)
+        Lever arms [mm].
+    by_force : tuple of bool
+        Whether load and moment are given, rather than approach and tilt.
+    target : tuple of float
+        What is given: approach [mm] or K Q / (dx dy) [-], and tilt [rad] or K T / (dx dy) [mm].
+    """
+
+    undeformed: Array
+    displacement: Convolution
+    inverse: Inverse
+    y: Array
+    by_force: tuple[bool, bool]
+    target: tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class State:
+    """Where the iterations stand or ended; pressures are times K."""
+
+    pressure: Array
+    gap: Array
+    rigid: tuple[float, float]
+    residual: float
+    status: Status
+
+
+def settle(task: Task, pressure: Array, rigid: tuple[float, float], tolerance: float) -> State:
+    """Return the solution of a task.
+
+    Parameters
+    ----------
+    task : Task
+        What to solve.
+    pressure : ndarray, shape (nx, ny)
+        Where to start, times K [-]: the cells with pressure are those in contact at first.
+    rigid : tuple of float
+        Approach [mm] and tilt [rad] to start from, where they are not given.
+    tolerance : float
+        Largest residual: the largest gap in contact or overlap elsewhere, over the largest displacement.
+
+    Returns
+    -------
+    State
+    """
+    state = _ActiveSet(task, pressure, rigid).run(tolerance)
+    if state.status is Status.CONVERGED or not any(task.by_force):
+        return state
+    return _by_motion(task, state, tolerance)
+
+
+class _ActiveSet:
+    """The iteration, and the few fields that it works on in place."""
+
+    def __init__(self, task: Task, pressure: Array, rigid: tuple[float, float]) -> None:
+        self.task = task
+        given = [c for c in (0, 1) if task.by_force[c]]
+        self.given = given
+        self.levers = np.stack([np.ones_like(task.y), task.y])[given]
+        self.target = np.array(task.target)[given]
+        self.rigid = np.where(task.by_force, rigid, task.target)
+        self.pressure = np.maximum(pressure, 0.0)
+        self.touching: Mask = self.pressure > 0.0
+        self.own = float(task.displacement.own)
+        self.scale = 1.0
+
+    def run(self, tolerance: float) -> State:
+        """Change the set and solve until nothing is left to change."""
+        status = Status.ITERATION_LIMIT
+        residual = np.inf
+        for _ in range(MOST_CHANGES):
+            if self._balance() > BALANCED:
+                self._widen()
+                continue
+            residual = self._solve(tolerance)
+            if residual <= tolerance and self.pressure.min() >= 0.0:
+                status = Status.CONVERGED
+                break
+            self.touching = np.where(self.touching, self.pressure >= 0.0, self.gap < 0.0)
+            np.maximum(self.pressure, 0.0, out=self.pressure)
+        rigid = float(self.rigid[0]), float(self.rigid[1])
+        return State(self.pressure, self.gap, rigid, residual, status)
+
+    def _balance(self) -> float:
+        """Bring load and moment to what is given, by the pressures that answer to approach and tilt.
+
+        Returns
+        -------
+        float
+            What is missing still, relative, where the cells in contact cannot bear it: those of one row no moment
+            about it, and no cells nothing.
+        """
+        self._respond()
+        missing = self.missing()
+        if missing > ROUNDING:
+            for amount, response in zip(self._multipliers(self.lack), self.responses, strict=True):
+                self.pressure += amount * response
+            missing = self.missing()
+        displacement = self.task.displacement(self.pressure)
+        self.gap = displacement + self.task.undeformed
+        self.gap -= self.rigid[0] + self.rigid[1] * self.task.y
+        self.scale = max(float(np.max(np.abs(displacement))), -float(self.gap.min())) or 1.0
+        return missing
+
+    @property
+    def lack(self) -> Array:
+        """What load and moment lack, where they are given."""
+        lack: Array = self.target - self._forces(self.pressure)
+        return lack
+
+    def missing(self) -> float:
+        """Return the lack relative to what all cells bear, the signs of their levers left out."""
+        borne = np.abs(self.levers) @ np.abs(self.pressure.sum(axis=0))
+        whole = np.maximum(np.maximum(borne, np.abs(self.target)), TINY)
+        return float(np.max(np.abs(self.lack) / whole, initial=0.0))
+
+    def answer(self) -> Array:
+        """Return by how much more approach and tilt would about make up for the lack."""
+        self._widen()
+        self._respond()
+        return self._multipliers(self.lack)
+
+    def _respond(self) -> None:
+        """Find the pressures in contact that answer to approach and tilt, and their loads and moments."""
+        inverse, touching = self.task.inverse, self.touching
+        self.responses = [inverse(touching * lever) * touching for lever in self.levers]
+        forces = [self._forces(response) for response in self.responses]
+        self.stiffness = np.array(forces).reshape(len(self.given), len(self.given))
+
+    def _widen(self) -> None:
+        """Take in the rows on either side of those in contact, all if none is."""
+        near = self.touching.copy()
+        near[:, 1:] |= self.touching[:, :-1]
+        near[:, :-1] |= self.touching[:, 1:]
+        self.touching = near if near.any() else ~near
+
+    def _solve(self, tolerance: float) -> float:
+        """Take steps for the present set until it is time to change it, and return the residual."""
+        residual, squared, direction = np.inf, 0.0, np.zeros_like(self.gap)
+        for step in range(MOST_STEPS):
+            correction, overlap = self._preconditioned()
+            in_contact = float(np.max(np.abs(overlap)))
+            outside = -float(np.min(self.gap, where=~self.touching, initial=0.0))
+            residual = max(in_contact, outside) / self.scale
+            upset = max(outside, -self.own * float(self.pressure.min()))
+            if in_contact <= tolerance * self.scale or (step > 0 and in_contact <= SHARE * upset):
+                break
+            before, squared = squared, float(np.vdot(overlap, correction))
+            direction *= squared / before if step > 0 else 0.0
+            direction += correction
+            moved = self.task.displacement(direction)
+            length = squared / float(np.vdot(direction * self.touching, moved))
+            self.pressure += length * direction
+            self.gap += length * moved
+        return residual
+
+    def _preconditioned(self) -> tuple[Array, Array]:
+        """Return a pressure that would about close the gap in contact, and the overlap, approach and tilt let go."""
+        correction = self.task.inverse(-self.gap * self.touching)
+        correction *= self.touching
+        for c, amount, response in zip(
+            self.given, self._multipliers(self._forces(correction)), self.responses, strict=True
+        ):
+            correction -= amount * response
+            self.rigid[c] -= amount
+            self.gap += amount * (self.task.y if c else 1.0)
+        return correction, -self.gap * self.touching
+
+    def _multipliers(self, forces: Array) -> Array:
+        # Least squares, since cells of a single row leave a moment undetermined.
+        return np.asarray(np.linalg.lstsq(self.stiffness.T, forces, rcond=1e-12)[0], dtype=np.float64)
+
+    def _forces(self, pressure: Array) -> Array:
+        forces: Array = self.levers @ pressure.sum(axis=0)
+        return forces
+
+
+def _by_motion(task: Task, state: State, tolerance: float) -> State:
+    """Find approach and tilt such that load and moment are as given, from contacts with prescribed motion.
+
+    The way out where sets cycle, as they may while a moment rests on a row or two of cells. With prescribed motion
+    they do not, and what load and moment lack is the gradient of a concave function of approach and tilt: steps along
+    it that do not overshoot lead to the maximum.
+    """
+    forced = np.flatnonzero(task.by_force)
+    motion, step, slope, share = np.array(state.rigid), np.zeros(forced.size), 0.0, 1.0
+    for _ in range(MOST_MOTIONS):
+        moved = replace(task, by_force=(False, False), target=(float(motion[0]), float(motion[1])))
+        state = _ActiveSet(moved, state.pressure, moved.target).run(max(0.01 * tolerance, ROUNDING))
+        if state.status is not Status.CONVERGED:
+            break
+        forces = _ActiveSet(task, state.pressure, state.rigid)
+        if forces.missing() <= tolerance:
+            return state
+        if forces.lack @ step < -0.5 * slope:
+            motion[forced] -= 0.75 * share * step
+            share *= 0.25
+            continue
+        step = forces.answer()
+        slope, share = float(forces.lack @ step), 2.0 * share
+        motion[forced] += share * step
+    return replace(state, status=Status.ITERATION_LIMIT)

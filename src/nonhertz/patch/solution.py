@@ -1,0 +1,183 @@
+"""What a solve on a plane grid returns: a read-only value and everything derived from it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from functools import cached_property
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.model.checks import finite
+from nonhertz.model.contact import Contact
+from nonhertz.patch.resources import memory
+from nonhertz.solution import ErrorEstimate, Status
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+Values = TypeVar("Values", Array, Mask)
+
+
+@dataclass(frozen=True, eq=False)
+class PatchSolution:
+    """A contact solved on a plane grid.
+
+    Attributes
+    ----------
+    contact : Contact
+        What was solved.
+    status : Status
+        How the solve ended.
+    approach : float
+        delta [mm], how much nearer the bodies came on the line y = 0 than first touch of a zero gap.
+    tilt : float
+        gamma [rad] about x; positive tilt loads the side of positive y. About y the bodies are held upright.
+    load : float
+        Q [N], sum of the pressures times the area of a cell.
+    moment : float
+        T [N mm], the same with y.
+    x : ndarray, shape (nx,)
+        Centres of the cells across [mm].
+    y : ndarray, shape (ny,)
+        Centres of the cells along [mm].
+    dx, dy : float
+        Sides of a cell [mm].
+    pressure : ndarray, shape (nx, ny)
+        Pressure [MPa], uniform in each cell; ``pressure[i, j]`` is at ``x[i]``, ``y[j]``.
+    gap : ndarray, shape (nx, ny)
+        Deformed gap in the middle of each cell [mm]; in contact zero but for ``residual``.
+    iterations : int
+        Convolutions on the finest grid.
+    residual : float
+        Largest gap in contact or overlap elsewhere, over the largest elastic displacement [-].
+    error_estimate : ErrorEstimate
+        Relative errors of discretisation, from the coarser grids.
+    warnings : tuple of str
+        What strains the model in this case; empty when nothing does.
+    """
+
+    contact: Contact
+    status: Status
+    approach: float
+    tilt: float
+    load: float
+    moment: float
+    x: Array
+    y: Array
+    dx: float
+    dy: float
+    pressure: Array
+    gap: Array
+    iterations: int
+    residual: float
+    error_estimate: ErrorEstimate
+    warnings: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        for item in fields(self):
+            value = getattr(self, item.name)
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
+
+    def __setstate__(self, state: dict[str, object]) -> None:
+        # Pickle forgets that arrays were read-only.
+        self.__dict__.update(state)
+        for value in state.values():
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
+
+    @property
+    def cells(self) -> tuple[int, int]:
+        """Number of cells (across, along)."""
+        return self.x.size, self.y.size
+
+    @property
+    def memory(self) -> int:
+        """Bytes that the solve needed at its peak; see `nonhertz.patch.memory`."""
+        return memory(self.cells, self.contact)
+
+    @cached_property
+    def footprint(self) -> Mask:
+        """Which cells touch, shape (nx, ny)."""
+        return _read_only(self.pressure > 0.0)
+
+    @property
+    def contact_area(self) -> float:
+        """Area of the cells that touch [mm^2]."""
+        return float(np.count_nonzero(self.footprint)) * self.dx * self.dy
+
+    @property
+    def max_pressure(self) -> float:
+        """The largest pressure of a cell [MPa]."""
+        return float(self.pressure.max())
+
+    @property
+    def max_pressure_at(self) -> tuple[float, float]:
+        """Where the largest pressure is, (x, y) [mm]."""
+        i, j = np.unravel_index(int(self.pressure.argmax()), self.pressure.shape)
+        return float(self.x[i]), float(self.y[j])
+
+    @cached_property
+    def line_load(self) -> Array:
+        """Load per unit length q [N/mm] at every ``y``."""
+        return _read_only(self.pressure.sum(axis=0) * self.dx)
+
+    @cached_property
+    def half_width(self) -> Array:
+        """Half of the distance [mm] between the outermost edges of the footprint at every ``y``, zero off contact.
+
+        Towards an edge the pressure falls like the root of the distance, so its square falls linearly to zero. The
+        line through the two outermost cells meets zero a little too early, since the last one also bears what is cut
+        off from it; that through the next two a little too late, since the square is curved. The mean of both is
+        within a sixth of a cell on Hertz's ellipse. Where the square does not fall from cell to cell, or there are
+        not three of them, it is cells that are counted.
+        """
+        width = np.zeros(self.y.size)
+        for j in np.flatnonzero(self.footprint.any(axis=0)):
+            column = self.pressure[:, j]
+            width[j] = 0.5 * self.dx * (_reach(column) + _reach(column[::-1]) - column.size)
+        return _read_only(width)
+
+    @cached_property
+    def centre_pressure(self) -> Array:
+        """Pressure on the line x = 0 [MPa] at every ``y``: a cubic through the four nearest cells."""
+        if not self.x[0] <= 0.0 <= self.x[-1]:
+            return _read_only(np.zeros(self.y.size))
+        first = int(np.clip(np.searchsorted(self.x, 0.0) - 2, 0, self.x.size - 4))
+        near = self.x[first : first + 4]
+        weights = [np.prod([other / (other - here) for other in near if other != here]) for here in near]
+        return _read_only(np.maximum(np.array(weights) @ self.pressure[first : first + 4], 0.0))
+
+    def across(self, y: float) -> tuple[Array, Array]:
+        """Return positions x [mm] and the pressures there [MPa] at a station y, linear between rows of cells.
+
+        Raises
+        ------
+        InputError
+            If ``y`` lies outside the region.
+        """
+        finite("y", y, "give a position along the contact in mm")
+        low, high = float(self.y[0]) - 0.5 * self.dy, float(self.y[-1]) + 0.5 * self.dy
+        if not low <= y <= high:
+            raise InputError("y", y, f"lie between {low:g} and {high:g} mm", "choose a station within the region")
+        place = float(np.clip((y - self.y[0]) / self.dy, 0.0, self.y.size - 1.0))
+        below = min(int(place), max(self.y.size - 2, 0))
+        above, share = min(below + 1, self.y.size - 1), place - below
+        return self.x, _read_only((1.0 - share) * self.pressure[:, below] + share * self.pressure[:, above])
+
+
+def _reach(column: Array) -> float:
+    """Return how many cells the pressure reaches from the low end of a column to its upper edge, in fractions."""
+    last = int(np.flatnonzero(column)[-1])
+    inner, middle, outer = column[last - 2 : last + 1] ** 2 if last >= 2 else (0.0, 0.0, 0.0)
+    if not inner > middle > outer:
+        return last + 1.0
+    near, far = outer / (middle - outer), middle / (inner - middle) - 1.0
+    return last + 0.5 + float(np.clip(0.5 * (near + far), -0.5, 1.5))
+
+
+def _read_only(array: Values) -> Values:
+    array.flags.writeable = False
+    return array

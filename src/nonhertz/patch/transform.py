@@ -1,0 +1,91 @@
+"""A product in Fourier space on a grid larger than the field, a block of rows or columns at a time.
+
+Rows are transformed first, each by itself and none of those that hold zeros; then columns, a block at a time, which
+come back before the next block is touched. So the larger grid never exists as a whole, what is touched stays in the
+cache of a core, and blocks can be shared out over threads. The result does not depend on how many there are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import Executor
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import fft
+
+Array = NDArray[np.float64]
+Spectrum = NDArray[np.complex128]
+
+ROWS, COLUMNS = 16, 32  # of a block
+PARTS = 8  # that blocks are shared out in
+
+
+def filtered(
+    field: Array,
+    size: tuple[int, int],
+    product: Callable[[Spectrum, slice], Spectrum],
+    pool: Executor | None,
+) -> Array:
+    """Return a field after a product with its spectrum on a larger grid.
+
+    Parameters
+    ----------
+    field : ndarray, shape (nx, ny)
+        Zero on the rest of the larger grid.
+    size : tuple of int
+        Of the larger grid.
+    product : callable
+        Takes a block of columns of the spectrum and where it lies, and returns the columns of the result.
+    pool : Executor or None
+        Threads to share the blocks out to.
+
+    Returns
+    -------
+    ndarray, shape (nx, ny)
+        The part of the result where the field was.
+    """
+    nx, ny = field.shape
+    spectrum: Spectrum = np.empty((nx, size[1] // 2 + 1), dtype=complex)
+    result = np.empty((nx, ny))
+
+    def forward(rows: slice) -> None:
+        spectrum[rows] = fft.rfft(field[rows], size[1], axis=1)
+
+    def across(columns: slice) -> None:
+        whole = product(fft.fft(spectrum[:, columns], size[0], axis=0), columns)
+        spectrum[:, columns] = fft.ifft(whole, axis=0, overwrite_x=True)[:nx]
+
+    def backward(rows: slice) -> None:
+        result[rows] = fft.irfft(spectrum[rows], size[1], axis=1)[:, :ny]
+
+    in_blocks(forward, nx, ROWS, pool)
+    in_blocks(across, spectrum.shape[1], COLUMNS, pool)
+    in_blocks(backward, nx, ROWS, pool)
+    return result
+
+
+def in_blocks(work: Callable[[slice], None], count: int, block: int, pool: Executor | None) -> None:
+    """Do a work on ``count`` lines, a block at a time, by the threads of a pool if there is one."""
+    blocks = [slice(start, min(start + block, count)) for start in range(0, count, block)]
+
+    def several(part: int) -> None:
+        for each in blocks[part::PARTS]:
+            work(each)
+
+    # Every part at least waits for its turn: in few parts, threads spend their time on blocks rather than on turns.
+    for _ in map(several, range(PARTS)) if pool is None else pool.map(several, range(PARTS)):
+        pass
+
+
+def times_even(columns: Spectrum, half: Array | Spectrum) -> Spectrum:
+    """Multiply columns in place by a spectrum that is even along them and given for their first half."""
+    middle = half.shape[0]
+    columns[:middle] *= half
+    columns[middle:] *= half[-2:0:-1]
+    return columns
+
+
+def fast_half(cells: int) -> int:
+    """Return half of the smallest even size of at least twice ``cells`` that transforms fast."""
+    return int(fft.next_fast_len(cells, real=True))

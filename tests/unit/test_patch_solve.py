@@ -1,0 +1,271 @@
+"""`nonhertz.patch.solve`: what it refuses, what it warns of, and what its solution says of itself."""
+
+import math
+import pickle
+import tracemalloc
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.patch import Dent, PatchSolution, memory, undeformed_gap
+from nonhertz.patch.resources import refuse_excess
+
+HALF_SPACE = {"side_faces": "none", "depth": "none"}
+CROWNED = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000), **HALF_SPACE), nh.Plate())
+STRAIGHT = nh.Contact(nh.Roller(diameter=20, length=20, **HALF_SPACE), nh.Plate())
+SMALL = (32, 64)
+
+
+@pytest.fixture(scope="module")
+def solution():
+    return nh.patch.solve(CROWNED, load=3e3, tilt=2e-4, cells=SMALL)
+
+
+# Input
+
+
+@pytest.mark.parametrize(
+    ("values", "sentence"),
+    [
+        ({}, "load = None must be given where approach is not"),
+        ({"load": 1e3, "approach": 0.01}, "load = 1000.0 must be given where approach is not"),
+        ({"load": -1.0}, "load = -1.0 must be positive"),
+        ({"load": 1e3, "tilt": 0.0, "moment": 0.0}, "moment = 0.0 must not be given together with tilt"),
+        ({"load": 1e3, "moment": 1.1e4}, "moment = 11000.0 must keep moment / load between -10 and 10 mm"),
+        ({"load": 1e3, "cells": 64}, "cells = 64 must be a pair"),
+        ({"load": 1e3, "cells": (64, 3)}, "cells = (64, 3) must be whole numbers of at least 4"),
+        ({"load": 1e3, "cells": (64.0, 64)}, "cells = (64.0, 64) must be whole numbers of at least 4"),
+        ({"load": 1e3, "cells": (10**7, 10**7)}, "cells = (10000000, 10000000) must need less than"),
+        ({"load": 1e3, "region": (1.0, 2.0)}, "region = (1.0, 2.0) must be two pairs of ends"),
+        ({"load": 1e3, "region": ((1.0, 1.0), (0.0, 1.0))}, "region = ((1.0, 1.0), (0.0, 1.0)) must ascend"),
+        ({"load": 1e3, "region": ((0.0, 1.0), (11.0, 12.0))}, "region = ((0.0, 1.0), (11.0, 12.0)) must ascend"),
+        ({"load": 1e3, "region": ((0.0, math.nan), (0.0, 1.0))}, "region = nan must be a finite number"),
+        ({"load": 1e3, "tolerance": 1e-14}, "tolerance = 1e-14 must lie between 1e-12 and 0.01"),
+        ({"load": 1e3, "threads": 0}, "threads = 0 must be positive"),
+        ({"load": 1e3, "features": [3.0]}, "features = 3.0 must be callable"),
+        ({"load": 1e3, "gap": 3.0}, "gap = 3.0 must be callable"),
+    ],
+    ids=str,
+)
+def test_what_is_refused(values, sentence):
+    with pytest.raises(nh.InputError) as caught:
+        nh.patch.solve(CROWNED, **values)
+    assert str(caught.value).startswith(sentence)
+
+
+def test_anything_but_a_contact_is_refused():
+    with pytest.raises(nh.InputError, match="contact = 'roller' must be a Contact"):
+        nh.patch.solve("roller", load=1e3)
+
+
+@pytest.mark.parametrize(
+    ("gap", "condition"),
+    [
+        (lambda x, y: np.full(np.broadcast_shapes(x.shape, y.shape), math.nan), "be a number"),
+        (lambda x, y: np.full(np.broadcast_shapes(x.shape, y.shape), math.inf), "be a number"),
+        (lambda x, y: np.zeros((2, 3)), "keep the shape"),
+    ],
+)
+def test_a_gap_that_is_none_is_refused(gap, condition):
+    with pytest.raises(nh.InputError, match=condition):
+        nh.patch.solve(CROWNED, load=1e3, gap=gap, cells=SMALL)
+
+
+def test_an_infinite_gap_keeps_cells_out():
+    def half(x, y):
+        return np.where(y > 0.0, math.inf, x**2 / 20.0 + y**2 / 2000.0)
+
+    solution = nh.patch.solve(CROWNED, load=1e3, gap=half, cells=SMALL, region=((-0.3, 0.3), (-4.0, 4.0)))
+    assert not solution.footprint[:, solution.y > 0.0].any()
+    assert solution.load == pytest.approx(1e3, rel=1e-9)
+
+
+# Gap
+
+
+def test_the_gap_is_that_of_the_bodies():
+    taper = nh.Roller(diameter=nh.TabulatedDiameter((-10.0, 10.0), (18.0, 22.0)), length=20, depth="none")
+    contact = nh.Contact(taper, nh.Ring(diameter=60))
+    # 1/rho = 2/20.8 + 2/60 at y = 4.
+    found = undeformed_gap(contact, np.array([[0.0], [0.3]]), np.array([4.0]))
+    np.testing.assert_allclose(found[:, 0], [0.0, 0.045 * (2.0 / 20.8 + 2.0 / 60.0)], rtol=1e-14, atol=0.0)
+
+
+def test_features_add_up():
+    dents = [Dent(x=0.1, y=1.0, depth=0.001, diameter=0.4), Dent(x=-0.1, y=-1.0, depth=0.002, diameter=0.4)]
+
+    def whole(x, y):
+        return undeformed_gap(CROWNED, x, y) + dents[0](x, y) + dents[1](x, y)
+
+    of_features = nh.patch.solve(CROWNED, load=3e3, features=dents, cells=SMALL)
+    of_gap = nh.patch.solve(CROWNED, load=3e3, gap=whole, cells=SMALL)
+    # The same numbers added in another order.
+    np.testing.assert_allclose(of_features.pressure, of_gap.pressure, rtol=0.0, atol=1e-5 * of_gap.max_pressure)
+
+
+# Solution
+
+
+def test_it_says_how_it_ended(solution):
+    assert isinstance(solution, PatchSolution)
+    assert solution.status is nh.Status.CONVERGED
+    assert solution.residual <= 1e-8
+    assert 0 < solution.iterations < 60
+    assert solution.warnings == ()
+
+
+def test_shapes_and_sizes(solution):
+    assert solution.cells == SMALL
+    assert solution.pressure.shape == solution.gap.shape == solution.footprint.shape == SMALL
+    assert solution.line_load.shape == solution.half_width.shape == solution.centre_pressure.shape == SMALL[1:]
+    np.testing.assert_allclose(np.diff(solution.x), solution.dx, rtol=1e-12, atol=0.0)
+    np.testing.assert_allclose(np.diff(solution.y), solution.dy, rtol=1e-12, atol=0.0)
+
+
+def test_sums_of_the_pressure(solution):
+    area = solution.dx * solution.dy
+    # Rounding of sums in another order.
+    np.testing.assert_allclose(solution.load, solution.pressure.sum() * area, rtol=1e-12, atol=0.0)
+    np.testing.assert_allclose(solution.line_load.sum() * solution.dy, solution.load, rtol=1e-12, atol=0.0)
+    np.testing.assert_allclose(solution.moment, (solution.pressure @ solution.y).sum() * area, rtol=1e-12, atol=0.0)
+    np.testing.assert_allclose(solution.contact_area, area * (solution.pressure > 0).sum(), rtol=1e-12, atol=0.0)
+
+
+def test_where_the_maximum_is(solution):
+    x, y = solution.max_pressure_at
+    assert solution.pressure[solution.x == x, solution.y == y] == solution.max_pressure
+
+
+def test_a_station_across(solution):
+    j = SMALL[1] // 2
+    x, pressure = solution.across(float(solution.y[j]))
+    assert np.array_equal(x, solution.x)
+    np.testing.assert_allclose(pressure, solution.pressure[:, j], rtol=1e-12, atol=1e-9)
+    _, between = solution.across(float(solution.y[j]) + 0.5 * solution.dy)
+    np.testing.assert_allclose(between, 0.5 * (solution.pressure[:, j] + solution.pressure[:, j + 1]), rtol=1e-9)
+    with pytest.raises(nh.InputError, match=r"y = 11\.0 must lie between"):
+        solution.across(11.0)
+
+
+def test_arrays_are_read_only_and_stay_so_in_a_pickle(solution):
+    for each in (solution, pickle.loads(pickle.dumps(solution))):
+        for name in ("x", "y", "pressure", "gap", "footprint", "line_load", "half_width", "centre_pressure"):
+            assert not getattr(each, name).flags.writeable
+    assert np.array_equal(pickle.loads(pickle.dumps(solution)).pressure, solution.pressure)
+
+
+def test_threads_change_nothing():
+    one, three = (nh.patch.solve(CROWNED, load=3e3, cells=(256, 256), tolerance=1e-4, threads=n) for n in (1, 3))
+    assert np.array_equal(one.pressure, three.pressure)
+
+
+def test_no_contact_is_a_solution():
+    solution = nh.patch.solve(CROWNED, approach=-0.01, cells=SMALL)
+    assert (solution.load, solution.moment, solution.max_pressure, solution.contact_area) == (0.0, 0.0, 0.0, 0.0)
+    assert np.all(solution.gap >= 0.01 * (1.0 - 1e-12))
+
+
+def test_running_out_of_iterations_carries_the_state(monkeypatch):
+    monkeypatch.setattr("nonhertz.patch.settle.MOST_CHANGES", 1)
+    monkeypatch.setattr("nonhertz.patch.settle.MOST_MOTIONS", 1)
+    with pytest.raises(nh.ConvergenceError) as caught:
+        nh.patch.solve(CROWNED, load=3e3, cells=SMALL, region=((-0.3, 0.3), (-5.0, 5.0)))
+    assert caught.value.solution.status is nh.Status.ITERATION_LIMIT
+    assert caught.value.solution.error_estimate.approach == math.inf
+
+
+# Region
+
+
+def test_a_contact_up_to_the_ends_has_them_on_edges_of_cells():
+    solution = nh.patch.solve(STRAIGHT, load=5e3, cells=SMALL)
+    np.testing.assert_allclose(solution.y[[0, -1]] + [-0.5 * solution.dy, 0.5 * solution.dy], [-10.0, 10.0], rtol=1e-12)
+    assert len(solution.warnings) == 2
+    assert "sharp end at y = -10 mm" in solution.warnings[0]
+    assert solution.error_estimate.max_pressure == math.inf
+
+
+def test_the_contact_fills_the_region_that_is_found(solution):
+    # At most a cell or two of the coarse search, of 18 at least, on either side.
+    for axis in (0, 1):
+        filled = solution.footprint.any(axis=axis)
+        assert 0.75 < filled.mean() < 1.0
+        assert not filled[0]
+        assert not filled[-1]
+
+
+def test_the_region_is_found_far_from_where_it_is_looked_for():
+    # The profile's summit lies 300 mm off, the contact is tiny, and neither body ends.
+    def gap(x, y):
+        return ((x - 2.0) ** 2 + (y - 300.0) ** 2) / 20.0
+
+    found = nh.patch.solve(nh.Contact(nh.Body(diameter=20), nh.Plate()), load=10.0, gap=gap, cells=(48, 48))
+    exact = nh.hertz.point_contact(load=10.0, radius_x=10, radius_y=10, compliance=found.contact.compliance)
+    np.testing.assert_allclose(found.max_pressure_at, (2.0, 300.0), rtol=0.0, atol=0.1 * exact.half_width)
+    np.testing.assert_allclose(found.approach, exact.approach, rtol=1e-3, atol=0.0)  # 40 cells across the circle
+
+
+def test_a_region_beyond_the_bodies_is_cut_off():
+    solution = nh.patch.solve(STRAIGHT, load=5e3, cells=SMALL, region=((-0.3, 0.3), (-30.0, 30.0)))
+    np.testing.assert_allclose(solution.y[-1] + 0.5 * solution.dy, 10.0, rtol=1e-12, atol=0.0)
+
+
+@pytest.mark.parametrize(
+    ("region", "ends"),
+    [
+        (((-0.05, 0.3), (-5.0, 5.0)), ["x = -0.05 mm"]),
+        (((-0.8, 0.8), (-1.0, 1.0)), ["y = -1 mm", "y = 1 mm"]),
+    ],
+)
+def test_a_region_that_cuts_the_contact_is_warned_of(region, ends):
+    with pytest.warns(nh.AccuracyWarning) as caught:
+        solution = nh.patch.solve(CROWNED, load=3e3, cells=SMALL, region=region)
+    assert [str(warning.message) for warning in caught] == list(solution.warnings)
+    for end, sentence in zip(ends, solution.warnings, strict=True):
+        assert sentence.startswith(f"The region ends at {end} while the contact goes on")
+
+
+# Strains
+
+
+def test_thin_bodies_heavy_images_and_wide_contacts_are_warned_of():
+    soft = nh.Material(modulus=1000.0, poisson=0.3)
+    thin = nh.Roller(diameter=20, length=20, material=soft, depth=4.0, side_faces=2.0)
+    with pytest.warns(nh.AccuracyWarning) as caught:
+        nh.patch.solve(nh.Contact(thin, nh.Plate()), load=20e3, cells=SMALL)
+    said = " ".join(str(warning.message) for warning in caught)
+    assert "would weigh 1.99 of the surface" in said
+    assert "of the smaller radius of curvature, over 0.3" in said
+    assert "The depth of a body is only" in said
+
+
+# Memory
+
+BODIES = {
+    "half-spaces": CROWNED,
+    "faces": nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000), depth="none"), nh.Plate()),
+    "depth": nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000)), nh.Plate()),
+    "images": nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000), images=3), nh.Plate()),
+}
+
+
+@pytest.mark.parametrize("name", BODIES)
+@pytest.mark.parametrize("cells", [(256, 256), (96, 512)], ids=str)
+def test_the_memory_foretold_is_what_is_taken(name, cells):
+    contact = BODIES[name]
+    nh.patch.solve(contact, load=3e3, cells=(16, 16))  # so that compilers have had their share
+    tracemalloc.start()
+    solution = nh.patch.solve(contact, load=3e3, cells=cells, threads=1, tolerance=1e-4)
+    taken = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    # Temporaries come and go; a fifth is what the documentation promises.
+    np.testing.assert_allclose(memory(cells, contact), taken, rtol=0.2, atol=0.0)
+    assert solution.memory == memory(cells, contact)
+
+
+def test_what_does_not_fit_is_refused_before_it_is_tried(monkeypatch):
+    monkeypatch.setattr("nonhertz.patch.resources._available", lambda: 2.0**30)
+    refuse_excess((1024, 2048), CROWNED)
+    with pytest.raises(nh.InputError, match=r"must need less than the 0\.8 GiB of memory at hand, not 1\.9 GiB"):
+        refuse_excess((4096, 4096), CROWNED)
