@@ -32,7 +32,9 @@ Array = NDArray[np.float64]
 Strips = int | str | ArrayLike | None
 Number = int | tuple[int, ...]
 
-CASES_AT_ONCE = 64  # fixed, so that results do not depend on the number of threads
+# A turn of a thread: on shared strips, and on a grid of its own for each. Fixed, so that results do not depend on the
+# number of threads.
+CASES_AT_ONCE, CASES_APART = 64, 4
 _PRESCRIBED = ("approach", "load", "tilt", "moment")
 _COLUMNS = ("approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y")
 
@@ -93,14 +95,14 @@ def solve_many(
     >>> solutions = solve_many(contact, load=[10e3, 15e3, 20e3], tilt=0.2e-3, strips=41)
     >>> solutions.max_pressure.round(-1)
     array([1590., 1860., 2080.])
-    >>> solutions[2].max_pressure == solutions.max_pressure[2]
+    >>> bool(solutions[2].max_pressure == solutions.max_pressure[2])
     True
     """
     prescribed = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
     shape, which, values = _spread(contacts, {name: value for name, value in prescribed.items() if value is not None})
     tasks = _tasks(contacts if isinstance(contacts, Sequence) else (contacts,), which, values, element, strips)
     with ThreadPoolExecutor(_checked_threads(threads)) as pool:
-        blocks = [block for found in pool.map(_Task.solved, tasks) for block in found]
+        blocks = [block for found in pool.map(_solved, _portions(tasks)) for block in found]
     solutions = Solutions(shape, tuple(blocks))
     strained = solutions.strained
     if strained:
@@ -338,10 +340,30 @@ def _tasks(
     tasks = []
     for key, numbers in shared.items():
         contact = contacts[which[numbers[0]]]
-        for first in range(0, len(numbers), CASES_AT_ONCE):
-            portion = numbers[first : first + CASES_AT_ONCE]
+        at_once = CASES_APART if _automatic(strips) else CASES_AT_ONCE
+        for first in range(0, len(numbers), at_once):
+            portion = numbers[first : first + at_once]
             tasks.append(_Task(contact, problems[key], portion, targets[portion], strips))
     return tasks
+
+
+def _automatic(strips: Strips) -> bool:
+    return strips is None or isinstance(strips, str)
+
+
+def _portions(tasks: list[_Task]) -> Iterator[list[_Task]]:
+    """Yield tasks together until they make up a portion worth a turn of a thread."""
+    portion: list[_Task] = []
+    for task in tasks:
+        portion.append(task)
+        if sum(len(each.numbers) for each in portion) >= (CASES_APART if _automatic(task.strips) else CASES_AT_ONCE):
+            yield portion
+            portion = []
+    yield portion
+
+
+def _solved(tasks: list[_Task]) -> list[_Block]:
+    return [block for task in tasks for block in task.solved()]
 
 
 def _checked_threads(threads: int | None) -> int:

@@ -91,8 +91,8 @@ def settle_all(problem: Problem, grids: Sequence[Array], targets: Array) -> list
         Finest first. Cases that have not converged want the patience of `settle`.
     """
     found: list[States] = []
-    for edges in reversed(grids):
-        strips = Strips.of(problem, edges)
+    for strips in reversed(Strips.on(problem, grids)):
+        edges = strips.edges
         near = found[0] if found else States.unsolved(np.zeros(1), len(targets))
         near_y = 0.5 * (near.edges[1:] + near.edges[:-1])
         states = States.unsolved(edges, len(targets))

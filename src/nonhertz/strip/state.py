@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -209,17 +209,28 @@ class Strips:
     @classmethod
     def of(cls, problem: Problem, edges: Array) -> Strips:
         """Return the strips between ``edges``."""
-        y = 0.5 * (edges[1:] + edges[:-1])
-        influence = problem.influence
-        return cls(
-            edges,
-            y,
-            np.diff(edges),
-            problem.curvature(y),
-            problem.separation(y),
-            influence.at_depth(y, edges),
-            influence.shallowest(y),
-        )
+        return cls.on(problem, [edges])[0]
+
+    @classmethod
+    def on(cls, problem: Problem, grids: Sequence[Array]) -> list[Strips]:
+        """Return the strips of several grids, the bodies asked once for all."""
+        centres = [0.5 * (edges[1:] + edges[:-1]) for edges in grids]
+        y = np.concatenate(centres)
+        cuts = np.cumsum([places.size for places in centres[:-1]])
+        asked = (problem.curvature(y), problem.separation(y), problem.influence.shallowest(y))
+        curvature, separation, shallowest = (np.split(values, cuts) for values in asked)
+        return [
+            cls(
+                edges,
+                places,
+                np.diff(edges),
+                curvature[k],
+                separation[k],
+                problem.influence.at_depth(places, edges),
+                shallowest[k],
+            )
+            for k, (edges, places) in enumerate(zip(grids, centres, strict=True))
+        ]
 
     def springs(self, problem: Problem) -> tuple[Array, Array, Array]:
         """Return r, m and the rigid motion of independent springs."""
