@@ -19,6 +19,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from nonhertz import hertz as hertz
     from nonhertz import patch as patch
+    from nonhertz.comparison import Comparison as Comparison
+    from nonhertz.comparison import compare as compare
     from nonhertz.errors import AccuracyWarning as AccuracyWarning
     from nonhertz.errors import CaseError as CaseError
     from nonhertz.errors import ConvergenceError as ConvergenceError
@@ -51,6 +53,7 @@ __version__ = "0.1.0"
 _HOMES = {
     "AccuracyWarning": "nonhertz.errors",
     "Body": "nonhertz.model.body",
+    "Comparison": "nonhertz.comparison",
     "Contact": "nonhertz.model.contact",
     "CaseError": "nonhertz.errors",
     "ConvergenceError": "nonhertz.errors",
@@ -70,6 +73,7 @@ _HOMES = {
     "Solutions": "nonhertz.many",
     "Status": "nonhertz.solution",
     "TabulatedDiameter": "nonhertz.model.body",
+    "compare": "nonhertz.comparison",
     "solve": "nonhertz.solver",
     "solve_many": "nonhertz.many",
 }

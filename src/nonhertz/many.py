@@ -288,11 +288,12 @@ class _Task:
         at = [self.numbers[row]], self.targets[row : row + 1]
         try:
             levels = levels_of(self.contact, problem, self.strips)
-            if not levels.finest.converged or problem.influence.depths:
+            states = tuple(States.of(state) for state in levels.states)
+            if not levels.finest.converged or self._too_thin(states[0])[0]:
                 outcome(self.contact, problem, levels)
         except NonhertzError as error:
             return _Block(self.contact, self.problem, *at, (), error)
-        return _Block(self.contact, self.problem, *at, tuple(States.of(state) for state in levels.states))
+        return _Block(self.contact, self.problem, *at, states)
 
 
 def _spread(
@@ -315,8 +316,8 @@ def _spread(
     if spread[0].size == 0:
         raise InputError("contacts", (), "be at least one case", "leave the call out where there is none")
     which, *values = (column.ravel().tolist() for column in spread)
-    shape = spread[0].shape or (1,)
-    return shape, which, [dict(zip(given, numbers, strict=True)) for numbers in zip(*values, strict=True)]
+    each = zip(*values, strict=True) if values else [()] * len(which)
+    return spread[0].shape or (1,), which, [dict(zip(given, numbers, strict=True)) for numbers in each]
 
 
 def _tasks(

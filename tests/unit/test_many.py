@@ -167,6 +167,7 @@ def test_strained_circles_are_told_apart_from_long_contacts():
         ({"load": []}, "must be at least one case"),
         ({"load": [1e3, 1e3], "moment": [0.0, 1e6]}, r"case 1\.moment = 1000000\.0 must keep moment / load between"),
         ({"load": [1e3], "approach": [0.1]}, "load = 1000.0 must be given where approach is not"),
+        ({}, "load = None must be given where approach is not"),
         ({"tilt": [0.0]}, "load = None must be given where approach is not"),
         ({"load": [1e3], "strips": 0}, "strips = 0 must lie between"),
         ({"load": [1e3], "threads": 0}, "threads = 0 must be a whole number"),

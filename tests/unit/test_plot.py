@@ -559,7 +559,7 @@ class TestFigures:
         check = "import sys, nonhertz.plot; sys.exit('matplotlib' in sys.modules)"
         subprocess.run([sys.executable, "-c", check], check=True)
         check = (
-            "import sys, matplotlib.figure, nonhertz.plot.sheets as s; s._blank(3.0); "
+            "import sys, matplotlib.figure, nonhertz.plot.sheets as s; s.blank(3.0); "
             "sys.exit('matplotlib.pyplot' in sys.modules)"
         )
         subprocess.run([sys.executable, "-c", check], check=True)

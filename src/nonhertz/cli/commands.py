@@ -20,6 +20,7 @@ from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED, NOT_VERIFIED
 from nonhertz.errors import AccuracyWarning, CaseError, ConvergenceError, InputError
 
 if TYPE_CHECKING:
+    from nonhertz.comparison import Comparison
     from nonhertz.io.casefile import Case
     from nonhertz.solution import Solution
 
@@ -35,6 +36,7 @@ app = App(
 )
 
 
+_METHODS = 3  # of a comparison
 _SILENCE = 2.0  # s, before whoever waits is told why
 
 
@@ -85,6 +87,55 @@ def solve(
         sys.stdout.flush()
         print(complaint, file=sys.stderr)
     return NOT_CONVERGED if complaint else FINE
+
+
+@app.command
+def compare(
+    case: Path,
+    /,
+    *,
+    out: Path | None = None,
+    cells: Annotated[tuple[int, int] | None, Parameter(negative="", show_default=False)] = None,
+    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+) -> int:
+    """Solve a case file with strips of both elements and on a plane grid, and compare them.
+
+    The plane grid assumes nothing of how the pressure is distributed across the contact. Where it and the strips
+    differ by more than 1 %, what the solutions tell of why is printed. It takes some seconds.
+
+    Parameters
+    ----------
+    case : Path
+        The case file; its solver.element has no effect, solver.strips goes for both elements.
+    out : Path
+        Directory for comparison.json, comparison.csv and the figure; made if it does not exist.
+    cells : tuple of int
+        Cells of the plane grid, ACROSS and ALONG; 128 512 if left out.
+    as_json : bool
+        Print one JSON object with all numbers in place of the table.
+    """
+    from nonhertz.io.casefile import read_case  # noqa: PLC0415
+    from nonhertz.io.comparisons import as_json as json_text  # noqa: PLC0415
+    from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
+
+    problem = read_case(case)
+    if out is not None:
+        refuse_unwritable(out)
+    try:
+        found = _compared(problem, cells)
+    except ConvergenceError as error:
+        print(error, file=sys.stderr)
+        return NOT_CONVERGED
+    written = _comparison_written(out, found, problem.title) if out is not None else ()
+    if as_json:
+        print(json_text(found, problem.title))
+        return FINE
+    from nonhertz.cli.comparing import print_comparison  # noqa: PLC0415
+
+    print_comparison(found, problem.title)
+    for path in written:
+        print(f"wrote {path}")
+    return FINE
 
 
 @app.command
@@ -211,6 +262,34 @@ def _solved(case: Case) -> tuple[Solution, str]:
             from nonhertz.io.casefile import placed  # noqa: PLC0415
 
             raise CaseError([placed(error)]) from None
+
+
+def _compared(case: Case, cells: tuple[int, int] | None) -> Comparison:
+    from nonhertz.cli.verification import Progress  # noqa: PLC0415
+    from nonhertz.comparison import compare as compare_methods  # noqa: PLC0415
+    from nonhertz.io.casefile import placed  # noqa: PLC0415
+
+    progress = Progress(_METHODS)
+    try:
+        with _patience():
+            return compare_methods(
+                case.contact, **case.prescribed, strips=case.solver["strips"], cells=cells, announce=progress.announce
+            )
+    except InputError as error:
+        if error.field == "cells":
+            raise InputError("--cells", error.value, error.condition, error.remedy) from None
+        raise CaseError([placed(error)]) from None
+    finally:
+        progress.wipe()
+
+
+def _comparison_written(directory: Path, found: Comparison, title: str) -> tuple[Path, ...]:
+    from nonhertz.io.comparisons import write_comparison  # noqa: PLC0415
+    from nonhertz.plot import comparison, save  # noqa: PLC0415
+
+    return write_comparison(
+        directory, found, title, lambda folder: save(comparison(found, title), folder / "comparison")
+    )
 
 
 def _written(directory: Path, solution: Solution, title: str) -> tuple[Path, ...]:

@@ -6,7 +6,7 @@ import statistics
 import time
 import warnings
 from collections.abc import Callable
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from numpy.typing import ArrayLike
 
@@ -77,7 +77,7 @@ def compare(
     >>> abs(semi_elliptic) < 1e-3 < abs(parabolic)
     True
     """
-    given = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
+    given: dict[str, Any] = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
 
     def on_strips(element: Element) -> tuple[Solution, float]:
         return _timed(

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,6 +12,7 @@ from nonhertz.solution import Solution
 Array = NDArray[np.float64]
 
 ROUNDING = 1e-6  # of the load times the farthest strip: less is a moment that symmetry makes zero
+SAME = 1e-6
 NEAREST = 4  # values that a cubic goes through
 
 
@@ -28,20 +27,20 @@ def quantities(semi: Solution, parabola: Solution, patch: PatchSolution) -> tupl
         On the plane grid.
     """
     at = centre(semi)
-    of_each = [semi, parabola]
-    pressure = [_at(at, one.y, one.peak_pressure) for one in of_each]
-    width = [_at(at, one.y, one.half_width) for one in of_each]
+    p_semi, p_parabola = (_at(at, one.y, one.peak_pressure) for one in (semi, parabola))
+    b_semi, b_parabola = (_at(at, one.y, one.half_width) for one in (semi, parabola))
+    p, b = _at(at, patch.y, patch.centre_pressure), _at(at, patch.y, patch.half_width)
+    cells = f"cells {patch.dx:.2g} mm across"
     return (
         Quantity("approach", "mm", patch.approach, semi.approach, parabola.approach),
         Quantity("tilt", "rad", patch.tilt, semi.tilt, parabola.tilt),
         Quantity("load", "N", patch.load, semi.load, parabola.load),
         _moment(semi, parabola, patch),
-        Quantity(f"pressure at y = {at:.5g} mm", "MPa", _at(at, patch.y, patch.centre_pressure), *pressure),
-        Quantity(f"half-width at y = {at:.5g} mm", "mm", _at(at, patch.y, patch.half_width), *width,
-                 remark=f"cells {patch.dx:.2g} mm across"),
+        Quantity(f"pressure at y = {at:.5g} mm", "MPa", p, p_semi, p_parabola),
+        Quantity(f"half-width at y = {at:.5g} mm", "mm", b, b_semi, b_parabola, remark=cells),
         *_largest(semi, parabola, patch),
         *_ends(semi, parabola, patch),
-    )  # fmt: skip
+    )
 
 
 def centre(semi: Solution) -> float:
@@ -64,33 +63,41 @@ def _at(at: float, y: Array, values: Array) -> float:
 
 
 def _moment(semi: Solution, parabola: Solution, patch: PatchSolution) -> Quantity:
-    found = np.array([patch.moment, semi.moment, parabola.moment])
-    found[np.abs(found) < ROUNDING * patch.load * float(np.max(np.abs(semi.edges)))] = 0.0
-    return Quantity("moment", "N mm", *found.tolist())
+    rounding = ROUNDING * patch.load * float(np.max(np.abs(semi.edges)))
+    of_patch, of_semi, of_parabola = (
+        one.moment if abs(one.moment) > rounding else 0.0 for one in (patch, semi, parabola)
+    )
+    return Quantity("moment", "N mm", of_patch, of_semi, of_parabola)
 
 
 def _largest(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Quantity, Quantity]:
     """Return the largest pressure and where it is, of what is away from ends at which there is no limit."""
-    found = [_peak(semi, patch.y, patch.centre_pressure)]
-    found += [_peak(one, one.y, one.peak_pressure) for one in (semi, parabola)]
+    p, y = _peak(semi, patch.y, patch.centre_pressure, semi.contact_y[-1][1])
+    (p_semi, y_semi), (p_parabola, y_parabola) = (_peak(semi, one.y, one.peak_pressure, y) for one in (semi, parabola))
     ends, remark = sharp_ends(semi), ""
     if ends:
         places = " and ".join(f"{edge.y:.5g}" for edge, _ in ends)
-        remark = f"more than a half-width from the sharp ends at y = {places} mm, where it has no limit"
+        remark = f"a half-width and more from the sharp ends at y = {places} mm, where it has no limit"
     elif semi.peaks_at_corner:
         remark = "at a corner of the profile, where it has no limit"
-    name = "largest pressure" if ends else "maximum pressure"
-    (p, y), (p_semi, y_semi), (p_parabola, y_parabola) = found
+    which = "largest" if ends else "maximum"
     return (
-        Quantity(name, "MPa", p, p_semi, p_parabola, remark=remark),
-        Quantity(f"position of the {name}", "mm", y, y_semi, y_parabola, absolute=True),
+        Quantity(f"{which} pressure", "MPa", p, p_semi, p_parabola, remark=remark),
+        Quantity(f"position of the {which}", "mm", y, y_semi, y_parabola, absolute=True),
     )
 
 
-def _peak(solution: Solution, y: Array, pressure: Array) -> tuple[float, float]:
-    counted = np.where(away_from_sharp_ends(solution, y), pressure, 0.0)
-    at = int(counted.argmax())
-    return (float(counted[at]), float(y[at])) if counted[at] > 0.0 else (math.nan, math.nan)
+def _peak(semi: Solution, y: Array, pressure: Array, near: float) -> tuple[float, float]:
+    """Return the largest pressure and its place, of a mirrored pair or a plateau the one next to ``near``.
+
+    Nearest to a sharp end that counts is a half-width from it, which need not be in the middle of a strip or a cell.
+    """
+    borders = [edge.y + (width if edge is semi.edge_pressure[0] else -width) for edge, width in sharp_ends(semi)]
+    places = np.concatenate([y[away_from_sharp_ends(semi, y)], borders])
+    counted = np.interp(places, y, pressure)
+    largest = np.flatnonzero(counted >= (1.0 - SAME) * counted.max())
+    at = largest[np.abs(places[largest] - near).argmin()]
+    return float(counted[at]), float(places[at])
 
 
 def _ends(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Quantity, Quantity]:

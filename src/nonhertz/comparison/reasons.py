@@ -14,7 +14,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.comparison.value import Stretch, differences, excess_of_fourth_moment, sharp_ends
+from nonhertz.comparison.value import (
+    Stretch,
+    away_from_sharp_ends,
+    differences,
+    excess_of_fourth_moment,
+    sharp_ends,
+)
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.solution import EdgeKind, Solution
 
@@ -76,32 +82,36 @@ def stretches(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple
 
 
 def _groups(solution: Solution, relative: Array) -> list[Indices]:
-    """Return the strips that differ, those together between which there is less than a half-width."""
+    """Return the strips that differ, those together between which there is less than a half-width.
+
+    What is within a half-width of a sharp end is kept apart.
+    """
     found = np.flatnonzero(np.abs(np.nan_to_num(relative, nan=0.0)) > TOLD)
     if found.size == 0:
         return []
-    apart = solution.edges[found[1:]] - solution.edges[found[:-1] + 1]
-    return np.split(found, np.flatnonzero(apart > float(solution.half_width.max())) + 1)
+    apart = solution.edges[found[1:]] - solution.edges[found[:-1] + 1] > float(solution.half_width.max())
+    border = np.diff(away_from_sharp_ends(solution, solution.y[found]))
+    return np.split(found, np.flatnonzero(apart | border) + 1)
 
 
 def _stretch(place: _Place) -> Stretch:
-    asked = (_sharp_end, _own_bias, _end_of_contact, _steep, _shape, _doubt)
-    solution = place.solution
+    solution, bias = place.solution, _own_bias(place)
+    # What else may be said of the place is no reason where semi-elliptic strips agree.
+    asked = [_sharp_end(place), bias, _end_of_contact(place), *([] if bias else [_steep(place), _shape(place)])]
     return Stretch(
         element=solution.element.name,
         low=float(solution.edges[place.members[0]]),
         high=float(solution.edges[place.members[-1] + 1]),
         largest=float(place.relative[place.worst]),
         at=float(solution.y[place.worst]),
-        reasons=tuple(sentence for ask in asked if (sentence := ask(place))),
+        reasons=tuple(sentence for sentence in (*asked, "" if bias else _doubt(place)) if sentence),
     )
 
 
 def _sharp_end(place: _Place) -> str:
     for edge, width in sharp_ends(place.solution):
-        away = abs(float(place.solution.y[place.worst]) - edge.y)
-        if away < width:
-            farthest = float(np.max(np.abs(place.y - edge.y)))
+        farthest = float(np.max(np.abs(place.y - edge.y)))
+        if farthest <= width:
             return (
                 f"It lies within {farthest / width:.2g} half-widths of the sharp end at y = {edge.y:.5g} mm, where the "
                 f"pressure has no limit: strips of {edge.strip_width:.2g} mm and cells of {place.patch.dy:.2g} mm bear "
@@ -115,10 +125,13 @@ def _own_bias(place: _Place) -> str:
     if place.solution is place.semi:
         return ""
     near = np.interp(place.y, place.semi.y, np.nan_to_num(differences(place.semi, place.patch), posinf=1.0))
-    best = float(np.max(np.abs(near)))
-    if best * OF_PARABOLA > place.largest:
+    best, here = (float(np.median(np.abs(each))) for each in (near, place.relative[place.members]))
+    if best * OF_PARABOLA > here:
         return ""
-    return f"It is the parabola's own: semi-elliptic strips differ by {_percent(best)} at most there."
+    return (
+        f"It is the parabola's own: in the median, semi-elliptic strips differ by {_percent(best)} there, parabolic "
+        f"ones by {_percent(here)}."
+    )
 
 
 def _end_of_contact(place: _Place) -> str:
@@ -133,13 +146,13 @@ def _end_of_contact(place: _Place) -> str:
     ending = "is cut off by the strips" if kinds.get(nearest) is EdgeKind.CUT_OFF else "runs out"
     if kinds.get(nearest) is EdgeKind.FINITE:
         ending = "ends with the bodies"
-    return f"The contact {ending} at y = {nearest:.5g} mm, {away / widest:.2g} half-widths from the largest of it."
+    return f"The contact {ending} at y = {nearest:.5g} mm, {away / widest:.2g} half-widths from where they differ most."
 
 
 def _steep(place: _Place) -> str:
     """Ask whether a shift along y of less than a strip or a cell makes up for the difference."""
     solution, patch, members = place.solution, place.patch, place.members
-    if any(abs(solution.y[place.worst] - edge.y) < width for edge, width in sharp_ends(solution)):
+    if not away_from_sharp_ends(solution, place.y).all():
         return ""
     slopes = np.abs(np.diff(patch.centre_pressure)) / patch.dy
     steepest = np.maximum(np.append(slopes, 0.0), np.insert(slopes, 0, 0.0))

@@ -18,7 +18,8 @@ def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, St
     The middle is y = 0, or the middle of the contact if that is not in contact. The more loaded end is the one with
     the larger line load a half-width inside it; the place is a quarter of the largest half-width from it. The
     difference is that of pressures in MPa of semi-elliptic strips, more than a half-width from ends at which the
-    pressure has no limit, and a half-width (or an eighth of a short contact) from the other two places.
+    pressure has no limit, a strip and two cells from where the contact ends, and a half-width (or an eighth of a short
+    contact) from the other two places.
     """
     middle, end = centre(semi), _near_end(semi)
     low, high = semi.contact_y[0][0], semi.contact_y[-1][1]
@@ -26,6 +27,9 @@ def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, St
     expected = np.interp(semi.y, patch.y, patch.centre_pressure)
     free = (semi.line_load > 0.0) & away_from_sharp_ends(semi, semi.y)
     free &= (np.abs(semi.y - middle) > apart) & (np.abs(semi.y - end) > apart)
+    for edge in np.ravel(semi.contact_y):
+        # There the contact is as short as they are, and neither resolves it.
+        free &= np.abs(semi.y - edge) > np.maximum(semi.strip_width, 2.0 * patch.dy)
     between = 0.5 * (middle + end)
     if np.any(free):
         between = float(semi.y[np.where(free, np.abs(semi.peak_pressure - expected), -1.0).argmax()])

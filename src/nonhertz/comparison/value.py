@@ -15,6 +15,8 @@ from nonhertz.solution import EdgeKind, EdgePressure, Solution
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
+FEWEST_ACROSS, MOST_CHANGE = 12, 0.1
+
 
 @dataclass(frozen=True)
 class Quantity:
@@ -185,15 +187,25 @@ def differences(solution: Solution, patch: PatchSolution) -> Array:
     Returns
     -------
     ndarray, shape (strips,)
-        Not a number where neither has contact, infinite where only the strip has.
+        Not a number where neither has contact, infinite where only the strip has, and -1 where only the plane grid
+        has it, in the cell there and in both beside it: the last cell of a contact may end it up to a cell late.
     """
     expected = np.interp(solution.y, patch.y, patch.centre_pressure)
     found = solution.peak_pressure
     relative = np.full(found.size, np.nan)
     relative[found > 0.0] = np.inf
-    pressed = expected > 0.0
-    relative[pressed] = found[pressed] / expected[pressed] - 1.0
+    compared = (expected > 0.0) & ((found > 0.0) | _well_inside(patch, solution.y))
+    relative[compared] = found[compared] / expected[compared] - 1.0
     return relative
+
+
+def _well_inside(patch: PatchSolution, y: Array) -> Flags:
+    rows = np.pad(patch.footprint.any(axis=0), 1)
+    inside = rows[:-2] & rows[1:-1] & rows[2:]
+    cell = np.floor((y - patch.y[0]) / patch.dy + 0.5).astype(int)
+    covered: Flags = (cell >= 0) & (cell < patch.y.size)
+    covered[covered] = inside[cell[covered]]
+    return covered
 
 
 def sharp_ends(solution: Solution) -> list[tuple[EdgePressure, float]]:
@@ -223,11 +235,15 @@ def excess_of_fourth_moment(patch: PatchSolution) -> Array:
     Returns
     -------
     ndarray, shape (ny,)
-        <x^4> / (2 <x^2>^2) - 1 about the middle; not a number with fewer than `FEWEST_ACROSS` cells in contact.
+        <x^4> / (2 <x^2>^2) - 1 about the middle; not a number with fewer than `FEWEST_ACROSS` cells in contact, or
+        where the half-width changes by more than `MOST_CHANGE` of itself from cell to cell: a cell along then holds
+        semi-ellipses of unlike widths, whose mean is none.
     """
-    pressure, load = patch.pressure, patch.pressure.sum(axis=0)
+    pressure, load, width = patch.pressure, patch.pressure.sum(axis=0), patch.half_width
     excess = np.full(patch.y.size, np.nan)
-    wide = patch.footprint.sum(axis=0) >= FEWEST_ACROSS
+    steps = np.abs(np.diff(width))
+    change = np.maximum(np.append(steps, 0.0), np.insert(steps, 0, 0.0))
+    wide = (patch.footprint.sum(axis=0) >= FEWEST_ACROSS) & (change < MOST_CHANGE * width)
     share = pressure[:, wide] / load[wide]
     away = patch.x[:, None] - patch.x @ share
     # Each cell's pressure is uniform: its own moments about its middle belong to it.
@@ -236,6 +252,3 @@ def excess_of_fourth_moment(patch: PatchSolution) -> Array:
     fourth = np.sum(share * (away**4 + 6.0 * cell * away**2), axis=0) + patch.dx**4 / 80.0
     excess[wide] = fourth / (2.0 * second**2) - 1.0
     return excess
-
-
-FEWEST_ACROSS = 12

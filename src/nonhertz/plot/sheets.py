@@ -75,10 +75,9 @@ def save(figure: Figure, stem: str | Path) -> tuple[Path, Path]:
 
 def _sheet(solution: Solution, title: str, draw: Callable[[Solution, Axes], Axes]) -> Figure:
     height = HEIGHT + (TITLE if title else 0.0)
-    figure = _blank(height)
-    panel = _panel(figure, LEFT, BOTTOM, WIDTH - LEFT - RIGHT, HEIGHT - BOTTOM - HEAD)
-    draw(solution, panel)
-    _write_title(figure, title)
+    figure = blank(height)
+    draw(solution, panel(figure, LEFT, BOTTOM, WIDTH - LEFT - RIGHT, HEIGHT - BOTTOM - HEAD))
+    write_title(figure, title)
     return figure
 
 
@@ -97,36 +96,39 @@ def _footprint_sheet(solution: Solution, title: str) -> Figure:
     if stretch >= 2.0 and solution.contact_y:
         heights.append(stretch * natural)
     top_room = FOOTPRINT_HEAD + (TITLE if title else 0.0)
-    figure = _blank(top_room + sum(heights) + BETWEEN * (len(heights) - 1) + BOTTOM)
+    figure = blank(top_room + sum(heights) + BETWEEN * (len(heights) - 1) + BOTTOM)
     bottom = figure.get_figheight() - top_room
     for count, height in enumerate(heights):
         bottom -= height + (BETWEEN if count else 0.0)
-        panel = _panel(figure, LEFT, bottom, width, height)
-        footprint(solution, panel, stretch=stretch if count else 1.0, colour_bar=False)
+        axes = panel(figure, LEFT, bottom, width, height)
+        footprint(solution, axes, stretch=stretch if count else 1.0, colour_bar=False)
         if count < len(heights) - 1:
-            panel.set_xlabel("")
+            axes.set_xlabel("")
     if solution.contact_y:
-        bar = _panel(figure, LEFT + width + BAR_GAP, bottom, BAR, heights[-1])
-        draw_colour_bar(solution, panel, cax=bar)
-    _write_title(figure, title, conditions(solution))
+        bar = panel(figure, LEFT + width + BAR_GAP, bottom, BAR, heights[-1])
+        draw_colour_bar(solution, axes, cax=bar)
+    write_title(figure, title, conditions(solution))
     return figure
 
 
-def _blank(height: float) -> Figure:
+def blank(height: float) -> Figure:
+    """Return an empty sheet of a page's width and so high [inch]."""
     from matplotlib.figure import Figure  # noqa: PLC0415  (slow, and only wanted where something is drawn)
 
     return Figure(figsize=(WIDTH, height))
 
 
-def _panel(figure: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
+def panel(figure: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
+    """Return axes on a sheet, all lengths in inches."""
     whole = figure.get_figheight()
-    panel = figure.add_axes((left / WIDTH, bottom / whole, width / WIDTH, height / whole))
+    axes = figure.add_axes((left / WIDTH, bottom / whole, width / WIDTH, height / whole))
     # Ticks are chosen when the figure is drawn, by then perhaps under other settings.
-    panel.tick_params(labelsize=SIZE)
-    return panel
+    axes.tick_params(labelsize=SIZE)
+    return axes
 
 
-def _write_title(figure: Figure, title: str, conditions: str = "") -> None:
+def write_title(figure: Figure, title: str, conditions: str = "") -> None:
+    """Write the title on top of a sheet and, below it, what was solved."""
     whole = figure.get_figheight()
     line = whole - 0.08
     if title:
