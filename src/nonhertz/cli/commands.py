@@ -236,7 +236,7 @@ def verify(
 @contextlib.contextmanager
 def _patience() -> Iterator[None]:
     """Tell whoever waits at a terminal why: the first solve on a machine compiles the solver."""
-    text = "The first solve on a machine compiles the solver, which takes some 20 seconds."
+    text = "The first solve on a machine compiles the solver, which takes about half a minute."
     notice = threading.Timer(_SILENCE, print, [text], {"file": sys.stderr, "flush": True})
     notice.daemon = True
     if sys.stderr.isatty():
@@ -277,7 +277,7 @@ def _compared(case: Case, cells: tuple[int, int] | None) -> Comparison:
             )
     except InputError as error:
         if error.field == "cells":
-            raise InputError("--cells", error.value, error.condition, error.remedy) from None
+            raise InputError("--cells", error.value, error.condition, "give two whole numbers such as 64 256") from None
         raise CaseError([placed(error)]) from None
     finally:
         progress.wipe()

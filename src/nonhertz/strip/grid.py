@@ -139,9 +139,16 @@ def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tu
 @compiled
 def _near(y: Array, m: Array, place: float) -> float:
     """Return the half-width of the widest of the strips in contact nearest to ``place``."""
-    touching = np.flatnonzero(m > 0.0)
-    nearest = touching[np.argsort(np.abs(y[touching] - place))[:NEAREST]]
-    return math.sqrt(np.max(m[nearest]))
+    widest, beyond = 0.0, -1.0
+    for _ in range(NEAREST):
+        at, closest = -1, np.inf
+        for i in range(m.size):
+            if m[i] > 0.0 and beyond < abs(y[i] - place) < closest:
+                at, closest = i, abs(y[i] - place)
+        if at < 0:
+            break
+        widest, beyond = max(widest, m[at]), closest
+    return math.sqrt(widest)
 
 
 @compiled
@@ -303,7 +310,7 @@ def _cut(y: Array, count: Array, start: float, corners: Array, share: float) -> 
     outward = 1.0 if y[-1] > y[0] else -1.0
     along = outward * y
     begin = np.interp(outward * start, along, count)
-    marks = np.append(np.sort(outward * corners), along[-1])
+    marks = np.append(outward * (corners if outward > 0.0 else corners[::-1]), along[-1])
     edges = np.empty(int(share * count[-1]) + marks.size + 3)
     edges[0] = start
     used = 1

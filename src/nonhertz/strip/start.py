@@ -2,7 +2,8 @@
 
 On springs (a Winkler foundation) every strip answers to its own load alone, q = d / (K Lambda), with one
 logarithm Lambda for the whole contact. That is a convex, piecewise linear problem which has a solution for any
-of the four pairs of prescribed quantities, found by sorting for the approach and by false position for the tilt.
+of the four pairs of prescribed quantities, found by Newton's method for the approach and by false position for the
+tilt.
 """
 
 from __future__ import annotations
@@ -120,21 +121,25 @@ def _approach(
 ) -> float:
     """Return the approach at this tilt: the prescribed one, or the one at which the springs carry the load.
 
-    With the springs in the order in which they come to bear, the approach at which the first k carry the load
-    follows from sums; the right k is the first whose approach leaves the next spring untouched.
+    If all springs bore, pulling where they are too short, the approach would be too large. Without those that pull it
+    is less, and so on: the load is a convex function of the approach made of straight pieces, on which Newton's method
+    comes down to the answer itself.
     """
-    approach = float(target[0])
-    if prescribed[0]:
-        y, width, separation = beds
-        height = separation - tilt * y
-        order = np.argsort(height)
+    if not prescribed[0]:
+        return float(target[0])
+    y, width, separation = beds
+    approach = np.inf
+    for _ in range(y.size + 1):
         carried, bearing = target[0], 0.0
-        for k in range(order.size):
-            bearing += stiffness * width[order[k]]
-            carried += stiffness * width[order[k]] * height[order[k]]
-            approach = carried / bearing
-            if k + 1 < order.size and approach <= height[order[k + 1]]:
-                break
+        for k in range(y.size):
+            height = separation[k] - tilt * y[k]
+            if height < approach:
+                bearing += stiffness * width[k]
+                carried += stiffness * width[k] * height
+        lower = carried / bearing
+        if not lower < approach:
+            break
+        approach = lower
     return float(approach)
 
 
