@@ -7,9 +7,11 @@ from matplotlib.figure import Figure
 
 import nonhertz as nh
 from nonhertz import finite
+from nonhertz.patch import convolution, inverse, kernel
+from nonhertz.verify import plane_grid
 
 PAPER = ("hertz_ellipse", "line_limits", "profiled_roller", "load_compression")
-BODIES = ("half_space", "plane_strain", "finite_bodies", "edge_exponents", "quarter_space")
+BODIES = ("half_space", "plane_strain", "finite_bodies", "edge_exponents", "quarter_space", "plane_grid")
 MODULES = PAPER + BODIES
 over_modules = pytest.mark.parametrize("module", MODULES)
 
@@ -48,7 +50,7 @@ def test_pictures_can_be_drawn(sections, module):
         assert all(axes.has_data() for axes in figure.axes)
 
 
-@pytest.mark.parametrize("module", [*PAPER, "half_space", "plane_strain", "finite_bodies"])
+@pytest.mark.parametrize("module", [*PAPER, "half_space", "plane_strain", "finite_bodies", "plane_grid"])
 def test_a_solver_with_five_per_cent_too_much_compliance_fails(monkeypatch, module):
     # The closed forms take the materials' own compliance, the solver that of the contact.
     right = nh.Contact.compliance.fget
@@ -71,3 +73,22 @@ def test_a_depth_a_tenth_too_small_is_noticed(monkeypatch):
     monkeypatch.setattr(finite, "plane_strain_depth", lambda *args: 0.9 * right(*args))
     assert section("plane_strain").failed > 0
     assert section("finite_bodies").failed > 0
+
+
+def too_soft_strips(monkeypatch):
+    monkeypatch.setitem(vars(nh.SEMI_ELLIPTIC), "table", 1.05 * nh.SEMI_ELLIPTIC.table)
+
+
+def too_soft_cells(monkeypatch):
+    right = kernel.rectangles
+    for module in (convolution, inverse):
+        monkeypatch.setattr(module, "rectangles", lambda *edges: 1.05 * right(*edges))
+
+
+@pytest.mark.parametrize("soften", [too_soft_strips, too_soft_cells])
+def test_a_kernel_of_either_method_that_is_five_per_cent_off_is_noticed(monkeypatch, soften):
+    case = next(case for case in plane_grid._CASES if case.name == "tilted crown")
+    soften(monkeypatch)
+    found = nh.compare(case.contact, **case.given)
+    failed = [check.claim for check in plane_grid._checks(case, found) if check.passed is False]
+    assert {"tilted crown: approach", "tilted crown: pressure in the middle"} <= set(failed)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,8 +13,8 @@ from nonhertz.solution import Solution
 
 Array = NDArray[np.float64]
 
-ROUNDING = 1e-6  # of the load times the farthest strip: less is a moment that symmetry makes zero
-SAME = 1e-6
+ROUNDING = 1e-5  # of the load times the farthest strip: less is a moment that symmetry makes zero
+SAME = 1e-3  # of a pressure: neither strips nor cells lie as a mirror has them
 NEAREST = 4  # values that a cubic goes through
 
 
@@ -88,16 +90,19 @@ def _largest(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[
 
 
 def _peak(semi: Solution, y: Array, pressure: Array, near: float) -> tuple[float, float]:
-    """Return the largest pressure and its place, of a mirrored pair or a plateau the one next to ``near``.
+    """Return the largest pressure, and of all places that have it the one next to ``near``; none without contact.
 
     Nearest to a sharp end that counts is a half-width from it, which need not be in the middle of a strip or a cell.
     """
     borders = [edge.y + (width if edge is semi.edge_pressure[0] else -width) for edge, width in sharp_ends(semi)]
-    places = np.concatenate([y[away_from_sharp_ends(semi, y)], borders])
+    inside = [border for border in borders if any(low < border < high for low, high in semi.contact_y)]
+    places = np.concatenate([y[away_from_sharp_ends(semi, y)], inside])
     counted = np.interp(places, y, pressure)
+    if not np.any(counted > 0.0):
+        return math.nan, math.nan
     largest = np.flatnonzero(counted >= (1.0 - SAME) * counted.max())
     at = largest[np.abs(places[largest] - near).argmin()]
-    return float(counted[at]), float(places[at])
+    return float(counted.max()), float(places[at])
 
 
 def _ends(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Quantity, Quantity]:

@@ -57,10 +57,9 @@ class _Place:
 
     @property
     def cells(self) -> Indices:
-        """Rows of the plane grid on this stretch, the nearest one at least."""
-        low, high = self.solution.edges[self.members[0]], self.solution.edges[self.members[-1] + 1]
-        inside = np.flatnonzero((self.patch.y > low) & (self.patch.y < high))
-        return inside if inside.size else np.array([np.abs(self.patch.y - 0.5 * (low + high)).argmin()])
+        """The rows of the plane grid that hold the middles of these strips."""
+        cell = np.floor((self.y - self.patch.y[0]) / self.patch.dy + 0.5).astype(np.intp)
+        return np.unique(np.clip(cell, 0, self.patch.y.size - 1))
 
 
 def stretches(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Stretch, ...]:
@@ -181,13 +180,16 @@ def _shape(place: _Place) -> str:
 
 
 def _doubt(place: _Place) -> str:
-    """Ask what the plane grid says of its own maximum, if that is here."""
-    patch, doubt = place.patch, place.patch.error_estimate.max_pressure
-    at = patch.max_pressure_at[1]
-    here = np.min(np.abs(place.y - at)) <= 2.0 * patch.dy
-    if not here or not math.isfinite(doubt) or OF_PARABOLA * doubt < TOLD:
-        return ""
-    return f"The plane grid estimates its own maximum, which is here, to be off by {_percent(doubt)}."
+    """Ask what both methods say of their own errors, of the maximum if that is here."""
+    own, patch = place.solution.error_estimate, place.patch
+    own_doubt, doubt = max(own.approach, own.load), patch.error_estimate.max_pressure
+    if OF_PARABOLA * own_doubt > TOLD:
+        size = f"their error at {_percent(own_doubt)}" if math.isfinite(own_doubt) else "no error of their own"
+        return f"The strips are few for this contact: they estimate {size}."
+    here = np.min(np.abs(place.y - patch.max_pressure_at[1])) <= 2.0 * patch.dy
+    if here and math.isfinite(doubt) and OF_PARABOLA * doubt > TOLD:
+        return f"The plane grid estimates its own maximum, which is here, to be off by {_percent(doubt)}."
+    return ""
 
 
 def _percent(relative: float) -> str:

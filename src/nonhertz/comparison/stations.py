@@ -9,19 +9,19 @@ from nonhertz.comparison.value import Station, away_from_sharp_ends
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.solution import Solution
 
-NEAR = 0.25  # of a half-width: as near to the end as strips can be looked at
+NEAR = 0.25  # of a half-width
 
 
 def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, Station]:
     """Return the middle, where the pressures along the line differ most, and a place near the more loaded end.
 
-    The middle is y = 0, or the middle of the contact if that is not in contact. The more loaded end is the one with
-    the larger line load a half-width inside it; the place is a quarter of the largest half-width from it. The
-    difference is that of pressures in MPa of semi-elliptic strips, more than a half-width from ends at which the
-    pressure has no limit, a strip and two cells from where the contact ends, and a half-width (or an eighth of a short
-    contact) from the other two places.
+    The middle is y = 0, or the middle of the contact if that is not in contact, or where the line load is largest if
+    neither is. The more loaded end is the one with the larger line load a half-width inside it; the place is a quarter
+    of the largest half-width from it, and two cells at least. The difference is that of pressures in MPa of
+    semi-elliptic strips, more than a half-width from ends at which the pressure has no limit, a strip and two cells
+    from where the contact ends, and a half-width (or an eighth of a short contact) from the other two places.
     """
-    middle, end = centre(semi), _near_end(semi)
+    middle, end = centre(semi), _near_end(semi, patch)
     low, high = semi.contact_y[0][0], semi.contact_y[-1][1]
     apart = min(float(semi.half_width.max()), 0.125 * (high - low))
     expected = np.interp(semi.y, patch.y, patch.centre_pressure)
@@ -40,11 +40,11 @@ def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, St
     )
 
 
-def _near_end(semi: Solution) -> float:
+def _near_end(semi: Solution, patch: PatchSolution) -> float:
     widest = float(semi.half_width.max())
     low, high = semi.contact_y[0][0], semi.contact_y[-1][1]
     inwards = min(widest, 0.25 * (high - low))
     at_low, at_high = np.interp([low + inwards, high - inwards], semi.y, semi.line_load)
-    step = min(NEAR * widest, 0.25 * inwards)
+    step = min(max(NEAR * widest, 2.0 * patch.dy), 0.125 * (high - low))
     # Symmetry leaves either larger by rounding.
     return float(low + step if at_low > (1.0 + 1e-6) * at_high else high - step)

@@ -153,8 +153,8 @@ class Comparison:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What strains any of the three, each sentence once."""
-        return tuple(dict.fromkeys((*self.semi_elliptic.warnings, *self.patch.warnings)))
+        """What strains the models, as semi-elliptic strips and the plane grid say it."""
+        return (*self.semi_elliptic.warnings, *(f"On the plane grid: {each}" for each in self.patch.warnings))
 
     def quantity(self, name: str) -> Quantity:
         """Return the quantity whose name begins so.

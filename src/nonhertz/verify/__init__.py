@@ -27,6 +27,7 @@ CATALOGUE = {
     "quarter-space": "nonhertz.verify.quarter_space",
     "profiled-roller": "nonhertz.verify.profiled_roller",
     "load-compression": "nonhertz.verify.load_compression",
+    "plane-grid": "nonhertz.verify.plane_grid",
     "cost": "nonhertz.verify.cost",
 }
 

@@ -1,0 +1,93 @@
+"""What ``nonhertz compare`` prints for people."""
+
+from __future__ import annotations
+
+import math
+import sys
+
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from nonhertz.cli.summary import digits
+from nonhertz.comparison import Comparison, Quantity, Stretch
+
+WIDTH = 100  # of what is piped
+_COLUMNS = ("", "plane grid", "semi-elliptic", "difference", "parabolic", "difference")
+
+
+def print_comparison(found: Comparison, title: str) -> None:
+    """Print results side by side, times, where and why the methods differ, and warnings."""
+    console = Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH)
+    console.print(Text(title, style="bold"))
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
+    for position, name in enumerate(_COLUMNS):
+        table.add_column(name, justify="right" if position else "left", no_wrap=bool(position))
+    for row in comparison_rows(found):
+        table.add_row(*map(Text, row))
+    console.print(table)
+    for sentence in sentences(found):
+        console.print(Text(sentence), soft_wrap=True)
+    for warning in found.warnings:
+        console.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
+
+
+def comparison_rows(found: Comparison) -> list[tuple[str, ...]]:
+    """Return name, value of the plane grid, and value and difference of both kinds of strips, for each quantity."""
+    rows = [_row(each) for each in found.quantities]
+    seconds = found.seconds
+    times = [_time(each) for each in (seconds.patch, seconds.semi_elliptic, seconds.parabolic)]
+    across, along = found.patch.cells
+    sizes = [f"{across} x {along} cells", *(f"{each.strips} strips" for each in found.strips)]
+    return [*rows, ("size", sizes[0], sizes[1], "", sizes[2], ""), ("time", times[0], times[1], "", times[2], "")]
+
+
+def sentences(found: Comparison) -> list[str]:
+    """Return how times were taken, what has to be known of quantities, and every stretch with its reasons."""
+    lines = [
+        f"Times: one solve on the plane grid, the median of {found.seconds.runs} on strips; compilation is not counted."
+    ]
+    remarks: dict[str, list[str]] = {}
+    for each in found.quantities:
+        remarks.setdefault(each.remark, []).append(each.name)
+    lines += [f"{' and '.join(names)}: {remark}." for remark, names in remarks.items() if remark]
+    if not found.stretches:
+        return [*lines, "Along the line strips and plane grid differ by 1 % nowhere."]
+    lines.append("Along the line they differ by more than 1 % of the pressure there:")
+    lines += [f"- {_sentence(each)}" for each in found.stretches]
+    return lines
+
+
+def _row(each: Quantity) -> tuple[str, ...]:
+    of_semi, of_parabola = (_difference(value, each) for value in each.differences)
+    patch, semi, parabola = (_value(value) for value in (each.patch, each.semi_elliptic, each.parabolic))
+    unit = f" {each.unit}" if math.isfinite(each.patch) else ""
+    return each.name, patch + unit, semi, of_semi, parabola, of_parabola
+
+
+def _value(value: float) -> str:
+    return digits(value, 6) if math.isfinite(value) else "none"
+
+
+def _difference(value: float, each: Quantity) -> str:
+    if not math.isfinite(value):
+        return ""
+    if each.absolute:
+        return f"{value:+.2g} {each.unit}" if value else "0"
+    # A load that is prescribed, say, is met to rounding.
+    return _percent(value) if abs(value) > 1e-10 else "0"
+
+
+def _percent(relative: float) -> str:
+    percent = 100.0 * relative
+    return f"{percent:+.0f} %" if abs(percent) >= 10.0 else f"{percent:+.2g} %"
+
+
+def _time(seconds: float) -> str:
+    return f"{1e3 * seconds:.3g} ms" if seconds < 0.9995 else f"{seconds:.3g} s"
+
+
+def _sentence(each: Stretch) -> str:
+    worst = _percent(each.largest) if math.isfinite(each.largest) else "the plane grid has no contact"
+    why = " ".join(each.reasons) or "The solutions do not tell why; more cells or strips may."
+    return f"{each.element} strips, y = {each.low:.5g} to {each.high:.5g} mm ({worst} at {each.at:.5g} mm). {why}"

@@ -1,0 +1,123 @@
+"""A comparison of strips and plane grid as text and on disk."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nonhertz.comparison import Comparison, Quantity, Stretch
+from nonhertz.io.results import plain, write_files
+from nonhertz.solution import Solution
+
+#: Units of the numbers in a comparison; quantities have their own, and what has none is left out.
+UNITS: dict[str, Any] = {
+    "seconds": "s",
+    "stretches": {"low": "mm", "high": "mm", "at": "mm"},
+    "stations": {"y": "mm"},
+    "strips": {"y": "mm", "strip_width": "mm", "peak_pressure": "MPa", "half_width": "mm"},
+    "patch": {"y": "mm", "centre_pressure": "MPa", "half_width": "mm", "line_load": "N/mm"},
+}
+_COLUMNS = ("element", "y [mm]", "strip_width [mm]", "peak_pressure [MPa]", "patch_pressure [MPa]", "difference")
+
+
+def as_object(found: Comparison, title: str) -> dict[str, Any]:
+    """Return a comparison as plain numbers, text, lists and dictionaries; a number that is not finite is None."""
+    patch = found.patch
+    seconds = found.seconds
+    return {
+        "title": title,
+        "cells": list(patch.cells),
+        "quantities": [_quantity(each) for each in found.quantities],
+        "stretches": [_stretch(each) for each in found.stretches],
+        "seconds": {
+            "semi_elliptic": plain(seconds.semi_elliptic),
+            "parabolic": plain(seconds.parabolic),
+            "patch": plain(seconds.patch),
+            "runs": seconds.runs,
+        },
+        "stations": [{"y": plain(each.y), "reason": each.reason} for each in found.stations],
+        "warnings": list(found.warnings),
+        "units": UNITS,
+        "semi_elliptic": _strips(found, found.semi_elliptic),
+        "parabolic": _strips(found, found.parabolic),
+        "patch": {name: plain(getattr(patch, name)) for name in UNITS["patch"]},
+    }
+
+
+def as_json(found: Comparison, title: str) -> str:
+    """Return `as_object` as JSON text, one key to a line."""
+    entries = (
+        f"  {json.dumps(key)}: {json.dumps(value, allow_nan=False)}" for key, value in as_object(found, title).items()
+    )
+    return "{\n" + ",\n".join(entries) + "\n}"
+
+
+def as_table(found: Comparison) -> str:
+    """Return all strips and the plane grid at their centres as comma-separated values, names and units first."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(_COLUMNS)
+    for solution in found.strips:
+        of_patch = np.interp(solution.y, found.patch.y, found.patch.centre_pressure)
+        columns = (solution.y, solution.strip_width, solution.peak_pressure, of_patch, found.along(solution))
+        for row in zip(*(column.tolist() for column in columns), strict=True):
+            writer.writerow([solution.element.name, *("" if plain(value) is None else value for value in row)])
+    return text.getvalue()
+
+
+def write_comparison(
+    directory: str | Path, found: Comparison, title: str, draw: Callable[[Path], object]
+) -> tuple[Path, ...]:
+    """Write comparison.json, comparison.csv and what ``draw`` writes into a directory, all of them or none.
+
+    Raises
+    ------
+    InputError
+        If the directory cannot be written to.
+    """
+
+    def write(folder: Path) -> None:
+        (folder / "comparison.json").write_text(as_json(found, title) + "\n", encoding="utf-8")
+        (folder / "comparison.csv").write_text(as_table(found), encoding="utf-8")
+        draw(folder)
+
+    return write_files(directory, write)
+
+
+def _quantity(each: Quantity) -> dict[str, Any]:
+    semi, parabolic = each.differences
+    return {
+        "name": each.name,
+        "unit": each.unit,
+        "patch": plain(each.patch),
+        "semi_elliptic": plain(each.semi_elliptic),
+        "parabolic": plain(each.parabolic),
+        "absolute": each.absolute,
+        "differences": {"semi_elliptic": plain(semi), "parabolic": plain(parabolic)},
+        "remark": each.remark,
+    }
+
+
+def _stretch(each: Stretch) -> dict[str, Any]:
+    return {
+        "element": each.element,
+        "low": plain(each.low),
+        "high": plain(each.high),
+        "largest": plain(each.largest),
+        "at": plain(each.at),
+        "reasons": list(each.reasons),
+    }
+
+
+def _strips(found: Comparison, solution: Solution) -> dict[str, Any]:
+    return {
+        "strips": solution.strips,
+        **{name: plain(getattr(solution, name)) for name in UNITS["strips"]},
+        "difference": plain(found.along(solution)),
+    }

@@ -1,0 +1,226 @@
+"""Strips and plane grid on one sheet: along the centre line, and across at three stations."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.comparison import Comparison, Station
+from nonhertz.comparison.value import sharp_ends
+from nonhertz.plot.axial import AXIAL_LABEL, Alignment, axial_range, conditions, draw_body_ends, number, place, regular
+from nonhertz.plot.sheets import LEFT, TITLE, WIDTH, blank, panel, write_title
+from nonhertz.plot.style import (
+    BACKING,
+    FAINT_INK,
+    FIRST,
+    HAIR,
+    INK,
+    LINE,
+    PALE,
+    SECOND,
+    SIZE,
+    SMALL_SIZE,
+    THIN,
+    sheet_style,
+)
+from nonhertz.solution import Solution
+from nonhertz.strip.element import PARABOLIC
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+
+# Inches, from the top.
+HEAD, TALL, GAP, SLIM, BETWEEN, LOW, BOTTOM, MARGIN, APART = 0.52, 2.0, 0.22, 0.95, 0.92, 1.55, 0.5, 0.15, 0.42
+BEYOND = 1.6  # times the largest pressure away from singular ends is where the frame ends
+ROOM = 1.12
+TOLD = 1.0  # per cent: beyond, the page has to say why
+FAINTEST, LARGEST = 0.1, 100.0  # per cent, between which the differences' axis is logarithmic
+CROWDED = 0.025  # of the drawn range: stations nearer to one another have their letters on either side
+MARKS: dict[str, tuple[str, str, Any]] = {
+    "semi-elliptic": ("o", FIRST, "-"),
+    "parabolic": ("x", SECOND, (0, (3, 1.2))),
+}
+ACROSS = 201  # points of a strip's own shape
+
+
+def comparison(found: Comparison, title: str = "") -> Figure:
+    """Return a sheet of strips and plane grid: pressure along the contact, its differences, and three cuts across.
+
+    The plane grid is the line, strips of both elements are marks, one for each; differences are relative to the plane
+    grid, on an axis that is linear up to 0.1 % and logarithmic beyond. Across, each cell is a dot and each strip is
+    the shape that it assumes. Where a sharp end makes the pressure singular the pressure's axis is cut.
+
+    Parameters
+    ----------
+    found : Comparison
+        What `nonhertz.compare` returned.
+    title : str
+        Heading; none if empty.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        `save` writes it.
+    """
+    with sheet_style():
+        top = HEAD + (TITLE if title else 0.0)
+        height = top + TALL + GAP + SLIM + BETWEEN + LOW + BOTTOM
+        figure, width = blank(height), WIDTH - LEFT - MARGIN
+        upper = panel(figure, LEFT, height - top - TALL, width, TALL)
+        _draw_along(found, upper)
+        slim = panel(figure, LEFT, BOTTOM + LOW + BETWEEN, width, SLIM)
+        draw_differences(found, slim)
+        _mark_stations(found, slim, named=False)
+        each = (width - 2.0 * APART) / 3.0
+        lows = [panel(figure, LEFT + k * (each + APART), BOTTOM, each, LOW) for k in range(3)]
+        for axes, station in zip(lows, found.stations, strict=True):
+            draw_across(found, axes, station)
+        lows[0].set_ylabel("Pressure $p$ [MPa]")
+        write_title(figure, title, _conditions(found))
+    return figure
+
+
+def _conditions(found: Comparison) -> str:
+    across, along = found.patch.cells
+    return f"{conditions(found.semi_elliptic)}; plane grid of {across} × {along} cells"
+
+
+def _draw_along(found: Comparison, axes: Axes) -> None:
+    patch, semi = found.patch, found.semi_elliptic
+    touching = patch.centre_pressure > 0.0
+    # One cell more at either end, where the pressure is zero unless the bodies end.
+    shown = np.convolve(touching, [1, 1, 1], mode="same") > 0
+    axes.plot(patch.y[shown], patch.centre_pressure[shown], color=INK, linewidth=THIN, zorder=2.0)
+    for solution in found.strips:
+        pressed = solution.line_load > 0.0
+        marker, colour, _ = MARKS[solution.element.name]
+        axes.plot(
+            solution.y[pressed], solution.peak_pressure[pressed], marker, markersize=3.2, markeredgewidth=THIN,
+            markerfacecolor="none", color=colour, zorder=3.0,
+        )  # fmt: skip
+    axes.set_ylim(0.0, _top(found))
+    if sharp_ends(semi):
+        words = "axis cut: no limit at a sharp end"
+        axes.text(0.5, 0.96, words, transform=axes.transAxes, ha="center", va="top", fontsize=SMALL_SIZE, bbox=BACKING)
+    _mark_stations(found, axes, named=True)
+    axes.set_ylabel("Pressure at $x$ = 0 [MPa]")
+    axes.tick_params(labelbottom=False)
+    _draw_key(found, axes)
+    _tidy(axes, semi)
+
+
+def _draw_key(found: Comparison, axes: Axes) -> None:
+    """Write above the axes what is what, there and in the cuts across: marks along are lines across."""
+    from matplotlib.lines import Line2D  # noqa: PLC0415  (slow, and only wanted where something is drawn)
+
+    marks: Any = {"markersize": 3.2, "markeredgewidth": THIN, "markerfacecolor": "none", "linewidth": LINE}
+    handles = [Line2D([], [], color=INK, linewidth=THIN, marker=".", markersize=2.4)]
+    labels = [f"plane grid, {_time(found.seconds.patch)}"]
+    for solution, seconds in zip(found.strips, (found.seconds.semi_elliptic, found.seconds.parabolic), strict=True):
+        marker, colour, dashes = MARKS[solution.element.name]
+        handles.append(Line2D([], [], color=colour, marker=marker, linestyle=dashes, **marks))
+        labels.append(f"{solution.strips} {solution.element.name} strips, {_time(seconds)}")
+    axes.legend(
+        handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, borderaxespad=0.2, borderpad=0.2,
+        handlelength=2.4, columnspacing=1.6, fontsize=SMALL_SIZE,
+    )  # fmt: skip
+
+
+def _top(found: Comparison) -> float:
+    """Return where the frame ends: all of the pressure is in it but what has no limit."""
+    semi = found.semi_elliptic
+    counted = float(semi.peak_pressure[regular(semi)].max())
+    if sharp_ends(semi):
+        return BEYOND * counted
+    return ROOM * max(counted, float(found.patch.centre_pressure.max()))
+
+
+def draw_differences(found: Comparison, axes: Axes) -> None:
+    """Draw how far each strip is from the plane grid [%], and shade where that is less than 1 %."""
+    axes.set_yscale("symlog", linthresh=FAINTEST, linscale=0.6)
+    axes.axhspan(-TOLD, TOLD, facecolor=PALE, edgecolor="none", zorder=0.5)
+    axes.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
+    for solution in found.strips:
+        marker, colour, _ = MARKS[solution.element.name]
+        relative = 100.0 * found.along(solution)
+        axes.plot(
+            solution.y, np.clip(relative, -LARGEST, LARGEST), marker, markersize=2.8, markeredgewidth=THIN,
+            markerfacecolor="none", color=colour, zorder=3.0,
+        )  # fmt: skip
+    axes.set_ylim(-1.4 * LARGEST, 1.4 * LARGEST)
+    axes.set_yticks([-100.0, -10.0, -1.0, 0.0, 1.0, 10.0, 100.0], ["−100", "−10", "−1", "0", "1", "10", "100"])
+    axes.tick_params(axis="y", labelsize=SMALL_SIZE)
+    axes.minorticks_off()
+    axes.set_ylabel("Difference [%]")
+    axes.set_xlabel(AXIAL_LABEL, labelpad=1.0)
+    _tidy(axes, found.semi_elliptic)
+
+
+def _mark_stations(found: Comparison, axes: Axes, *, named: bool) -> None:
+    """Draw a line at every station and, below the axes, the letter that the cuts across repeat."""
+    low, high = axial_range(found.semi_elliptic)
+    for letter, station in zip("ABC", found.stations, strict=True):
+        axes.axvline(station.y, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
+        if not named:
+            continue
+        near = [other.y for other in found.stations if 0.0 < abs(other.y - station.y) < CROWDED * (high - low)]
+        side: Alignment = "center" if not near else "left" if station.y > near[0] else "right"
+        axes.annotate(
+            letter, (station.y, 0.0), xycoords=axes.get_xaxis_transform(), xytext=(0.0, -4.0),
+            textcoords="offset points", ha=side, va="top", fontsize=SMALL_SIZE, color=FAINT_INK, weight="bold",
+        )  # fmt: skip
+
+
+def _tidy(axes: Axes, semi: Solution) -> None:
+    axes.locator_params(axis="x", steps=[1, 2, 5, 10])
+    axes.set_xlim(axial_range(semi))
+    draw_body_ends(semi, axes, named=False)
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+
+
+def draw_across(found: Comparison, axes: Axes, station: Station) -> None:
+    """Draw the pressure across at a station: of each cell, and as the strips assume it."""
+    x, pressure = found.patch.across(station.y)
+    touching = np.convolve(pressure > 0.0, [1, 1, 1], mode="same") > 0
+    axes.plot(x[touching], pressure[touching], ".", markersize=2.4, color=INK, zorder=2.0)
+    widest = float(np.max(np.abs(x[pressure > 0.0]), initial=0.0))
+    highest = float(pressure.max())
+    for solution in found.strips:
+        across, shape = _own_shape(solution, station.y)
+        _, colour, dashes = MARKS[solution.element.name]
+        axes.plot(across, shape, color=colour, linewidth=LINE, linestyle=dashes, zorder=1.5)
+        widest, highest = max(widest, float(across[-1])), max(highest, float(shape.max()))
+    axes.set_xlim(-ROOM * (widest or 1.0), ROOM * (widest or 1.0))
+    axes.set_ylim(0.0, ROOM * (highest or 1.0))
+    letter = "ABC"[found.stations.index(station)]
+    words = f"{station.reason},\n$y$ = {place(station.y, axial_range(found.semi_elliptic))} mm"
+    axes.set_title(words, loc="left", fontsize=SMALL_SIZE, pad=4.0)
+    axes.text(0.03, 0.97, letter, transform=axes.transAxes, va="top", weight="bold", fontsize=SIZE, color=FAINT_INK)
+    axes.set_xlabel("Across $x$ [mm]", labelpad=1.0)
+    axes.locator_params(axis="both", nbins=4)
+    axes.tick_params(labelsize=SMALL_SIZE)
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+
+
+def _own_shape(solution: Solution, y: float) -> tuple[Array, Array]:
+    """Return x [mm] and the pressure [MPa] that the strips assume across, linear between their centres."""
+    width = float(np.interp(y, solution.y, solution.element_half_width))
+    load = float(np.interp(y, solution.y, solution.line_load))
+    share = np.linspace(-1.0, 1.0, ACROSS)
+    if width == 0.0:
+        return 0.0 * share, 0.0 * share
+    # By name: a solution that came from another process brings an element of its own.
+    if solution.element.name == PARABOLIC.name:
+        return width * share, 0.75 * load / width * (1.0 - share**2)
+    return width * share, 2.0 * load / (np.pi * width) * np.sqrt(1.0 - share**2)
+
+
+def _time(seconds: float) -> str:
+    return f"{number(1e3 * seconds, 2)} ms" if seconds < 1.0 else f"{number(seconds, 2)} s"

@@ -1,0 +1,161 @@
+"""``nonhertz compare`` as a user meets it: table, reasons, files, exit codes."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import nonhertz as nh
+import nonhertz.comparison
+import nonhertz.plot
+from nonhertz.cli import main
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CELLS = ["--cells", "24", "48"]
+FILES = {"comparison.json", "comparison.csv", "comparison.svg", "comparison.png"}
+
+
+@pytest.fixture
+def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    monkeypatch.chdir(tmp_path)
+    Path("case.toml").write_text((EXAMPLES / "crowned-roller.toml").read_text(encoding="utf-8"), encoding="utf-8")
+    return "case.toml"
+
+
+def never(*_: object, **__: object) -> Any:
+    pytest.fail("it ran")
+
+
+def test_the_table_has_all_three_methods_and_their_times(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["compare", case, *CELLS]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    lines = printed.out.splitlines()
+    assert lines[0] == "Roller 20 x 20 on a plate"
+    assert lines[1].split() == "plane grid semi-elliptic difference parabolic difference".split()  # noqa: SIM905
+    rows = {cells[0]: cells[1:] for cells in (re.split(r"\s{2,}", line.strip()) for line in lines[2:14])}
+    assert {"approach", "tilt", "load", "moment", "pressure at y = 0 mm", "largest pressure", "time"} <= set(rows)
+    assert rows["load"] == ["20000.0 N", "20000.0", "0", "20000.0", "0"]
+    assert rows["size"][0] == "24 x 48 cells"
+    assert max(map(len, lines[:14])) <= 100
+    text = " ".join(printed.out.split())
+    assert "compilation is not counted" in text
+    assert "sharp ends at y = -10 and 10 mm, where it has no limit" in text
+    assert "- semi-elliptic strips, y = -10 to " in text
+    assert "warning: On the plane grid: " in text
+
+
+def test_json_is_one_object_and_nothing_else(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["compare", case, *CELLS, "--json", "--out", "new/folder"]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    found = json.loads(printed.out)
+    assert found["cells"] == [24, 48]
+    assert {"quantities", "stretches", "seconds", "stations", "warnings", "units", "patch"} <= set(found)
+    assert json.loads(Path("new/folder/comparison.json").read_text(encoding="utf-8")) == found
+    assert {path.name for path in Path("new/folder").iterdir()} == FILES
+
+
+@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)
+def test_every_example_can_be_compared(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["compare", str(path), *CELLS, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    approach = found["quantities"][0]
+    # As well as 24 by 48 cells can.
+    assert abs(approach["differences"]["semi_elliptic"]) < 1e-2
+
+
+def test_the_strips_of_the_file_are_taken(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    text = Path(case).read_text(encoding="utf-8").replace('"auto"', "21").replace('"semi-elliptic"', '"parabolic"')
+    Path(case).write_text(text, encoding="utf-8")
+    assert main(["compare", case, *CELLS, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert (found["semi_elliptic"]["strips"], found["parabolic"]["strips"]) == (21, 21)
+
+
+def test_nothing_is_left_behind_when_writing_fails(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: object) -> None:
+        raise RuntimeError("the pen broke")
+
+    monkeypatch.setattr(nonhertz.plot, "save", fail)
+    assert main(["compare", case, *CELLS, "--out", "new/folder"]) == 3
+    assert capsys.readouterr().out == ""
+    assert not Path("new").exists()
+
+
+def test_a_file_in_the_place_of_the_directory_is_refused_before_anything_runs(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(nonhertz.comparison, "compare", never)
+    assert main(["compare", case, "--out", case]) == 2
+    assert "must be a directory, not a file" in capsys.readouterr().err
+
+
+def test_an_unconverged_method_is_told_by_the_exit_code(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def stop(*_: object, **__: object) -> None:
+        raise nh.ConvergenceError("On plane grid: It stopped.", None)
+
+    monkeypatch.setattr(nonhertz.comparison, "compare", stop)
+    assert main(["compare", case, "--out", "folder"]) == 1
+    printed = capsys.readouterr()
+    assert (printed.out, printed.err) == ("", "On plane grid: It stopped.\n")
+    assert not Path("folder").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "beginning"),
+    [
+        (["--cells", "3", "3"], "--cells = (3, 3) must be whole numbers of at least 4: "),
+        (["--cells", "200000", "200000"], "--cells = (200000, 200000) must need less than the "),
+        (["--cells", "10"], 'Command "compare" parameter --cells requires 2 positional arguments'),
+        (["--cells", "a", "b"], "Invalid value for --cells"),
+    ],
+)
+def test_cells_that_cannot_be_are_refused(
+    case: str, capsys: pytest.CaptureFixture[str], words: list[str], beginning: str
+) -> None:
+    assert main(["compare", case, *words]) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert printed.err.startswith(beginning)
+    assert len(printed.err.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        ("load = 20000.0", "approach = -0.01", "load.approach = -0.01 must exceed -0.0005 mm"),
+        ("length = 20.0", "length = -1", "body.a.length = -1.0 must be positive"),
+        ('depth = "none"', "depth = 0.3", "body.a.depth = 0.3 must be large against the half-width"),
+    ],
+)
+def test_mistakes_are_named_as_the_file_has_them(
+    case: str, capsys: pytest.CaptureFixture[str], old: str, new: str, sentence: str
+) -> None:
+    text = Path(case).read_text(encoding="utf-8").replace(old, new, 1)
+    Path(case).write_text(text, encoding="utf-8")
+    assert main(["compare", case, *CELLS]) == 2
+    assert capsys.readouterr().err.startswith(sentence)
+
+
+def test_a_terminal_sees_what_is_being_done(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    assert main(["compare", case, *CELLS, "--json"]) == 0
+    assert "3/3 plane grid ..." in capsys.readouterr().err
+
+
+def test_help_says_what_it_does_and_costs(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["compare", "--help"]) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    assert "plane grid" in text
+    assert "seconds" in text

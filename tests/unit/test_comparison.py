@@ -1,0 +1,290 @@
+"""Strips beside a plane grid: what is compared, where they are said to differ, and why."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import io
+import json
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import nonhertz as nh
+from nonhertz import plot
+from nonhertz.comparison import Quantity
+from nonhertz.comparison.reasons import stretches
+from nonhertz.comparison.value import away_from_sharp_ends, differences, excess_of_fourth_moment
+from nonhertz.io.comparisons import as_json, as_object, as_table
+from nonhertz.solution import EdgeKind
+
+HALF_SPACE = {"side_faces": "none", "depth": "none"}
+CELLS = (48, 96)
+
+
+def roller(**changes):
+    return nh.Roller(**({"diameter": 20, "length": 20} | HALF_SPACE | changes))
+
+
+CASES = {
+    "crown": (nh.Contact(roller(profile=nh.profile.crown(1000)), nh.Plate()), {"load": 3e3, "tilt": 0.3e-3}),
+    "sharp": (nh.Contact(roller(), nh.Plate()), {"load": 20e3}),
+    "approach": (nh.Contact(roller(profile=nh.profile.crown(2000)), nh.Plate()), {"approach": 0.01, "moment": 500.0}),
+    "ellipse": (nh.Contact(nh.Body(diameter=20, profile=nh.profile.crown(100)), nh.Body()), {"load": 1e3}),
+}
+
+
+@pytest.fixture(scope="module")
+def found():
+    return {name: nh.compare(contact, **given, cells=CELLS) for name, (contact, given) in CASES.items()}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_quantities_are_those_of_the_solutions(found, name):
+    one = found[name]
+    of_patch, semi, parabola = one.patch, one.semi_elliptic, one.parabolic
+    assert (semi.element, parabola.element) == (nh.SEMI_ELLIPTIC, nh.PARABOLIC)
+    for quantity in ("approach", "tilt", "load"):
+        each = one.quantity(quantity)
+        expected = [getattr(solution, quantity) for solution in (of_patch, semi, parabola)]
+        assert [each.patch, each.semi_elliptic, each.parabolic] == expected
+    assert (one.quantity("contact from").semi_elliptic, one.quantity("contact to").semi_elliptic) == semi.contact_y[0]
+    assert one.patch.cells == CELLS
+    assert one.contact == CASES[name][0]
+    with pytest.raises(KeyError):
+        one.quantity("nothing")
+
+
+def test_the_middle_is_that_of_hertz(found):
+    one = found["ellipse"].quantity("pressure at y = 0 mm")
+    exact = nh.hertz.point_contact(load=1e3, radius_x=10, radius_y=100, compliance=found["ellipse"].contact.compliance)
+    # 48 cells across; strips are held to 1e-4; the parabola's bias is 0.6 %.
+    assert_allclose(one.patch, exact.max_pressure, rtol=5e-4)
+    assert_allclose(one.semi_elliptic, exact.max_pressure, rtol=1e-4)
+    assert_allclose(one.differences, [0.0, 6.1e-3], rtol=0, atol=6e-4)
+
+
+def test_a_moment_of_rounding_is_none(found):
+    assert found["sharp"].quantity("moment").patch == 0.0
+    assert np.isnan(found["sharp"].quantity("moment").differences).all()
+    assert found["approach"].quantity("moment").patch == pytest.approx(500.0)
+
+
+def test_differences_are_relative_unless_they_are_positions():
+    assert Quantity("load", "N", -2.0, -3.0, -1.0).differences == (-0.5, 0.5)
+    assert Quantity("end", "mm", -2.0, -3.0, -1.0, absolute=True).differences == (-1.0, 1.0)
+
+
+def test_differences_along_the_line(found):
+    one = found["crown"]
+    semi, patch = one.semi_elliptic, one.patch
+    relative = one.along(semi)
+    assert np.isnan(relative[semi.line_load == 0.0]).any()
+    at = int(np.argmin(np.abs(semi.y)))
+    expected = np.interp(semi.y[at], patch.y, patch.centre_pressure)
+    assert_allclose(relative[at], semi.peak_pressure[at] / expected - 1.0, rtol=1e-12)
+
+
+def test_a_strip_without_a_partner_is_told_from_one_that_only_ends_earlier(found):
+    semi, patch = found["crown"].semi_elliptic, found["crown"].patch
+    load = semi.line_load.copy()
+    middle = load.size // 2
+    load[middle] = 0.0
+    half_width = np.where(load > 0.0, semi.element_half_width, 0.0)
+    holed = dataclasses.replace(semi, line_load=load, element_half_width=half_width)
+    assert differences(holed, patch)[middle] == -1.0
+    # Beyond its end a strip without load lies in a cell that the contact only reaches.
+    assert np.all(np.isnan(differences(semi, patch)[semi.line_load == 0.0]))
+    nothing = dataclasses.replace(patch, pressure=np.zeros_like(patch.pressure))
+    assert np.isinf(differences(semi, nothing)[semi.line_load > 0.0]).all()
+
+
+def test_smooth_contacts_differ_only_within_a_half_width_of_their_ends(found):
+    for name in ("crown", "ellipse", "approach"):
+        semi = found[name].semi_elliptic
+        for stretch in found[name].stretches:
+            if stretch.element == "semi-elliptic":
+                nearest = np.min(np.abs(np.ravel(semi.contact_y) - stretch.at))
+                assert nearest < semi.half_width.max()
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_every_stretch_has_a_reason(found, name):
+    for stretch in found[name].stretches:
+        assert stretch.reasons, stretch
+        assert stretch.low < stretch.at < stretch.high
+        assert abs(stretch.largest) > 0.01
+        assert all(sentence.endswith(".") and "nan" not in sentence for sentence in stretch.reasons)
+
+
+def words(comparison, element):
+    return " ".join(sentence for each in comparison.stretches if each.element == element for sentence in each.reasons)
+
+
+def test_reasons_name_what_is_there(found):
+    assert "sharp end at y = 10 mm" in words(found["sharp"], "semi-elliptic")
+    assert "runs out" in words(found["crown"], "semi-elliptic")
+    assert "sharp end" not in words(found["crown"], "semi-elliptic")
+    assert "the parabola's own" in words(found["ellipse"], "parabolic")
+    assert "the parabola's own" not in words(found["ellipse"], "semi-elliptic")
+
+
+def test_a_difference_with_nothing_behind_it_is_said_to_have_none(found):
+    one = found["ellipse"]
+    semi, at = one.semi_elliptic, one.semi_elliptic.strips // 2
+    load = semi.line_load.copy()
+    load[at] *= 1.02
+    wrong = dataclasses.replace(semi, line_load=load)
+    by_place = {each.at: each.reasons for each in stretches(wrong, one.parabolic, one.patch)}
+    assert by_place[float(semi.y[at])] == ()
+
+
+def test_few_strips_are_blamed():
+    contact, given = CASES["crown"]
+    one = nh.compare(contact, **given, cells=CELLS, strips=7)
+    assert "The strips are few" in words(one, "semi-elliptic")
+
+
+def test_at_sharp_ends_there_is_no_maximum_to_compare(found):
+    one = found["sharp"]
+    each = one.quantity("largest pressure")
+    assert "no limit" in each.remark
+    half_width = one.semi_elliptic.half_width[-1]
+    assert_allclose(one.quantity("position").patch, 10.0 - half_width, rtol=1e-12)
+    # What is left is a number of both; a cell is half a half-width long here.
+    assert_allclose(each.differences, 0.0, rtol=0, atol=0.04)
+    assert found["crown"].quantity("maximum pressure").remark == ""
+
+
+def test_away_from_sharp_ends(found):
+    semi = found["sharp"].semi_elliptic
+    assert semi.edge_pressure[0].kind is EdgeKind.SINGULAR
+    width = semi.half_width[0]
+    y = np.array([-10.0 + 0.99 * width, -10.0 + 1.01 * width, 0.0])
+    assert away_from_sharp_ends(semi, y).tolist() == [False, True, True]
+
+
+def of_shape(shape, patch):
+    across = np.linspace(-1.0, 1.0, patch.x.size)
+    return dataclasses.replace(patch, pressure=np.tile(shape(across)[:, None], (1, patch.y.size)))
+
+
+def test_the_fourth_moment_tells_shapes_apart(found):
+    patch = found["crown"].patch
+    flat = excess_of_fourth_moment(of_shape(np.ones_like, patch))
+    assert_allclose(flat, -0.1, rtol=1e-9)
+    peaked = excess_of_fourth_moment(of_shape(lambda x: 1.0 - np.abs(x), patch))
+    assert_allclose(peaked, 0.2, rtol=0.05)
+    ellipse = excess_of_fourth_moment(found["ellipse"].patch)
+    assert np.isfinite(ellipse).sum() > CELLS[1] // 2
+    # Hertz's contact is a semi-ellipse all along; the rest is cells.
+    assert np.nanmax(np.abs(ellipse)) < 0.005
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_stations_are_three_places_in_contact(found, name):
+    one = found[name]
+    low, high = one.semi_elliptic.contact_y[0][0], one.semi_elliptic.contact_y[-1][1]
+    places = [station.y for station in one.stations]
+    assert all(low < y < high for y in places)
+    assert len(set(places)) == 3
+    assert [station.reason for station in one.stations] == ["middle", "largest difference", "near the more loaded end"]
+    for y in places:
+        assert one.patch.across(y)[1].max() > 0.0
+
+
+def test_the_more_loaded_end_is_that_of_the_tilt(found):
+    contact, given = CASES["crown"]
+    assert found["crown"].stations[2].y > 0.0
+    turned = nh.compare(contact, load=given["load"], tilt=-given["tilt"], cells=CELLS)
+    assert_allclose(turned.stations[2].y, -found["crown"].stations[2].y, rtol=1e-6)
+
+
+def test_methods_are_announced_and_timed():
+    contact, given = CASES["ellipse"]
+    names = []
+    seconds = nh.compare(contact, **given, cells=(8, 16), announce=names.append).seconds
+    assert names == ["semi-elliptic strips", "parabolic strips", "plane grid"]
+    assert min(seconds.semi_elliptic, seconds.parabolic, seconds.patch) > 0.0
+
+
+def test_an_approach_that_only_strips_feel_is_refused(monkeypatch, found):
+    nothing = dataclasses.replace(found["crown"].patch, pressure=np.zeros(CELLS))
+    monkeypatch.setattr("nonhertz.comparison.methods.solve_patch", lambda *_, **__: nothing)
+    with pytest.raises(nh.InputError, match="bring the bodies into contact"):
+        nh.compare(CASES["crown"][0], approach=1e-3)
+
+
+def test_warnings_stay_with_the_solutions(found):
+    # Warnings are errors in tests: none was raised.
+    one = found["sharp"]
+    assert one.semi_elliptic.warnings[0] in one.warnings
+    assert any(sentence.startswith("On the plane grid: ") for sentence in one.warnings)
+
+
+def test_a_failure_says_on_what(monkeypatch, found):
+    def fail(*_, **__):
+        raise nh.ConvergenceError("It stopped.", found["crown"].patch)
+
+    monkeypatch.setattr("nonhertz.comparison.methods.solve_patch", fail)
+    with pytest.raises(nh.ConvergenceError, match=r"^On plane grid: It stopped\.$"):
+        nh.compare(CASES["crown"][0], load=3e3)
+
+
+@pytest.mark.parametrize(
+    ("given", "field"),
+    [({"load": -1.0}, "load"), ({}, "load"), ({"load": 1e3, "cells": (2, 2)}, "cells"), ({"approach": -0.1}, "appr")],
+)
+def test_input_is_refused_in_one_sentence(given, field):
+    with pytest.raises(nh.InputError) as caught:
+        nh.compare(CASES["crown"][0], **given)
+    assert caught.value.field.startswith(field)
+    assert len(str(caught.value).splitlines()) == 1
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_json_and_table_hold_the_same_numbers(found, name):
+    one = found[name]
+    value = json.loads(as_json(one, "A title"))
+    assert value == json.loads(json.dumps(as_object(one, "A title")))
+    assert value["title"] == "A title"
+    assert value["patch"]["centre_pressure"] == one.patch.centre_pressure.tolist()
+    assert [each["name"] for each in value["quantities"]] == [each.name for each in one.quantities]
+    rows = list(csv.DictReader(io.StringIO(as_table(one))))
+    assert len(rows) == one.semi_elliptic.strips + one.parabolic.strips
+    of_semi = [row for row in rows if row["element"] == "semi-elliptic"]
+    assert [float(row["y [mm]"]) for row in of_semi] == one.semi_elliptic.y.tolist()
+    shown = [float(row["difference"]) if row["difference"] else None for row in of_semi]
+    assert shown == value["semi_elliptic"]["difference"]
+
+
+@pytest.mark.parametrize("name", ["crown", "sharp"])
+def test_nothing_on_the_sheet_overlaps_or_leaves_the_paper(found, name):
+    sheet = plot.comparison(found[name], title="A roller")
+    sheet.draw_without_rendering()
+    upper, slim, *cuts = sheet.axes
+    assert len(cuts) == 3
+    assert all(axes.has_data() for axes in sheet.axes)
+    assert upper.get_xlim() == slim.get_xlim()
+    texts = [*sheet.texts]
+    for axes in sheet.axes:
+        texts += [axes.title, axes._left_title, axes.xaxis.label, axes.yaxis.label, *axes.texts]  # type: ignore[attr-defined]
+        texts += [*axes.get_xticklabels(), *axes.get_yticklabels()]
+        if axes.get_legend():
+            texts += axes.get_legend().get_texts()
+    boxes = [(text.get_text(), text.get_window_extent()) for text in texts if text.get_visible() and text.get_text()]
+    for count, (text, box) in enumerate(boxes):
+        if not box.width:
+            continue
+        outside = box.x0 < 0 or box.y0 < 0 or box.x1 > sheet.bbox.x1 or box.y1 > sheet.bbox.y1
+        assert not outside or text.lstrip("−").replace(".", "").isdigit(), text
+        for other, its in boxes[count + 1 :]:
+            if text.lstrip("−").replace(".", "").isdigit() and other.lstrip("−").replace(".", "").isdigit():
+                continue
+            assert not box.overlaps(its), (text, other)
+
+
+def test_the_same_comparison_gives_the_same_figure(found, tmp_path):
+    files = [plot.save(plot.comparison(found["crown"]), tmp_path / name)[0].read_bytes() for name in "ab"]
+    assert files[0] == files[1]
