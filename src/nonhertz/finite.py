@@ -20,6 +20,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Protocol
 
 import numpy as np
@@ -238,23 +239,33 @@ def _far_images(
     """
     if len(weights) < 2 or body.length is None:  # one mirror alone makes one image
         return None
-    length, link = body.length, np.arange(SEPARATE_LINKS, ALL_LINKS)
+    length, link = body.length, np.arange(SEPARATE_LINKS, ALL_LINKS, dtype=np.float64)
     distance, beyond = length * (link + 1.0), length * (ALL_LINKS + 0.5)
-    weight = np.zeros(link.size)
+    weight: Array = np.zeros(link.size)
     for first, other in ((-1, 1), (1, -1)):
         again = min(weights[first], 1.0) ** (link // 2) * min(weights[other], 1.0) ** ((link + 1) // 2)
         weight += share * weights[first] * again
 
-    def added(y: Array) -> Array:
-        depth, back = np.unique(below(y), return_inverse=True)
-        square = distance**2 + depth[:, None] ** 2
-        kernel = 1.0 / distance - (1.0 + factor * depth[:, None] ** 2 / square) / np.sqrt(square)
-        u = beyond / depth
-        remainder = np.arcsinh(u) - np.log(2.0 * u) + factor * (u / np.hypot(1.0, u) - 1.0)
-        total: Array = kernel @ weight + remainder / length * weight[-1]
-        return total[back.ravel()]
+    # Partial functions rather than nested ones, so that what holds them can be pickled.
+    return partial(_added_from_afar, below, factor, distance, weight, beyond, length)
 
-    return added
+
+def _added_from_afar(
+    below: Callable[[Array], Array],
+    factor: float,
+    distance: Array,
+    weight: Array,
+    beyond: float,
+    length: float,
+    y: Array,
+) -> Array:
+    depth, back = np.unique(below(y), return_inverse=True)
+    square = distance**2 + depth[:, None] ** 2
+    kernel = 1.0 / distance - (1.0 + factor * depth[:, None] ** 2 / square) / np.sqrt(square)
+    u = beyond / depth
+    remainder = np.arcsinh(u) - np.log(2.0 * u) + factor * (u / np.hypot(1.0, u) - 1.0)
+    total: Array = kernel @ weight + remainder / length * weight[-1]
+    return total[back.ravel()]
 
 
 def depth_below(body: Body, shape: Shape) -> Callable[[Array], Array] | None:
@@ -267,21 +278,25 @@ def depth_below(body: Body, shape: Shape) -> Callable[[Array], Array] | None:
     if body.depth == "none":
         return None
     if not isinstance(body.depth, str):
-        depth = float(body.depth)
-        return lambda y: np.full(y.shape, depth)
+        return partial(_even_depth, float(body.depth))
     factor = 1.0
     if body.depth == "plane-strain":
         factor = plane_strain_depth(shape, body.material.poisson)
 
-    def below(y: Array) -> Array:
-        curvature = body.curvature(y)
-        if np.any(curvature <= 0.0):
-            remedy = "give the thickness of the body in mm, or write 'none'"
-            raise InputError("depth", body.depth, "only be asked of a body that is convex everywhere", remedy)
-        depth: Array = 2.0 * factor / curvature
-        return depth
+    return partial(_depth_in_diameters, body, factor)
 
-    return below
+
+def _even_depth(depth: float, y: Array) -> Array:
+    return np.full(y.shape, depth)
+
+
+def _depth_in_diameters(body: Body, factor: float, y: Array) -> Array:
+    curvature = body.curvature(y)
+    if np.any(curvature <= 0.0):
+        remedy = "give the thickness of the body in mm, or write 'none'"
+        raise InputError("depth", body.depth, "only be asked of a body that is convex everywhere", remedy)
+    depth: Array = 2.0 * factor / curvature
+    return depth
 
 
 def plane_strain_depth(shape: Shape, poisson: float) -> float:

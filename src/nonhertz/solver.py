@@ -97,12 +97,17 @@ def problem_of(contact: Contact, given: Prescription, element: Element) -> Probl
     """
     if not isinstance(contact, Contact):
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
-    if not isinstance(element, Element):
-        remedy = "use nonhertz.SEMI_ELLIPTIC or nonhertz.PARABOLIC"
-        raise InputError("element", element, "be an element", remedy)
+    refuse_no_element(element)
     prescribed = np.array([given.by_load, given.by_moment])
     target, influence = target_of(contact, given), influence_of(contact, element)
     return Problem(contact.separation, contact.curvature, element, prescribed, target, influence)
+
+
+def refuse_no_element(element: object) -> None:
+    """Refuse what is none of the strip elements."""
+    if not isinstance(element, Element):
+        remedy = "use nonhertz.SEMI_ELLIPTIC or nonhertz.PARABOLIC"
+        raise InputError("element", element, "be an element", remedy)
 
 
 def target_of(contact: Contact, given: Prescription) -> Array:

@@ -15,7 +15,7 @@ K_LOAD = 0.0084  # K Q [mm^2], 3 kN on steel: the contact ends inside the body o
 HALF_SPACES = Influence(HALF_SPACE)
 
 
-def run(r, m, rigid, *, relaxation=1.0, element=nh.SEMI_ELLIPTIC, influence=HALF_SPACES):
+def run(r, m, rigid, *, relaxation=1.0, eager=True, element=nh.SEMI_ELLIPTIC, influence=HALF_SPACES):
     """Press a tilted crowned roller by a load, from a given start: status, steps, residual, stiffness."""
     gap, stiffness = np.zeros(STRIPS), np.zeros((2, 2))
     status, steps, residual = loop.newton(
@@ -36,6 +36,7 @@ def run(r, m, rigid, *, relaxation=1.0, element=nh.SEMI_ELLIPTIC, influence=HALF
         stiffness,
         loop.TOLERANCE,
         relaxation,
+        eager,
     )
     return status, steps, residual, stiffness
 
@@ -106,7 +107,7 @@ def test_nothing_in_contact_stagnates():
 
 
 def hurried(*arguments):
-    return loop.newton(*arguments[:-1], 1e-3)
+    return loop.newton(*arguments[:-2], 1e-3, True)
 
 
 def lost(*arguments):
@@ -152,6 +153,16 @@ def test_near_the_answer_the_error_is_squared(element, influence):
     status, steps, *_ = run(*near, element=element, influence=influence)
     assert status == loop.CONVERGED
     assert steps <= 3
+
+
+@both_kinds
+def test_stepping_in_both_at_once_leads_to_the_same_answer(influence):
+    r, m, rigid = start()
+    assert run(r, m, rigid, influence=influence, eager=False)[0] == loop.CONVERGED
+    # As for other starts, above.
+    expected_r, expected_m, expected_rigid = answer(influence)
+    np.testing.assert_allclose(m, expected_m, rtol=1e-9, atol=1e-10 * np.max(m))
+    np.testing.assert_allclose(rigid, expected_rigid, rtol=1e-9, atol=0.0)
 
 
 @both_kinds

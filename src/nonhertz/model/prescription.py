@@ -39,10 +39,7 @@ class Prescription:
         InputError
             If there are too few, too many, or one is out of range.
         """
-        if (approach is None) == (load is None):
-            raise InputError("load", load, "be given where approach is not, and only there", "give load or approach")
-        if tilt is not None and moment is not None:
-            raise InputError("moment", moment, "not be given together with tilt", "give tilt or moment")
+        refuse_unpaired(approach, load, tilt, moment)
         if load is not None:
             positive("load", load, "give the force in N that presses the bodies together")
         if approach is not None:
@@ -65,3 +62,17 @@ class Prescription:
         if self.by_moment and ((self.second > 0.0 and high <= 0.0) or (self.second < 0.0 and low >= 0.0)):
             condition = f"have the sign of the lever arms, which lie between {low:g} and {high:g} mm"
             raise InputError("moment", self.second, condition, "turn its sign")
+
+
+def refuse_unpaired(approach: object, load: object, tilt: object, moment: object) -> None:
+    """Refuse what is not one of approach and load, and at most one of tilt and moment; None is what is not given.
+
+    Raises
+    ------
+    InputError
+        If there are too few or too many.
+    """
+    if (approach is None) == (load is None):
+        raise InputError("load", load, "be given where approach is not, and only there", "give load or approach")
+    if tilt is not None and moment is not None:
+        raise InputError("moment", moment, "not be given together with tilt", "give tilt or moment")

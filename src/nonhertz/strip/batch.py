@@ -7,7 +7,7 @@ solution of the case before it on the same strips where that is nearer: along a 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,13 +51,11 @@ class States:
     @classmethod
     def of(cls, state: State) -> States:
         """Return a single state as one row."""
-        rows = (np.asarray(value)[None] for value in list(vars(state).values())[1:9])
-        return cls(state.edges, *rows)
+        return cls(state.edges, *(np.asarray(getattr(state, row.name))[None] for row in fields(cls)[1:]))
 
     def only(self, cases: Indices) -> States:
         """Return the states of some cases."""
-        rows = (value[cases] for value in list(vars(self).values())[1:])
-        return States(self.edges, *rows)
+        return States(self.edges, *(getattr(self, row.name)[cases] for row in fields(self)[1:]))
 
     def one(self, case: int) -> State:
         """Return the state of one case."""
@@ -88,7 +86,7 @@ def settle_all(problem: Problem, grids: Sequence[Array], targets: Array) -> list
     Returns
     -------
     list of States
-        Finest first. Cases that have not converged want the patience of `settle`.
+        Finest first. Cases that have not converged want the patience of `settle`, or its words for why they cannot.
     """
     found: list[States] = []
     for strips in reversed(Strips.on(problem, grids)):
@@ -96,6 +94,9 @@ def settle_all(problem: Problem, grids: Sequence[Array], targets: Array) -> list
         near = found[0] if found else States.unsolved(np.zeros(1), len(targets))
         near_y = 0.5 * (near.edges[1:] + near.edges[:-1])
         states = States.unsolved(edges, len(targets))
+        found.insert(0, states)
+        if np.any(np.isnan(strips.separation)) or not np.any(np.isfinite(strips.separation)):
+            continue
         _settle_all(
             strips.y, edges[:-1], edges[1:], strips.curvature, strips.separation, strips.at_depth, strips.shallowest,
             problem.influence.terms, problem.element.table, problem.element.line_factor, problem.element.hertz_ratio,
@@ -104,7 +105,9 @@ def settle_all(problem: Problem, grids: Sequence[Array], targets: Array) -> list
             states.r, states.m, states.rigid, states.gap, states.stiffness, states.status, states.steps,
             states.residual,
         )  # fmt: skip
-        found.insert(0, states)
+    for states in found:
+        for row in fields(states):
+            getattr(states, row.name).flags.writeable = row.name == "edges"
     return found
 
 
@@ -167,7 +170,7 @@ def _settle_all(
                 continue
             status[case], steps[case], residual[case] = newton(
                 y, low, high, curvature, separation, prescribed, target, terms, at_depth, table, r[case], m[case],
-                rigid[case], gap[case], stiffness[case], tolerance, 1.0,
+                rigid[case], gap[case], stiffness[case], tolerance, 1.0, True,
             )  # fmt: skip
             if status[case] == CONVERGED:
                 break

@@ -156,8 +156,6 @@ def _fall(y: Array, m: Array, low: float, high: float, side: int) -> float:
     """Return the distance from one end of a contact at which m has half the value of the nearest summit."""
     inside = np.flatnonzero((y >= low) & (y <= high) & (m > 0.0))
     end = high if side > 0 else low
-    if inside.size == 0:
-        return float(high - low)
     if side > 0:
         inside = inside[::-1].copy()
     summit = 0

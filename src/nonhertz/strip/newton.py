@@ -65,6 +65,7 @@ def newton(
     stiffness: Array,
     tolerance: float,
     relaxation: float,
+    eager: bool,
 ) -> tuple[int, int, float]:
     """Solve the contact of strips, starting from and overwriting ``r``, ``m`` and ``rigid``.
 
@@ -93,6 +94,8 @@ def newton(
         Largest relative residual of a solution.
     relaxation : float
         Longest fraction of a Newton step to take; 1 unless a case resists.
+    eager : bool
+        Whether r takes what the curvature rows ask for before every step; true unless a case resists.
 
     Returns
     -------
@@ -113,7 +116,7 @@ def newton(
         coefficients(y, low, high, m, active, terms, at_depth, table, blocks)
         width, ca = widths[active], curvature[active]
         wanted, follows = _curved(blocks, ca)
-        ra, ma = _held(wanted, r[active]), m[active]
+        ra, ma = _held(wanted, r[active]) if eager else r[active], m[active]
         qa = ra * ma
         r[active] = ra
         lever = y[active] / half
@@ -135,6 +138,7 @@ def newton(
             _relative(off, prescribed, reference),
         )
         residual = max(unsettled, -(np.min(gap) + noise) / scale)
+        # The gap stands first in both maxima: Numba's keep a number that is none only in the first place.
         if not math.isfinite(residual):
             return STAGNATED, step, residual
 
@@ -249,7 +253,7 @@ def _idle_gaps(
     inverse, q = 1.0 / np.sqrt(m), r * m
     for i in range(y.size):
         gap[i] = 0.0
-        if m[i] == 0.0:
+        if not m[i] > 0.0:
             gap[i] = separation[i] - rigid[0] - rigid[1] * y[i]
             if np.isfinite(gap[i]):
                 gap[i] += _settling(i, y, low, high, inverse, q, active, terms, at_depth, table)

@@ -19,9 +19,9 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 LEAST_RISE = 1e-3  # of the load, below which raising it further is given up
-# Depths in half-widths of independent springs, which may be half of the true ones where bodies are thin: below the
-# first no loop is started, below the second none that failed is helped.
-HOPELESS, SCARCELY = 0.7, 4.0
+# Depths in half-widths of independent springs, which may be half of the true ones where bodies are thin. Below the
+# first no loop is started, below the second none that failed is helped, below the third it failed because of it.
+HOPELESS, BEYOND_HELP, SCARCELY = 0.7, 2.0, 4.0
 _NOTHING = np.empty(0)
 
 
@@ -157,8 +157,8 @@ def settle(
 ) -> State:
     """Return the solved state on the strips between ``edges``, starting from a ``near`` one if there is one.
 
-    Where the loop fails from one start, the next is tried: springs, springs with shortened steps, and last the
-    load raised in steps from a small one. The last two only if ``patient``.
+    Where the loop fails from one start, the next is tried: springs; and if ``patient`` springs with r and m stepping
+    together, with shortened steps, and last the load raised in steps from a small one.
     """
     strips = Strips.of(problem, edges)
     state = None
@@ -166,10 +166,16 @@ def settle(
         state = strips.loop(problem, tolerance, near)
     if state is None or not state.converged:
         state = strips.loop(problem, tolerance)
-    patient = patient and not state.converged and not strips.too_thin(problem, strips.springs(problem)[1], SCARCELY)
-    if patient:
-        state = _better(state, strips.loop(problem, tolerance, relaxation=0.5))
-    if patient and not state.converged and problem.prescribed[0]:
+    return _helped(problem, strips, state, tolerance) if patient and not state.converged else state
+
+
+def _helped(problem: Problem, strips: Strips, state: State, tolerance: float) -> State:
+    """Return what patience makes of a state that did not converge."""
+    state = _better(state, strips.loop(problem, tolerance, eager=False))
+    if state.converged or strips.too_thin(problem, strips.springs(problem)[1], BEYOND_HELP):
+        return state
+    state = _better(state, strips.loop(problem, tolerance, relaxation=0.5))
+    if not state.converged and problem.prescribed[0]:
         state = _better(state, strips.raised(problem))
     return state
 
@@ -259,7 +265,14 @@ class Strips:
                 share = 0.5 * (reached + share)
         return state
 
-    def loop(self, problem: Problem, tolerance: float, near: State | None = None, relaxation: float = 1.0) -> State:
+    def loop(
+        self,
+        problem: Problem,
+        tolerance: float,
+        near: State | None = None,
+        relaxation: float = 1.0,
+        eager: bool = True,
+    ) -> State:
         """Return where the Newton loop ends that starts from a ``near`` state, else from springs."""
         element, influence = problem.element, problem.influence
         start = (near.y, near.r, near.m, near.rigid) if near is not None else (_NOTHING, _NOTHING, _NOTHING, _NOTHING)
@@ -273,6 +286,6 @@ class Strips:
         status, steps, residual = newton(
             self.y, self.edges[:-1], self.edges[1:], self.curvature, self.separation, problem.prescribed,
             problem.target, influence.terms, self.at_depth, element.table, r, m, rigid, gap, stiffness, tolerance,
-            relaxation,
+            relaxation, eager,
         )  # fmt: skip
         return State(self.edges, r, m, rigid, gap, stiffness, status, steps, residual)
