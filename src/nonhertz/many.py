@@ -23,7 +23,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription, refuse_unpaired
 from nonhertz.outcome import outcome, suspected
 from nonhertz.solution import Solution
-from nonhertz.solver import levels_of, problem_of, refuse_no_element, target_of, wanted_strips
+from nonhertz.solver import levels_of, problem_of, refuse_no_element, wanted_strips
 from nonhertz.strip.batch import States, settle_all
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 from nonhertz.strip.levels import Levels, equal_grids, given_grids
@@ -324,7 +324,7 @@ def _several(contacts: Contact | Iterable[Contact]) -> list[Contact]:
 
 def _spread(
     contacts: int | None, given: dict[str, ArrayLike]
-) -> tuple[tuple[int, ...], list[int], list[dict[str, float]]]:
+) -> tuple[tuple[int, ...], NDArray[np.intp], dict[str, Array]]:
     """Return the shape of the results, and for each case which contact it is of and what is prescribed."""
     columns = [np.zeros((), dtype=int) if contacts is None else np.arange(contacts)]
     for name, value in given.items():
@@ -347,43 +347,70 @@ def _spread(
     if spread[0].size == 0:
         empty = next(name for name, column in zip(("contacts", *given), columns, strict=True) if column.size == 0)
         raise InputError(empty, [], "hold at least one case", "leave the call out where there is none")
-    which, *values = (column.ravel().tolist() for column in spread)
-    each = zip(*values, strict=True) if values else [()] * len(which)
-    return spread[0].shape or (1,), which, [dict(zip(given, numbers, strict=True)) for numbers in each]
+    which, *values = (column.ravel() for column in spread)
+    return (
+        spread[0].shape or (1,),
+        which,
+        {name: value.astype(float) for name, value in zip(given, values, strict=True)},
+    )
 
 
 def _tasks(
     contacts: list[Contact],
     shape: tuple[int, ...],
-    which: list[int],
-    given: list[dict[str, float]],
+    which: NDArray[np.intp],
+    given: dict[str, Array],
     element: Element,
     strips: Strips,
 ) -> list[_Task]:
     """Return the cases in portions of one contact each; input that cannot be used is refused here."""
-    problems: dict[int, Problem] = {}
-    shared: dict[int, list[int]] = {}
-    targets = np.empty((len(which), 2))
-    for number, (index, values) in enumerate(zip(which, given, strict=True)):
-        contact = contacts[index]
-        if id(contact) not in problems:
-            wanted_strips(contact, strips)
-        try:
-            prescription = Prescription.checked(*(values.get(name) for name in _PRESCRIBED))
-            if id(contact) not in problems:
-                problems[id(contact)] = problem_of(contact, prescription, element)
-            targets[number] = target_of(contact, prescription)
-        except InputError as error:
-            raise (error.within(f"case {_label(number, shape)}") if len(which) > 1 else error) from None
-        shared.setdefault(id(contact), []).append(number)
+    by_contact: dict[int, list[int]] = {}
+    for number, index in enumerate(which.tolist()):
+        by_contact.setdefault(id(contacts[index]), []).append(number)
+
+    def case(number: int) -> Prescription:
+        return Prescription.checked(*(float(given[name][number]) if name in given else None for name in _PRESCRIBED))
+
+    def refused(error: InputError, number: int) -> InputError:
+        return error.within(f"case {_label(number, shape)}") if which.size > 1 else error
+
+    number = 0
+    try:
+        for number in _suspects(given):
+            case(number)
+    except InputError as error:
+        raise refused(error, number) from None
     tasks = []
-    for key, numbers in shared.items():
+    for numbers in by_contact.values():
         contact = contacts[which[numbers[0]]]
+        wanted_strips(contact, strips)
+        try:
+            number = numbers[0]
+            problem = problem_of(contact, case(number), element)
+            if "moment" in given:  # which each case may have beyond the ends of the bodies
+                for number in numbers:
+                    case(number).refuse_outside(contact)
+        except InputError as error:
+            raise refused(error, number) from None
+        targets = np.zeros((len(numbers), 2))
+        for column, force, motion in ((0, "load", "approach"), (1, "moment", "tilt")):
+            if force in given:
+                targets[:, column] = contact.compliance * given[force][numbers]
+            elif motion in given:
+                targets[:, column] = given[motion][numbers]
         at_once = CASES_APART if _automatic(strips) else CASES_AT_ONCE
         for first in range(0, len(numbers), at_once):
-            portion = numbers[first : first + at_once]
-            tasks.append(_Task(contact, problems[key], portion, targets[portion], strips))
+            portion = slice(first, first + at_once)
+            tasks.append(_Task(contact, problem, numbers[portion], targets[portion], strips))
     return tasks
+
+
+def _suspects(given: dict[str, Array]) -> list[int]:
+    """Return the cases with a number that cannot be used."""
+    suspects = np.any([~np.isfinite(values) for values in given.values()], axis=0)
+    if "load" in given:
+        suspects |= given["load"] <= 0.0
+    return np.flatnonzero(suspects).tolist()
 
 
 def _automatic(strips: Strips) -> bool:

@@ -98,8 +98,10 @@ def problem_of(contact: Contact, given: Prescription, element: Element) -> Probl
     if not isinstance(contact, Contact):
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
     refuse_no_element(element)
+    given.refuse_outside(contact)
     prescribed = np.array([given.by_load, given.by_moment])
-    target, influence = target_of(contact, given), influence_of(contact, element)
+    factors = np.where(prescribed, contact.compliance, 1.0)
+    target, influence = factors * [given.first, given.second], influence_of(contact, element)
     return Problem(contact.separation, contact.curvature, element, prescribed, target, influence)
 
 
@@ -108,14 +110,6 @@ def refuse_no_element(element: object) -> None:
     if not isinstance(element, Element):
         remedy = "use nonhertz.SEMI_ELLIPTIC or nonhertz.PARABOLIC"
         raise InputError("element", element, "be an element", remedy)
-
-
-def target_of(contact: Contact, given: Prescription) -> Array:
-    """Return what is prescribed as `Problem.target` has it."""
-    given.refuse_outside(contact)
-    factor = contact.compliance
-    by = factor if given.by_load else 1.0, factor if given.by_moment else 1.0
-    return np.array([given.first * by[0], given.second * by[1]])
 
 
 def levels_of(contact: Contact, problem: Problem, strips: int | str | ArrayLike | None) -> Levels:
