@@ -61,7 +61,7 @@ RULES = """\
   its mean; one more product with its operator gives the approach.
 - Each program, contact and grid has a process of its own: a call on a small grid, one on this grid, during which
   memory is watched (above what the process held before it), then the median of five runs or more, or of as many as fit
-  into three seconds. A solve expected to take longer is left out.
+  into a second. A solve expected to take longer is left out.
 - All on {threads}. The tamaas of PyPI is built without threads.
 - The reference for the logarithmic rollers is made of plane grids alone (`benchmarks/reference.py`). What strips leave
   out where a contact ends counts against them.

@@ -1,5 +1,7 @@
 """How errors fall with the cells, and how the work grows with them."""
 
+import warnings
+
 import numpy as np
 import pytest
 
@@ -31,6 +33,37 @@ def test_the_estimate_covers_the_error():
         found = on_ellipse((n, n))
         assert abs(found.approach / exact.approach - 1.0) < found.error_estimate.approach
         assert abs(found.max_pressure / exact.max_pressure - 1.0) < found.error_estimate.max_pressure
+
+
+@pytest.mark.parametrize("cells", [(16, 64), (16, 256), (24, 200), (32, 128), (64, 128)], ids=str)
+def test_the_estimate_covers_the_error_of_few_cells_in_one_direction(cells):
+    generator = np.random.default_rng(3)
+    for k in range(4):
+        diameter = generator.uniform(6.0, 40.0)
+        length = generator.uniform(0.8, 2.0) * diameter
+        profile = (
+            nh.profile.crown(generator.uniform(200.0, 2000.0))
+            if k % 2
+            else nh.profile.iso_logarithmic(diameter=diameter, length=length)
+        )
+        ring = nh.Ring(diameter=generator.uniform(3.0, 8.0) * diameter)
+        contact = nh.Contact(nh.Roller(diameter=diameter, length=length, profile=profile), ring)
+        given = {"load": 8.0 * diameter * length, "tilt": generator.uniform(0.0, 3e-4)}
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", nh.AccuracyWarning)
+            found = nh.patch.solve(contact, cells=cells, **given)
+            half = 0.5 * found.dx, 0.5 * found.dy
+            ends = [(each[0] - more, each[-1] + more) for each, more in zip((found.x, found.y), half, strict=True)]
+            finer = nh.patch.solve(contact, cells=(3 * cells[0], 3 * cells[1]), region=tuple(ends), **given)
+        assert abs(found.approach / finer.approach - 1.0) < found.error_estimate.approach
+        assert abs(found.max_pressure / finer.max_pressure - 1.0) < found.error_estimate.max_pressure
+        # Honest, not endless.
+        assert found.error_estimate.approach < 0.05
+
+
+def test_a_direction_that_was_never_refined_has_no_estimate():
+    for cells in ((4, 256), (256, 7)):
+        assert on_ellipse(cells).error_estimate.approach == np.inf
 
 
 @pytest.mark.parametrize("tilt", [0.0, 5e-4])

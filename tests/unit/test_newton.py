@@ -160,7 +160,7 @@ def test_stepping_in_both_at_once_leads_to_the_same_answer(influence):
     r, m, rigid = start()
     assert run(r, m, rigid, influence=influence, eager=False)[0] == loop.CONVERGED
     # As for other starts, above.
-    expected_r, expected_m, expected_rigid = answer(influence)
+    _, expected_m, expected_rigid = answer(influence)
     np.testing.assert_allclose(m, expected_m, rtol=1e-9, atol=1e-10 * np.max(m))
     np.testing.assert_allclose(rigid, expected_rigid, rtol=1e-9, atol=0.0)
 

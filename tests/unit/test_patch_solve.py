@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.patch import Dent, PatchSolution, memory, undeformed_gap
+from nonhertz.patch import Dent, PatchSolution, Waviness, memory, undeformed_gap
 from nonhertz.patch.resources import refuse_excess
 
 HALF_SPACE = {"side_faces": "none", "depth": "none"}
@@ -40,10 +40,18 @@ def solution():
         ({"load": 1e3, "region": (1.0, 2.0)}, "region = (1.0, 2.0) must be two pairs of ends"),
         ({"load": 1e3, "region": ((1.0, 1.0), (0.0, 1.0))}, "region = ((1.0, 1.0), (0.0, 1.0)) must ascend"),
         ({"load": 1e3, "region": ((0.0, 1.0), (11.0, 12.0))}, "region = ((0.0, 1.0), (11.0, 12.0)) must ascend"),
-        ({"load": 1e3, "region": ((0.0, math.nan), (0.0, 1.0))}, "region = nan must be a finite number"),
+        (
+            {"load": 1e3, "region": ((0.0, math.nan), (0.0, 1.0))},
+            "region = ((0.0, nan), (0.0, 1.0)) must have ends that each be a finite number",
+        ),
         ({"load": 1e3, "tolerance": 1e-14}, "tolerance = 1e-14 must lie between 1e-12 and 0.01"),
-        ({"load": 1e3, "threads": 0}, "threads = 0 must be positive"),
-        ({"load": 1e3, "features": [3.0]}, "features = 3.0 must be callable"),
+        ({"load": 1e3, "threads": 0}, "threads = 0 must be a whole number of at least 1"),
+        ({"load": 1e3, "threads": 2.7}, "threads = 2.7 must be a whole number of at least 1"),
+        ({"load": 1e3, "features": [3.0]}, "features[0] = 3.0 must be callable"),
+        ({"load": 1e3, "features": None}, "features = None must be callable with x and y"),
+        ({"load": 1e3, "features": "dent"}, "features = 'dent' must be callable with x and y"),
+        ({"load": 1e3, "features": [Dent]}, "features[0] = <class 'nonhertz.patch.features.Dent'> must be callable"),
+        ({"load": 1e3, "features": [math.sin]}, "features[0] = <built-in function sin> must be callable with x and y"),
         ({"load": 1e3, "gap": 3.0}, "gap = 3.0 must be callable"),
     ],
     ids=str,
@@ -62,14 +70,182 @@ def test_anything_but_a_contact_is_refused():
 @pytest.mark.parametrize(
     ("gap", "condition"),
     [
-        (lambda x, y: np.full(np.broadcast_shapes(x.shape, y.shape), math.nan), "be a number"),
-        (lambda x, y: np.full(np.broadcast_shapes(x.shape, y.shape), math.inf), "be a number"),
+        (lambda x, y: np.full(np.broadcast_shapes(x.shape, y.shape), math.nan), "return a number everywhere"),
+        (lambda x, y: np.full(np.broadcast_shapes(x.shape, y.shape), math.inf), "be finite somewhere"),
+        (lambda x, y: -math.inf * np.ones_like(x * y), "return a number everywhere"),
         (lambda x, y: np.zeros((2, 3)), "keep the shape"),
+        (lambda x, y: x**2 + y**2 + 0j, "return real numbers, not complex128"),
+        (lambda x, y: (x > 0.0) | (y > 0.0), "return real numbers, not bool"),
+        (lambda x, y: "none", "return real numbers"),
+        (lambda x, y: None, "return real numbers"),
     ],
 )
 def test_a_gap_that_is_none_is_refused(gap, condition):
     with pytest.raises(nh.InputError, match=condition):
         nh.patch.solve(CROWNED, load=1e3, gap=gap, cells=SMALL)
+
+
+def test_a_wrong_return_is_said_of_the_function_that_made_it():
+    def wrong(x, y):
+        return 1e-3j * (x + y)
+
+    with pytest.raises(nh.InputError) as caught:
+        nh.patch.solve(CROWNED, load=1e3, features=[Dent(depth=0.001, diameter=3.0), wrong], cells=SMALL)
+    assert caught.value.field == "features[1]"
+    assert caught.value.value is wrong
+
+
+def test_one_feature_needs_no_list():
+    dent = Dent(depth=0.001, diameter=3.0)
+    one, listed = (nh.patch.solve(CROWNED, load=3e3, features=each, cells=SMALL) for each in (dent, [dent]))
+    assert np.array_equal(one.pressure, listed.pressure)
+
+
+def test_a_feature_that_works_in_place_cannot_move_the_cells():
+    def careless(x, y):
+        x *= 0.0
+        return x + 0.0 * y
+
+    with pytest.raises(ValueError, match="read-only"):
+        nh.patch.solve(CROWNED, load=3e3, features=[careless], cells=SMALL)
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: undeformed_gap("x", 0, 0), "contact = 'x' must be a Contact"),
+        (lambda: undeformed_gap(CROWNED, "a", 0), "x = 'a' must be numbers"),
+        (lambda: memory("ab"), "cells = 'ab' must be a pair"),
+        (lambda: memory((-5, 8)), "cells = (-5, 8) must be whole numbers"),
+        (lambda: memory((8, 8), "x"), "contact = 'x' must be a Contact"),
+        (lambda: Waviness(amplitude=1, wavelength=1, direction=[1]), "direction = [1] must be a finite number"),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_what_else_is_refused(call, sentence):
+    with pytest.raises(nh.InputError) as caught:
+        call()
+    assert str(caught.value).startswith(sentence)
+
+
+def test_a_gap_given_in_full_needs_no_curved_bodies():
+    contact = nh.Contact(nh.Plate(), nh.Plate())
+    exact = nh.hertz.point_contact(load=100, radius_x=5, radius_y=5, compliance=contact.compliance)
+    for given in ({"load": 100.0}, {"approach": exact.approach}):
+        found = nh.patch.solve(contact, gap=lambda x, y: (x**2 + y**2) / 10.0, cells=(48, 48), **given)
+        # 40 cells across the circle.
+        np.testing.assert_allclose([found.approach, found.load], [exact.approach, 100.0], rtol=1e-3, atol=0.0)
+
+
+# First touch
+
+
+BODIES_AS_THEY_COME = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000)), nh.Plate())
+
+
+@pytest.mark.parametrize("contact", [BODIES_AS_THEY_COME, CROWNED], ids=["default", "half-spaces"])
+@pytest.mark.parametrize("approach", [-1.0, -0.01, 0.0])
+@pytest.mark.parametrize("moment", [None, 0.0])
+@pytest.mark.parametrize("region", [None, ((-0.3, 0.3), (-5.0, 5.0))], ids=["found", "given"])
+def test_an_approach_at_which_nothing_touches_is_refused(contact, approach, moment, region):
+    with pytest.raises(nh.InputError) as caught:
+        nh.patch.solve(contact, approach=approach, moment=moment, cells=SMALL, region=region)
+    assert str(caught.value) == (
+        f"approach = {approach} must exceed 0 mm, where the bodies begin to touch: raise it, or prescribe the load."
+    )
+
+
+def test_where_bodies_begin_to_touch_counts_tilt_and_features():
+    # y^2 / 2000 - 0.002 y is least at y = 2, by 0.002.
+    with pytest.raises(nh.InputError, match=r"approach = -0\.01 must exceed -0\.002 mm"):
+        nh.patch.solve(BODIES_AS_THEY_COME, approach=-0.01, tilt=2e-3, cells=SMALL)
+    with pytest.raises(nh.InputError, match=r"approach = 0\.001 must exceed 0\.003 mm"):
+        nh.patch.solve(BODIES_AS_THEY_COME, approach=0.001, features=lambda x, y: 0.003, cells=SMALL)
+    assert nh.patch.solve(BODIES_AS_THEY_COME, approach=-0.0019, tilt=2e-3, cells=SMALL).load > 0.0
+
+
+@pytest.mark.parametrize("crown", [10.0, 1000.0])
+@pytest.mark.parametrize("approach", [1e-9, 1e-7, 1e-6, 1e-5, 3e-4])
+def test_a_light_contact_by_approach_is_hertz(crown, approach):
+    # Faces and a depth do 0.9 % at most, cells 1e-3.
+    for given, rtol in (({}, 1.5e-2), (HALF_SPACE, 3e-3)):
+        roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(crown), **given)
+        contact = nh.Contact(roller, nh.Plate())
+        exact = nh.hertz.point_contact(approach=approach, radius_x=10, radius_y=crown, compliance=contact.compliance)
+        found = nh.patch.solve(contact, approach=approach, cells=SMALL)
+        np.testing.assert_allclose(found.load, exact.load, rtol=rtol, atol=0.0)
+
+
+def test_cells_that_miss_the_contact_are_refused():
+    with pytest.raises(nh.InputError, match="put the centre of a cell into the contact"):
+        nh.patch.solve(CROWNED, approach=1e-6, cells=(8, 8), region=((-1.0, 1.0), (-9.0, 9.0)))
+
+
+@pytest.mark.parametrize("given", [{"load": 1e9}, {"approach": 100.0}, {"load": 3e3, "gap": lambda x, y: 0.0 * x * y}])
+def test_a_body_thinner_than_its_contact_is_refused(given):
+    with pytest.raises(nh.InputError, match=r"body\.a\.depth = 15\..* must be large against the half-width"):
+        nh.patch.solve(BODIES_AS_THEY_COME, cells=SMALL, **given)
+
+
+def test_a_moment_beyond_the_outer_cells_is_refused():
+    with pytest.raises(nh.InputError, match=r"moment = 15000\.0 must keep moment / load = 5 mm between -0\.96875 and"):
+        nh.patch.solve(CROWNED, load=3e3, moment=1.5e4, cells=(24, 32), region=((-0.3, 0.3), (-1.0, 1.0)))
+
+
+@pytest.mark.parametrize(
+    ("contact", "given", "sentence"),
+    [
+        (nh.Contact(nh.Body(diameter=10), nh.Plate()), {"load": 100.0}, "length = None must be given where nothing"),
+        (CROWNED, {"load": 1e300}, "load = 1e+300 must press the bodies together over less than 30 of their radii"),
+        (CROWNED, {"approach": 1e6}, "approach = 1000000.0 must press the bodies together over less than 30"),
+        (CROWNED, {"load": 3e3, "gap": lambda x, y: 0.0 * x * y}, "gap = <function"),
+        (CROWNED, {"load": 3e3, "gap": lambda x, y: y**2 - x**2}, "gap = <function"),
+    ],
+    ids=["endless", "load", "approach", "flat", "concave"],
+)
+def test_a_contact_that_nothing_ends_is_refused(contact, given, sentence):
+    with pytest.raises(nh.InputError) as caught:
+        nh.patch.solve(contact, cells=SMALL, **given)
+    assert str(caught.value).startswith(sentence)
+
+
+# Other pieces
+
+
+def burr(x_at, y_at):
+    """A bump 0.07 mm high and 0.2 mm across."""
+    return lambda x, y: -0.07 * np.exp(-((x - x_at) ** 2 + (y - y_at) ** 2) / 0.02)
+
+
+@pytest.mark.parametrize("at", [(1.0, 0.0), (0.0, 8.0), (-0.7, -6.0)])
+def test_a_burr_beyond_the_region_is_taken_in_or_warned_of(at):
+    found = nh.patch.solve(CROWNED, load=3e3, features=burr(*at), cells=(96, 128))
+    np.testing.assert_allclose(found.max_pressure_at, at, rtol=0.0, atol=0.1)
+    region = ((-0.4, 0.4), (-5.0, 5.0))
+    with pytest.warns(nh.AccuracyWarning, match="Beyond the region the bodies overlap, by 0.0"):
+        nh.patch.solve(CROWNED, load=3e3, features=burr(*at), cells=(96, 128), region=region)
+
+
+def test_three_rails_bear_alike():
+    def rails(x, y):
+        return np.minimum(np.minimum((x - 3.0) ** 2, (x + 3.0) ** 2), x**2) / 20.0 + y**2 / 2000.0
+
+    found = nh.patch.solve(CROWNED, load=3e3, gap=rails, cells=(192, 64))
+    share = (
+        np.array([found.pressure[np.abs(found.x - at) < 1.5].sum() for at in (-3.0, 0.0, 3.0)]) / found.pressure.sum()
+    )
+    # Not quite: the middle one sinks with both others.
+    np.testing.assert_allclose(share, 1.0 / 3.0, rtol=0.2)
+    np.testing.assert_allclose(share[0], share[2], rtol=1e-6)
+
+
+@pytest.mark.parametrize("load", [100.0, 3e3, 30e3])
+def test_nothing_is_said_of_other_pieces_where_there_are_none(load):
+    for contact in (CROWNED, BODIES_AS_THEY_COME):
+        found = nh.patch.solve(contact, load=load, tilt=3e-4, cells=SMALL)
+        half = 0.5 * found.dx, 0.5 * found.dy
+        ends = [(each[0] - more, each[-1] + more) for each, more in zip((found.x, found.y), half, strict=True)]
+        assert nh.patch.solve(contact, load=load, tilt=3e-4, cells=SMALL, region=tuple(ends)).warnings == found.warnings
 
 
 def test_an_infinite_gap_keeps_cells_out():
@@ -93,7 +269,7 @@ def test_the_gap_is_that_of_the_bodies():
 
 
 def test_features_add_up():
-    dents = [Dent(x=0.1, y=1.0, depth=0.001, diameter=0.4), Dent(x=-0.1, y=-1.0, depth=0.002, diameter=0.4)]
+    dents = [Dent(x=0.1, y=1.0, depth=0.001, diameter=1.4), Dent(x=-0.1, y=-1.0, depth=0.002, diameter=1.4)]
 
     def whole(x, y):
         return undeformed_gap(CROWNED, x, y) + dents[0](x, y) + dents[1](x, y)
@@ -160,12 +336,6 @@ def test_threads_change_nothing():
     assert np.array_equal(one.pressure, three.pressure)
 
 
-def test_no_contact_is_a_solution():
-    solution = nh.patch.solve(CROWNED, approach=-0.01, cells=SMALL)
-    assert (solution.load, solution.moment, solution.max_pressure, solution.contact_area) == (0.0, 0.0, 0.0, 0.0)
-    assert np.all(solution.gap >= 0.01 * (1.0 - 1e-12))
-
-
 def test_running_out_of_iterations_carries_the_state(monkeypatch):
     monkeypatch.setattr("nonhertz.patch.settle.MOST_CHANGES", 1)
     monkeypatch.setattr("nonhertz.patch.settle.MOST_MOTIONS", 1)
@@ -173,6 +343,7 @@ def test_running_out_of_iterations_carries_the_state(monkeypatch):
         nh.patch.solve(CROWNED, load=3e3, cells=SMALL, region=((-0.3, 0.3), (-5.0, 5.0)))
     assert caught.value.solution.status is nh.Status.ITERATION_LIMIT
     assert caught.value.solution.error_estimate.approach == math.inf
+    assert f"The residual is {caught.value.solution.residual:.2g}, not 1e-08; likely causes are" in str(caught.value)
 
 
 # Region
@@ -237,7 +408,28 @@ def test_thin_bodies_heavy_images_and_wide_contacts_are_warned_of():
     said = " ".join(str(warning.message) for warning in caught)
     assert "would weigh 1.99 of the surface" in said
     assert "of the smaller radius of curvature, over 0.3" in said
-    assert "The depth of a body is only" in said
+    assert "The depth of body a is only" in said
+
+
+@pytest.mark.parametrize(
+    ("feature", "sentence"),
+    [
+        (Dent(depth=0.001, diameter=0.5), "The diameter of a dent of 0.5 mm is only"),
+        (Dent(depth=0.001, diameter=1.0, shoulder=1e-4, shoulder_diameter=1.2), "The shoulder of a dent of 0.1 mm is"),
+        (Waviness(amplitude=1e-4, wavelength=0.4, direction="along"), "The wavelength of 0.4 mm is only"),
+        (Waviness(amplitude=1e-4, wavelength=0.05), "The wavelength of 0.05 mm is only"),
+    ],
+    ids=str,
+)
+def test_features_of_a_few_cells_are_warned_of(feature, sentence):
+    with pytest.warns(nh.AccuracyWarning) as caught:
+        nh.patch.solve(CROWNED, load=3e3, features=feature, cells=SMALL)
+    assert [str(warning.message).startswith(sentence) for warning in caught] == [True]
+
+
+def test_waves_along_are_not_measured_across():
+    wide = Waviness(amplitude=1e-4, wavelength=0.3)  # 2 cells along, 15 across
+    assert nh.patch.solve(CROWNED, load=3e3, features=wide, cells=SMALL).warnings == ()
 
 
 # Memory

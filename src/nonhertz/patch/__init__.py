@@ -11,4 +11,4 @@ from nonhertz.patch.features import Waviness as Waviness
 from nonhertz.patch.resources import memory as memory
 from nonhertz.patch.solution import PatchSolution as PatchSolution
 from nonhertz.patch.solver import solve as solve
-from nonhertz.patch.solver import undeformed_gap as undeformed_gap
+from nonhertz.patch.surface import undeformed_gap as undeformed_gap

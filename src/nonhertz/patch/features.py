@@ -124,13 +124,17 @@ class Waviness:
         not_negative("amplitude", self.amplitude, "give half of the height of the waves in mm")
         positive("wavelength", self.wavelength, "give the distance from crest to crest in mm")
         finite("phase", self.phase, "give the phase at the origin in rad")
-        if self.direction not in DIRECTIONS:
+        if not (isinstance(self.direction, str) and self.direction in DIRECTIONS):
             finite("direction", self.direction, "write 'across', 'along' or an angle from x in rad")  # type: ignore[arg-type]
+
+    @property
+    def angle(self) -> float:
+        """The direction as an angle from x towards y [rad]."""
+        return DIRECTIONS[self.direction] if isinstance(self.direction, str) else float(self.direction)
 
     def __call__(self, x: ArrayLike, y: ArrayLike) -> Array:
         """Return the relief [mm] at positions ``x``, ``y`` [mm], broadcast against each other."""
-        angle = DIRECTIONS[self.direction] if isinstance(self.direction, str) else float(self.direction)
-        along = np.asarray(x, dtype=float) * math.cos(angle) + np.asarray(y, dtype=float) * math.sin(angle)
+        along = np.asarray(x, dtype=float) * math.cos(self.angle) + np.asarray(y, dtype=float) * math.sin(self.angle)
         relief: Array = self.amplitude * (1.0 - np.cos(2.0 * math.pi * along / self.wavelength + self.phase))
         return relief
 

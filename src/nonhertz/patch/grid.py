@@ -68,4 +68,6 @@ def _centres(span: tuple[float, float], cells: int) -> Array:
     # From the middle outwards, so that a symmetric region has symmetric centres to the last bit.
     offsets = np.arange(cells, dtype=np.float64) - 0.5 * (cells - 1)
     centres: Array = 0.5 * (span[0] + span[1]) + offsets * ((span[1] - span[0]) / cells)
+    # Functions of users get them, and may work in place.
+    centres.flags.writeable = False
     return centres

@@ -1,8 +1,8 @@
 """From displacements to roughly the pressures, for a third of a convolution: what preconditions the iterations.
 
 A kernel laid around a torus has an inverse that costs one division in Fourier space. On a contact set K_AA the
-torus's inverse, restricted to the set, is nearly K_AA^-1: it errs where the set ends, and there by a factor between 1
-and 5, whatever the number of cells. So conjugate gradients gain half a digit per step on every grid. The torus is a
+torus's inverse, restricted to the set, is nearly K_AA^-1: it errs where the set ends, and there by a factor between 0.8
+and 6, whatever the number of cells. So conjugate gradients gain half a digit per step on every grid. The torus is a
 few cells larger than the region, lest the two ends of a contact that fills it take each other for neighbours.
 
 References

@@ -1,20 +1,23 @@
 """Where the contact lies, found by solving it coarsely and moving the region after it.
 
-No guess of the footprint's size is trusted: a region that the contact fills to its border is doubled on that side, one
-that it leaves mostly empty is cut down to what touches, and a solve on a few hundred cells costs next to nothing.
-Ends of the bodies stay where they are, so that a contact up to them has them on edges of cells.
+A region that the contact fills to its border is doubled on that side, one that it leaves mostly empty is cut down to
+what touches, and a solve on a few hundred cells costs next to nothing. By approach the start is what overlaps
+undeformed (`nonhertz.patch.nearness`): where no cell touches, the contact is smaller than a cell, and the region is cut
+down to its lowest place. Ends of the bodies stay where they are, so that a contact up to them has them on edges of
+cells.
 """
 
 from __future__ import annotations
 
 import math
-from concurrent.futures import Executor
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.patch.cascade import Problem, solve_on
+from nonhertz.patch.cascade import Outcome, Problem, solve_on
 from nonhertz.patch.grid import Grid
+from nonhertz.solution import Status
 
 Span = tuple[float, float]
 Mask = NDArray[np.bool_]
@@ -22,11 +25,18 @@ Mask = NDArray[np.bool_]
 CELLS = (24, 48)
 ROUGHLY = 1e-3
 FILLED = 0.75  # of either side of the region
-MOST_MOVES, MOST_SEARCHES = 60, 8
+MOST_MOVES, MOST_FAILURES = 60, 3
+CLOSER = 0.25  # of a region in which no cell touches
 UNBOUNDED: Span = (-math.inf, math.inf)
 
 
-def find(problem: Problem, interval: Span, width: float, pool: Executor | None = None) -> tuple[Span, Span]:
+def find(
+    problem: Problem,
+    interval: Span,
+    start: tuple[Span, Span],
+    towards: tuple[float, float],
+    refuse: Callable[[Outcome], None],
+) -> tuple[Span, Span]:
     """Return the region of the contact, with a small margin where it does not end with the bodies.
 
     Parameters
@@ -35,30 +45,33 @@ def find(problem: Problem, interval: Span, width: float, pool: Executor | None =
         What is solved.
     interval : tuple of float
         Where both bodies are, along y [mm]; may be infinite.
-    width : float
-        First guess of the half-width [mm], positive.
-    pool : Executor or None
-        Threads.
+    start : tuple of tuple of float
+        Region to begin with [mm].
+    towards : tuple of float
+        Place x, y [mm] to look closer at where no cell touches.
+    refuse : callable
+        Raises if the contact of an outcome is larger than the bodies can bear.
 
     Returns
     -------
     tuple of float, tuple of float
         Ends across and along [mm].
     """
-    x_span, y_span = (-2.0 * width, 2.0 * width), _first_length(problem, interval, width)
-    searches = 0
+    x_span, y_span = start
+    failures = 0
     for _ in range(MOST_MOVES):
-        grid = Grid(x_span, y_span, CELLS)
-        touching = solve_on(problem, grid, ROUGHLY, pool).state.pressure > 0.0
+        outcome = solve_on(problem, Grid(x_span, y_span, CELLS), ROUGHLY, rough=True)
+        touching = outcome.state.pressure > 0.0
+        failures = 0 if outcome.state.status is Status.CONVERGED else failures + 1
+        if failures == MOST_FAILURES:
+            break
         across, along = np.any(touching, axis=1), np.any(touching, axis=0)
         if not np.any(across):
-            if searches == MOST_SEARCHES:
-                break
-            searches += 1
-            x_span, y_span = widened(x_span, (True, True), 1.0), widened(y_span, (True, True), 1.0, interval)
+            x_span, y_span = closer(x_span, towards[0]), closer(y_span, towards[1], interval)
             continue
         beyond = borders(x_span, across), borders(y_span, along, interval)
         if any((*beyond[0], *beyond[1])):
+            refuse(outcome)
             # Not cut down meanwhile: what touches at a border is not what will touch.
             x_span, y_span = widened(x_span, beyond[0], 1.0), widened(y_span, beyond[1], 1.0, interval)
             continue
@@ -67,6 +80,17 @@ def find(problem: Problem, interval: Span, width: float, pool: Executor | None =
         if done:
             break
     return x_span, y_span
+
+
+def closer(span: Span, place: float, limits: Span = UNBOUNDED) -> Span:
+    """Return a shorter span about a place."""
+    half = 0.5 * CLOSER * (span[1] - span[0])
+    return max(place - half, limits[0]), min(place + half, limits[1])
+
+
+def joined(span: Span, other: Span, limits: Span = UNBOUNDED) -> Span:
+    """Return a span that holds two, within limits."""
+    return max(min(span[0], other[0]), limits[0]), min(max(span[1], other[1]), limits[1])
 
 
 def borders(span: Span, touching: Mask, limits: Span = UNBOUNDED) -> tuple[bool, bool]:
@@ -92,12 +116,3 @@ def widened(span: Span, ends: tuple[bool, bool], share: float, limits: Span = UN
     more = share * (span[1] - span[0])
     low, high = span[0] - more * ends[0], span[1] + more * ends[1]
     return max(low, limits[0]), min(high, limits[1])
-
-
-def _first_length(problem: Problem, interval: Span, width: float) -> Span:
-    """Return the bodies' own length, or some multiple of the width about where the load acts."""
-    if np.all(np.isfinite(interval)):
-        return interval
-    arm = problem.given[1] / problem.given[0] if all(problem.by_force) else 0.0
-    middle = float(np.clip(arm, interval[0] + width, interval[1] - width))
-    return max(interval[0], middle - 10.0 * width), min(interval[1], middle + 10.0 * width)

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import os
 
+import numpy as np
+
 from nonhertz.errors import InputError
 from nonhertz.finite import HERTZ, influence_of
 from nonhertz.model.contact import Contact
+from nonhertz.patch.cascade import FEWEST
+from nonhertz.patch.surface import refuse_no_bodies
 from nonhertz.patch.transform import fast_half
 
 FIELDS = 14.0
@@ -18,7 +22,7 @@ SHARE = 0.8  # of the machine's available memory
 
 
 def memory(cells: tuple[int, int], contact: Contact | None = None) -> int:
-    """Return the bytes that a solve needs at its peak, within a fifth.
+    """Return the bytes that a solve needs at its peak, within a fifth unless the grid is small or slender.
 
     Parameters
     ----------
@@ -36,7 +40,9 @@ def memory(cells: tuple[int, int], contact: Contact | None = None) -> int:
     >>> round(memory((512, 1024)) / 2**20)  # MiB
     60
     """
-    nx, ny = cells
+    nx, ny = checked_cells(cells)
+    if contact is not None:
+        refuse_no_bodies(contact)
     spectra = DOUBLE * (fast_half(nx) + 1) * (fast_half(ny) + 1)
     fields, depth = DOUBLE * nx * ny, 0
     if contact is not None:
@@ -47,6 +53,17 @@ def memory(cells: tuple[int, int], contact: Contact | None = None) -> int:
         depth = DOUBLE * ny * ny * bool(influence.depths)
     # Either while the iterations run, or before, while the matrix of the depths is made of larger ones.
     return int(spectra + max(FIELDS * fields + depth, FEW * fields + MAKING * depth))
+
+
+def checked_cells(cells: tuple[int, int]) -> tuple[int, int]:
+    """Return numbers of cells, or refuse them."""
+    remedy = "give two whole numbers, (128, 512) say"
+    if not isinstance(cells, (tuple, list)) or len(cells) != 2:
+        raise InputError("cells", cells, "be a pair (across, along)", remedy)
+    for number in cells:
+        if isinstance(number, bool) or not isinstance(number, (int, np.integer)) or number < FEWEST:
+            raise InputError("cells", cells, f"be whole numbers of at least {FEWEST}", remedy)
+    return int(cells[0]), int(cells[1])
 
 
 def refuse_excess(cells: tuple[int, int], contact: Contact) -> None:

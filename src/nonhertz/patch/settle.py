@@ -131,8 +131,10 @@ class _ActiveSet:
                 continue
             residual = self._solve(tolerance)
             if residual <= tolerance and self.pressure.min() >= 0.0:
-                status = Status.CONVERGED
-                break
+                residual *= self._rescaled()
+                if residual <= tolerance:
+                    status = Status.CONVERGED
+                    break
             self.touching = np.where(self.touching, self.pressure >= 0.0, self.gap < 0.0)
             np.maximum(self.pressure, 0.0, out=self.pressure)
         rigid = float(self.rigid[0]), float(self.rigid[1])
@@ -158,6 +160,13 @@ class _ActiveSet:
         self.gap -= self.rigid[0] + self.rigid[1] * self.task.y
         self.scale = max(float(np.max(np.abs(displacement))), -float(self.gap.min())) or 1.0
         return missing
+
+    def _rescaled(self) -> float:
+        """Take the scale from the displacement as it is now, and return the former one over it."""
+        displacement = self.gap - self.task.undeformed
+        displacement += self.rigid[0] + self.rigid[1] * self.task.y
+        before, self.scale = self.scale, float(np.max(np.abs(displacement))) or 1.0
+        return before / self.scale
 
     @property
     def lack(self) -> Array:

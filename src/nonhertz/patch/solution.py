@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import TypeVar
@@ -31,7 +32,8 @@ class PatchSolution:
     status : Status
         How the solve ended.
     approach : float
-        delta [mm], how much nearer the bodies came on the line y = 0 than first touch of a zero gap.
+        delta [mm], how much nearer the bodies came on the line y = 0 than where their gap is zero: with the gap g0 they
+        overlap by delta + gamma y - g0 before they give way.
     tilt : float
         gamma [rad] about x; positive tilt loads the side of positive y. About y the bodies are held upright.
     load : float
@@ -115,7 +117,9 @@ class PatchSolution:
 
     @property
     def max_pressure_at(self) -> tuple[float, float]:
-        """Where the largest pressure is, (x, y) [mm]."""
+        """Where the largest pressure is, (x, y) [mm]; nan where nothing touches."""
+        if not self.footprint.any():
+            return math.nan, math.nan
         i, j = np.unravel_index(int(self.pressure.argmax()), self.pressure.shape)
         return float(self.x[i]), float(self.y[j])
 

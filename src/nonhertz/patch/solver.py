@@ -2,39 +2,47 @@
 
 from __future__ import annotations
 
-import math
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Iterable
 from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
 from nonhertz.finite import HERTZ, influence_of
-from nonhertz.model.checks import finite, positive
+from nonhertz.model.checks import finite
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
+from nonhertz.patch import nearness
 from nonhertz.patch import region as regions
-from nonhertz.patch.cascade import Gap, Outcome, Problem, solve_on
+from nonhertz.patch.cascade import Level, Outcome, Problem, halved, solve_on
 from nonhertz.patch.grid import Grid
-from nonhertz.patch.limits import error_estimate, singularities, strains
-from nonhertz.patch.resources import refuse_excess
+from nonhertz.patch.limits import (
+    error_estimate,
+    overlaps,
+    refuse_thin_bodies,
+    singularities,
+    strains,
+    unresolved,
+    widest_run,
+)
+from nonhertz.patch.nearness import Overlap
+from nonhertz.patch.resources import checked_cells, refuse_excess
+from nonhertz.patch.search import Search
 from nonhertz.patch.solution import PatchSolution
+from nonhertz.patch.surface import Feature, Surface, refuse_no_bodies
 from nonhertz.solution import Status
 
 Array = NDArray[np.float64]
-Feature = Callable[[Array, Array], ArrayLike]
 Span = tuple[float, float]
 
 CELLS = (128, 512)
-FEWEST_CELLS = 4
 TIGHTEST, LOOSEST = 1e-12, 1e-2
 WORTH_THREADS = 2**16  # cells: below, handing out blocks costs more than it saves
 SNAP = 1e-9  # of the length of a region
-MOST_ENLARGEMENTS, ENLARGEMENT = 6, 0.15
 
 _REGION_REMEDY = "give ((x_low, x_high), (y_low, y_high)) in mm, or leave it out"
 
@@ -48,7 +56,7 @@ def solve(
     moment: float | None = None,
     cells: tuple[int, int] | None = None,
     region: tuple[Span, Span] | None = None,
-    features: Sequence[Feature] = (),
+    features: Feature | Iterable[Feature] = (),
     gap: Feature | None = None,
     tolerance: float = 1e-8,
     threads: int | None = None,
@@ -73,7 +81,7 @@ def solve(
     region : tuple of two pairs of float, optional
         ((x_low, x_high), (y_low, y_high)) [mm] to lay the cells over, cut off where a body ends. Found by itself if
         left out.
-    features : sequence of callable
+    features : callable or several
         Each (x, y) [mm] -> relief [mm] of broadcastable arrays, added to the gap; see `nonhertz.patch.features`.
     gap : callable, optional
         (x, y) [mm] -> undeformed gap [mm], in place of x^2 / (2 rho(y)) + h(y).
@@ -117,115 +125,78 @@ def solve(
     >>> from nonhertz.patch.features import Dent
     >>> contact = Contact(Roller(diameter=20, length=20, profile=crown(radius=4000)), Plate())
     >>> smooth = solve(contact, load=6e3, cells=(48, 96))
-    >>> dented = solve(contact, load=6e3, cells=(48, 96), features=[Dent(depth=0.002, diameter=0.3)])
+    >>> dented = solve(contact, load=6e3, cells=(48, 96), features=[Dent(depth=0.002, diameter=1.5)])
     >>> dented.max_pressure > 1.05 * smooth.max_pressure
     True
     """
-    if not isinstance(contact, Contact):
-        raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
+    refuse_no_bodies(contact)
     prescription = Prescription.checked(approach, load, tilt, moment)
     prescription.refuse_outside(contact)
-    cells = _checked_cells(CELLS if cells is None else cells)
+    cells = checked_cells(CELLS if cells is None else cells)
     finite("tolerance", tolerance, "give the largest residual, 1e-8 say")
     if not TIGHTEST <= tolerance <= LOOSEST:
         raise InputError("tolerance", tolerance, f"lie between {TIGHTEST:g} and {LOOSEST:g}", "use 1e-8")
     spans = None if region is None else _checked_region(contact, region)
     refuse_excess(cells, contact)
-    problem = _problem(contact, prescription, _whole_gap(contact, gap, features))
+    surface = Surface.checked(contact, gap, features)
+    problem = _problem(contact, prescription, surface)
+    search = Search(problem, contact, prescription, gap is not None)
     with _pool(threads, cells) as pool:
         if spans is None:
-            outcome = _in_found_region(problem, contact, prescription, cells, tolerance, pool)
+            outcome, overlap = search.found(cells, tolerance, pool)
         else:
-            outcome = solve_on(problem, Grid(*spans, cells), tolerance, pool)
-    solution = _solution(contact, problem, outcome)
+            outcome, overlap = _in_region(search, Grid(*spans, cells), tolerance, pool)
+        levels = halved(problem, outcome, tolerance, pool)
+    solution = _solution(contact, problem, outcome, levels)
+    refuse_thin_bodies(contact, solution.y, 0.5 * solution.dx * widest_run(solution.footprint))
     if solution.status is not Status.CONVERGED:
-        raise ConvergenceError(f"{solution.status.value} Try another number of cells, or another region.", solution)
-    sentences = strains(solution, problem.influence, outcome.grid)
+        raise ConvergenceError(_failed(solution, tolerance), solution)
+    if not solution.footprint.any():
+        condition = "put the centre of a cell into the contact"
+        raise InputError("cells", cells, condition, "give more cells, or leave the region out")
+    sentences = (
+        *strains(solution, problem.influence, outcome.grid),
+        *overlaps(overlap),
+        *unresolved(surface.features, solution.dx, solution.dy),
+    )
     for sentence in sentences:
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
     return replace(solution, warnings=(*sentences, *singularities(solution, problem.influence, outcome.grid)))
 
 
-def undeformed_gap(contact: Contact, x: ArrayLike, y: ArrayLike) -> Array:
-    """Return the gap x^2 / (2 rho(y)) + h(y) [mm] of the undeformed bodies.
-
-    Parameters
-    ----------
-    contact : Contact
-        The two bodies.
-    x, y : array_like
-        Positions [mm], broadcast against each other.
-
-    Returns
-    -------
-    ndarray
-
-    Examples
-    --------
-    >>> from nonhertz.model.body import Plate, Roller
-    >>> undeformed_gap(Contact(Roller(diameter=20, length=20), Plate()), [0.0, 0.2], 5.0).round(6).tolist()
-    [0.0, 0.002]
-    """
-    y = np.asarray(y, dtype=float)
-    across: Array = 0.5 * np.asarray(x, dtype=float) ** 2 * contact.curvature(y) + contact.separation(y)
-    return across
+def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:
+    """Solve in a region that is given, and return what of the contact it leaves out."""
+    if not search.given.by_load:
+        search.refuse_apart(nearness.within(grid.x_span, grid.y_span))
+    outcome = solve_on(search.problem, grid, tolerance, pool)
+    touching = outcome.state.pressure > 0.0
+    across = regions.borders(grid.x_span, np.any(touching, axis=1))
+    along = regions.borders(grid.y_span, np.any(touching, axis=0), search.contact.interval)
+    # A contact that is cut off goes on beyond the region, which is said of the border.
+    cut = any((*across, *along))
+    if cut:
+        return outcome, None
+    return outcome, nearness.overlap(search.problem, outcome, search.windows(), given=True)
 
 
-def _whole_gap(contact: Contact, gap: Feature | None, features: Sequence[Feature]) -> Gap:
-    for name, each in (("gap", gap), *(("features", feature) for feature in features)):
-        if not callable(each) and not (name == "gap" and each is None):
-            raise InputError(name, each, "be callable with x and y", "give a function of x and y in mm that returns mm")
-
-    def whole(x: Array, y: Array) -> Array:
-        bare = undeformed_gap(contact, x, y) if gap is None else np.asarray(gap(x, y), dtype=float)
-        return bare + sum((np.asarray(feature(x, y), dtype=float) for feature in features), np.zeros(()))
-
-    return whole
+def _failed(solution: PatchSolution, tolerance: float) -> str:
+    """Return what is said of a solve that failed: how far it came, and what may be the cause."""
+    stiff = "a moment that rests on a row or two of cells, or a gap that is rough from cell to cell"
+    return (
+        f"{solution.status.value} The residual is {solution.residual:.2g}, not {tolerance:g}; likely causes are "
+        f"{stiff}. Try another number of cells, or another region."
+    )
 
 
-def _problem(contact: Contact, given: Prescription, gap: Gap) -> Problem:
+def _problem(contact: Contact, given: Prescription, gap: Surface) -> Problem:
     factor = contact.compliance
     first = given.first * (factor if given.by_load else 1.0)
     second = given.second * (factor if given.by_moment else 1.0)
     influence = influence_of(contact, HERTZ)
-    return Problem(gap, influence, (given.by_load, given.by_moment), (first, second))
+    return Problem(gap, influence, (given.by_load, given.by_moment), (first, second), factor)
 
 
-def _in_found_region(
-    problem: Problem,
-    contact: Contact,
-    given: Prescription,
-    cells: tuple[int, int],
-    tolerance: float,
-    pool: Executor | None,
-) -> Outcome:
-    """Solve in a region that is found first, and made larger where a finer grid shows the contact to go on."""
-    x_span, y_span = regions.find(problem, contact.interval, _half_width(contact, given))
-    for _ in range(MOST_ENLARGEMENTS):
-        outcome = solve_on(problem, Grid(x_span, y_span, cells), tolerance, pool)
-        touching = outcome.state.pressure > 0.0
-        across = regions.borders(x_span, np.any(touching, axis=1))
-        along = regions.borders(y_span, np.any(touching, axis=0), contact.interval)
-        if not any((*across, *along)):
-            break
-        x_span = regions.widened(x_span, across, ENLARGEMENT)
-        y_span = regions.widened(y_span, along, ENLARGEMENT, contact.interval)
-    return outcome
-
-
-def _half_width(contact: Contact, given: Prescription) -> float:
-    """Return a first guess of the half-width [mm], that of a Hertz line contact."""
-    low, high = contact.interval
-    middle = float(np.clip(0.0, low, high))
-    radius = 1.0 / float(contact.curvature(np.array([middle]))[0])
-    if not given.by_load:
-        return math.sqrt(2.0 * radius * abs(given.first)) or 0.01 * radius
-    if math.isfinite(high - low):
-        return 2.0 * math.sqrt(contact.compliance * given.first / (high - low) * radius)
-    return math.cbrt(contact.compliance * given.first * radius)
-
-
-def _solution(contact: Contact, problem: Problem, outcome: Outcome) -> PatchSolution:
+def _solution(contact: Contact, problem: Problem, outcome: Outcome, levels: tuple[Level, ...]) -> PatchSolution:
     grid, state = outcome.grid, outcome.state
     pressure = state.pressure / contact.compliance
     area = grid.dx * grid.dy
@@ -245,19 +216,9 @@ def _solution(contact: Contact, problem: Problem, outcome: Outcome) -> PatchSolu
         gap=state.gap,
         iterations=outcome.convolutions,
         residual=state.residual,
-        error_estimate=error_estimate(contact, problem, outcome),
+        error_estimate=error_estimate(contact, problem, outcome, levels),
         warnings=(),
     )
-
-
-def _checked_cells(cells: tuple[int, int]) -> tuple[int, int]:
-    remedy = "give two whole numbers, (128, 512) say"
-    if not isinstance(cells, (tuple, list)) or len(cells) != 2:
-        raise InputError("cells", cells, "be a pair (across, along)", remedy)
-    for number in cells:
-        if isinstance(number, bool) or not isinstance(number, (int, np.integer)) or number < FEWEST_CELLS:
-            raise InputError("cells", cells, f"be whole numbers of at least {FEWEST_CELLS}", remedy)
-    return int(cells[0]), int(cells[1])
 
 
 def _checked_region(contact: Contact, region: tuple[Span, Span]) -> tuple[Span, Span]:
@@ -266,7 +227,10 @@ def _checked_region(contact: Contact, region: tuple[Span, Span]) -> tuple[Span, 
     except (TypeError, ValueError):
         raise InputError("region", region, "be two pairs of ends", _REGION_REMEDY) from None
     for end in (x_low, x_high, y_low, y_high):
-        finite("region", end, _REGION_REMEDY)
+        try:
+            finite("region", end, _REGION_REMEDY)
+        except InputError as error:
+            raise InputError("region", region, f"have ends that each {error.condition}", _REGION_REMEDY) from None
     # An end that was worked out from cells is off by rounding, and would not be known for that of a body.
     near = SNAP * (float(y_high) - float(y_low))
     low, high = (float(end) for end in contact.interval)
@@ -279,7 +243,10 @@ def _checked_region(contact: Contact, region: tuple[Span, Span]) -> tuple[Span, 
 def _pool(threads: int | None, cells: tuple[int, int]) -> AbstractContextManager[Executor | None]:
     if threads is None:
         return nullcontext()
-    positive("threads", threads, "give the number of threads, or leave it out for one")
+    remedy = "give the number of threads, or leave it out for one"
+    finite("threads", threads, remedy)
+    if not isinstance(threads, (int, np.integer)) or threads < 1:
+        raise InputError("threads", threads, "be a whole number of at least 1", remedy)
     if threads == 1 or cells[0] * cells[1] < WORTH_THREADS:
         return nullcontext()
     return ThreadPoolExecutor(int(threads))

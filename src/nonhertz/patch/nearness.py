@@ -1,0 +1,270 @@
+"""Where undeformed bodies come nearest, and where they would overlap beyond the region: the gap, sampled.
+
+Nothing is known of a gap but its values, so it is sampled: evenly along bodies that end, evenly near the middle and
+ever wider away from it elsewhere, and once more over every `Dent`. The lowest sample is closed in on by windows of an
+eighth of the size each. A bump that lies between the samples is not seen; docs/explain/patch.md says how far apart
+they are.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.patch.cascade import Gap, Outcome, Problem
+from nonhertz.patch.features import Dent
+from nonhertz.patch.grid import Grid
+from nonhertz.patch.kernel import rectangles
+
+Array = NDArray[np.float64]
+Span = tuple[float, float]
+
+EVENLY, EVEN_REACH = 65, 8.0  # samples, and half-widths they reach either way
+APART, NEAREST = 64, 1e-3  # samples ever wider apart, from this many half-widths on
+ALONG, OVER_DENT, CLOSER = 257, 17, 17
+MOST_CLOSER = 24
+LUMPS, SMALL_LUMPS = (12, 48), (24, 96)
+SUSPECT, SEEN, CLEAR = 0.03, 0.003, 0.01  # of the largest displacement: suspected, taken in, and warned of
+MOST_SUSPECTS = 100
+AT_ONCE = 2**15  # distances
+
+
+@dataclass(frozen=True, eq=False)
+class Window:
+    """Places that are sampled: all pairs of some x and some y [mm], ascending."""
+
+    x: Array
+    y: Array
+
+    def of(self, gap: Gap, tilt: float) -> Array:
+        """Return gap - tilt y [mm] at all places, shape (nx, ny)."""
+        nearness: Array = gap(self.x[:, None], self.y[None, :]) - tilt * self.y
+        return nearness
+
+
+@dataclass(frozen=True)
+class Lowest:
+    """Where gap - tilt y is least: x, y and the value there [mm]."""
+
+    x: float
+    y: float
+    value: float
+
+
+@dataclass(frozen=True)
+class Overlap:
+    """Where the deformed bodies overlap beyond the region: the deepest place, and a rectangle around all of them."""
+
+    x: float
+    y: float
+    depth: float
+    x_span: Span
+    y_span: Span
+
+
+def windows(problem: Problem, interval: Span, width: float, reach: float) -> tuple[Window, ...]:
+    """Return where to sample bodies that end at ``interval``, for a contact about 2 ``width`` wide."""
+    x = _spread(width, reach)
+    y = np.linspace(*interval, ALONG) if np.all(np.isfinite(interval)) else _spread(width, 1e4 * width + reach)
+    y = np.unique(np.clip(np.append(y, 0.0), *interval))
+    found = [Window(x, y)]
+    for feature in getattr(problem.gap, "features", ()):
+        if isinstance(feature, Dent):
+            half = 0.5 * float(feature.shoulder_diameter or feature.diameter)
+            x = np.linspace(feature.x - half, feature.x + half, OVER_DENT)
+            y = np.linspace(feature.y - half, feature.y + half, OVER_DENT)
+            found.append(Window(x, np.unique(np.clip(y, *interval))))
+    return tuple(found)
+
+
+def within(x_span: Span, y_span: Span) -> tuple[Window, ...]:
+    """Return where to sample a region."""
+    return (Window(np.linspace(*x_span, 2 * EVENLY - 1), np.linspace(*y_span, ALONG)),)
+
+
+def lowest(gap: Gap, tilt: float, several: tuple[Window, ...]) -> Lowest:
+    """Return the lowest place, closed in on from the lowest sample."""
+    best = min((_lowest_sample(gap, tilt, window) for window in several), key=lambda found: found[0].value)
+    place, window = best
+    for _ in range(MOST_CLOSER):
+        closer, window = _lowest_sample(gap, tilt, window)
+        gained = place.value - closer.value
+        place = closer if gained > 0.0 else place
+        if max(np.ptp(window.x), np.ptp(window.y)) < 1e-12:
+            break
+    return place
+
+
+def extent(gap: Gap, tilt: float, approach: float, at: Lowest, several: tuple[Window, ...]) -> tuple[Span, Span]:
+    """Return a rectangle about what overlaps undeformed: around its lowest place, and all samples that do."""
+    low, high = several[0].y[0], several[0].y[-1]
+    steps = np.geomspace(1e-9, 1.0, 240)
+    x_reach, y_reach = float(np.ptp(several[0].x)), float(high - low)
+    ends = []
+    for sign, along in ((-1.0, False), (1.0, False), (-1.0, True), (1.0, True)):
+        x = at.x + sign * x_reach * steps if not along else np.array([at.x])
+        y = np.clip(at.y + sign * y_reach * steps, low, high) if along else np.array([at.y])
+        over = (gap(x[:, None], y[None, :]) - tilt * y).ravel() < approach
+        last = steps.size - 1 if over.all() else int(np.argmin(over))
+        ends.append(float((y if along else x)[last]))
+    x_span, y_span = (ends[0], ends[1]), (ends[2], ends[3])
+    for window in several:
+        over = window.of(gap, tilt) < approach
+        if over.any():
+            x_over, y_over = window.x[over.any(axis=1)], window.y[over.any(axis=0)]
+            x_span = min(x_span[0], float(x_over[0])), max(x_span[1], float(x_over[-1]))
+            y_span = min(y_span[0], float(y_over[0])), max(y_span[1], float(y_over[-1]))
+    return x_span, y_span
+
+
+def least_held(gap: Gap, window: Window) -> float:
+    """Return the approach at which bodies that are free to tilt begin to touch without a moment [mm].
+
+    It is where the lower convex hull of the gap over y crosses the line y = 0: below it, some tilt keeps them apart.
+    """
+    y, least = window.y, np.min(window.of(gap, 0.0), axis=0)
+    at_zero = least[y == 0.0]
+    below, above = y < 0.0, y > 0.0
+    values = [float(at_zero.min(initial=np.inf))]
+    if below.any() and above.any():
+        y_low, y_high = y[below][:, None], y[above][None, :]
+        with np.errstate(invalid="ignore"):
+            crossing = (least[below][:, None] * y_high - least[above][None, :] * y_low) / (y_high - y_low)
+        values.append(float(np.min(crossing)))
+    return min(values)
+
+
+def overlap(problem: Problem, outcome: Outcome, several: tuple[Window, ...], given: bool = False) -> Overlap | None:
+    """Return where the deformed bodies overlap beyond the region of a solution, as far as samples tell.
+
+    The pressure acts there as the forces of lumps of cells first, as uniform on smaller ones where that looks odd.
+    What is near the border for its cells does not count, and less does in a region that is ``given``.
+    """
+    grid, state = outcome.grid, outcome.state
+    if not state.pressure.any():
+        return None
+    largest = float(np.max(state.gap - problem.undeformed(grid) + state.rigid[0] + state.rigid[1] * grid.y))
+    found: list[Overlap] = []
+    least, near = (CLEAR, 2.0) if given else (SEEN, 1.0)
+    coarse = _lumps(grid, state.pressure)
+    for window in several:
+        undeformed = window.of(problem.gap, state.rigid[1]) - state.rigid[0]
+        outside = _beyond(window.x, grid.x_span, near * grid.dx)[:, None] | _beyond(
+            window.y, grid.y_span, near * grid.dy
+        )
+        sunk = _sunk(problem, grid, state.pressure, window.y)
+        gap = undeformed - sunk
+        at = np.argwhere(outside & (gap < 0.0))
+        if not at.size:
+            continue
+        left = gap[tuple(at.T)] + _raised(problem, coarse, window.x[at[:, 0]], window.y[at[:, 1]])
+        suspects = np.flatnonzero(left < SUSPECT * largest)
+        at = at[suspects[np.argsort(left[suspects])][:MOST_SUSPECTS]]
+        if not at.size:
+            continue
+        x, y = window.x[at[:, 0]], window.y[at[:, 1]]
+        left = (
+            gap[tuple(at.T)] + _raised(problem, coarse, x, y, images=True) + _raised_nearby(grid, state.pressure, x, y)
+        )
+        for i, j, depth in zip(*at.T, -left, strict=True):
+            if depth > least * largest:
+                around = _neighbours(window.x, i), _neighbours(window.y, j)
+                found.append(Overlap(float(window.x[i]), float(window.y[j]), float(depth), *around))
+    if not found:
+        return None
+    deepest = max(found, key=lambda each: each.depth)
+    x_span = min(each.x_span[0] for each in found), max(each.x_span[1] for each in found)
+    y_span = min(each.y_span[0] for each in found), max(each.y_span[1] for each in found)
+    return Overlap(deepest.x, deepest.y, deepest.depth, x_span, y_span)
+
+
+def _spread(width: float, reach: float) -> Array:
+    """Return places evenly about zero, and ever wider apart up to a reach."""
+    away = np.geomspace(NEAREST * width, max(reach, 2.0 * EVEN_REACH * width), APART)
+    return np.unique(np.concatenate([-away, np.linspace(-EVEN_REACH * width, EVEN_REACH * width, EVENLY), away]))
+
+
+def _lowest_sample(gap: Gap, tilt: float, window: Window) -> tuple[Lowest, Window]:
+    """Return the lowest sample of a window, and the window that its neighbours enclose."""
+    values = window.of(gap, tilt)
+    i, j = divmod(int(np.argmin(values)), window.y.size)
+    place = Lowest(float(window.x[i]), float(window.y[j]), float(values[i, j]))
+    x, y = _neighbours(window.x, i), _neighbours(window.y, j)
+    return place, Window(np.linspace(*x, CLOSER), np.linspace(*y, CLOSER))
+
+
+def _neighbours(places: Array, index: int) -> Span:
+    return float(places[max(index - 1, 0)]), float(places[min(index + 1, places.size - 1)])
+
+
+def _beyond(places: Array, span: Span, margin: float) -> NDArray[np.bool_]:
+    beyond: NDArray[np.bool_] = (places < span[0] - margin) | (places > span[1] + margin)
+    return beyond
+
+
+def _starts(grid: Grid, most: tuple[int, int]) -> list[NDArray[np.int64]]:
+    """Return the first cell of every lump of cells, in either direction."""
+    return [
+        np.linspace(0, n, min(n, m), endpoint=False).astype(np.int64) for n, m in zip(grid.cells, most, strict=True)
+    ]
+
+
+def _lumps(grid: Grid, pressure: Array) -> tuple[Array, Array, Array, float]:
+    """Return forces times K that stand for the pressure, shape (lumps,), where they act, and their size [mm]."""
+    starts = _starts(grid, LUMPS)
+
+    def summed(field: Array) -> Array:
+        total: Array = np.add.reduceat(np.add.reduceat(field, starts[0], axis=0), starts[1], axis=1).ravel()
+        return total
+
+    force = summed(pressure)
+    acting = force > 0.0
+    force = force[acting]
+    x = summed(pressure * grid.x[:, None])[acting] / force
+    y = summed(pressure * grid.y)[acting] / force
+    size = max(grid.dx * grid.cells[0] / starts[0].size, grid.dy * grid.cells[1] / starts[1].size)
+    return force * grid.dx * grid.dy, x, y, size
+
+
+def _raised(
+    problem: Problem, lumps: tuple[Array, Array, Array, float], x: Array, y: Array, images: bool = False
+) -> Array:
+    """Return the displacement of the surface at places under forces, shape (places,), or what images do of it."""
+    force, x_force, y_force, size = lumps
+    total: Array = np.zeros(x.size)
+    block = max(AT_ONCE // force.size, 1)
+    for start in range(0, x.size, block):
+        at = slice(start, start + block)
+        for sign, offset, weight in problem.influence.terms.tolist():
+            if images and (sign, offset) == (1.0, 0.0):
+                continue
+            squared = np.square(x[at, None] - x_force)
+            squared += np.square(y[at, None] - (sign * y_force + offset))
+            np.maximum(squared, (0.25 * size) ** 2, out=squared)
+            np.sqrt(squared, out=squared)
+            np.reciprocal(squared, out=squared)
+            total[at] += weight * (squared @ force)
+    return total
+
+
+def _raised_nearby(grid: Grid, pressure: Array, x: Array, y: Array) -> Array:
+    """Return the displacement at places without images, under uniform pressure on small lumps, shape (places,)."""
+    starts = _starts(grid, SMALL_LUMPS)
+    x_at, y_at = (np.append(each, n) for each, n in zip(starts, grid.cells, strict=True))
+    mean = np.add.reduceat(np.add.reduceat(pressure, starts[0], axis=0), starts[1], axis=1)
+    mean /= np.diff(x_at)[:, None] * np.diff(y_at)
+    x_edges, y_edges = grid.x_span[0] + grid.dx * x_at, grid.y_edges[y_at]
+    return np.array([np.vdot(rectangles(x_edges - a, y_edges - b), mean) for a, b in zip(x, y, strict=True)])
+
+
+def _sunk(problem: Problem, grid: Grid, pressure: Array, y: Array) -> Array:
+    """Return how far the points at depth move, shape (places,)."""
+    if not problem.influence.depths:
+        return np.zeros(y.size)
+    starts = np.linspace(0, grid.cells[1], min(grid.cells[1], 64), endpoint=False).astype(int)
+    edges = grid.y_edges[np.append(starts, grid.cells[1])]
+    load = np.add.reduceat(pressure.sum(axis=0), starts) * grid.dx * grid.dy / np.diff(edges)
+    sunk: Array = problem.influence.at_depth(y, edges) @ load
+    return sunk

@@ -1,0 +1,213 @@
+"""A region for a contact of which nothing is known: where to start, what to refuse, and how to make sure of it."""
+
+from __future__ import annotations
+
+import math
+from concurrent.futures import Executor
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.model.contact import Contact
+from nonhertz.model.prescription import Prescription
+from nonhertz.patch import nearness
+from nonhertz.patch import region as regions
+from nonhertz.patch.cascade import Outcome, Problem, solve_on
+from nonhertz.patch.grid import Grid
+from nonhertz.patch.limits import refuse_thin_bodies, widest_run
+from nonhertz.patch.nearness import Lowest, Overlap, Window
+
+Array = NDArray[np.float64]
+Span = tuple[float, float]
+
+MOST_SOLVES, ENLARGEMENT = 8, 0.15
+EMPTY = 0.6  # of a side of an enlarged region: with less in contact it is cut down once
+LEAST_GUESS, MOST_GUESS = 1e-3, 0.1  # of the radius: half-widths to begin with where no load tells
+MOST_RADII = 30.0  # that a region may be wide either way: far beyond what any body is
+FLAT_REACH = 1e4  # mm, for gaps of bodies without a radius
+LEAST_RUN = 6  # cells
+DIGITS = 12  # of an approach at which bodies begin to touch
+
+
+@dataclass(frozen=True, eq=False)
+class Search:
+    """What the search for a region works on.
+
+    Attributes
+    ----------
+    problem : Problem
+        What is solved.
+    contact : Contact
+        The bodies.
+    given : Prescription
+        What is prescribed.
+    gap_given : bool
+        Whether the gap is a function of the user rather than the bodies' own.
+    """
+
+    problem: Problem
+    contact: Contact
+    given: Prescription
+    gap_given: bool
+
+    @property
+    def tilt(self) -> float:
+        """The tilt that is prescribed [rad], zero if none is."""
+        return 0.0 if self.given.by_moment else self.given.second
+
+    @property
+    def reach(self) -> float:
+        """How far from the line x = 0 the surfaces are looked at [mm]."""
+        return FLAT_REACH if self.gap_given else self.radius
+
+    @property
+    def radius(self) -> float:
+        """The combined radius in the middle of the bodies [mm], infinite where they are flat or conform."""
+        y = np.array([float(np.clip(0.0, *self.contact.interval))])
+        curvature = float((self.contact.a.curvature(y) + self.contact.b.curvature(y))[0])
+        return 1.0 / curvature if curvature > 0.0 else math.inf
+
+    def windows(self) -> tuple[Window, ...]:
+        """Return where the gap is sampled."""
+        width = self.width()
+        return nearness.windows(self.problem, self.contact.interval, width, self.reach)
+
+    def width(self) -> float:
+        """Return a first guess of the half-width [mm], that of a Hertz line contact where the bodies tell."""
+        radius, (low, high) = self.radius, self.contact.interval
+        if not self.given.by_load:
+            scale = min(radius, FLAT_REACH)
+            guess = math.sqrt(2.0 * scale * abs(self.given.first))
+            return min(max(guess, LEAST_GUESS * scale), MOST_GUESS * scale)
+        if not math.isfinite(radius):
+            return self._width_of_gap()
+        if math.isfinite(high - low):
+            return 2.0 * math.sqrt(self.contact.compliance * self.given.first / (high - low) * radius)
+        return math.cbrt(self.contact.compliance * self.given.first * radius)
+
+    def _width_of_gap(self) -> float:
+        """Return the distance from its lowest place over which a gap rises as far as the load presses."""
+        lowest = self._lowest(nearness.windows(self.problem, self.contact.interval, 1.0, self.reach))
+        away = np.geomspace(1e-6, FLAT_REACH, 200)
+        x, y = lowest.x + np.concatenate([-away, away]), np.clip(lowest.y, *self.contact.interval)
+        across = self.problem.gap(x[:, None], np.array([[y]]))[:, 0].reshape(2, -1).min(axis=0) - self.tilt * y
+        pressed = self.contact.compliance * self.given.first / away
+        return float(away[int(np.argmax(across - lowest.value > pressed))])
+
+    def _lowest(self, windows: tuple[Window, ...]) -> Lowest:
+        return nearness.lowest(self.problem.gap, self.tilt, windows)
+
+    def refuse_apart(self, windows: tuple[Window, ...]) -> Lowest:
+        """Return the place where the bodies are nearest, after refusing an approach at which nothing touches.
+
+        Raises
+        ------
+        InputError
+        """
+        lowest = self._lowest(windows)
+        needed = lowest.value
+        if self.given.by_moment:
+            # A moment can always be had by tilting, none only where no tilt keeps the bodies apart.
+            needed = -math.inf if self.given.second != 0.0 else nearness.least_held(self.problem.gap, windows[0])
+        needed = round(needed, DIGITS) + 0.0 if math.isfinite(needed) else needed
+        if not self.given.by_load and self.given.first <= needed:
+            condition = f"exceed {needed:.6g} mm, where the bodies begin to touch"
+            raise InputError("approach", self.given.first, condition, "raise it, or prescribe the load")
+        return lowest
+
+    def found(self, cells: tuple[int, int], tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:
+        """Solve in a region that is found first, and made larger where the contact turns out to go on.
+
+        Returns
+        -------
+        Outcome
+        Overlap or None
+            What could not be taken in.
+        """
+        limits = self.contact.interval
+        windows = self.windows()
+        start, towards = self._start(windows)
+        self._refuse_spans(*start)
+        x_span, y_span = regions.find(self.problem, limits, start, towards, self._refuse_huge)
+        enlarged = shrunk = False
+        for _ in range(MOST_SOLVES):
+            outcome = solve_on(self.problem, Grid(x_span, y_span, cells), tolerance, pool)
+            touching = outcome.state.pressure > 0.0
+            across, along = np.any(touching, axis=1), np.any(touching, axis=0)
+            beyond = regions.borders(x_span, across), regions.borders(y_span, along, limits)
+            overlap = None
+            if any((*beyond[0], *beyond[1])):
+                self._refuse_huge(outcome)
+                x_span = regions.widened(x_span, beyond[0], ENLARGEMENT)
+                y_span = regions.widened(y_span, beyond[1], ENLARGEMENT, limits)
+                continue
+            overlap = nearness.overlap(self.problem, outcome, windows)
+            if overlap is not None:
+                x_span, y_span = regions.joined(x_span, overlap.x_span), regions.joined(y_span, overlap.y_span, limits)
+                enlarged = True
+                continue
+            if not enlarged or shrunk or not across.any() or min(_filled(across), _filled(along)) >= EMPTY:
+                break
+            # Once: on other cells a small piece may be missed, and then seen again from outside.
+            shrunk = True
+            x_span, y_span = regions.around(x_span, across), regions.around(y_span, along, limits)
+        return outcome, overlap
+
+    def _start(self, windows: tuple[Window, ...]) -> tuple[tuple[Span, Span], tuple[float, float]]:
+        """Return a region to begin with, and the place to look at more closely."""
+        low, high = self.contact.interval
+        bounded = math.isfinite(high - low)
+        width, middle = self.width(), 0.0
+        if not self.given.by_load and not self.given.by_moment:
+            at = self.refuse_apart(windows)
+            return nearness.extent(self.problem.gap, self.tilt, self.given.first, at, windows), (at.x, at.y)
+        if not self.given.by_load:
+            self.refuse_apart(windows)
+        elif self.given.by_moment:
+            middle = self.given.second / self.given.first
+        middle, across = float(np.clip(middle, low, high)), 0.0
+        if not math.isfinite(self.radius):
+            at = self._lowest(windows)
+            across, middle = at.x, middle if self.given.by_moment else at.y
+        y_span = (low, high) if bounded else (max(low, middle - 10.0 * width), min(high, middle + 10.0 * width))
+        return ((across - 2.0 * width, across + 2.0 * width), y_span), (across, middle)
+
+    def _refuse_huge(self, outcome: Outcome) -> None:
+        """Refuse a contact that is wider than the bodies, or that nothing ends.
+
+        Raises
+        ------
+        InputError
+        """
+        grid = outcome.grid
+        run = widest_run(outcome.state.pressure > 0.0)
+        # Of a contact a few cells wide the width is unknown.
+        if run.max() >= LEAST_RUN:
+            refuse_thin_bodies(self.contact, grid.y, 0.5 * grid.dx * run)
+        self._refuse_spans(grid.x_span, grid.y_span)
+
+    def _refuse_spans(self, x_span: Span, y_span: Span) -> None:
+        x_most = FLAT_REACH if self.gap_given else MOST_RADII * self.radius
+        y_most = max(FLAT_REACH, 1e3 * x_most)
+        wide, long = np.ptp(x_span) > 2.0 * x_most, np.ptp(y_span) > 2.0 * y_most
+        if (wide or long) and self.gap_given:
+            condition = f"rise away from the contact, which is over {x_most if wide else y_most:.3g} mm wide"
+            raise InputError(
+                "gap",
+                getattr(self.problem.gap, "gap", None),
+                condition,
+                "let it rise both ways, or give a region to solve in",
+            )
+        if long:
+            remedy = "give one of the bodies a length, or a profile that falls away"
+            raise InputError("length", None, "be given where nothing else ends the contact", remedy)
+        if wide:
+            field = "load" if self.given.by_load else "approach"
+            condition = f"press the bodies together over less than {MOST_RADII:g} of their radii"
+            raise InputError(field, self.given.first, condition, "reduce it")
+
+
+def _filled(touching: NDArray[np.bool_]) -> float:
+    return (int(np.ptp(np.flatnonzero(touching))) + 1) / touching.size

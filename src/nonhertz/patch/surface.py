@@ -1,0 +1,155 @@
+"""The gap of the undeformed surfaces: of the bodies or as given, with every feature added, and checked each time.
+
+Functions of users are called in many places and return anything. What they return is looked at once, here, so that a
+wrong one is named and shown, and the rest of the package sees arrays of numbers alone.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.model.contact import Contact
+
+Array = NDArray[np.float64]
+Feature = Callable[[Array, Array], ArrayLike]
+
+_CALLABLE = "give a function of x and y in mm that returns mm"
+_RETURN = "let it return a gap in mm for every x and y"
+
+
+def undeformed_gap(contact: Contact, x: ArrayLike, y: ArrayLike) -> Array:
+    """Return the gap x^2 / (2 rho(y)) + h(y) [mm] of the undeformed bodies.
+
+    Parameters
+    ----------
+    contact : Contact
+        The two bodies.
+    x, y : array_like
+        Positions [mm], broadcast against each other.
+
+    Returns
+    -------
+    ndarray
+
+    Raises
+    ------
+    InputError
+        If the first is no contact, or a position no number.
+
+    Examples
+    --------
+    >>> from nonhertz.model.body import Plate, Roller
+    >>> undeformed_gap(Contact(Roller(diameter=20, length=20), Plate()), [0.0, 0.2], 5.0).round(6).tolist()
+    [0.0, 0.002]
+    """
+    refuse_no_bodies(contact)
+    x, y = positions("x", x), positions("y", y)
+    across: Array = 0.5 * x**2 * contact.curvature(y) + contact.separation(y)
+    return across
+
+
+def refuse_no_bodies(contact: object) -> None:
+    """Refuse anything but a contact."""
+    if not isinstance(contact, Contact):
+        raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
+
+
+def positions(name: str, given: ArrayLike) -> Array:
+    """Return positions as an array of floats, or refuse them."""
+    found = np.asarray(given)
+    if found.dtype.kind not in "fiu":
+        raise InputError(name, given, "be numbers", "give positions in mm")
+    return np.asarray(found, dtype=float)
+
+
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """The gap [mm] as a function of x and y.
+
+    Attributes
+    ----------
+    contact : Contact
+        The bodies.
+    gap : callable or None
+        In place of the bodies' own.
+    features : tuple of callable
+        Reliefs to be added.
+    """
+
+    contact: Contact
+    gap: Feature | None
+    features: tuple[Feature, ...]
+
+    @classmethod
+    def checked(cls, contact: Contact, gap: Feature | None, features: Feature | Iterable[Feature]) -> Surface:
+        """Return the surface, with anything refused that cannot be called with x and y."""
+        several: tuple[Feature, ...]
+        if callable(features):
+            several = (features,)
+        elif isinstance(features, str) or not isinstance(features, Iterable):
+            raise InputError("features", features, "be callable with x and y, or several that are", _CALLABLE)
+        else:
+            several = tuple(features)
+        surface = cls(contact, gap, several)
+        for name, each in surface.parts():
+            _refuse_uncallable(name, each)
+        return surface
+
+    def parts(self) -> list[tuple[str, Feature]]:
+        """Return every function that was given, with the name to complain under."""
+        named = [(f"features[{i}]", feature) for i, feature in enumerate(self.features)]
+        return named if self.gap is None else [("gap", self.gap), *named]
+
+    def __call__(self, x: Array, y: Array) -> Array:
+        """Return the gap at x of shape (nx, 1) and y of shape (1, ny), of shape (nx, ny).
+
+        Raises
+        ------
+        InputError
+            If a function returns another shape, no numbers, or minus infinity.
+        """
+        shape = np.broadcast_shapes(x.shape, y.shape)
+        total: Array = np.zeros(shape)
+        if self.gap is None:
+            total += undeformed_gap(self.contact, x, y)
+        for name, each in self.parts():
+            total += _returned(name, each, x, y)
+        return total
+
+
+def _refuse_uncallable(name: str, each: object) -> None:
+    if not callable(each):
+        raise InputError(name, each, "be callable with x and y", _CALLABLE)
+    if isinstance(each, type):
+        raise InputError(name, each, "be callable with x and y, not a class", f"make one: {each.__name__}(...)")
+    try:
+        signature = inspect.signature(each)
+    except ValueError:  # compiled ones do not tell
+        return
+    try:
+        signature.bind(0.0, 0.0)
+    except TypeError:
+        raise InputError(name, each, "be callable with x and y", _CALLABLE) from None
+
+
+def _returned(name: str, function: Feature, x: Array, y: Array) -> Array:
+    """Return what a function of a user says, if that is a number for every place."""
+    answer = function(x, y)
+    try:
+        found = np.asarray(answer)
+        spread = np.broadcast_to(found, np.broadcast_shapes(x.shape, y.shape))
+    except ValueError:
+        raise InputError(name, function, "keep the shape that x and y have together", _RETURN) from None
+    if found.dtype.kind not in "fiu":
+        raise InputError(name, function, f"return real numbers, not {found.dtype.name}", _RETURN)
+    lowest = found.min(initial=np.inf)
+    if np.isnan(lowest) or lowest == -np.inf:
+        condition = "return a number everywhere, or plus infinity where nothing can touch"
+        raise InputError(name, function, condition, _RETURN)
+    return np.asarray(spread, dtype=float)
