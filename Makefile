@@ -35,6 +35,7 @@ bench: $(READY)
 docs-numbers: $(READY)
 	$(BIN)/python docs/figures.py
 	$(BIN)/python docs/grid_study.py
+	$(BIN)/python docs/patch_study.py
 	$(BIN)/nonhertz verify --out docs/validation
 	rm docs/validation/*.png docs/validation/verify.json
 

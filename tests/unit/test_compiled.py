@@ -21,7 +21,9 @@ def seen_while_compiling(monkeypatch, function):
     return set(seen)
 
 
-def test_operations_are_gathered_in_our_functions_alone(monkeypatch):
+def test_operations_are_gathered_in_our_functions_alone(monkeypatch, tmp_path):
+    # What an earlier run has kept would not be compiled.
+    monkeypatch.setattr(numba.core.config, "CACHE_DIR", str(tmp_path))
     before = numba.core.config.SLP_VECTORIZE
     ours, theirs = compiled(lambda x: x + 1.0), numba.njit(lambda x: x + 2.0)
     assert seen_while_compiling(monkeypatch, lambda: ours(1.0)) == {1}
