@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import cached_property
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +14,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.strip.element import Element
 
 Array = NDArray[np.float64]
+Values = TypeVar("Values", bound=NDArray[Any])
 
 
 class Status(enum.Enum):
@@ -131,8 +133,31 @@ class EdgePressure:
         return self.kind in {EdgeKind.RUN_OUT, EdgeKind.FINITE}
 
 
+class ReadOnly:
+    """A frozen dataclass whose arrays are read-only too, also after pickling, which forgets that."""
+
+    def __post_init__(self) -> None:
+        _freeze(vars(self))
+
+    def __setstate__(self, state: dict[str, object]) -> None:
+        self.__dict__.update(state)
+        _freeze(state)
+
+
+def _freeze(values: dict[str, object]) -> None:
+    for value in values.values():
+        if isinstance(value, np.ndarray):
+            read_only(value)
+
+
+def read_only(array: Values) -> Values:
+    """Return the array, no longer writeable."""
+    array.flags.writeable = False
+    return array
+
+
 @dataclass(frozen=True, eq=False)
-class Solution:
+class Solution(ReadOnly):
     """A solved contact.
 
     Attributes
@@ -195,19 +220,6 @@ class Solution:
     error_estimate: ErrorEstimate
     warnings: tuple[str, ...]
 
-    def __post_init__(self) -> None:
-        for item in fields(self):
-            value = getattr(self, item.name)
-            if isinstance(value, np.ndarray):
-                value.flags.writeable = False
-
-    def __setstate__(self, state: dict[str, object]) -> None:
-        # Pickle forgets that arrays were read-only.
-        self.__dict__.update(state)
-        for value in state.values():
-            if isinstance(value, np.ndarray):
-                value.flags.writeable = False
-
     @property
     def strips(self) -> int:
         """Number of strips."""
@@ -216,17 +228,17 @@ class Solution:
     @cached_property
     def y(self) -> Array:
         """Strip centres [mm], ascending."""
-        return _read_only(0.5 * (self.edges[1:] + self.edges[:-1]))
+        return read_only(0.5 * (self.edges[1:] + self.edges[:-1]))
 
     @cached_property
     def strip_width(self) -> Array:
         """Strip widths along y [mm]."""
-        return _read_only(np.diff(self.edges))
+        return read_only(np.diff(self.edges))
 
     @cached_property
     def half_width(self) -> Array:
         """Half-width b [mm] at each strip: that of the semi-ellipse, or the Hertz equivalent of a parabola."""
-        return _read_only(self.element.hertz_ratio * self.element_half_width)
+        return read_only(self.element.hertz_ratio * self.element_half_width)
 
     @cached_property
     def peak_pressure(self) -> Array:
@@ -234,7 +246,7 @@ class Solution:
         touching = self.half_width > 0.0
         pressure = np.zeros_like(self.line_load)
         pressure[touching] = 2.0 * self.line_load[touching] / (np.pi * self.half_width[touching])
-        return _read_only(pressure)
+        return read_only(pressure)
 
     @property
     def max_pressure(self) -> float:
@@ -255,8 +267,3 @@ class Solution:
     def displacement(self) -> Array:
         """Elastic displacement of both surfaces together on the centre line [mm] at each strip."""
         return self.gap + self.interference
-
-
-def _read_only(array: Array) -> Array:
-    array.flags.writeable = False
-    return array

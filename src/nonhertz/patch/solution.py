@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,15 +13,14 @@ from nonhertz.errors import InputError
 from nonhertz.model.checks import finite
 from nonhertz.model.contact import Contact
 from nonhertz.patch.resources import memory
-from nonhertz.solution import ErrorEstimate, Status
+from nonhertz.solution import ErrorEstimate, ReadOnly, Status, read_only
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-Values = TypeVar("Values", Array, Mask)
 
 
 @dataclass(frozen=True, eq=False)
-class PatchSolution:
+class PatchSolution(ReadOnly):
     """A contact solved on a plane grid.
 
     Attributes
@@ -77,19 +75,6 @@ class PatchSolution:
     error_estimate: ErrorEstimate
     warnings: tuple[str, ...]
 
-    def __post_init__(self) -> None:
-        for item in fields(self):
-            value = getattr(self, item.name)
-            if isinstance(value, np.ndarray):
-                value.flags.writeable = False
-
-    def __setstate__(self, state: dict[str, object]) -> None:
-        # Pickle forgets that arrays were read-only.
-        self.__dict__.update(state)
-        for value in state.values():
-            if isinstance(value, np.ndarray):
-                value.flags.writeable = False
-
     @property
     def cells(self) -> tuple[int, int]:
         """Number of cells (across, along)."""
@@ -103,7 +88,7 @@ class PatchSolution:
     @cached_property
     def footprint(self) -> Mask:
         """Which cells touch, shape (nx, ny)."""
-        return _read_only(self.pressure > 0.0)
+        return read_only(self.pressure > 0.0)
 
     @property
     def contact_area(self) -> float:
@@ -126,7 +111,7 @@ class PatchSolution:
     @cached_property
     def line_load(self) -> Array:
         """Load per unit length q [N/mm] at every ``y``."""
-        return _read_only(self.pressure.sum(axis=0) * self.dx)
+        return read_only(self.pressure.sum(axis=0) * self.dx)
 
     @cached_property
     def half_width(self) -> Array:
@@ -142,17 +127,17 @@ class PatchSolution:
         for j in np.flatnonzero(self.footprint.any(axis=0)):
             column = self.pressure[:, j]
             width[j] = 0.5 * self.dx * (_reach(column) + _reach(column[::-1]) - column.size)
-        return _read_only(width)
+        return read_only(width)
 
     @cached_property
     def centre_pressure(self) -> Array:
         """Pressure on the line x = 0 [MPa] at every ``y``: a cubic through the four nearest cells."""
         if not self.x[0] <= 0.0 <= self.x[-1]:
-            return _read_only(np.zeros(self.y.size))
+            return read_only(np.zeros(self.y.size))
         first = int(np.clip(np.searchsorted(self.x, 0.0) - 2, 0, self.x.size - 4))
         near = self.x[first : first + 4]
         weights = [np.prod([other / (other - here) for other in near if other != here]) for here in near]
-        return _read_only(np.maximum(np.array(weights) @ self.pressure[first : first + 4], 0.0))
+        return read_only(np.maximum(np.array(weights) @ self.pressure[first : first + 4], 0.0))
 
     def across(self, y: float) -> tuple[Array, Array]:
         """Return positions x [mm] and the pressures there [MPa] at a station y, linear between rows of cells.
@@ -169,7 +154,7 @@ class PatchSolution:
         place = float(np.clip((y - self.y[0]) / self.dy, 0.0, self.y.size - 1.0))
         below = min(int(place), max(self.y.size - 2, 0))
         above, share = min(below + 1, self.y.size - 1), place - below
-        return self.x, _read_only((1.0 - share) * self.pressure[:, below] + share * self.pressure[:, above])
+        return self.x, read_only((1.0 - share) * self.pressure[:, below] + share * self.pressure[:, above])
 
 
 def _reach(column: Array) -> float:
@@ -180,8 +165,3 @@ def _reach(column: Array) -> float:
         return last + 1.0
     near, far = outer / (middle - outer), middle / (inner - middle) - 1.0
     return last + 0.5 + float(np.clip(0.5 * (near + far), -0.5, 1.5))
-
-
-def _read_only(array: Values) -> Values:
-    array.flags.writeable = False
-    return array
