@@ -18,7 +18,9 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from nonhertz import hertz as hertz
+    from nonhertz import life as life
     from nonhertz import patch as patch
+    from nonhertz import subsurface as subsurface
     from nonhertz.comparison import Comparison as Comparison
     from nonhertz.comparison import compare as compare
     from nonhertz.errors import AccuracyWarning as AccuracyWarning
@@ -77,7 +79,13 @@ _HOMES = {
     "solve": "nonhertz.solver",
     "solve_many": "nonhertz.many",
 }
-_MODULES = {"hertz": "nonhertz.hertz", "patch": "nonhertz.patch", "profile": "nonhertz.model.profile"}
+_MODULES = {
+    "hertz": "nonhertz.hertz",
+    "life": "nonhertz.life",
+    "patch": "nonhertz.patch",
+    "profile": "nonhertz.model.profile",
+    "subsurface": "nonhertz.subsurface",
+}
 
 
 def __getattr__(name: str) -> Any:

@@ -21,7 +21,7 @@ import numba.core.config
 from numba.core.compiler_lock import global_compiler_lock
 
 # The files with compiled functions.
-_COMPILED = ("compiled.py", "finite.py", "strip/*.py")
+_COMPILED = ("compiled.py", "finite.py", "strip/*.py", "subsurface/*.py")
 
 Function = TypeVar("Function", bound=Callable[..., object])
 

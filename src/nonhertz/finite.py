@@ -38,6 +38,7 @@ APART = 0.02  # of the combined radius: about the half-width of a heavily loaded
 TOGETHER = 1.0 - 1e-4
 SEPARATE_LINKS, ALL_LINKS = 16, 1000  # of a series: told apart, and summed one by one
 NO_WEIGHT = 1e-12
+_DIRECT = (1.0, 0.0)
 
 #: The direct effect alone, as `Influence.terms`: two half-spaces.
 HALF_SPACE = np.array([[1.0, 0.0, 1.0]])
@@ -192,19 +193,53 @@ def _shares(contact: Contact) -> tuple[float, float]:
 
 def influence_of(contact: Contact, shape: Shape) -> Influence:
     """Return how strips between two bodies act, with their side faces and depths."""
-    found, direct = ends(contact), (1.0, 0.0)
-    terms, depths = {direct: 1.0}, []
-    for which, (body, share) in enumerate(zip((contact.a, contact.b), _shares(contact), strict=True)):
-        weights = {end.side: end.weights[which] for end in found if end.weights[which] > 0.0}
-        images = _images(body, (weights.get(-1, 0.0), weights.get(1, 0.0)), share)
+    found = ends(contact)
+    terms, depths = {_DIRECT: 1.0}, []
+    for which in (0, 1):
+        images, depth = _of_body(contact, shape, found, which)
         for place, weight in images.items():
             terms[place] = terms.get(place, 0.0) + weight
-        below = depth_below(body, shape)
-        if below is not None:
-            factor = 1.0 / (2.0 * (1.0 - body.material.poisson))
-            far = _far_images(body, weights, share, below, factor) if body.images == SERIES else None
-            depths.append(Depth(below, factor, _rows({direct: share, **images}), far))
+        if depth is not None:
+            depths.append(depth)
     return Influence(_rows(terms), tuple(depths), found)
+
+
+def influence_within(contact: Contact, shape: Shape, which: int) -> tuple[Array, Depth | None]:
+    """Return how loads act within one body alone: the terms, and the points its displacement is measured against.
+
+    Parameters
+    ----------
+    contact : Contact
+        The two bodies.
+    shape : Shape
+        How the pressure is distributed across.
+    which : int
+        0 for body a, 1 for body b.
+
+    Returns
+    -------
+    tuple of ndarray, shape (terms, 3), and Depth or None
+        Rows (sign, offset, weight), the weight 1 for the load itself; None where the points are far away.
+    """
+    images, depth = _of_body(contact, shape, ends(contact), which)
+    terms = _rows({_DIRECT: 1.0, **images})
+    terms[1:, 2] /= _shares(contact)[which]
+    return terms, depth
+
+
+def _of_body(
+    contact: Contact, shape: Shape, found: tuple[End, ...], which: int
+) -> tuple[dict[tuple[float, float], float], Depth | None]:
+    """Return (sign, offset) -> weight of the images of one body, its share of the compliance in it, and its depth."""
+    body, share = (contact.a, contact.b)[which], _shares(contact)[which]
+    weights = {end.side: end.weights[which] for end in found if end.weights[which] > 0.0}
+    images = _images(body, (weights.get(-1, 0.0), weights.get(1, 0.0)), share)
+    below = depth_below(body, shape)
+    if below is None:
+        return images, None
+    factor = 1.0 / (2.0 * (1.0 - body.material.poisson))
+    far = _far_images(body, weights, share, below, factor) if body.images == SERIES else None
+    return images, Depth(below, factor, _rows({_DIRECT: share, **images}), far)
 
 
 def _rows(terms: dict[tuple[float, float], float]) -> Array:

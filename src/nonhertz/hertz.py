@@ -148,6 +148,51 @@ class LineContact:
         """Return the pressure p0 sqrt(1 - (x/b)^2) [MPa] at ``x`` [mm] across, zero outside."""
         return np.asarray(self.max_pressure * _semicircle(np.asarray(x, dtype=float) / self.half_width))
 
+    def stress(self, x: ArrayLike, z: ArrayLike, poisson: float) -> Array:
+        """Return the plane-strain stress below the surface [MPa], compressive stress negative.
+
+        With zeta = x + i z and s = sqrt(zeta^2 - b^2) it is
+
+            sigma_x, sigma_z = Im F +- z Re F'     tau_xz = -z Im F'     sigma_y = nu (sigma_x + sigma_z)
+
+        with plus for x and minus for z, where F = p0 b / (zeta + s) and F' = -F / s.
+
+        Parameters
+        ----------
+        x, z : array_like
+            Positions across and depths below the surface [mm], z >= 0, broadcast against each other.
+        poisson : float
+            Poisson's ratio nu [-] of the body.
+
+        Returns
+        -------
+        ndarray
+            sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy along the last axis, as in `nonhertz.subsurface.Field`.
+
+        References
+        ----------
+        E. McEwen, Stresses in elastic cylinders in contact along a generatrix, Philosophical Magazine 40 (1949)
+        454-459, doi:10.1080/14786444908521733. K. L. Johnson, Contact Mechanics, Cambridge University Press, 1985,
+        section 4.2, doi:10.1017/CBO9781139171731.
+
+        Examples
+        --------
+        >>> contact = line_contact(line_load=1000, radius=10, compliance=2.8e-6)
+        >>> shear = contact.stress(0.866025 * contact.half_width, 0.5 * contact.half_width, 0.3)[4]
+        >>> round(float(shear / contact.max_pressure), 4)
+        -0.25
+        """
+        zeta = (np.asarray(x, dtype=float) + 1j * np.asarray(z, dtype=float)) / self.half_width
+        # Factors apart, for the branch that goes like zeta far away.
+        root = np.sqrt(zeta - 1.0) * np.sqrt(zeta + 1.0)
+        transform = self.max_pressure / (zeta + root)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            # On the surface the second part vanishes, also at the edges, where its factor does not exist.
+            slope = np.where(zeta.imag > 0.0, zeta.imag * transform / root, 0.0)
+        across, below = transform.imag - slope.real, transform.imag + slope.real
+        none = np.zeros_like(across)
+        return np.stack([across, poisson * (across + below), below, none, slope.imag, none], axis=-1)
+
 
 def point_contact(
     *,

@@ -8,7 +8,6 @@ is that of `nonhertz.solve`, on equal strips to the tolerance of the equations a
 from __future__ import annotations
 
 import copy
-import os
 import warnings
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -19,6 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
+from nonhertz.model.checks import thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription, refuse_unpaired
 from nonhertz.outcome import outcome, suspected
@@ -109,7 +109,7 @@ def solve_many(
     several = _several(contacts)
     shape, which, values = _spread(len(several) if not isinstance(contacts, Contact) else None, given)
     tasks = _tasks(several, shape, which, values, element, strips)
-    with ThreadPoolExecutor(_checked_threads(threads)) as pool:
+    with ThreadPoolExecutor(thread_count(threads)) as pool:
         blocks = [block for found in pool.map(_solved, _portions(tasks)) for block in found]
     solutions = Solutions(shape, tuple(blocks))
     strained = solutions.strained
@@ -430,11 +430,3 @@ def _portions(tasks: list[_Task]) -> Iterator[list[_Task]]:
 
 def _solved(tasks: list[_Task]) -> list[_Block]:
     return [block for task in tasks for block in task.solved()]
-
-
-def _checked_threads(threads: int | None) -> int:
-    if threads is None:
-        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    if isinstance(threads, bool) or not isinstance(threads, (int, np.integer)) or threads < 1:
-        raise InputError("threads", threads, "be a whole number of at least 1", "leave it out for all cores")
-    return int(threads)

@@ -9,7 +9,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from nonhertz.plot.singular import at_corner, largest_away, singular_ends
+from nonhertz.singular import at_corner, largest_away, singular_ends
 from nonhertz.solution import EdgeKind, EdgePressure, Solution
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import os
+from numbers import Integral
 
 from nonhertz.errors import InputError
 
@@ -31,6 +33,15 @@ def one_of(field: str, value: object, allowed: tuple[str, ...], remedy: str) -> 
     """Refuse a word that is not on the list."""
     if value not in allowed:
         raise InputError(field, value, "be one of " + ", ".join(repr(word) for word in allowed), remedy)
+
+
+def thread_count(threads: int | None) -> int:
+    """Return a number of threads: that of the cores for None. Refuse anything that is not a whole number above zero."""
+    if threads is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if isinstance(threads, bool) or not isinstance(threads, Integral) or threads < 1:
+        raise InputError("threads", threads, "be a whole number of at least 1", "leave it out for all cores")
+    return int(threads)
 
 
 def _is_number(value: object) -> bool:

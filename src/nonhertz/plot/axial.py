@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.plot.singular import Bools, away_from_ends
 from nonhertz.plot.style import END_DASHES, FAINT_INK, SMALL_SIZE, THIN
+from nonhertz.singular import Bools, away_from_ends
 from nonhertz.solution import Solution, Status
 
 if TYPE_CHECKING:

@@ -19,7 +19,6 @@ from nonhertz.plot.axial import (
     regular,
     strip_edges,
 )
-from nonhertz.plot.singular import at_corner, largest_away, singular_ends
 from nonhertz.plot.style import (
     BACKING,
     FAINT_INK,
@@ -32,6 +31,7 @@ from nonhertz.plot.style import (
     SMALL_SIZE,
     THIN,
 )
+from nonhertz.singular import at_corner, largest_away, singular_ends
 from nonhertz.solution import EdgePressure, Solution
 
 if TYPE_CHECKING:

@@ -1,0 +1,26 @@
+"""Rolling-contact fatigue life from the stress below a solved contact.
+
+`assess` tells how long a body lasts by several models, relative to the same bodies under an ideal pressure and, where a
+standard has a capacity, in revolutions; `solve_spectrum` solves a contact under a list of loads for it. Models are made
+by name with `model`, or by their functions: `lundberg_palmgren`, `ioannides_harris`, `zaretsky`, `weibull` and
+`iso_16281`.
+"""
+
+from nonhertz.life.assessment import Life as Life
+from nonhertz.life.assessment import assess as assess
+from nonhertz.life.capacity import Raceway as Raceway
+from nonhertz.life.capacity import raceway as raceway
+from nonhertz.life.catalogue import MODELS as MODELS
+from nonhertz.life.catalogue import Model as Model
+from nonhertz.life.catalogue import VolumeModel as VolumeModel
+from nonhertz.life.catalogue import ioannides_harris as ioannides_harris
+from nonhertz.life.catalogue import lundberg_palmgren as lundberg_palmgren
+from nonhertz.life.catalogue import model as model
+from nonhertz.life.catalogue import weibull as weibull
+from nonhertz.life.catalogue import zaretsky as zaretsky
+from nonhertz.life.lamina import LaminaModel as LaminaModel
+from nonhertz.life.lamina import iso_16281 as iso_16281
+from nonhertz.life.spectrum import LoadCase as LoadCase
+from nonhertz.life.spectrum import solve_spectrum as solve_spectrum
+from nonhertz.life.volume import Exposure as Exposure
+from nonhertz.life.volume import exposure as exposure

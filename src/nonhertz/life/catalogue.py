@@ -1,0 +1,204 @@
+"""The fatigue models that are integrals over the stressed volume, by name.
+
+All of them say how likely a volume V survives N passes of the load, e the slope of Weibull's distribution:
+
+    ln(1/S) ~ N^e int <s - s_u>^k / z^h dV
+
+s is what a place at depth z suffers over a pass, s_u a limit below which it suffers nothing. At a fixed probability the
+life is the integral to the power -1/e, so that lives are compared without the constant in front, which nobody knows.
+The models differ in s, k, h and s_u.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from nonhertz.errors import InputError
+from nonhertz.life.lamina import LaminaModel, iso_16281
+from nonhertz.model.checks import not_negative, one_of, positive
+
+LINE_CONTACT_SLOPE = 9.0 / 8.0
+STRESSES = ("orthogonal_shear", "shear", "von_mises")
+
+_EXPONENT_REMEDY = "give a positive number"
+
+
+@dataclass(frozen=True)
+class VolumeModel:
+    """A fatigue model that is an integral over the stressed volume, as made by the functions of this module.
+
+    Attributes
+    ----------
+    name : str
+        The name that files and commands use.
+    stress : str
+        ``"orthogonal_shear"`` (half of its range over a pass where the field is symmetric), ``"shear"`` (maximum
+        shear) or ``"von_mises"``, the largest over a pass.
+    exponent : float
+        k [-] of the stress.
+    depth_exponent : float
+        h [-] of the depth.
+    slope : float
+        e [-] of Weibull's distribution.
+    fatigue_limit : float
+        s_u [MPa].
+    source : str
+        Where it has been published.
+    """
+
+    name: str
+    stress: str
+    exponent: float
+    depth_exponent: float
+    slope: float
+    fatigue_limit: float
+    source: str
+
+    def __post_init__(self) -> None:
+        one_of("stress", self.stress, STRESSES, "choose what makes the material fatigue")
+        positive("exponent", self.exponent, _EXPONENT_REMEDY)
+        not_negative("depth_exponent", self.depth_exponent, "give 0 for no influence of the depth")
+        positive("slope", self.slope, "give Weibull's slope, 9/8 for line contacts")
+        not_negative("fatigue_limit", self.fatigue_limit, "give a limit in MPa, 0 for none")
+        if self.depth_exponent >= 1.0 and self.stress != "orthogonal_shear":
+            condition = "be 'orthogonal_shear' where depth_exponent is 1 or more"
+            remedy = "other stresses do not vanish on the surface, and the integral has no limit there"
+            raise InputError("stress", self.stress, condition, remedy)
+
+
+def lundberg_palmgren(
+    *, slope: float = LINE_CONTACT_SLOPE, exponent: float = 31.0 / 3.0, depth_exponent: float = 7.0 / 3.0
+) -> VolumeModel:
+    """Return the model of Lundberg and Palmgren: orthogonal shear, and the deeper the better.
+
+    Parameters
+    ----------
+    slope : float
+        e [-]: 9/8 for line contacts, 10/9 for point contacts.
+    exponent, depth_exponent : float
+        c and h [-].
+
+    Notes
+    -----
+    Lundberg and Palmgren took the largest stress and its depth for the whole volume; here, as with Ioannides and
+    Harris, every place counts by its own. The exponents of load and length are the same: in a uniform line contact
+    life goes with the load to the power -(c - h + 1) / (2 e), which is -4.
+
+    References
+    ----------
+    G. Lundberg, A. Palmgren, Dynamic capacity of rolling bearings, Acta Polytechnica, Mechanical Engineering Series
+    1(3), 1947; Dynamic capacity of roller bearings, 2(4), 1952.
+    """
+    source = "Lundberg & Palmgren 1947, 1952"
+    return VolumeModel("lundberg-palmgren", "orthogonal_shear", exponent, depth_exponent, slope, 0.0, source)
+
+
+def ioannides_harris(
+    *,
+    fatigue_limit: float = 360.0,
+    slope: float = LINE_CONTACT_SLOPE,
+    exponent: float = 31.0 / 3.0,
+    depth_exponent: float = 7.0 / 3.0,
+    stress: str = "orthogonal_shear",
+) -> VolumeModel:
+    """Return the model of Ioannides and Harris: as Lundberg and Palmgren's, less a fatigue limit.
+
+    Parameters
+    ----------
+    fatigue_limit : float
+        s_u [MPa], of the amplitude of the orthogonal shear stress unless ``stress`` is another: 360 is used for bearing
+        steel, and belongs to about 1500 MPa of Hertz pressure. Some hold that there is none.
+    slope, exponent, depth_exponent : float
+        e, c and h [-].
+    stress : str
+        What makes the material fatigue; another than orthogonal shear needs a ``depth_exponent`` below 1.
+
+    References
+    ----------
+    E. Ioannides, T. A. Harris, A new fatigue life model for rolling bearings, Journal of Tribology 107 (1985) 367-378,
+    doi:10.1115/1.3261081. The limit: G. E. Morales-Espejel, J. Felix-Quinonez, Tribology International 2023, Table 3,
+    as quoted by others.
+    """
+    source = "Ioannides & Harris 1985"
+    return VolumeModel("ioannides-harris", stress, exponent, depth_exponent, slope, fatigue_limit, source)
+
+
+def zaretsky(
+    *, slope: float = LINE_CONTACT_SLOPE, stress_life_exponent: float = 9.0, stress: str = "shear"
+) -> VolumeModel:
+    """Return the model of Zaretsky: maximum shear, no influence of depth, a stress exponent that ignores the slope.
+
+    Parameters
+    ----------
+    slope : float
+        e [-].
+    stress_life_exponent : float
+        c [-]; the integrand goes with the stress to the power c e, life with c whatever the slope.
+    stress : str
+        What makes the material fatigue.
+
+    References
+    ----------
+    E. V. Zaretsky, Fatigue criterion to system design, life, and reliability, Journal of Propulsion and Power 3 (1987)
+    76-83, doi:10.2514/3.22954.
+    """
+    positive("stress_life_exponent", stress_life_exponent, _EXPONENT_REMEDY)
+    positive("slope", slope, "give Weibull's slope, 9/8 for line contacts")
+    return VolumeModel("zaretsky", stress, stress_life_exponent * slope, 0.0, slope, 0.0, "Zaretsky 1987")
+
+
+def weibull(*, slope: float = LINE_CONTACT_SLOPE, exponent: float = 31.0 / 3.0, stress: str = "shear") -> VolumeModel:
+    """Return the model of Weibull: stress and volume alone.
+
+    Parameters
+    ----------
+    slope : float
+        e [-].
+    exponent : float
+        c [-].
+    stress : str
+        What makes the material fatigue.
+
+    References
+    ----------
+    W. Weibull, A statistical theory of the strength of materials, Proceedings of the Royal Swedish Academy of
+    Engineering Sciences 151, 1939.
+    """
+    return VolumeModel("weibull", stress, exponent, 0.0, slope, 0.0, "Weibull 1939")
+
+
+Model = VolumeModel | LaminaModel
+
+#: How each model is made, by its name.
+MODELS: dict[str, Callable[..., Model]] = {
+    "lundberg-palmgren": lundberg_palmgren,
+    "ioannides-harris": ioannides_harris,
+    "zaretsky": zaretsky,
+    "weibull": weibull,
+    "iso-16281": iso_16281,
+}
+
+
+def model(name: str, **parameters: Any) -> Model:
+    """Return a model by name, with parameters of its own.
+
+    Raises
+    ------
+    InputError
+        If there is no such model, it has no such parameter, or one is out of range.
+
+    Examples
+    --------
+    >>> model("ioannides-harris", fatigue_limit=276.0).fatigue_limit
+    276.0
+    """
+    if name not in MODELS:
+        raise InputError("model", name, "be a fatigue model", f"choose from {', '.join(MODELS)}")
+    known = tuple(inspect.signature(MODELS[name]).parameters)
+    for parameter, value in parameters.items():
+        if parameter not in known:
+            raise InputError(parameter, value, f"be a parameter of {name}", f"it has {', '.join(known)}")
+    return MODELS[name](**parameters)

@@ -1,0 +1,97 @@
+"""Load spectra: the loads that a contact bears, each for a share of the revolutions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nonhertz.errors import InputError
+from nonhertz.many import Strips, solve_many
+from nonhertz.model.checks import finite, positive
+from nonhertz.model.contact import Contact
+from nonhertz.solution import Solution
+from nonhertz.strip.element import SEMI_ELLIPTIC, Element
+
+WHOLE = 1e-3  # how far shares may be from adding up to 1, for three of 0.333 say
+
+_SHARE_REMEDY = "give the share of the revolutions, above 0 and at most 1"
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoadCase:
+    """A load that is borne for a share of the revolutions.
+
+    Parameters
+    ----------
+    load : float
+        Q [N], positive.
+    share : float
+        Share of the revolutions [-], above 0 and at most 1.
+    tilt : float
+        gamma [rad].
+
+    Raises
+    ------
+    InputError
+        If one of them is out of range.
+    """
+
+    load: float
+    share: float
+    tilt: float = 0.0
+
+    def __post_init__(self) -> None:
+        positive("load", self.load, "give the force in N that presses the bodies together")
+        positive("share", self.share, _SHARE_REMEDY)
+        if self.share > 1.0:
+            raise InputError("share", self.share, "not exceed 1", _SHARE_REMEDY)
+        finite("tilt", self.tilt, "give the tilt in rad")
+
+
+def solve_spectrum(
+    contact: Contact,
+    cases: Sequence[LoadCase],
+    *,
+    element: Element = SEMI_ELLIPTIC,
+    strips: Strips = None,
+    threads: int | None = None,
+) -> tuple[tuple[Solution, float], ...]:
+    """Solve a contact under every load of a spectrum.
+
+    Parameters
+    ----------
+    contact : Contact
+        The two bodies.
+    cases : sequence of LoadCase
+        The loads; their shares add up to 1.
+    element, strips, threads
+        As in `nonhertz.solve_many`.
+
+    Returns
+    -------
+    tuple of pairs
+        Solution and share of each, as `nonhertz.life.assess` takes them.
+
+    Raises
+    ------
+    InputError
+        If there are no cases, or their shares do not add up to 1 within 0.001.
+    NonhertzError
+        If a case cannot be solved.
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000)), nh.Plate())
+    >>> cases = [LoadCase(load=20e3, share=0.2, tilt=0.3e-3), LoadCase(load=5e3, share=0.8)]
+    >>> [round(share, 3) for _, share in solve_spectrum(contact, cases, strips=41)]
+    [0.2, 0.8]
+    """
+    total = math.fsum(case.share for case in cases)
+    if not cases or abs(total - 1.0) > WHOLE:
+        remedy = "give all loads with their shares of the revolutions"
+        raise InputError("share", round(total, 6), "add up to 1", remedy)
+    loads, tilts = [case.load for case in cases], [case.tilt for case in cases]
+    found = solve_many(contact, load=loads, tilt=tilts, element=element, strips=strips, threads=threads)
+    return tuple((found[number], case.share / total) for number, case in enumerate(cases))

@@ -1,0 +1,208 @@
+"""What every place below a contact suffers while the load rolls over it: the part that all volume models share.
+
+The stresses over a pass are evaluated at two Gauss points along every strip, and beyond both ends of the contact, at
+equal steps of the root of the depth, in which the amplitude of the orthogonal shear stress is smooth up to the surface.
+A spline through them gives the stress at many more depths, so that powers of ten and fatigue limits are integrated as
+well as the stress is.
+
+Towards a sharp end the stress grows without bound, and so fast that its tenth power has no integral. The volume around
+such an end is left out, to a tenth of the largest half-width: the strip model, too, says nothing about it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Unpack
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
+
+from nonhertz.hertz import line_contact
+from nonhertz.life.catalogue import VolumeModel
+from nonhertz.singular import singular_ends
+from nonhertz.solution import ReadOnly, Solution
+from nonhertz.subsurface.evaluation import Running, across_at
+from nonhertz.subsurface.inside import AnySolution, Inside
+from nonhertz.subsurface.rolling import QUANTITIES, passage, plane_strain_passage
+
+Array = NDArray[np.float64]
+
+LEVELS = 32
+# Between these depths, in half-widths, ten Gauss points each; what is below counts less than 1e-4.
+PANELS = np.array([0.0, 0.05, 0.15, 0.3, 0.45, 0.6, 0.8, 1.0, 1.25, 1.6, 2.2, 3.0, 4.0])
+SHALLOWEST = 1e-6  # half-widths: on the surface itself quadrature across has nothing to hold on to
+BEYOND = np.array([0.0, 0.1, 0.25, 0.5, 1.0, 2.0])  # the contact's ends, in half-widths
+NARROWING = 0.5  # of the depth looked at, per length along y
+LEFT_OUT = 0.1  # around a sharp end, of the largest half-width
+MOST_ROWS = 128  # of a plane grid
+
+
+@dataclass(frozen=True, eq=False)
+class Exposure(ReadOnly):
+    """The largest stresses over a pass of the load, on all of the volume under a contact.
+
+    Attributes
+    ----------
+    body : str
+        ``"a"`` or ``"b"``.
+    y, width : ndarray, shape (stations,)
+        Stations [mm], and what each stands for in an integral along y [mm].
+    half_width : ndarray, shape (stations,)
+        Half-width by which depths are measured [mm].
+    orthogonal_shear, shear, von_mises : ndarray, shape (stations, depths)
+        Largest values over a pass [MPa] at the depths ``half_width * depth``.
+    counted : ndarray of bool, shape (stations, depths)
+        False within a tenth of the largest half-width of a sharp end.
+    reference : Exposure or None
+        That of the same contact under an ideal pressure: Hertz's line contact everywhere, the load per unit length the
+        same from end to end. None where the bodies can touch on an unlimited length.
+    sharp : tuple of float
+        Where the contact has a sharp end [mm].
+    """
+
+    body: str
+    y: Array
+    width: Array
+    half_width: Array
+    orthogonal_shear: Array
+    shear: Array
+    von_mises: Array
+    counted: NDArray[np.bool_]
+    reference: Exposure | None
+    sharp: tuple[float, ...]
+
+    @property
+    def depth(self) -> Array:
+        """Depths over the half-width [-], shape (depths,)."""
+        return depths()[0]
+
+    def density(self, model: VolumeModel) -> Array:
+        """Return the integral over the depth of ``<s - s_u>^k / z^h`` [MPa^k mm^(1-h)] at every station."""
+        depth, weight = depths()
+        suffered = np.maximum(getattr(self, model.stress) - model.fatigue_limit, 0.0) ** model.exponent
+        over_depth = np.where(self.counted, suffered, 0.0) @ (weight * depth**-model.depth_exponent)
+        return np.asarray(over_depth * self.half_width ** (1.0 - model.depth_exponent))
+
+    def damage(self, model: VolumeModel) -> float:
+        """Return the integral over y and z of ``<s - s_u>^k / z^h`` [MPa^k mm^(2-h)]."""
+        return float(self.width @ self.density(model))
+
+
+@cache
+def depths() -> tuple[Array, Array]:
+    """Return depths over the half-width and their weights in an integral."""
+    nodes, weights = np.polynomial.legendre.leggauss(10)
+    half = 0.5 * np.diff(PANELS)[:, None]
+    middle = PANELS[:-1, None] + half
+    return (middle + half * nodes).ravel(), (half * weights).ravel()
+
+
+@cache
+def _levels() -> tuple[Array, Array]:
+    """Return the depths over the half-width at which stresses are evaluated, and the matrix to all `depths`."""
+    root = np.linspace(np.sqrt(SHALLOWEST), np.sqrt(PANELS[-1]), LEVELS)
+    return root**2, np.asarray(CubicSpline(root, np.eye(LEVELS))(np.sqrt(depths()[0])))
+
+
+def exposure(solution: AnySolution, body: str = "b", **options: Unpack[Running]) -> Exposure:
+    """Return what the volume of one body suffers under a solved contact.
+
+    Parameters
+    ----------
+    solution : Solution or PatchSolution
+        A solved contact.
+    body : str
+        ``"a"`` or ``"b"``.
+    **options
+        ``threads`` and ``announce`` as in `nonhertz.subsurface.stress`.
+
+    Returns
+    -------
+    Exposure
+
+    Raises
+    ------
+    InputError
+        If nothing is in contact, or there is no such body.
+    """
+    inside = Inside.of(solution, body)
+    y, width, half_width = _stations(solution, inside.body.faces)
+    levels, fill = _levels()
+    seen = passage(solution, y[:, None], half_width[:, None] * levels, body=body, **options)
+    amplitudes = {name: np.maximum(getattr(seen, name) @ fill.T, 0.0) for name in QUANTITIES}
+    sharp = tuple(end.y for end in singular_ends(solution)) if isinstance(solution, Solution) else ()
+    counted = np.ones(amplitudes["shear"].shape, dtype=bool)
+    for end in sharp:
+        distance = np.hypot(y[:, None] - end, half_width[:, None] * depths()[0])
+        counted &= distance >= LEFT_OUT * float(half_width.max())
+    return Exposure(
+        body, y, width, half_width, **amplitudes, counted=counted, reference=_ideal(solution, body), sharp=sharp
+    )
+
+
+def _stations(solution: AnySolution, faces: tuple[float, float]) -> tuple[Array, Array, Array]:
+    """Return stations over and beyond the contact, their widths in an integral, and the half-widths there."""
+    edges = _edges_along(solution)
+    half_width = across_at(solution, 0.5 * (edges[1:] + edges[:-1]))[1]
+    below = np.maximum(edges[0] - half_width[0] * BEYOND[1:], faces[0])[::-1]
+    above = np.minimum(edges[-1] + half_width[-1] * BEYOND[1:], faces[1])
+    edges = np.unique(np.concatenate([below, edges, above]))
+    nodes, weights = np.polynomial.legendre.leggauss(2)
+    half = 0.5 * np.diff(edges)[:, None]
+    y = (edges[:-1, None] + half * (1.0 + nodes)).ravel()
+    return y, (half * weights).ravel(), _depth_scale(solution, y)
+
+
+def _depth_scale(solution: AnySolution, y: Array) -> Array:
+    """Return the half-widths by which depths are measured: where a contact runs out, its neighbours' count."""
+    touching = solution.line_load > 0.0
+    along = solution.y[touching]
+    of_strips = across_at(solution, along)[1]
+    scale = across_at(solution, y)[1]
+    for start in range(0, y.size, 256):
+        part = slice(start, start + 256)
+        from_others = of_strips - NARROWING * np.abs(y[part, None] - along)
+        scale[part] = np.maximum(scale[part], from_others.max(axis=1))
+    return scale
+
+
+def _edges_along(solution: AnySolution) -> Array:
+    """Return the edges of what is in contact along y, strip by strip, those of a plane grid in fewer pieces."""
+    touching = np.flatnonzero(solution.line_load > 0.0)
+    first, last = (touching[0], touching[-1]) if touching.size else (0, -1)
+    if isinstance(solution, Solution):
+        return solution.edges[first : last + 2]
+    rows = np.unique(np.linspace(first, last + 1, MOST_ROWS + 1).astype(int))
+    return np.asarray(solution.y[0] + solution.dy * (rows - 0.5))
+
+
+def _ideal(solution: AnySolution, body: str) -> Exposure | None:
+    """Return the exposure under Hertz's line contact, the load spread evenly over where the bodies can touch."""
+    contact = solution.contact
+    low, high = contact.interval
+    if not np.isfinite(high - low):
+        return None
+    edges = np.linspace(low, high, 2 if _even(solution) else 65)
+    y, width = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
+    poisson = (contact.a if body == "a" else contact.b).material.poisson
+    levels, fill = _levels()
+    half_width = np.empty(y.size)
+    amplitudes = {name: np.empty((y.size, fill.shape[0])) for name in QUANTITIES}
+    for i, curvature in enumerate(contact.curvature(y)):
+        line = line_contact(
+            line_load=solution.load / (high - low), radius=1.0 / float(curvature), compliance=contact.compliance
+        )
+        half_width[i] = line.half_width
+        for name, values in plane_strain_passage(line, levels * line.half_width, poisson).items():
+            amplitudes[name][i] = fill @ values
+    counted = np.ones(amplitudes["shear"].shape, dtype=bool)
+    return Exposure(body, y, width, half_width, **amplitudes, counted=counted, reference=None, sharp=())
+
+
+def _even(solution: AnySolution) -> bool:
+    """Return whether the curvature is the same all along."""
+    low, high = solution.contact.interval
+    curvature = solution.contact.curvature(np.linspace(low, high, 65))
+    return bool(np.ptp(curvature) == 0.0)

@@ -1,0 +1,18 @@
+"""Stress below the surface of a solved contact.
+
+Take `stress` at any points, `axial_plane` and `cross_section` for planes, `volume` for grids, `passage` for what a
+place goes through while the load rolls over it, and `extremes` for the largest stresses and where they are. All of them
+take strips and plane grids alike, and say stress in MPa, compressive stress negative, with z pointing into the body.
+"""
+
+from nonhertz.subsurface.evaluation import axial_plane as axial_plane
+from nonhertz.subsurface.evaluation import cross_section as cross_section
+from nonhertz.subsurface.evaluation import memory as memory
+from nonhertz.subsurface.evaluation import stress as stress
+from nonhertz.subsurface.evaluation import volume as volume
+from nonhertz.subsurface.field import Field as Field
+from nonhertz.subsurface.rolling import Passage as Passage
+from nonhertz.subsurface.rolling import passage as passage
+from nonhertz.subsurface.search import Extreme as Extreme
+from nonhertz.subsurface.search import Extremes as Extremes
+from nonhertz.subsurface.search import extremes as extremes

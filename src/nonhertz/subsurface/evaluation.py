@@ -1,0 +1,288 @@
+"""The verbs: stress at points, on planes and in volumes below a solved contact.
+
+Points are taken in portions of fixed size, side by side on all cores, so that beside the result hardly any memory is
+needed and the result does not depend on the number of threads.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from typing import TypedDict, Unpack
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.model.checks import thread_count
+from nonhertz.solution import Solution
+from nonhertz.subsurface.field import Field
+from nonhertz.subsurface.inside import AnySolution, Inside
+
+Array = NDArray[np.float64]
+Announce = Callable[[int, int], object]
+
+PORTION = 2048  # points that a thread takes at a time
+DOUBLE = 8
+DEEPEST, WIDEST = 3.0, 2.0  # of planes whose extent is left to us, in half-widths
+STATIONS, LEVELS, ACROSS = 201, 61, 81
+
+
+class Running(TypedDict, total=False):
+    """How all verbs may be run; see `stress`."""
+
+    threads: int | None
+    announce: Announce | None
+
+
+class Within(Running, total=False):
+    """The body too."""
+
+    body: str
+
+
+class Options(Within, total=False):
+    """All that `stress` takes beside the points."""
+
+    displacement: bool
+
+
+_POINTS_REMEDY = "give finite numbers in mm, as arrays that broadcast against each other"
+
+
+def stress(
+    solution: AnySolution,
+    x: ArrayLike,
+    y: ArrayLike,
+    z: ArrayLike,
+    *,
+    body: str = "a",
+    displacement: bool = False,
+    threads: int | None = None,
+    announce: Announce | None = None,
+) -> Field:
+    """Return the stress at points below a solved contact.
+
+    Parameters
+    ----------
+    solution : Solution or PatchSolution
+        Strips of either element, or a plane grid.
+    x, y, z : array_like
+        Points [mm] across, along and below the surface, z >= 0; broadcast against each other.
+    body : str
+        ``"a"`` or ``"b"``: the body that the points lie in. Both bear the same pressure; Poisson's ratio and mirror
+        images are each body's own.
+    displacement : bool
+        Whether to return displacements too.
+    threads : int, optional
+        How many threads to use; all cores if left out. The result does not depend on it.
+    announce : callable, optional
+        Called now and then with the number of points done and of all points.
+
+    Returns
+    -------
+    Field
+
+    Raises
+    ------
+    InputError
+        If a point is not finite, lies above the surface or outside the body, or ``body`` is neither.
+
+    Notes
+    -----
+    A half-space under the pressure of the solution, with the images of the body's side faces: the pressure of strips is
+    uniform along each strip, that of a plane grid in each cell, and near the surface both show as steps. Components
+    that quadrature adds are within 1e-7 of the pressure nearby, except within 0.02 half-widths of an edge of a strip
+    and, at once, of the surface. Beside the result about 10 MB are needed; see `memory`.
+
+    References
+    ----------
+    A. E. H. Love, The stress produced in a semi-infinite solid by pressure on part of the boundary, Philosophical
+    Transactions of the Royal Society A 228 (1929) 377-420, doi:10.1098/rsta.1929.0009. K. L. Johnson, Contact
+    Mechanics, Cambridge University Press, 1985, sections 3.2 to 3.6 and 4.2, doi:10.1017/CBO9781139171731.
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=2000))
+    >>> solution = nh.solve(nh.Contact(roller, nh.Plate()), load=6e3)
+    >>> below = stress(solution, 0.0, 0.0, np.array([0.0, 0.2]))
+    >>> (below.sigma_z / solution.max_pressure).round(2) + 0.0
+    array([-1. , -0.8])
+    """
+    inside = Inside.of(solution, body)
+    places = np.broadcast_arrays(*(finite_numbers(name, value) for name, value in zip("xyz", (x, y, z), strict=True)))
+    inside.refuse_outside(places[1], places[2])
+    count = places[0].size
+    stresses = np.empty((count, 6))
+    displacements = np.empty((count, 3)) if displacement else None
+
+    def fill(start: int) -> int:
+        part = slice(start, start + PORTION)
+        points = np.column_stack([place.flat[part] for place in places])
+        stresses[part] = inside.stress(points)
+        if displacements is not None:
+            displacements[part] = inside.displacement(points)
+        return int(points.shape[0])
+
+    with ThreadPoolExecutor(thread_count(threads)) as pool:
+        done = 0
+        for finished in pool.map(fill, range(0, count, PORTION)):
+            done += finished
+            if announce is not None:
+                announce(done, count)
+    shape = places[0].shape
+    moved = displacements.reshape(*shape, 3) if displacements is not None else None
+    across, along, below = places
+    return Field(body, across, along, below, stresses.reshape(*shape, 6), moved)
+
+
+def axial_plane(
+    solution: AnySolution,
+    y: ArrayLike | None = None,
+    z: ArrayLike | None = None,
+    *,
+    x: float = 0.0,
+    **options: Unpack[Options],
+) -> Field:
+    """Return the stress in a plane along the contact, under the centre line unless told otherwise.
+
+    Parameters
+    ----------
+    solution : Solution or PatchSolution
+        A solved contact.
+    y : array_like, shape (m,), optional
+        Stations [mm]; 201 over the contact and two half-widths beyond, as far as the body goes, if left out.
+    z : array_like, shape (n,), optional
+        Depths [mm]; 61 down to three half-widths if left out.
+    x : float
+        Where the plane lies across [mm].
+    **options
+        As in `stress`.
+
+    Returns
+    -------
+    Field
+        Of shape (m, n).
+    """
+    y = axial_range(solution, options.get("body", "a")) if y is None else _row("y", y)
+    z = _depths(solution) if z is None else _row("z", z)
+    return stress(solution, x, y[:, None], z, **options)
+
+
+def cross_section(
+    solution: AnySolution,
+    station: float,
+    x: ArrayLike | None = None,
+    z: ArrayLike | None = None,
+    **options: Unpack[Options],
+) -> Field:
+    """Return the stress in the plane across the contact at a station.
+
+    Parameters
+    ----------
+    solution : Solution or PatchSolution
+        A solved contact.
+    station : float
+        Where along y [mm].
+    x : array_like, shape (m,), optional
+        Positions across [mm]; 81 over two half-widths to either side if left out.
+    z : array_like, shape (n,), optional
+        Depths [mm]; 61 down to three half-widths if left out.
+    **options
+        As in `stress`.
+
+    Returns
+    -------
+    Field
+        Of shape (m, n).
+    """
+    middle, half_width = across_at(solution, finite_numbers("station", station))
+    x = middle + WIDEST * half_width * np.linspace(-1.0, 1.0, ACROSS) if x is None else _row("x", x)
+    z = DEEPEST * half_width * np.linspace(0.0, 1.0, LEVELS) if z is None else _row("z", z)
+    return stress(solution, x[:, None], station, z, **options)
+
+
+def volume(solution: AnySolution, x: ArrayLike, y: ArrayLike, z: ArrayLike, **options: Unpack[Options]) -> Field:
+    """Return the stress on a grid of points with the given coordinates along each axis.
+
+    Parameters
+    ----------
+    solution : Solution or PatchSolution
+        A solved contact.
+    x, y, z : array_like, shape (l,), (m,) and (n,)
+        Coordinates [mm].
+    **options
+        As in `stress`.
+
+    Returns
+    -------
+    Field
+        Of shape (l, m, n). Where that is more than memory holds, call it slice by slice: each point's stress is its
+        own.
+    """
+    across, along, below = _row("x", x), _row("y", y), _row("z", z)
+    return stress(solution, across[:, None, None], along[:, None], below, **options)
+
+
+def memory(points: int, *, displacement: bool = False) -> int:
+    """Return the bytes that `stress` takes for so many points, derived quantities not counted.
+
+    Examples
+    --------
+    >>> round(memory(1_000_000) / 2**20)  # MiB
+    56
+    """
+    beside = (os.cpu_count() or 1) * PORTION * DOUBLE * 40
+    return DOUBLE * points * (9 if displacement else 6) + max(beside, 10 * 2**20)
+
+
+def across_at(solution: AnySolution, y: Array) -> tuple[Array, Array]:
+    """Return the middle of the contact across and its half-width [mm] at stations, the nearest ones' off contact.
+
+    Raises
+    ------
+    InputError
+        If nothing is in contact.
+    """
+    touching = solution.line_load > 0.0
+    if not touching.any():
+        raise InputError("solution", solution.status.label, "have a contact", "press the bodies together")
+    if isinstance(solution, Solution):
+        return np.zeros(y.shape), np.interp(y, solution.y[touching], solution.element_half_width[touching])
+    footprint = solution.footprint[:, touching]
+    first = solution.x[footprint.argmax(axis=0)]
+    last = solution.x[::-1][footprint[::-1].argmax(axis=0)]
+    middle, half = 0.5 * (first + last), 0.5 * (last - first + solution.dx)
+    return np.interp(y, solution.y[touching], middle), np.interp(y, solution.y[touching], half)
+
+
+def axial_range(solution: AnySolution, body: str) -> Array:
+    """Return stations [mm] over the contact and what is stressed beyond its ends."""
+    beyond = WIDEST * float(across_at(solution, solution.y)[1].max())
+    touching = solution.y[solution.line_load > 0.0]
+    low, high = Inside.of(solution, body).body.faces
+    return np.linspace(max(touching[0] - beyond, low), min(touching[-1] + beyond, high), STATIONS)
+
+
+def _depths(solution: AnySolution) -> Array:
+    return DEEPEST * float(solution.half_width.max()) * np.linspace(0.0, 1.0, LEVELS)
+
+
+def finite_numbers(name: str, value: ArrayLike) -> Array:
+    """Return numbers as an array, or refuse what is none or not finite."""
+    try:
+        numbers = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(name, value, "be numbers", _POINTS_REMEDY) from None
+    if not np.all(np.isfinite(numbers)):
+        raise InputError(name, value, "be finite", _POINTS_REMEDY)
+    return numbers
+
+
+def _row(name: str, value: ArrayLike) -> Array:
+    numbers = finite_numbers(name, value)
+    if numbers.ndim != 1 or numbers.size == 0:
+        raise InputError(name, value, "be a row of numbers", "give a list of coordinates in mm")
+    return numbers

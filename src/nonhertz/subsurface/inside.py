@@ -1,0 +1,175 @@
+"""One body below the pressure of a solution: the load, its mirror images, and what displacement is measured against.
+
+Strips and rectangles each know the field of their own pressure in a half-space. An image, the pressure sent to
+``sign * y + offset``, does at y what the pressure itself does at ``sign * (y - offset)``, with tau_yz, tau_xy and u_y
+turned round where the image is mirrored. Of a whole series of images those too far away to be told apart come as
+line loads that begin beyond the last image and go on for ever.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.compiled import compiled
+from nonhertz.errors import InputError
+from nonhertz.finite import HERTZ, SEPARATE_LINKS, Depth, Shape, influence_within
+from nonhertz.model.body import Body
+from nonhertz.model.finite import SERIES
+from nonhertz.patch.solution import PatchSolution
+from nonhertz.solution import Solution
+from nonhertz.subsurface.field import TAU_XY, TAU_YZ
+from nonhertz.subsurface.rectangles import Rectangles
+from nonhertz.subsurface.strips import StripLoad
+from nonhertz.subsurface.tails import TWO_PI, stress_tail
+
+Array = NDArray[np.float64]
+AnySolution = Solution | PatchSolution
+
+U_Y, U_Z = 1, 2
+ON_A_FACE = 1e-9  # of the body's length; nearer is on it
+
+_BODY_REMEDY = "write 'a' or 'b'"
+
+
+class Load(Protocol):
+    """A pressure on the surface of a half-space."""
+
+    def stress(self, points: Array, poisson: float) -> Array:
+        """Return sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy [MPa] at ``points`` (n, 3), shape (n, 6)."""
+
+    def displacement(self, points: Array, poisson: float) -> Array:
+        """Return the shear modulus times u_x, u_y, u_z [N/mm] at ``points`` (n, 3), shape (n, 3)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Inside:
+    """A body under the pressure of a solution.
+
+    Attributes
+    ----------
+    name : str
+        ``"a"`` or ``"b"``.
+    body : Body
+        The body.
+    load : Load
+        The pressure.
+    terms : ndarray, shape (terms, 3)
+        Rows (sign, offset, weight) of the pressure itself and its images in this body.
+    depth : Depth or None
+        The points that displacement is measured against; None where they are far away.
+    edges, lifted : ndarray, shape (stations + 1,) and (stations,)
+        Edges along y [mm] and compliance times line load [mm] between them, for displacement at depth.
+    afar : float
+        Line load [N/mm] of what lies beyond the last image on either side; zero without a whole series of them.
+    """
+
+    name: str
+    body: Body
+    load: Load
+    terms: Array
+    depth: Depth | None
+    edges: Array
+    lifted: Array
+    afar: float
+
+    @classmethod
+    def of(cls, solution: AnySolution, name: str) -> Inside:
+        """Return body ``name`` of a solution.
+
+        Raises
+        ------
+        InputError
+            If there is no such body, or ``solution`` is none.
+        """
+        if name not in {"a", "b"}:
+            raise InputError("body", name, "be one of the two bodies", _BODY_REMEDY)
+        if isinstance(solution, Solution):
+            load: Load = StripLoad.of(solution)
+            shape: Shape = solution.element
+            edges = solution.edges
+        elif isinstance(solution, PatchSolution):
+            load = Rectangles.of(solution.x, solution.y, solution.dx, solution.dy, solution.pressure)
+            shape, edges = HERTZ, np.append(solution.y - 0.5 * solution.dy, solution.y[-1] + 0.5 * solution.dy)
+        else:
+            raise InputError("solution", solution, "be a solved contact", "give what solve or patch.solve returns")
+        which = "ab".index(name)
+        terms, depth = influence_within(solution.contact, shape, which)
+        body = (solution.contact.a, solution.contact.b)[which]
+        afar = 0.0
+        if body.images == SERIES and body.length is not None and terms.shape[0] > SEPARATE_LINKS:
+            afar = solution.load / body.length * float(terms[-1, 2])
+        return cls(name, body, load, terms, depth, edges, solution.contact.compliance * solution.line_load, afar)
+
+    def _sides(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        return (self.body.faces[0], -1.0), (self.body.faces[1], 1.0)
+
+    def refuse_outside(self, y: Array, z: Array) -> None:
+        """Refuse points that do not lie in the body.
+
+        Raises
+        ------
+        InputError
+        """
+        if z.size and float(z.min()) < 0.0:
+            remedy = "z points into the body, from 0 on its surface"
+            raise InputError("z", float(z.min()), "not be negative", remedy)
+        low, high = self.body.faces
+        room = ON_A_FACE * (high - low) if np.isfinite(high - low) else 0.0
+        outside = (y < low - room) | (y > high + room)
+        if outside.any():
+            condition = f"lie between the side faces of body {self.name}, {low:g} and {high:g} mm"
+            raise InputError("y", float(y[outside][0]), condition, "choose points within the body, or the other body")
+
+    def stress(self, points: Array) -> Array:
+        """Return the stress [MPa] at ``points`` (n, 3), shape (n, 6)."""
+        total = np.zeros((points.shape[0], 6))
+        for sign, offset, weight in self.terms:
+            part = self.load.stress(_seen(points, sign, offset), self.body.material.poisson)
+            part[:, [TAU_YZ, TAU_XY]] *= sign
+            total += weight * part
+        if self.afar:
+            low, high = (face + side * SEPARATE_LINKS * (self.body.length or 0.0) for face, side in self._sides())
+            _add_from_afar(points, low, high, self.afar / TWO_PI, self.body.material.poisson, total)
+        return total
+
+    def displacement(self, points: Array) -> Array:
+        """Return the displacement [mm] at ``points`` (n, 3), shape (n, 3)."""
+        material = self.body.material
+        total = np.zeros((points.shape[0], 3))
+        for sign, offset, weight in self.terms:
+            part = self.load.displacement(_seen(points, sign, offset), material.poisson)
+            part[:, U_Y] *= sign
+            total += weight * part
+        total /= material.shear_modulus
+        if self.depth is not None:
+            y, back = np.unique(points[:, 1], return_inverse=True)
+            total[:, U_Z] -= (self.depth.displacement(y, self.edges) @ self.lifted)[back.ravel()]
+        return total
+
+
+def _seen(points: Array, sign: float, offset: float) -> Array:
+    """Return where, seen from the pressure itself, points lie as they do to its image."""
+    if sign == 1.0 and offset == 0.0:
+        return points
+    seen = points.copy()
+    seen[:, 1] = sign * (points[:, 1] - offset)
+    return seen
+
+
+@compiled
+def _add_from_afar(points: Array, low: float, high: float, line_load: float, poisson: float, total: Array) -> None:
+    """Add what line loads do that begin at ``low`` and ``high`` and go away from the body."""
+    for i in range(points.shape[0]):
+        x, y, z = points[i, 0], points[i, 1], points[i, 2]
+        f_x, f_y, f_z, f_yz, f_xz, f_xy = stress_tail(x, high - y, z, poisson)
+        g_x, g_y, g_z, g_yz, g_xz, g_xy = stress_tail(x, y - low, z, poisson)
+        total[i, 0] += line_load * (f_x + g_x)
+        total[i, 1] += line_load * (f_y + g_y)
+        total[i, 2] += line_load * (f_z + g_z)
+        total[i, 3] += line_load * (f_yz - g_yz)
+        total[i, 4] += line_load * (f_xz + g_xz)
+        total[i, 5] += line_load * (f_xy - g_xy)

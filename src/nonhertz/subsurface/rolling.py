@@ -1,0 +1,177 @@
+"""What a point below the surface goes through while the load rolls over it, in the direction of x.
+
+At each y and z the stress over a pass is the stress along the line in x. Its largest values are found on samples that
+are close against the half-width near the surface and against the depth further down, and refined by the vertex of a
+parabola through three neighbours, three times.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Unpack
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.hertz import LineContact
+from nonhertz.patch.solution import PatchSolution
+from nonhertz.solution import ReadOnly
+from nonhertz.subsurface.evaluation import Within, across_at, finite_numbers, stress
+from nonhertz.subsurface.field import TAU_XZ, max_shear_of, orthogonal_shear_of, von_mises_of
+from nonhertz.subsurface.inside import AnySolution
+
+Array = NDArray[np.float64]
+
+Quantity = Callable[[Array], Array]
+
+#: Name of each quantity whose largest value a pass has, and how it follows from the stress.
+QUANTITIES: dict[str, Quantity] = {
+    "von_mises": von_mises_of,
+    "shear": max_shear_of,
+    "orthogonal_shear": orthogonal_shear_of,
+}
+
+SAMPLES = 17  # from the middle outwards
+# How far the samples reach, in half-widths and in depths: far below, |tau_xz| is largest at x = z / sqrt(3).
+WIDER, DEEPER = 1.15, 0.8
+REFINEMENTS = 3
+POINTS_AT_ONCE = 2**18
+
+
+@dataclass(frozen=True, eq=False)
+class Passage(ReadOnly):
+    """The largest stresses over a pass of the load, at places (y, z) inside one body.
+
+    Attributes
+    ----------
+    body : str
+        ``"a"`` or ``"b"``.
+    y, z : ndarray, shape (...)
+        The places [mm].
+    von_mises, shear, orthogonal_shear : ndarray, shape (...)
+        Largest von Mises stress, maximum shear stress and |tau_xz| [MPa] over all x.
+    von_mises_x, shear_x, orthogonal_shear_x : ndarray, shape (...)
+        Where across they are [mm], x >= 0 where the field is symmetric.
+    orthogonal_shear_range : ndarray, shape (...)
+        Largest less smallest tau_xz over the pass [MPa]: twice the largest where the field is symmetric.
+    """
+
+    body: str
+    y: Array
+    z: Array
+    von_mises: Array
+    shear: Array
+    orthogonal_shear: Array
+    von_mises_x: Array
+    shear_x: Array
+    orthogonal_shear_x: Array
+    orthogonal_shear_range: Array
+
+
+def passage(solution: AnySolution, y: ArrayLike, z: ArrayLike, **options: Unpack[Within]) -> Passage:
+    """Return the largest stresses that places below a contact see while the load rolls over them.
+
+    Parameters
+    ----------
+    solution : Solution or PatchSolution
+        A solved contact.
+    y, z : array_like
+        Places [mm] along and below the surface, broadcast against each other.
+    **options
+        ``body``, ``threads`` and ``announce`` as in `stress`.
+
+    Returns
+    -------
+    Passage
+
+    Raises
+    ------
+    InputError
+        As `stress` does.
+
+    Notes
+    -----
+    Of a smooth field the values are within 1e-5 of the largest. Steps of the pressure on the surface may hide narrower
+    peaks above 0.05 half-widths.
+    """
+    along, below = np.broadcast_arrays(finite_numbers("y", y), finite_numbers("z", z))
+    announce = options.pop("announce", None)
+    found = np.empty((2 * len(QUANTITIES) + 1, along.size))
+    at_once = POINTS_AT_ONCE // (2 * SAMPLES)
+    for start in range(0, along.size, at_once):
+        part = slice(start, start + at_once)
+        found[:, part] = _over(solution, along.flat[part], below.flat[part], options)
+        if announce is not None:
+            announce(min(start + at_once, along.size), along.size)
+    largest = [values.reshape(along.shape) for values in found]
+    return Passage(options.get("body", "a"), along, below, *largest)
+
+
+def _over(solution: AnySolution, y: Array, z: Array, options: Within) -> Array:
+    """Return the largest values, where across they are, and the range of tau_xz, shape (7, places)."""
+    centre, half_width = across_at(solution, y)
+    samples = (
+        np.linspace(-1.0, 1.0, 2 * SAMPLES - 1) if isinstance(solution, PatchSolution) else np.linspace(0, 1, SAMPLES)
+    )
+    x = centre[:, None] + (WIDER * half_width + DEEPER * z)[:, None] * samples
+
+    def at(x: Array) -> Array:
+        return stress(solution, x, y[:, None], z[:, None], **options).stress
+
+    sampled = at(x)
+    if isinstance(solution, PatchSolution):
+        signed = {"up": lambda each: each[..., TAU_XZ], "down": lambda each: -each[..., TAU_XZ]}
+    else:
+        signed = {}
+    tops = {name: _largest(quantity, x, quantity(sampled), at) for name, quantity in (QUANTITIES | signed).items()}
+    reach = tops["up"][0] + tops["down"][0] if signed else 2.0 * tops["orthogonal_shear"][0]
+    values, places = zip(*(tops[name] for name in QUANTITIES), strict=True)
+    return np.stack([*values, *places, reach])
+
+
+def plane_strain_passage(line: LineContact, z: Array, poisson: float) -> dict[str, Array]:
+    """Return the largest stresses [MPa] over a pass of Hertz's line contact at depths ``z`` [mm], by quantity."""
+    x = (WIDER * line.half_width + DEEPER * z)[:, None] * np.linspace(0.0, 1.0, SAMPLES)
+
+    def at(x: Array) -> Array:
+        return line.stress(x, z[:, None], poisson)
+
+    return {name: _largest(quantity, x, quantity(at(x)), at)[0] for name, quantity in QUANTITIES.items()}
+
+
+def _largest(quantity: Quantity, x: Array, values: Array, at: Callable[[Array], Array]) -> tuple[Array, Array]:
+    """Return the largest value along each row of samples, and where it is, refined between the samples."""
+    best = values.argmax(axis=1)
+    if x[0, 0] == 0.0:  # the other side is this side's mirror image
+        x, values, best = (np.column_stack([-x[:, 1], x]), np.column_stack([values[:, 1], values]), best + 1)
+    best = np.clip(best, 1, x.shape[1] - 2)
+    rows = np.arange(best.size)[:, None]
+    near = best[:, None] + np.array([-1, 0, 1])
+    x, values = x[rows, near], values[rows, near]
+    for _ in range(REFINEMENTS):
+        vertex = _vertex(x, values)[:, None]
+        x = np.concatenate([x, vertex], axis=1)
+        values = np.concatenate([values, quantity(at(vertex))], axis=1)
+        x, values = _around_the_largest(x, values)
+    top = values.argmax(axis=1)[:, None]
+    return values[rows, top][:, 0], x[rows, top][:, 0]
+
+
+def _vertex(x: Array, values: Array) -> Array:
+    """Return where the parabola through three points of each row is largest, within them."""
+    (left, middle, right), (low, top, high) = x.T, values.T
+    to_left, to_right = (top - low) * (right - middle), (top - high) * (middle - left)
+    bend = to_left + to_right
+    moved = 0.5 * (to_left * (right - middle) - to_right * (middle - left)) / np.where(bend > 0.0, bend, np.inf)
+    found: Array = np.clip(middle + moved, left, right)
+    return found
+
+
+def _around_the_largest(x: Array, values: Array) -> tuple[Array, Array]:
+    """Return of four points of each row the largest and its neighbours."""
+    rows = np.arange(x.shape[0])[:, None]
+    order = x.argsort(axis=1, kind="stable")
+    x, values = x[rows, order], values[rows, order]
+    near = np.clip(values.argmax(axis=1), 1, x.shape[1] - 2)[:, None] + np.array([-1, 0, 1])
+    return x[rows, near], values[rows, near]

@@ -1,0 +1,173 @@
+"""The largest stresses below a contact, and where they are: in the whole body, and in one cross-section.
+
+Both begin with the largest values over a pass on a net of places, as deep and as close as the half-width asks for, and
+end with a net that is drawn together around the best point of each quantity until its meshes are small.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Unpack
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.singular import away_from_ends, singular_ends
+from nonhertz.solution import Solution
+from nonhertz.subsurface.evaluation import Within, across_at, finite_numbers, stress
+from nonhertz.subsurface.inside import AnySolution
+from nonhertz.subsurface.rolling import QUANTITIES, Passage, Quantity, passage
+
+Array = NDArray[np.float64]
+
+# Depths over the half-width at which the search begins.
+DEPTHS = np.array([0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.95, 1.15, 1.4])
+MOST_STATIONS = 401
+MESHES, ROUNDS, SHRINKING = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]), 18, 0.6
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """A largest value and where it is.
+
+    Attributes
+    ----------
+    max : float
+        The value [MPa].
+    x, y, z : float
+        Where it is [mm]. The field of strips is symmetric about x = 0, and x >= 0 is told.
+    """
+
+    max: float
+    x: float
+    y: float
+    z: float
+
+
+@dataclass(frozen=True)
+class Extremes:
+    """The largest stresses of one body, or of one cross-section of it.
+
+    Attributes
+    ----------
+    body : str
+        ``"a"`` or ``"b"``.
+    von_mises, shear, orthogonal_shear : Extreme
+        Largest von Mises stress, maximum shear stress and |tau_xz|.
+    warnings : tuple of str
+        What has been left out, and what else has to be known; empty if nothing.
+    """
+
+    body: str
+    von_mises: Extreme
+    shear: Extreme
+    orthogonal_shear: Extreme
+    warnings: tuple[str, ...]
+
+
+def extremes(solution: AnySolution, station: float | None = None, **options: Unpack[Within]) -> Extremes:
+    """Return the largest stresses below a contact, or those in the cross-section at a station.
+
+    Parameters
+    ----------
+    solution : Solution or PatchSolution
+        A solved contact.
+    station : float, optional
+        Where along y [mm]; the whole body if left out.
+    **options
+        ``body``, ``threads`` and ``announce`` as in `stress`.
+
+    Returns
+    -------
+    Extremes
+
+    Raises
+    ------
+    InputError
+        As `stress` does.
+
+    Notes
+    -----
+    Over the whole body, places nearer than a half-width to a singular end are left out, as they are for the largest
+    pressure: the stress there has no limit. In a smooth field the values are within 1e-5 of the largest; near the
+    surface, steps of the pressure between strips or cells are part of the field.
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=2000))
+    >>> solution = nh.solve(nh.Contact(roller, nh.Plate()), load=6e3)
+    >>> found = extremes(solution)
+    >>> round(found.von_mises.max / solution.max_pressure, 3)
+    0.562
+    """
+    announce = options.pop("announce", None)
+    sections = _sections(solution) if station is None else finite_numbers("station", station)
+    sections = np.atleast_1d(sections)
+    half_width = across_at(solution, sections)[1]
+    searched: Within = {**options}
+    if announce is not None:
+        searched["announce"] = announce
+    coarse = passage(solution, sections[:, None], half_width[:, None] * DEPTHS, **searched)
+    limits = (sections[0], sections[-1])
+
+    def refined(name: str) -> Extreme:
+        return _refined(solution, name, coarse, sections, limits, options)
+
+    warnings = tuple(_warnings(solution)) if station is None else ()
+    largest = {name: refined(name) for name in QUANTITIES}
+    return Extremes(body=options.get("body", "a"), warnings=warnings, **largest)
+
+
+def _sections(solution: AnySolution) -> Array:
+    """Return the stations to search: where there is contact, away from singular ends."""
+    touching = away_from_ends(solution) if isinstance(solution, Solution) else solution.line_load > 0.0
+    if not touching.any():  # all of the contact is near an end
+        touching = solution.line_load > 0.0
+    sections = solution.y[touching]
+    if sections.size > MOST_STATIONS:
+        sections = sections[np.linspace(0, sections.size - 1, MOST_STATIONS).astype(int)]
+    return sections
+
+
+def _refined(
+    solution: AnySolution,
+    name: str,
+    coarse: Passage,
+    sections: Array,
+    limits: tuple[float, float],
+    options: Within,
+) -> Extreme:
+    """Return the largest value near the best place of a net, on nets that are drawn together."""
+    values, places = getattr(coarse, name), getattr(coarse, f"{name}_x")
+    row, column = np.unravel_index(int(values.argmax()), values.shape)
+    best = np.array([places[row, column], coarse.y[row, column], coarse.z[row, column]])
+    top = float(values[row, column])
+    half_width = float(across_at(solution, sections[row])[1])
+    neighbours = sections[max(row - 1, 0) : row + 2]
+    span = np.array([0.1 * half_width, float(np.ptp(neighbours)) if sections.size > 1 else 0.0, 0.2 * half_width])
+    quantity: Quantity = QUANTITIES[name]
+    for _ in range(ROUNDS):
+        x, y, z = (np.unique(centre + reach * MESHES) for centre, reach in zip(best, span, strict=True))
+        y, z = np.unique(np.clip(y, *limits)), np.unique(np.maximum(z, 0.0))
+        net = np.stack(np.meshgrid(x, y, z, indexing="ij"), axis=-1).reshape(-1, 3)
+        found = quantity(stress(solution, *net.T, **options).stress)
+        if found.max() > top:
+            top, best = float(found.max()), net[int(found.argmax())]
+        span *= SHRINKING
+    x = abs(best[0]) if isinstance(solution, Solution) else best[0]
+    return Extreme(top, float(x) + 0.0, float(best[1]) + 0.0, float(best[2]) + 0.0)
+
+
+def _warnings(solution: AnySolution) -> list[str]:
+    if not isinstance(solution, Solution):
+        return []
+    sentences = []
+    ends = singular_ends(solution)
+    if ends:
+        places = " and ".join(f"{end.y:.5g}" for end in ends)
+        sentences.append(
+            f"The stress has no limit towards the sharp end at y = {places} mm: within a half-width of it nothing "
+            "was searched."
+        )
+    return sentences

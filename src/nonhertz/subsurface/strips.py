@@ -1,0 +1,251 @@
+"""The field below strips: uniform along y, semi-elliptic or parabolic across.
+
+Across, the pressure of a strip is a Gaussian sum of line loads: n nodes integrate what a load at xi does, a function
+that is analytic up to the ellipse through the point with its foci at the strip's edges, with an error like
+exp(-2 n eta), 2 cosh(eta) the sum of the distances from both edges over the half-width. Each strip takes as many nodes
+as its distance asks for, two for most. Under the strip itself the distance would be the depth, and near the surface no
+number of nodes enough: there the infinite strip has a closed form in plane strain, and the quadrature has only the
+tails left that begin at the strip's ends (see `nonhertz.subsurface.tails`). With zeta = x + i z and the Cauchy integral
+H = int p(xi) / (zeta - xi), plane strain is
+
+    sigma_x, sigma_z = (Im H -+ ... z Re H') / pi        tau_xz = -z Im H' / pi        sigma_y = nu (sigma_x + sigma_z)
+
+with plus for x and minus for z.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import roots_jacobi
+
+from nonhertz.compiled import compiled
+from nonhertz.solution import Solution
+from nonhertz.strip.element import SEMI_ELLIPTIC
+from nonhertz.subsurface.tails import TWO_PI, displacement_tail, stress_tail
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+LADDER = (2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 192, 256, 384, 512)
+ERROR = 1e-8  # of what a strip adds
+# Nearer than this to the end of a strip, in half-widths, the place of the end is rounding.
+AT_AN_END = 1e-9
+# Beyond these distances, in half-widths, nodes replace the closed form of the infinite strip, which begins to cancel.
+CLOSED_FORM = 8.0
+SEMI_ELLIPSE, PARABOLA = 0, 1
+
+
+@dataclass(frozen=True, eq=False)
+class StripLoad:
+    """The pressure of a strip solution, for the field below it.
+
+    Attributes
+    ----------
+    edges : ndarray, shape (strips + 1,)
+        Edges of the strips [mm].
+    line_load : ndarray, shape (strips,)
+        q [N/mm].
+    half_width : ndarray, shape (strips,)
+        Half-width a [mm] of the element's own shape.
+    shape : int
+        SEMI_ELLIPSE or PARABOLA.
+    """
+
+    edges: Array
+    line_load: Array
+    half_width: Array
+    shape: int
+
+    @classmethod
+    def of(cls, solution: Solution) -> StripLoad:
+        """Return the load of a solution."""
+        shape = SEMI_ELLIPSE if solution.element.name == SEMI_ELLIPTIC.name else PARABOLA
+        return cls(solution.edges, solution.line_load, solution.element_half_width, shape)
+
+    def stress(self, points: Array, poisson: float) -> Array:
+        """Return sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy [MPa] at ``points`` (n, 3), shape (n, 6)."""
+        out = np.zeros((points.shape[0], 6))
+        _stress(points, self.edges, self.line_load, self.half_width, self.shape, *rules(self.shape), poisson, out)
+        return out
+
+    def displacement(self, points: Array, poisson: float) -> Array:
+        """Return the shear modulus times u_x, u_y, u_z [N/mm] at ``points`` (n, 3), shape (n, 3)."""
+        out = np.zeros((points.shape[0], 3))
+        _displacement(points, self.edges, self.line_load, self.half_width, self.shape, *rules(self.shape), poisson, out)
+        return out
+
+
+@cache
+def rules(shape: int) -> tuple[Array, Array, Integers, Array]:
+    """Return the Gaussian rules of a pressure shape whose integral is 1.
+
+    Returns
+    -------
+    tuple
+        Nodes and weights of all rules in a row, where each rule begins, and the sum of distances from both edges over
+        the half-width from which on it suffices, falling.
+    """
+    nodes, weights = zip(*(_rule(shape, count) for count in LADDER), strict=True)
+    starts = np.concatenate([[0], np.cumsum(LADDER)])
+    enough = 2.0 * np.cosh(-math.log(ERROR) / (2.0 * np.array(LADDER)))
+    return np.concatenate(nodes), np.concatenate(weights), starts, enough
+
+
+def _rule(shape: int, count: int) -> tuple[Array, Array]:
+    if shape == SEMI_ELLIPSE:
+        angle = np.pi * np.arange(1, count + 1) / (count + 1)
+        return np.cos(angle), 2.0 / (count + 1) * np.sin(angle) ** 2
+    nodes, weights = roots_jacobi(count, 1.0, 1.0)
+    return nodes, weights / weights.sum()
+
+
+@compiled
+def _infinite(x: float, z: float, a: float, shape: int) -> tuple[complex, complex, complex]:
+    """Return H, H' and the integral of p ln(zeta - xi) of an infinite strip under unit line load."""
+    zeta = complex(x / a, z / a)
+    if shape == SEMI_ELLIPSE:
+        # Factors apart, for the branch that goes like zeta far away.
+        root = cmath.sqrt(zeta - 1.0) * cmath.sqrt(zeta + 1.0)
+        if root == 0.0:
+            root = complex(1e-150, 0.0)
+        outside = zeta + root
+        transform = 2.0 / outside
+        slope = -2.0 / (root * outside)
+        potential = cmath.log(0.5 * outside) + 0.5 / (outside * outside)
+    else:
+        plus, minus = zeta + 1.0, zeta - 1.0
+        if plus == 0.0:
+            plus = complex(1e-150, 0.0)
+        if minus == 0.0:
+            minus = complex(1e-150, 0.0)
+        log_plus, log_minus = cmath.log(plus), cmath.log(minus)
+        difference = log_plus - log_minus
+        square = zeta * zeta
+        transform = 0.75 * ((1.0 - square) * difference + 2.0 * zeta)
+        slope = 3.0 - 1.5 * zeta * difference
+        potential = 0.75 * zeta * (1.0 - square / 3.0) * difference + 0.5 * (square + log_plus + log_minus) - 4.0 / 3.0
+    return transform / a, slope / (a * a), potential + math.log(a)
+
+
+@compiled
+def _sufficient(x: float, distance: float, a: float, enough: Array) -> int:
+    """Return the first rule that suffices at a distance, in y and z, from line loads within a of x = 0."""
+    across, apart = x / a, distance / a
+    total = math.sqrt((across - 1.0) ** 2 + apart * apart) + math.sqrt((across + 1.0) ** 2 + apart * apart)
+    rule = 0
+    while rule < enough.size - 1 and total < enough[rule]:
+        rule += 1
+    return rule
+
+
+@compiled
+def _tails(low: float, high: float, least: float) -> tuple[float, float, float, float, float, float, bool]:
+    """Return both tails that make a segment: distance, sign, and sign of what is odd along y, of each.
+
+    ``low`` and ``high`` are the segment's ends, ahead of the point where positive. What comes last is whether the point
+    lies between them.
+    """
+    if low > least:
+        return low, 1.0, 1.0, high, -1.0, -1.0, False
+    if high < -least:
+        return -high, 1.0, -1.0, -low, -1.0, 1.0, False
+    return max(high, least), -1.0, -1.0, max(-low, least), -1.0, 1.0, True
+
+
+@compiled
+def _stress(
+    points: Array,
+    edges: Array,
+    line_load: Array,
+    half_width: Array,
+    shape: int,
+    nodes: Array,
+    weights: Array,
+    starts: Integers,
+    enough: Array,
+    poisson: float,
+    out: Array,
+) -> None:
+    for i in range(points.shape[0]):
+        x, y, z = points[i, 0], points[i, 1], points[i, 2]
+        t_x, t_y, t_z, t_yz, t_xz, t_xy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+        for j in range(line_load.size):
+            if line_load[j] <= 0.0:
+                continue
+            a, q = half_width[j], line_load[j] / TWO_PI
+            Y1, even1, odd1, Y2, even2, odd2, astride = _tails(edges[j] - y, edges[j + 1] - y, AT_AN_END * a)
+            if astride:
+                if abs(x) + z < CLOSED_FORM * a:
+                    H, slope, _ = _infinite(x, z, a, shape)
+                    s_x, s_z = 2.0 * (H.imag + z * slope.real), 2.0 * (H.imag - z * slope.real)
+                    s_xz = -2.0 * z * slope.imag
+                else:
+                    s_x, s_z, s_xz = 0.0, 0.0, 0.0
+                    rule = _sufficient(x, z, a, enough)
+                    for k in range(starts[rule], starts[rule + 1]):
+                        X = x - a * nodes[k]
+                        square = X * X + z * z
+                        common = -4.0 * weights[k] * z / (square * square)
+                        s_x += common * X * X
+                        s_z += common * z * z
+                        s_xz += common * X * z
+                t_x += q * s_x
+                t_y += q * poisson * (s_x + s_z)
+                t_z += q * s_z
+                t_xz += q * s_xz
+            rule = _sufficient(x, math.sqrt(z * z + min(Y1, Y2) ** 2), a, enough)
+            for k in range(starts[rule], starts[rule + 1]):
+                X, w = x - a * nodes[k], q * weights[k]
+                f_x, f_y, f_z, f_yz, f_xz, f_xy = stress_tail(X, Y1, z, poisson)
+                g_x, g_y, g_z, g_yz, g_xz, g_xy = stress_tail(X, Y2, z, poisson)
+                t_x += w * (even1 * f_x + even2 * g_x)
+                t_y += w * (even1 * f_y + even2 * g_y)
+                t_z += w * (even1 * f_z + even2 * g_z)
+                t_yz += w * (odd1 * f_yz + odd2 * g_yz)
+                t_xz += w * (even1 * f_xz + even2 * g_xz)
+                t_xy += w * (odd1 * f_xy + odd2 * g_xy)
+        out[i, 0], out[i, 1], out[i, 2], out[i, 3], out[i, 4], out[i, 5] = t_x, t_y, t_z, t_yz, t_xz, t_xy
+
+
+@compiled
+def _displacement(
+    points: Array,
+    edges: Array,
+    line_load: Array,
+    half_width: Array,
+    shape: int,
+    nodes: Array,
+    weights: Array,
+    starts: Integers,
+    enough: Array,
+    poisson: float,
+    out: Array,
+) -> None:
+    for i in range(points.shape[0]):
+        x, y, z = points[i, 0], points[i, 1], points[i, 2]
+        u_x, u_y, u_z = 0.0, 0.0, 0.0
+        for j in range(line_load.size):
+            if line_load[j] <= 0.0:
+                continue
+            a, q = half_width[j], 0.5 * line_load[j] / TWO_PI
+            Y1, even1, odd1, Y2, even2, odd2, astride = _tails(edges[j] - y, edges[j + 1] - y, AT_AN_END * a)
+            if astride:
+                H, _, potential = _infinite(x, z, a, shape)
+                turned = math.pi - 2.0 * potential.imag
+                u_x += q * (2.0 * z * H.real - (1.0 - 2.0 * poisson) * turned)
+                u_z += q * (-4.0 * (1.0 - poisson) * potential.real - 2.0 * z * H.imag)
+            rule = _sufficient(x, math.sqrt(z * z + min(Y1, Y2) ** 2), a, enough)
+            for k in range(starts[rule], starts[rule + 1]):
+                X, w = x - a * nodes[k], q * weights[k]
+                f_x, f_y, f_z = displacement_tail(X, Y1, z, poisson)
+                g_x, g_y, g_z = displacement_tail(X, Y2, z, poisson)
+                u_x += w * (even1 * f_x + even2 * g_x)
+                u_y += w * (odd1 * f_y + odd2 * g_y)
+                u_z += w * (even1 * f_z + even2 * g_z)
+        out[i, 0], out[i, 1], out[i, 2] = u_x, u_y, u_z
