@@ -34,7 +34,6 @@ LEVELS = 32
 PANELS = np.array([0.0, 0.05, 0.15, 0.3, 0.45, 0.6, 0.8, 1.0, 1.25, 1.6, 2.2, 3.0, 4.0])
 SHALLOWEST = 1e-6  # half-widths: on the surface itself quadrature across has nothing to hold on to
 BEYOND = np.array([0.0, 0.1, 0.25, 0.5, 1.0, 2.0])  # the contact's ends, in half-widths
-NARROWING = 0.5  # of the depth looked at, per length along y
 LEFT_OUT = 0.1  # around a sharp end, of the largest half-width
 MOST_ROWS = 128  # of a plane grid
 
@@ -152,20 +151,7 @@ def _stations(solution: AnySolution, faces: tuple[float, float]) -> tuple[Array,
     nodes, weights = np.polynomial.legendre.leggauss(2)
     half = 0.5 * np.diff(edges)[:, None]
     y = (edges[:-1, None] + half * (1.0 + nodes)).ravel()
-    return y, (half * weights).ravel(), _depth_scale(solution, y)
-
-
-def _depth_scale(solution: AnySolution, y: Array) -> Array:
-    """Return the half-widths by which depths are measured: where a contact runs out, its neighbours' count."""
-    touching = solution.line_load > 0.0
-    along = solution.y[touching]
-    of_strips = across_at(solution, along)[1]
-    scale = across_at(solution, y)[1]
-    for start in range(0, y.size, 256):
-        part = slice(start, start + 256)
-        from_others = of_strips - NARROWING * np.abs(y[part, None] - along)
-        scale[part] = np.maximum(scale[part], from_others.max(axis=1))
-    return scale
+    return y, (half * weights).ravel(), across_at(solution, y)[1]
 
 
 def _edges_along(solution: AnySolution) -> Array:

@@ -25,6 +25,8 @@ Announce = Callable[[int, int], object]
 
 PORTION = 2048  # points that a thread takes at a time
 DOUBLE = 8
+# What counts of a half-width at a distance along y, and the least that does anywhere, of the largest.
+NARROWING, LEAST = 0.5, 0.05
 DEEPEST, WIDEST = 3.0, 2.0  # of planes whose extent is left to us, in half-widths
 STATIONS, LEVELS, ACROSS = 201, 61, 81
 
@@ -91,10 +93,11 @@ def stress(
 
     Notes
     -----
-    A half-space under the pressure of the solution, with the images of the body's side faces: the pressure of strips is
-    uniform along each strip, that of a plane grid in each cell, and near the surface both show as steps. Components
-    that quadrature adds are within 1e-7 of the pressure nearby, except within 0.02 half-widths of an edge of a strip
-    and, at once, of the surface. Beside the result about 10 MB are needed; see `memory`.
+    A half-space under the pressure of the solution, with the images of the body's side faces. The pressure of strips is
+    continued smoothly between their centres, that of a plane grid is uniform in each cell, which shows near the
+    surface. The field of either is within 1e-6 of the largest pressure, from depths of 0.04 half-widths on; nearer to
+    the surface that of strips is within the steps between their pieces, half a per cent. Beside the result about 10 MB
+    are needed; see `memory`.
 
     References
     ----------
@@ -239,7 +242,10 @@ def memory(points: int, *, displacement: bool = False) -> int:
 
 
 def across_at(solution: AnySolution, y: Array) -> tuple[Array, Array]:
-    """Return the middle of the contact across and its half-width [mm] at stations, the nearest ones' off contact.
+    """Return the middle of the contact across and the half-width that counts [mm] at stations.
+
+    Where a contact runs out or has ended it is its neighbours' half-width, less half of their distance: their field
+    reaches as deep and wide there.
 
     Raises
     ------
@@ -249,13 +255,22 @@ def across_at(solution: AnySolution, y: Array) -> tuple[Array, Array]:
     touching = solution.line_load > 0.0
     if not touching.any():
         raise InputError("solution", solution.status.label, "have a contact", "press the bodies together")
+    along = solution.y[touching]
     if isinstance(solution, Solution):
-        return np.zeros(y.shape), np.interp(y, solution.y[touching], solution.element_half_width[touching])
-    footprint = solution.footprint[:, touching]
-    first = solution.x[footprint.argmax(axis=0)]
-    last = solution.x[::-1][footprint[::-1].argmax(axis=0)]
-    middle, half = 0.5 * (first + last), 0.5 * (last - first + solution.dx)
-    return np.interp(y, solution.y[touching], middle), np.interp(y, solution.y[touching], half)
+        middle, half_width = np.zeros(along.size), solution.element_half_width[touching]
+    else:
+        footprint = solution.footprint[:, touching]
+        first = solution.x[footprint.argmax(axis=0)]
+        last = solution.x[::-1][footprint[::-1].argmax(axis=0)]
+        middle, half_width = 0.5 * (first + last), 0.5 * (last - first + solution.dx)
+    stations = np.asarray(y, dtype=float).ravel()
+    counted = np.interp(stations, along, half_width, left=0.0, right=0.0)
+    for start in range(0, stations.size, PORTION):
+        part = slice(start, start + PORTION)
+        of_others = half_width - NARROWING * np.abs(stations[part, None] - along)
+        counted[part] = np.maximum(counted[part], of_others.max(axis=1))
+    least = LEAST * float(half_width.max())
+    return np.interp(y, along, middle), np.maximum(counted, least).reshape(np.shape(y))
 
 
 def axial_range(solution: AnySolution, body: str) -> Array:

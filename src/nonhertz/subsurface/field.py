@@ -92,12 +92,12 @@ class Field(ReadOnly):
     @cached_property
     def von_mises(self) -> Array:
         """Von Mises equivalent stress [MPa]."""
-        return read_only(von_mises_of(self.stress))
+        return read_only(np.asarray(von_mises_of(self.stress)))
 
     @cached_property
     def max_shear(self) -> Array:
         """Maximum shear stress, half of the difference of the outermost principal stresses [MPa]."""
-        return read_only(0.5 * (self.principal[..., 0] - self.principal[..., 2]))
+        return read_only(np.asarray(0.5 * (self.principal[..., 0] - self.principal[..., 2])))
 
 
 def as_tensor(stress: Array) -> Array:

@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 # Depths over the half-width at which the search begins.
 DEPTHS = np.array([0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.95, 1.15, 1.4])
 MOST_STATIONS = 401
+EQUAL = 1e-6
 MESHES, ROUNDS, SHRINKING = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]), 18, 0.6
 
 
@@ -104,11 +105,13 @@ def extremes(solution: AnySolution, station: float | None = None, **options: Unp
     announce = options.pop("announce", None)
     sections = _sections(solution) if station is None else finite_numbers("station", station)
     sections = np.atleast_1d(sections)
-    half_width = across_at(solution, sections)[1]
+    depths = across_at(solution, sections)[1][:, None] * DEPTHS
+    if station is not None:  # off contact the stress comes from further away and is largest further down
+        depths = np.unique(np.concatenate([depths, _distances(solution, sections) * DEPTHS], axis=None))[None, :]
     searched: Within = {**options}
     if announce is not None:
         searched["announce"] = announce
-    coarse = passage(solution, sections[:, None], half_width[:, None] * DEPTHS, **searched)
+    coarse = passage(solution, sections[:, None], depths, **searched)
     limits = (sections[0], sections[-1])
 
     def refined(name: str) -> Extreme:
@@ -130,6 +133,14 @@ def _sections(solution: AnySolution) -> Array:
     return sections
 
 
+def _distances(solution: AnySolution, station: Array) -> Array:
+    """Return lengths [mm] that the depth of the largest stress may be of: half-width, distance to the contact."""
+    touching = solution.y[solution.line_load > 0.0]
+    largest = float(across_at(solution, touching)[1].max())
+    nearest = float(np.abs(touching - station[0]).min())
+    return np.array([[largest], [largest + nearest]])
+
+
 def _refined(
     solution: AnySolution,
     name: str,
@@ -140,12 +151,14 @@ def _refined(
 ) -> Extreme:
     """Return the largest value near the best place of a net, on nets that are drawn together."""
     values, places = getattr(coarse, name), getattr(coarse, f"{name}_x")
-    row, column = np.unravel_index(int(values.argmax()), values.shape)
+    row, column = _first_of_equals(values, coarse.y)
     best = np.array([places[row, column], coarse.y[row, column], coarse.z[row, column]])
     top = float(values[row, column])
     half_width = float(across_at(solution, sections[row])[1])
     neighbours = sections[max(row - 1, 0) : row + 2]
-    span = np.array([0.1 * half_width, float(np.ptp(neighbours)) if sections.size > 1 else 0.0, 0.2 * half_width])
+    step = np.diff(coarse.z[row])[max(column - 1, 0) : column + 1].max()
+    reach = max(0.1 * half_width, 0.5 * step)
+    span = np.array([reach, float(np.ptp(neighbours)) if sections.size > 1 else 0.0, max(0.2 * half_width, step)])
     quantity: Quantity = QUANTITIES[name]
     for _ in range(ROUNDS):
         x, y, z = (np.unique(centre + reach * MESHES) for centre, reach in zip(best, span, strict=True))
@@ -159,15 +172,26 @@ def _refined(
     return Extreme(top, float(x) + 0.0, float(best[1]) + 0.0, float(best[2]) + 0.0)
 
 
+def _first_of_equals(values: Array, y: Array) -> tuple[int, int]:
+    """Return the place of the largest value; of equal ones that nearest the middle, then that of the lowest y.
+
+    So all quantities of a symmetric field are told at the same end.
+    """
+    equal = np.argwhere(values >= (1.0 - EQUAL) * values.max())
+    along = y[equal[:, 0], equal[:, 1]]
+    nearest = np.abs(along) <= (1.0 + EQUAL) * np.abs(along).min()
+    row, column = equal[nearest][0]
+    return int(row), int(column)
+
+
 def _warnings(solution: AnySolution) -> list[str]:
     if not isinstance(solution, Solution):
         return []
-    sentences = []
     ends = singular_ends(solution)
-    if ends:
-        places = " and ".join(f"{end.y:.5g}" for end in ends)
-        sentences.append(
-            f"The stress has no limit towards the sharp end at y = {places} mm: within a half-width of it nothing "
-            "was searched."
-        )
-    return sentences
+    if not ends:
+        return []
+    places = " and ".join(f"{end.y:.5g}" for end in ends)
+    what = f"The stress has no limit towards the sharp end at y = {places} mm:"
+    if away_from_ends(solution).any():
+        return [f"{what} within a half-width of it nothing was searched."]
+    return [f"{what} all of the contact lies within a half-width of it, and the values depend on the strips."]

@@ -5,8 +5,9 @@ that is analytic up to the ellipse through the point with its foci at the strip'
 exp(-2 n eta), 2 cosh(eta) the sum of the distances from both edges over the half-width. Each strip takes as many nodes
 as its distance asks for, two for most. Under the strip itself the distance would be the depth, and near the surface no
 number of nodes enough: there the infinite strip has a closed form in plane strain, and the quadrature has only the
-tails left that begin at the strip's ends (see `nonhertz.subsurface.tails`). With zeta = x + i z and the Cauchy integral
-H = int p(xi) / (zeta - xi), plane strain is
+tails left that begin at the strip's ends (see `nonhertz.subsurface.tails`). Nearby, strips are taken in pieces that
+follow the pressure between their centres (see `nonhertz.subsurface.lamination`). With zeta = x + i z and the Cauchy
+integral H = int p(xi) / (zeta - xi), plane strain is
 
     sigma_x, sigma_z = (Im H -+ ... z Re H') / pi        tau_xz = -z Im H' / pi        sigma_y = nu (sigma_x + sigma_z)
 
@@ -27,15 +28,19 @@ from scipy.special import roots_jacobi
 from nonhertz.compiled import compiled
 from nonhertz.solution import Solution
 from nonhertz.strip.element import SEMI_ELLIPTIC
+from nonhertz.subsurface.lamination import Lamination, laminated
 from nonhertz.subsurface.tails import TWO_PI, displacement_tail, stress_tail
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
-LADDER = (2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 192, 256, 384, 512)
+LADDER = (2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 192, 256)
 ERROR = 1e-8  # of what a strip adds
-# Nearer than this to the end of a strip, in half-widths, the place of the end is rounding.
-AT_AN_END = 1e-9
+# No tail begins nearer to a point than this, in half-widths: what the last rule can do. A piece that ends nearer to a
+# point on the surface is so much longer for it, and its neighbour shorter.
+NEAREST = 0.04
+# A strip counts as a whole from here on, in half-widths and in its own lengths.
+FAR, FAR_IN_LENGTHS = 3.0, 1.0
 # Beyond these distances, in half-widths, nodes replace the closed form of the infinite strip, which begins to cancel.
 CLOSED_FORM = 8.0
 SEMI_ELLIPSE, PARABOLA = 0, 1
@@ -47,38 +52,38 @@ class StripLoad:
 
     Attributes
     ----------
-    edges : ndarray, shape (strips + 1,)
-        Edges of the strips [mm].
-    line_load : ndarray, shape (strips,)
-        q [N/mm].
-    half_width : ndarray, shape (strips,)
-        Half-width a [mm] of the element's own shape.
+    strips : Lamination
+        The strips and their pieces.
     shape : int
         SEMI_ELLIPSE or PARABOLA.
     """
 
-    edges: Array
-    line_load: Array
-    half_width: Array
+    strips: Lamination
     shape: int
 
     @classmethod
     def of(cls, solution: Solution) -> StripLoad:
         """Return the load of a solution."""
         shape = SEMI_ELLIPSE if solution.element.name == SEMI_ELLIPTIC.name else PARABOLA
-        return cls(solution.edges, solution.line_load, solution.element_half_width, shape)
+        return cls(laminated(solution), shape)
 
     def stress(self, points: Array, poisson: float) -> Array:
         """Return sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy [MPa] at ``points`` (n, 3), shape (n, 6)."""
         out = np.zeros((points.shape[0], 6))
-        _stress(points, self.edges, self.line_load, self.half_width, self.shape, *rules(self.shape), poisson, out)
+        _stress(points, *self._given(poisson), out)
         return out
 
     def displacement(self, points: Array, poisson: float) -> Array:
         """Return the shear modulus times u_x, u_y, u_z [N/mm] at ``points`` (n, 3), shape (n, 3)."""
         out = np.zeros((points.shape[0], 3))
-        _displacement(points, self.edges, self.line_load, self.half_width, self.shape, *rules(self.shape), poisson, out)
+        _displacement(points, *self._given(poisson), out)
         return out
+
+    def _given(
+        self, poisson: float
+    ) -> tuple[Array, Array, Array, Array, Integers, int, Array, Array, Integers, Array, float]:
+        of = self.strips
+        return of.low, of.high, of.line_load, of.half_width, of.first, self.shape, *rules(self.shape), poisson
 
 
 @cache
@@ -145,25 +150,37 @@ def _sufficient(x: float, distance: float, a: float, enough: Array) -> int:
 
 
 @compiled
-def _tails(low: float, high: float, least: float) -> tuple[float, float, float, float, float, float, bool]:
+def _tails(low: float, high: float, z: float, a: float) -> tuple[float, float, float, float, float, float, bool]:
     """Return both tails that make a segment: distance, sign, and sign of what is odd along y, of each.
 
     ``low`` and ``high`` are the segment's ends, ahead of the point where positive. What comes last is whether the point
     lies between them.
     """
-    if low > least:
-        return low, 1.0, 1.0, high, -1.0, -1.0, False
-    if high < -least:
-        return -high, 1.0, -1.0, -low, -1.0, 1.0, False
+    least = math.sqrt(max((NEAREST * a) ** 2 - z * z, (1e-9 * a) ** 2))
+    if low > 0.0:
+        return max(low, least), 1.0, 1.0, max(high, least), -1.0, -1.0, False
+    if high <= 0.0:
+        return max(-high, least), 1.0, -1.0, max(-low, least), -1.0, 1.0, False
     return max(high, least), -1.0, -1.0, max(-low, least), -1.0, 1.0, True
+
+
+@compiled
+def _counted(j: int, y: float, low: Array, high: Array, half_width: Array, first: Integers) -> tuple[int, int]:
+    """Return the range that stands for strip ``j``: itself from afar, else its pieces."""
+    apart = max(low[j] - y, y - high[j])
+    if apart > FAR * half_width[j] and apart > FAR_IN_LENGTHS * (high[j] - low[j]):
+        return j, j + 1
+    return first[j], first[j + 1]
 
 
 @compiled
 def _stress(
     points: Array,
-    edges: Array,
+    low: Array,
+    high: Array,
     line_load: Array,
     half_width: Array,
+    first: Integers,
     shape: int,
     nodes: Array,
     weights: Array,
@@ -175,50 +192,52 @@ def _stress(
     for i in range(points.shape[0]):
         x, y, z = points[i, 0], points[i, 1], points[i, 2]
         t_x, t_y, t_z, t_yz, t_xz, t_xy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-        for j in range(line_load.size):
-            if line_load[j] <= 0.0:
-                continue
-            a, q = half_width[j], line_load[j] / TWO_PI
-            Y1, even1, odd1, Y2, even2, odd2, astride = _tails(edges[j] - y, edges[j + 1] - y, AT_AN_END * a)
-            if astride:
-                if abs(x) + z < CLOSED_FORM * a:
-                    H, slope, _ = _infinite(x, z, a, shape)
-                    s_x, s_z = 2.0 * (H.imag + z * slope.real), 2.0 * (H.imag - z * slope.real)
-                    s_xz = -2.0 * z * slope.imag
-                else:
-                    s_x, s_z, s_xz = 0.0, 0.0, 0.0
-                    rule = _sufficient(x, z, a, enough)
-                    for k in range(starts[rule], starts[rule + 1]):
-                        X = x - a * nodes[k]
-                        square = X * X + z * z
-                        common = -4.0 * weights[k] * z / (square * square)
-                        s_x += common * X * X
-                        s_z += common * z * z
-                        s_xz += common * X * z
-                t_x += q * s_x
-                t_y += q * poisson * (s_x + s_z)
-                t_z += q * s_z
-                t_xz += q * s_xz
-            rule = _sufficient(x, math.sqrt(z * z + min(Y1, Y2) ** 2), a, enough)
-            for k in range(starts[rule], starts[rule + 1]):
-                X, w = x - a * nodes[k], q * weights[k]
-                f_x, f_y, f_z, f_yz, f_xz, f_xy = stress_tail(X, Y1, z, poisson)
-                g_x, g_y, g_z, g_yz, g_xz, g_xy = stress_tail(X, Y2, z, poisson)
-                t_x += w * (even1 * f_x + even2 * g_x)
-                t_y += w * (even1 * f_y + even2 * g_y)
-                t_z += w * (even1 * f_z + even2 * g_z)
-                t_yz += w * (odd1 * f_yz + odd2 * g_yz)
-                t_xz += w * (even1 * f_xz + even2 * g_xz)
-                t_xy += w * (odd1 * f_xy + odd2 * g_xy)
+        for j in range(first.size - 1):
+            begin, end = _counted(j, y, low, high, half_width, first)
+            for p in range(begin, end):
+                a, q = half_width[p], line_load[p] / TWO_PI
+                Y1, even1, odd1, Y2, even2, odd2, astride = _tails(low[p] - y, high[p] - y, z, a)
+                if astride:
+                    if abs(x) + z < CLOSED_FORM * a:
+                        H, slope, _ = _infinite(x, z, a, shape)
+                        s_x, s_z = 2.0 * (H.imag + z * slope.real), 2.0 * (H.imag - z * slope.real)
+                        s_xz = -2.0 * z * slope.imag
+                    else:
+                        s_x, s_z, s_xz = 0.0, 0.0, 0.0
+                        rule = _sufficient(x, z, a, enough)
+                        for k in range(starts[rule], starts[rule + 1]):
+                            X = x - a * nodes[k]
+                            square = X * X + z * z
+                            common = -4.0 * weights[k] * z / (square * square)
+                            s_x += common * X * X
+                            s_z += common * z * z
+                            s_xz += common * X * z
+                    t_x += q * s_x
+                    t_y += q * poisson * (s_x + s_z)
+                    t_z += q * s_z
+                    t_xz += q * s_xz
+                rule = _sufficient(x, math.sqrt(z * z + min(Y1, Y2) ** 2), a, enough)
+                for k in range(starts[rule], starts[rule + 1]):
+                    X, w = x - a * nodes[k], q * weights[k]
+                    f_x, f_y, f_z, f_yz, f_xz, f_xy = stress_tail(X, Y1, z, poisson)
+                    g_x, g_y, g_z, g_yz, g_xz, g_xy = stress_tail(X, Y2, z, poisson)
+                    t_x += w * (even1 * f_x + even2 * g_x)
+                    t_y += w * (even1 * f_y + even2 * g_y)
+                    t_z += w * (even1 * f_z + even2 * g_z)
+                    t_yz += w * (odd1 * f_yz + odd2 * g_yz)
+                    t_xz += w * (even1 * f_xz + even2 * g_xz)
+                    t_xy += w * (odd1 * f_xy + odd2 * g_xy)
         out[i, 0], out[i, 1], out[i, 2], out[i, 3], out[i, 4], out[i, 5] = t_x, t_y, t_z, t_yz, t_xz, t_xy
 
 
 @compiled
 def _displacement(
     points: Array,
-    edges: Array,
+    low: Array,
+    high: Array,
     line_load: Array,
     half_width: Array,
+    first: Integers,
     shape: int,
     nodes: Array,
     weights: Array,
@@ -230,22 +249,22 @@ def _displacement(
     for i in range(points.shape[0]):
         x, y, z = points[i, 0], points[i, 1], points[i, 2]
         u_x, u_y, u_z = 0.0, 0.0, 0.0
-        for j in range(line_load.size):
-            if line_load[j] <= 0.0:
-                continue
-            a, q = half_width[j], 0.5 * line_load[j] / TWO_PI
-            Y1, even1, odd1, Y2, even2, odd2, astride = _tails(edges[j] - y, edges[j + 1] - y, AT_AN_END * a)
-            if astride:
-                H, _, potential = _infinite(x, z, a, shape)
-                turned = math.pi - 2.0 * potential.imag
-                u_x += q * (2.0 * z * H.real - (1.0 - 2.0 * poisson) * turned)
-                u_z += q * (-4.0 * (1.0 - poisson) * potential.real - 2.0 * z * H.imag)
-            rule = _sufficient(x, math.sqrt(z * z + min(Y1, Y2) ** 2), a, enough)
-            for k in range(starts[rule], starts[rule + 1]):
-                X, w = x - a * nodes[k], q * weights[k]
-                f_x, f_y, f_z = displacement_tail(X, Y1, z, poisson)
-                g_x, g_y, g_z = displacement_tail(X, Y2, z, poisson)
-                u_x += w * (even1 * f_x + even2 * g_x)
-                u_y += w * (odd1 * f_y + odd2 * g_y)
-                u_z += w * (even1 * f_z + even2 * g_z)
+        for j in range(first.size - 1):
+            begin, end = _counted(j, y, low, high, half_width, first)
+            for p in range(begin, end):
+                a, q = half_width[p], 0.5 * line_load[p] / TWO_PI
+                Y1, even1, odd1, Y2, even2, odd2, astride = _tails(low[p] - y, high[p] - y, z, a)
+                if astride:
+                    H, _, potential = _infinite(x, z, a, shape)
+                    turned = math.pi - 2.0 * potential.imag
+                    u_x += q * (2.0 * z * H.real - (1.0 - 2.0 * poisson) * turned)
+                    u_z += q * (-4.0 * (1.0 - poisson) * potential.real - 2.0 * z * H.imag)
+                rule = _sufficient(x, math.sqrt(z * z + min(Y1, Y2) ** 2), a, enough)
+                for k in range(starts[rule], starts[rule + 1]):
+                    X, w = x - a * nodes[k], q * weights[k]
+                    f_x, f_y, f_z = displacement_tail(X, Y1, z, poisson)
+                    g_x, g_y, g_z = displacement_tail(X, Y2, z, poisson)
+                    u_x += w * (even1 * f_x + even2 * g_x)
+                    u_y += w * (odd1 * f_y + odd2 * g_y)
+                    u_z += w * (even1 * f_z + even2 * g_z)
         out[i, 0], out[i, 1], out[i, 2] = u_x, u_y, u_z
