@@ -11,6 +11,7 @@ from nonhertz.life.assessment import assess as assess
 from nonhertz.life.capacity import Raceway as Raceway
 from nonhertz.life.capacity import raceway as raceway
 from nonhertz.life.catalogue import MODELS as MODELS
+from nonhertz.life.catalogue import RATED as RATED
 from nonhertz.life.catalogue import Model as Model
 from nonhertz.life.catalogue import VolumeModel as VolumeModel
 from nonhertz.life.catalogue import ioannides_harris as ioannides_harris

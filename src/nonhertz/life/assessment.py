@@ -18,12 +18,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.life.capacity import raceway
+from nonhertz.life.capacity import Raceway, raceway
 from nonhertz.life.catalogue import MODELS, Model, VolumeModel, model
-from nonhertz.life.lamina import EXPONENT, LaminaModel, laminae_of
-from nonhertz.life.volume import LEFT_OUT, Exposure, exposure
+from nonhertz.life.lamina import EXPONENT, LEFT_OUT, LaminaModel, laminae_of
+from nonhertz.life.volume import Exposure, exposure
 from nonhertz.model.checks import positive
 from nonhertz.patch.solution import PatchSolution
+from nonhertz.singular import singular_ends
 from nonhertz.solution import ReadOnly, Solution
 from nonhertz.subsurface.evaluation import Running
 from nonhertz.subsurface.inside import AnySolution
@@ -31,6 +32,7 @@ from nonhertz.subsurface.inside import AnySolution
 Array = NDArray[np.float64]
 Spectrum = Sequence[tuple[AnySolution, float]]
 
+_NO_ROLLERS = "it needs the number of rollers"
 _ROLLERS_REMEDY = "give the number of rollers in the bearing"
 
 
@@ -54,12 +56,16 @@ class Life(ReadOnly):
     million_revolutions : float or None
         L_10 [10^6 revolutions of the ring, all rollers passing under this load], with 90 % reliability. None without a
         number of rollers, or where no standard has a capacity.
+    no_revolutions : str
+        Why there is no absolute life, in words; empty if there is.
+    raceway : Raceway or None
+        The ring under the roller, if the contact is of such.
     y : ndarray, shape (stations,)
         Stations [mm].
     density : ndarray, shape (stations,)
         Damage per length at each of them over the mean of the reference [-]; 1 under the ideal pressure.
     warnings : tuple of str
-        What strains or limits the result, and why there is no absolute life.
+        What strains or limits the result.
     """
 
     model: Model
@@ -67,6 +73,8 @@ class Life(ReadOnly):
     damage: float
     reference: float
     million_revolutions: float | None
+    no_revolutions: str
+    raceway: Raceway | None
     y: Array
     density: Array
     warnings: tuple[str, ...]
@@ -79,6 +87,8 @@ class Life(ReadOnly):
     def over(self, other: Life) -> float:
         """Return this life over another by the same model [-].
 
+        Not a number for laminae where one contact alone has a raceway: the damages are then told in other capacities.
+
         Raises
         ------
         InputError
@@ -87,6 +97,8 @@ class Life(ReadOnly):
         if self.model != other.model:
             remedy = "compare lives by one model with the same parameters"
             raise InputError("other", other.model.name, f"be by the model {self.model.name} too", remedy)
+        if isinstance(self.model, LaminaModel) and (self.raceway is None) != (other.raceway is None):
+            return math.nan
         return ratio(other.damage, self.damage, self.model.slope)
 
 
@@ -187,65 +199,71 @@ def _by_volume(
     wanted: VolumeModel, spectrum: Spectrum, seen: list[Exposure], shares: Array, body: str, rollers: int | None
 ) -> Life:
     damages = np.array([each.damage(wanted) for each in seen])
-    damage = _together(damages, shares, wanted.slope)
     ideal = [each.reference for each in seen]
     references = np.array([math.nan if each is None else each.damage(wanted) for each in ideal])
-    reference = _together(references, shares, wanted.slope)
-    y, density = _density(
-        [each.y for each in seen], [each.density(wanted) for each in seen], damages, shares, wanted.slope
-    )
-    length = np.ptp(spectrum[0][0].contact.interval)
-    warnings = [sentence for each, _ in spectrum for sentence in each.warnings]
-    sharp = sorted({end for each in seen for end in each.sharp})
-    if sharp:
-        places = " and ".join(f"{end:.5g}" for end in sharp)
-        warnings.append(
-            f"The damage has no limit towards the sharp end at y = {places} mm: nearer to it than {LEFT_OUT:g} of the "
-            "largest half-width nothing was counted."
-        )
-    absolute, why = None, f"{wanted.name} has no capacity of its own"
-    if wanted.name == "lundberg-palmgren":
-        absolute, why = _ideal_life(spectrum, shares, rollers)
-        if absolute is not None:
-            absolute *= ratio(reference, damage, wanted.slope)
-    if absolute is None:
-        warnings.append(f"There is no absolute life: {why}.")
-    return Life(wanted, body, damage, reference, absolute, y, density * length / reference, _once(warnings))
+    damage, reference = (_together(each, shares, wanted.slope) for each in (damages, references))
+    y, density = _density([each.y for each in seen], [each.density(wanted) for each in seen], damages, shares, wanted)
+    length = float(np.ptp(spectrum[0][0].contact.interval))
+    ring, why = raceway(spectrum[0][0].contact)
+    absolute = None
+    if wanted.name != "lundberg-palmgren":
+        why = f"{wanted.name} has no capacity of its own"
+    elif ring is not None and rollers is not None:
+        absolute = _ideal_life(ring, spectrum, shares, rollers) * ratio(reference, damage, wanted.slope)
+    why = "" if absolute is not None else why or _NO_ROLLERS
+    warnings = _warnings(spectrum, {end for each in seen for end in each.sharp})
+    return Life(wanted, body, damage, reference, absolute, why, ring, y, _over(density, reference / length), warnings)
 
 
 def _by_laminae(wanted: LaminaModel, spectrum: Spectrum, shares: Array, body: str, rollers: int | None) -> Life:
     cut = [laminae_of(each, wanted) for each, _ in spectrum]
     edges = cut[0].edges
-    length = float(edges[-1] - edges[0])
     ring, why = raceway(spectrum[0][0].contact)
     # Without a ring the capacity goes with the length alone.
-    capacity = ring.capacity(1) if ring is not None else length ** (7.0 / 9.0)
+    capacity = ring.capacity(1) if ring is not None else float(edges[-1] - edges[0]) ** (7.0 / 9.0)
     of_laminae = [each.damage(capacity) for each in cut]
     damages = np.array([each.sum() for each in of_laminae])
-    references = np.array([(each.load / capacity) ** (EXPONENT / wanted.slope) for each, _ in spectrum]) ** wanted.slope
+    references = np.array([(each.load / capacity) ** EXPONENT for each, _ in spectrum])
     damage, reference = (_together(each, shares, wanted.slope) for each in (damages, references))
     y = 0.5 * (edges[1:] + edges[:-1])
-    _, density = _density([y] * len(cut), of_laminae, damages, shares, wanted.slope)
-    absolute, warnings = None, [sentence for each, _ in spectrum for sentence in each.warnings]
+    _, density = _density([y] * len(cut), of_laminae, damages, shares, wanted)
+    absolute = None
     if ring is not None and rollers is not None:
         # Every roller is a pass: a quarter power of Z in the capacity.
         absolute = damage ** (-1.0 / wanted.slope) / rollers
-    else:
-        warnings.append(f"There is no absolute life: {why or 'it needs the number of rollers'}.")
-    return Life(wanted, body, damage, reference, absolute, y, density * wanted.laminae / reference, _once(warnings))
+    why = "" if absolute is not None else why or _NO_ROLLERS
+    warnings = _warnings(spectrum, {end for each in cut for end in each.sharp})
+    return Life(
+        wanted, body, damage, reference, absolute, why, ring, y, _over(density, reference / wanted.laminae), warnings
+    )
 
 
-def _ideal_life(spectrum: Spectrum, shares: Array, rollers: int | None) -> tuple[float | None, str]:
-    """Return L_10 [10^6 revolutions] under the ideal pressure, (Q_c / Q)^4, or None and why there is none."""
-    ring, why = raceway(spectrum[0][0].contact)
-    if ring is None:
-        return None, why
-    if rollers is None:
-        return None, "it needs the number of rollers"
-    capacity = ring.capacity(int(rollers))
-    return float(
-        1.0 / sum(share * (each.load / capacity) ** 4 for (each, _), share in zip(spectrum, shares, strict=True))
-    ), ""
+def _warnings(spectrum: Spectrum, sharp: set[float]) -> tuple[str, ...]:
+    """Return what the solutions warn of, each sentence once, and what sharp ends do to a damage."""
+    sentences = dict.fromkeys(sentence for each, _ in spectrum for sentence in each.warnings)
+    if not sharp:
+        return tuple(sentences)
+    places = " and ".join(f"{end:.5g}" for end in sorted(sharp))
+    sentences[
+        f"The damage has no limit towards the sharp end at y = {places} mm: nearer to it than {LEFT_OUT:g} of the "
+        "largest half-width nothing was counted."
+    ] = None
+    solutions = [each for each, _ in spectrum if isinstance(each, Solution)]
+    if any(end.strip_width > LEFT_OUT * each.half_width.max() for each in solutions for end in singular_ends(each)):
+        sentences["The strips at a sharp end are wider than what was left out: solve on the automatic grid."] = None
+    return tuple(sentences)
+
+
+def _over(density: Array, mean: float) -> Array:
+    """Return densities over a mean; not a number where there is none, infinite where it is zero."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return density / mean
+
+
+def _ideal_life(ring: Raceway, spectrum: Spectrum, shares: Array, rollers: int) -> float:
+    """Return L_10 [10^6 revolutions] under the ideal pressure, (Q_c / Q)^4."""
+    loads = np.array([each.load for each, _ in spectrum])
+    return float(1.0 / (shares @ (loads / ring.capacity(rollers)) ** 4))
 
 
 def _together(damages: Array, shares: Array, slope: float) -> float:
@@ -254,9 +272,10 @@ def _together(damages: Array, shares: Array, slope: float) -> float:
 
 
 def _density(
-    y: list[Array], densities: list[Array], damages: Array, shares: Array, slope: float
+    y: list[Array], densities: list[Array], damages: Array, shares: Array, model: Model
 ) -> tuple[Array, Array]:
     """Return stations and the damage per length whose integral is that of the spectrum, on the stations of all."""
+    slope = model.slope
     together = _together(damages, shares, slope)
     stations = y[0] if len(y) == 1 else np.unique(np.concatenate(y))
     total = np.zeros(stations.size)
@@ -265,7 +284,3 @@ def _density(
             counted = share * (damage / together) ** (1.0 / slope - 1.0)
             total += counted * np.interp(stations, along, density, left=0.0, right=0.0)
     return stations, total
-
-
-def _once(sentences: list[str]) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(sentences))

@@ -37,12 +37,15 @@ class Raceway:
         Diameter of the circle of roller centres [mm].
     inner : bool
         Whether it is an inner ring.
+    body : str
+        Which of the bodies of a contact is the ring, ``"a"`` or ``"b"``.
     """
 
     roller_diameter: float
     length: float
     pitch_diameter: float
     inner: bool
+    body: str = "b"
 
     def load_rating(self, rollers: int) -> float:
         """Return the basic dynamic radial load rating C_r [N] of a bearing, ISO 281.
@@ -84,8 +87,9 @@ def raceway(contact: Contact) -> tuple[Raceway | None, str]:
     """Return the ring of a contact under its roller, the smaller of the bodies, or None and why there is no such."""
     diameters = [body.diameter for body in (contact.a, contact.b)]
     if not all(isinstance(diameter, float | int) for diameter in diameters):
-        return None, "it is no contact of a cylindrical roller and a cylindrical ring"
-    (roller, ring) = sorted((float(diameter) for diameter in diameters), key=lambda each: (each < 0.0, each))  # type: ignore[arg-type]
+        return None, "it is told of a cylindrical roller on a cylindrical ring alone"
+    numbers = [(float(diameter), name) for diameter, name in zip(diameters, "ab", strict=True)]  # type: ignore[arg-type]
+    (roller, _), (ring, body) = sorted(numbers, key=lambda each: (each[0] < 0.0, each[0]))
     low, high = contact.interval
     if roller <= 0.0 or not math.isfinite(high - low):
         return None, "neither of the bodies is a roller that ends"
@@ -93,4 +97,4 @@ def raceway(contact: Contact) -> tuple[Raceway | None, str]:
     pitch = abs(ring) + (roller if inner else -roller)
     if pitch <= roller:
         return None, "the ring is too small for the roller"
-    return Raceway(roller, high - low, pitch, inner), ""
+    return Raceway(roller, high - low, pitch, inner, body), ""

@@ -21,6 +21,7 @@ from nonhertz.life.lamina import LaminaModel, iso_16281
 from nonhertz.model.checks import not_negative, one_of, positive
 
 LINE_CONTACT_SLOPE = 9.0 / 8.0
+SLOPES = 0.2, 5.0  # far beyond what has been found; the powers stay within double precision
 STRESSES = ("orthogonal_shear", "shear", "von_mises")
 
 _EXPONENT_REMEDY = "give a positive number"
@@ -61,12 +62,20 @@ class VolumeModel:
         one_of("stress", self.stress, STRESSES, "choose what makes the material fatigue")
         positive("exponent", self.exponent, _EXPONENT_REMEDY)
         not_negative("depth_exponent", self.depth_exponent, "give 0 for no influence of the depth")
-        positive("slope", self.slope, "give Weibull's slope, 9/8 for line contacts")
+        check_slope(self.slope)
         not_negative("fatigue_limit", self.fatigue_limit, "give a limit in MPa, 0 for none")
         if self.depth_exponent >= 1.0 and self.stress != "orthogonal_shear":
             condition = "be 'orthogonal_shear' where depth_exponent is 1 or more"
             remedy = "other stresses do not vanish on the surface, and the integral has no limit there"
             raise InputError("stress", self.stress, condition, remedy)
+
+
+def check_slope(slope: float) -> None:
+    """Refuse a slope of Weibull's distribution that no bearing has."""
+    remedy = "give Weibull's slope, 9/8 for line contacts"
+    positive("slope", slope, remedy)
+    if not SLOPES[0] <= slope <= SLOPES[1]:
+        raise InputError("slope", slope, f"lie between {SLOPES[0]:g} and {SLOPES[1]:g}", remedy)
 
 
 def lundberg_palmgren(
@@ -146,7 +155,7 @@ def zaretsky(
     76-83, doi:10.2514/3.22954.
     """
     positive("stress_life_exponent", stress_life_exponent, _EXPONENT_REMEDY)
-    positive("slope", slope, "give Weibull's slope, 9/8 for line contacts")
+    check_slope(slope)
     return VolumeModel("zaretsky", stress, stress_life_exponent * slope, 0.0, slope, 0.0, "Zaretsky 1987")
 
 
@@ -171,6 +180,9 @@ def weibull(*, slope: float = LINE_CONTACT_SLOPE, exponent: float = 31.0 / 3.0, 
 
 
 Model = VolumeModel | LaminaModel
+
+#: The models with a capacity, and so a life in revolutions.
+RATED = ("lundberg-palmgren", "iso-16281")
 
 #: How each model is made, by its name.
 MODELS: dict[str, Callable[..., Model]] = {

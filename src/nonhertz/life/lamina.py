@@ -27,6 +27,7 @@ from nonhertz.errors import InputError
 from nonhertz.model.checks import one_of
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
+from nonhertz.singular import singular_ends
 from nonhertz.solution import Solution
 
 Array = NDArray[np.float64]
@@ -37,6 +38,7 @@ SLOPE, EXPONENT = 9.0 / 8.0, 4.5
 EDGE_STRESS = ("pressure", "standard", "none")
 LINE_LOADS = ("solution", "standard")
 # Load of a lamina of length L / n_s: c_s delta^(10/9), c_s = STIFFNESS L^(8/9) / n_s, for roller and two raceways.
+LEFT_OUT = 0.1  # around a sharp end, of the largest half-width
 STIFFNESS, STIFFENING = 35948.0, 10.0 / 9.0
 
 
@@ -94,11 +96,14 @@ class Laminae:
         q_k [N].
     factor : ndarray, shape (laminae,)
         f_k [-].
+    sharp : tuple of float
+        Where pressures near a sharp end were left out [mm].
     """
 
     edges: Array
     load: Array
     factor: Array
+    sharp: tuple[float, ...] = ()
 
     def damage(self, capacity: float) -> Array:
         """Return (f_k q_k / q_c)^(9/2) of every lamina, for the capacity Q_c [N] of the contact."""
@@ -146,9 +151,9 @@ def laminae_of(solution: AnySolution, model: LaminaModel) -> Laminae:
     edges = np.linspace(low, high, model.laminae + 1)
     load = _slices(solution, edges) if model.line_loads == "standard" else _shares(edges, *_line_load(solution))
     if model.edge_stress == "pressure":
-        factor = _factors(solution, edges, load)
-    else:
-        factor = edge_function(model.laminae) if model.edge_stress == "standard" else np.ones(model.laminae)
+        sharp = tuple(end.y for end in singular_ends(solution)) if isinstance(solution, Solution) else ()
+        return Laminae(edges, load, _factors(solution, edges, load, sharp), sharp)
+    factor = edge_function(model.laminae) if model.edge_stress == "standard" else np.ones(model.laminae)
     return Laminae(edges, load, factor)
 
 
@@ -164,18 +169,24 @@ def _shares(edges: Array, fine: Array, density: Array) -> Array:
     return np.diff(np.interp(edges, fine, total))
 
 
-def _factors(solution: AnySolution, edges: Array, load: Array) -> Array:
+def _factors(solution: AnySolution, edges: Array, load: Array, sharp: tuple[float, ...]) -> Array:
     """Return f_k from the pressures: what Hertz's line contact bears under them, over the lamina's load.
 
-    A lamina's pressure counts by the power that its load counts by.
+    A lamina's pressure counts by the power that its load counts by, and not at all right at a sharp end, where it has
+    no limit.
     """
-    fine, _ = _line_load(solution)
+    fine, density = _line_load(solution)
     pressure = solution.peak_pressure if isinstance(solution, Solution) else solution.pressure.max(axis=0)
     contact = solution.contact
-    radius = 1.0 / contact.curvature(solution.y)
-    as_in_hertz = np.pi**2 * contact.compliance * radius * pressure**2
-    mean = (_shares(edges, fine, as_in_hertz**EXPONENT) / np.diff(edges)) ** (1.0 / EXPONENT) * np.diff(edges)
-    factor: Array = np.divide(mean, load, out=np.ones_like(load), where=load > 0.0)
+    as_in_hertz = np.pi**2 * contact.compliance / contact.curvature(solution.y) * pressure**2
+    counted = np.ones(pressure.size)
+    for end in sharp:
+        counted[np.abs(solution.y - end) < LEFT_OUT * float(solution.half_width.max())] = 0.0
+    suffered, borne = (_shares(edges, fine, each) for each in (counted * as_in_hertz**EXPONENT, counted * density))
+    length = _shares(edges, fine, counted)
+    mean = np.divide(suffered, length, out=np.zeros_like(load), where=length > 0.0) ** (1.0 / EXPONENT)
+    even = np.divide(borne, length, out=np.zeros_like(load), where=length > 0.0)
+    factor: Array = np.divide(mean, even, out=np.ones_like(load), where=even > 0.0)
     return factor
 
 

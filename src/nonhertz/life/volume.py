@@ -21,6 +21,7 @@ from scipy.interpolate import CubicSpline
 
 from nonhertz.hertz import line_contact
 from nonhertz.life.catalogue import VolumeModel
+from nonhertz.life.lamina import LEFT_OUT
 from nonhertz.singular import singular_ends
 from nonhertz.solution import ReadOnly, Solution
 from nonhertz.subsurface.evaluation import Running, across_at
@@ -34,7 +35,6 @@ LEVELS = 32
 PANELS = np.array([0.0, 0.05, 0.15, 0.3, 0.45, 0.6, 0.8, 1.0, 1.25, 1.6, 2.2, 3.0, 4.0])
 SHALLOWEST = 1e-6  # half-widths: on the surface itself quadrature across has nothing to hold on to
 BEYOND = np.array([0.0, 0.1, 0.25, 0.5, 1.0, 2.0])  # the contact's ends, in half-widths
-LEFT_OUT = 0.1  # around a sharp end, of the largest half-width
 MOST_ROWS = 128  # of a plane grid
 
 

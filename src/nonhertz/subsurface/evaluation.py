@@ -115,7 +115,7 @@ def stress(
     array([-1. , -0.8])
     """
     inside = Inside.of(solution, body)
-    places = np.broadcast_arrays(*(finite_numbers(name, value) for name, value in zip("xyz", (x, y, z), strict=True)))
+    places = _broadcast(*(finite_numbers(name, value) for name, value in zip("xyz", (x, y, z), strict=True)))
     inside.refuse_outside(places[1], places[2])
     count = places[0].size
     stresses = np.empty((count, 6))
@@ -294,6 +294,14 @@ def finite_numbers(name: str, value: ArrayLike) -> Array:
     if not np.all(np.isfinite(numbers)):
         raise InputError(name, value, "be finite", _POINTS_REMEDY)
     return numbers
+
+
+def _broadcast(*places: Array) -> tuple[Array, ...]:
+    try:
+        return np.broadcast_arrays(*places)
+    except ValueError:
+        shapes = tuple(place.shape for place in places)
+        raise InputError("shapes of x, y and z", shapes, "broadcast against each other", _POINTS_REMEDY) from None
 
 
 def _row(name: str, value: ArrayLike) -> Array:

@@ -1,8 +1,8 @@
 """What a point below the surface goes through while the load rolls over it, in the direction of x.
 
-At each y and z the stress over a pass is the stress along the line in x. Its largest values are found on samples that
-are close against the half-width near the surface and against the depth further down, and refined by the vertex of a
-parabola through three neighbours, three times.
+At each y and z the stress over a pass is the stress along the line in x. Its largest values are found on samples, close
+to each other at the edge of the contact, where right below the surface the peak is as narrow as the depth, and reaching
+further out the deeper they lie; and they are refined by the vertex of a parabola through three neighbours.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ QUANTITIES: dict[str, Quantity] = {
     "orthogonal_shear": orthogonal_shear_of,
 }
 
-SAMPLES = 17  # from the middle outwards
+WITHIN, OUTSIDE = 12, 6  # samples from the middle to the edge and from there on
 # How far the samples reach, in half-widths and in depths: far below, |tau_xz| is largest at x = z / sqrt(3).
 WIDER, DEEPER = 1.15, 0.8
 REFINEMENTS = 3
@@ -98,7 +98,7 @@ def passage(solution: AnySolution, y: ArrayLike, z: ArrayLike, **options: Unpack
     along, below = np.broadcast_arrays(finite_numbers("y", y), finite_numbers("z", z))
     announce = options.pop("announce", None)
     found = np.empty((2 * len(QUANTITIES) + 1, along.size))
-    at_once = POINTS_AT_ONCE // (2 * SAMPLES)
+    at_once = POINTS_AT_ONCE // (2 * (WITHIN + OUTSIDE))
     for start in range(0, along.size, at_once):
         part = slice(start, start + at_once)
         found[:, part] = _over(solution, along.flat[part], below.flat[part], options)
@@ -111,10 +111,9 @@ def passage(solution: AnySolution, y: ArrayLike, z: ArrayLike, **options: Unpack
 def _over(solution: AnySolution, y: Array, z: Array, options: Within) -> Array:
     """Return the largest values, where across they are, and the range of tau_xz, shape (7, places)."""
     centre, half_width = across_at(solution, y)
-    samples = (
-        np.linspace(-1.0, 1.0, 2 * SAMPLES - 1) if isinstance(solution, PatchSolution) else np.linspace(0, 1, SAMPLES)
-    )
-    x = centre[:, None] + (WIDER * half_width + DEEPER * z)[:, None] * samples
+    x = _samples(half_width, z)
+    if isinstance(solution, PatchSolution):
+        x = centre[:, None] + np.concatenate([-x[:, :0:-1], x], axis=1)
 
     def at(x: Array) -> Array:
         return stress(solution, x, y[:, None], z[:, None], **options).stress
@@ -132,12 +131,20 @@ def _over(solution: AnySolution, y: Array, z: Array, options: Within) -> Array:
 
 def plane_strain_passage(line: LineContact, z: Array, poisson: float) -> dict[str, Array]:
     """Return the largest stresses [MPa] over a pass of Hertz's line contact at depths ``z`` [mm], by quantity."""
-    x = (WIDER * line.half_width + DEEPER * z)[:, None] * np.linspace(0.0, 1.0, SAMPLES)
+    x = _samples(np.full(z.shape, line.half_width), z)
 
     def at(x: Array) -> Array:
         return line.stress(x, z[:, None], poisson)
 
     return {name: _largest(quantity, x, quantity(at(x)), at)[0] for name, quantity in QUANTITIES.items()}
+
+
+def _samples(half_width: Array, z: Array) -> Array:
+    """Return places across [mm], from the middle outwards, at which to begin; shape (places, samples)."""
+    inwards = np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, WITHIN))
+    outwards = np.linspace(0.0, 1.0, OUTSIDE + 1)[1:] ** 2
+    beyond = (WIDER - 1.0) * half_width + DEEPER * z
+    return np.concatenate([half_width[:, None] * inwards, half_width[:, None] + beyond[:, None] * outwards], axis=1)
 
 
 def _largest(quantity: Quantity, x: Array, values: Array, at: Callable[[Array], Array]) -> tuple[Array, Array]:

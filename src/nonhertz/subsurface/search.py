@@ -138,7 +138,7 @@ def _distances(solution: AnySolution, station: Array) -> Array:
     touching = solution.y[solution.line_load > 0.0]
     largest = float(across_at(solution, touching)[1].max())
     nearest = float(np.abs(touching - station[0]).min())
-    return np.array([[largest], [largest + nearest]])
+    return np.array([[largest], [largest + nearest], [4.0 * (largest + nearest)]])
 
 
 def _refined(

@@ -1,0 +1,250 @@
+"""Stress below solved contacts: the verbs, their values and their complaints."""
+
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.subsurface import Field, axial_plane, cross_section, extremes, memory, passage, stress, volume
+from nonhertz.subsurface.evaluation import PORTION
+
+RING = nh.Ring(diameter=80)
+
+
+@pytest.fixture(scope="module")
+def tilted():
+    roller = nh.Roller(diameter=20, length=20, profile=nh.profile.iso_logarithmic(diameter=20, length=20))
+    return nh.solve(nh.Contact(roller, nh.Ring(diameter=80, length=24, depth=10)), load=20e3, tilt=5e-4)
+
+
+@pytest.fixture(scope="module")
+def plane_strain():
+    """Return equal rollers whose ends coincide, mirrored for ever: Hertz's line contact from end to end."""
+    roller = nh.Roller(diameter=20, length=10, images="series")
+    return nh.solve(nh.Contact(roller, roller), load=10e3, strips=11)
+
+
+@pytest.fixture(scope="module")
+def patched():
+    roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=2000))
+    return nh.patch.solve(nh.Contact(roller, nh.Plate()), load=4e3, cells=(32, 64))
+
+
+# A field
+
+
+def test_what_follows_from_the_six_components():
+    stress_ = np.array([[-3.0, -5.0, -9.0, 0.5, 2.0, -1.0], [100.0, 0.0, 0.0, 0.0, 0.0, 0.0]])
+    field = Field("a", *np.zeros((3, 2)), stress_)
+    tensor = np.array([[-3.0, -1.0, 2.0], [-1.0, -5.0, 0.5], [2.0, 0.5, -9.0]])
+    np.testing.assert_array_equal(field.tensor[0], tensor)
+    np.testing.assert_allclose(field.principal[0], np.sort(np.linalg.eigvals(tensor))[::-1], rtol=1e-12)
+    deviator = tensor - np.trace(tensor) / 3.0 * np.eye(3)
+    np.testing.assert_allclose(field.von_mises, [np.sqrt(1.5 * np.sum(deviator**2)), 100.0], rtol=1e-12)
+    np.testing.assert_allclose(field.max_shear[1], 50.0, rtol=1e-12)
+    assert (field.tau_xz[0], field.tau_yz[0], field.tau_xy[0]) == (2.0, 0.5, -1.0)
+    assert (field.sigma_x[0], field.sigma_y[0], field.sigma_z[0]) == (-3.0, -5.0, -9.0)
+
+
+def test_a_single_point_has_all_of_it(tilted):
+    field = stress(tilted, 0.0, 1.0, 0.2)
+    assert field.shape == ()
+    assert field.principal.shape == (3,)
+    assert float(field.max_shear) == pytest.approx(0.5 * float(field.principal[0] - field.principal[2]))
+    assert float(field.von_mises) > 0.0
+
+
+def test_fields_are_read_only_also_after_pickling(tilted):
+    field = pickle.loads(pickle.dumps(stress(tilted, 0.0, [0.0, 1.0], 0.1)))
+    for array in (field.stress, field.von_mises, field.y):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0.0
+
+
+# The verbs
+
+
+def test_planes_and_volumes_are_points_in_rows_and_columns(tilted):
+    y, z, x = np.array([-3.0, 2.0]), np.array([0.1, 0.2, 0.4]), np.array([-0.1, 0.0])
+    plane = axial_plane(tilted, y, z, x=0.1)
+    section = cross_section(tilted, 2.0, x, z)
+    block = volume(tilted, x, y, z)
+    assert (plane.shape, section.shape, block.shape) == ((2, 3), (2, 3), (2, 2, 3))
+    np.testing.assert_array_equal(plane.stress[1, 2], stress(tilted, 0.1, 2.0, 0.4).stress)
+    np.testing.assert_array_equal(block.stress[:, 1], section.stress)
+
+
+def test_planes_cover_the_contact_unless_told_otherwise(tilted):
+    plane, section = axial_plane(tilted), cross_section(tilted, 4.0)
+    assert plane.y.min() < tilted.contact_y[0][0] + 0.2
+    assert plane.y.max() == 10.0  # the roller's face
+    assert axial_plane(tilted, z=[0.1], body="b").y.max() > 10.0
+    assert section.x.max() > 1.9 * tilted.half_width.max() * 0.95
+    assert section.z.min() == plane.z.min() == 0.0
+
+
+def test_threads_and_portions_change_no_digit(tilted):
+    points = np.random.default_rng(3).uniform(-1.0, 1.0, (3, 2 * PORTION + 5)) * [[0.5], [9.0], [1.0]]
+    points[2] = np.abs(points[2])
+    done: list[tuple[int, int]] = []
+    alone = stress(tilted, *points, threads=1, displacement=True, announce=lambda *counts: done.append(counts))
+    together = stress(tilted, *points, threads=3, displacement=True)
+    np.testing.assert_array_equal(alone.stress, together.stress)
+    np.testing.assert_array_equal(alone.displacement, together.displacement)
+    assert done[-1] == (points.shape[1], points.shape[1])
+    last = stress(tilted, *points[:, -1])
+    np.testing.assert_array_equal(alone.stress[-1], last.stress)
+
+
+def test_memory_is_what_the_result_takes(tilted):
+    points = 2000
+    field = stress(tilted, 0.1, np.linspace(-9.0, 9.0, 40)[:, None], np.linspace(0.1, 1.0, 50), threads=1)
+    assert field.stress.nbytes <= memory(points) <= field.stress.nbytes + 11 * 2**20
+    assert memory(points, displacement=True) - memory(points) == 24 * points
+
+
+def test_images_free_the_side_face_of_shear(tilted):
+    on_face = stress(tilted, [0.1, 0.2], 10.0, [0.05, 0.3])
+    near = stress(tilted, [0.1, 0.2], 9.0, [0.05, 0.3])
+    largest = np.abs(near.stress).max()
+    assert np.abs(near.tau_yz).max() > 1e-3 * largest
+    # One image of the other face is not mirrored about this one; it is 30 mm away.
+    assert np.abs([on_face.tau_yz, on_face.tau_xy]).max() < 1e-4 * largest
+
+
+def test_both_bodies_together_are_displaced_as_the_solution_says(tilted):
+    # Strips in pieces move the surface by what the solver's own strips do, but for their steps.
+    y = tilted.y[tilted.line_load > 0.0]
+    moved = sum(stress(tilted, 0.0, y, 0.0, body=body, displacement=True).displacement[:, 2] for body in "ab")
+    wanted = tilted.displacement[tilted.line_load > 0.0]
+    np.testing.assert_allclose(moved, wanted, rtol=0.0, atol=2e-3 * wanted.max())
+    middle = np.abs(y) < 8.0
+    np.testing.assert_allclose(moved[middle], wanted[middle], rtol=4e-4, atol=0.0)
+
+
+def test_the_plane_grid_is_displaced_as_its_solution_says(patched):
+    contact = patched.contact
+    column = int(np.abs(patched.x).argmin())
+    moved = sum(
+        stress(patched, patched.x[column], patched.y, 0.0, body=body, displacement=True).displacement[:, 2]
+        for body in "ab"
+    )
+    gap = patched.x[column] ** 2 * contact.curvature(patched.y) / 2.0 + contact.separation(patched.y)
+    wanted = patched.gap[column] + patched.approach - gap
+    np.testing.assert_allclose(moved, wanted, rtol=1e-5, atol=0.0)
+
+
+def test_a_body_of_another_poisson_ratio_has_another_field():
+    soft = nh.Ring(diameter=80, material=nh.Material(207000.0, 0.1))
+    solution = nh.solve(nh.Contact(nh.Roller(diameter=20, length=20), soft), load=5e3, strips=21)
+    of_a, of_b = (stress(solution, 0.1, 0.0, 0.1, body=body) for body in "ab")
+    assert float(of_a.sigma_z) == pytest.approx(float(of_b.sigma_z), rel=1e-2)
+    assert float(of_b.sigma_y) > 0.5 * float(of_a.sigma_y)
+
+
+# Over a pass, and the largest
+
+
+def test_over_a_pass_the_amplitudes_of_a_line_contact(plane_strain):
+    b, p0 = plane_strain.half_width[0], plane_strain.max_pressure
+    seen = passage(plane_strain, 1.0, np.array([0.5, 0.786151, 0.704292]) * b, body="a")
+    # McEwen's field; see hertz.LineContact.stress.
+    assert seen.orthogonal_shear[0] == pytest.approx(0.25 * p0, rel=1e-6)
+    assert seen.orthogonal_shear_x[0] == pytest.approx(0.866025 * b, rel=1e-3)
+    assert seen.shear[1] == pytest.approx(0.300283 * p0, rel=1e-5)
+    assert seen.von_mises[2] == pytest.approx(0.557516 * p0, rel=1e-5)
+    assert seen.von_mises_x[2] == pytest.approx(0.0, abs=1e-6)
+    np.testing.assert_array_equal(seen.orthogonal_shear_range, 2.0 * seen.orthogonal_shear)
+
+
+def test_over_a_pass_close_to_the_surface_the_narrow_peak_is_found(plane_strain):
+    z = 0.03 * plane_strain.half_width[0]
+    seen = passage(plane_strain, 0.0, z)
+    x = np.linspace(0.0, 2.0, 20001) * plane_strain.half_width[0]
+    shear = np.abs(stress(plane_strain, x, 0.0, z).tau_xz)
+    assert float(seen.orthogonal_shear) == pytest.approx(shear.max(), rel=2e-4)
+
+
+def test_over_a_pass_of_a_dent_the_range_is_from_one_side_to_the_other():
+    roller = nh.Roller(diameter=20, length=4, profile=nh.profile.crown(radius=500))
+    dent = nh.patch.Dent(x=0.1, y=0.0, depth=0.002, diameter=0.6)
+    dented = nh.patch.solve(nh.Contact(roller, nh.Plate()), load=800.0, cells=(48, 48), features=[dent])
+    seen = passage(dented, 0.0, 0.08)
+    x = np.linspace(-0.6, 0.6, 1201)
+    shear = stress(dented, x, 0.0, 0.08).tau_xz
+    assert float(seen.orthogonal_shear_range) == pytest.approx(np.ptp(shear), rel=2e-3)
+    assert float(seen.orthogonal_shear) == pytest.approx(np.abs(shear).max(), rel=2e-3)
+    assert float(seen.orthogonal_shear_range) < 1.99 * float(seen.orthogonal_shear)
+
+
+def test_the_largest_of_the_body_is_no_less_than_of_any_section(tilted):
+    overall, section = extremes(tilted), extremes(tilted, station=4.5)
+    for name in ("von_mises", "shear", "orthogonal_shear"):
+        whole, part = getattr(overall, name), getattr(section, name)
+        assert whole.max >= part.max * (1.0 - 1e-6)
+        assert (part.y, part.z > 0.0, whole.x >= 0.0) == (4.5, True, True)
+        there = stress(tilted, whole.x, whole.y, whole.z)
+        again = {"von_mises": there.von_mises, "shear": there.max_shear, "orthogonal_shear": abs(there.tau_xz)}[name]
+        assert whole.max == pytest.approx(float(again), rel=1e-9)
+    assert overall.warnings == ()
+
+
+def test_the_largest_is_found_on_a_fine_net_too(tilted):
+    block = volume(tilted, np.linspace(0.0, 0.4, 9), np.linspace(3.0, 6.0, 13), np.linspace(0.1, 0.4, 31))
+    found = extremes(tilted).von_mises.max
+    assert block.von_mises.max() <= found * (1.0 + 1e-6)
+    assert block.von_mises.max() == pytest.approx(found, rel=2e-3)
+
+
+def test_off_contact_the_largest_orthogonal_shear_lies_deeper(tilted):
+    crowned = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=2000))
+    solution = nh.solve(nh.Contact(crowned, nh.Plate()), load=4e3)
+    station = solution.contact_y[-1][1] + 1.0
+    found = extremes(solution, station=station).orthogonal_shear
+    block = volume(solution, np.linspace(0.0, 4.0, 81), [station], np.linspace(0.0, 6.0, 121))
+    assert found.max == pytest.approx(np.abs(block.tau_xz).max(), rel=2e-3)
+
+
+def test_towards_a_sharp_end_nothing_is_searched_and_that_is_said():
+    solution = nh.solve(nh.Contact(nh.Roller(diameter=20, length=20), RING), load=10e3)
+    found = extremes(solution)
+    assert abs(found.von_mises.y) < 10.0 - 0.9 * solution.half_width[0]
+    assert "no limit towards the sharp end at y = -10 and 10 mm" in found.warnings[0]
+
+
+def test_the_largest_below_a_plane_grid_is_that_below_strips(patched):
+    strips = nh.solve(patched.contact, load=4e3)
+    of_grid, of_strips = extremes(patched), extremes(strips)
+    for name in ("von_mises", "shear", "orthogonal_shear"):
+        # 32 x 64 cells resolve the maximum to a few thousandths.
+        assert getattr(of_grid, name).max == pytest.approx(getattr(of_strips, name).max, rel=5e-3)
+
+
+# Complaints
+
+
+@pytest.mark.parametrize(
+    ("points", "options", "words"),
+    [
+        ((0.0, 0.0, -0.1), {}, "z = -0.1 must not be negative"),
+        ((0.0, 10.5, 0.1), {}, r"y = 10.5 must lie between the side faces of body a, -10 and 10 mm"),
+        ((0.0, np.nan, 0.1), {}, "y = nan must be finite"),
+        (("here", 0.0, 0.1), {}, "x = 'here' must be numbers"),
+        ((0.0, 0.0, 0.1), {"body": "c"}, "body = 'c' must be one of the two bodies"),
+        ((0.0, 0.0, 0.1), {"threads": 0}, "threads = 0 must be a whole number of at least 1"),
+        (([0.0, 1.0], [0.0, 1.0, 2.0], 0.1), {}, "must broadcast against each other"),
+    ],
+)
+def test_points_that_are_none_end_in_one_sentence(tilted, points, options, words):
+    with pytest.raises(nh.InputError, match=words):
+        stress(tilted, *points, **options)
+
+
+def test_what_is_no_solution_is_refused(tilted):
+    with pytest.raises(nh.InputError, match="must be a solved contact"):
+        stress(tilted.contact, 0.0, 0.0, 0.1)
+    with pytest.raises(nh.InputError, match="must be a row of numbers"):
+        volume(tilted, 0.0, [0.0], [0.1])

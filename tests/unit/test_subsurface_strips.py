@@ -1,0 +1,157 @@
+"""The field of single strips and of their tails, against quadrature of Boussinesq's point load."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from nonhertz.hertz import line_contact
+from nonhertz.subsurface.lamination import Lamination
+from nonhertz.subsurface.strips import LADDER, PARABOLA, SEMI_ELLIPSE, StripLoad, rules
+from nonhertz.subsurface.tails import displacement_tail, stress_tail
+
+POISSON = 0.28
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(160)
+
+
+def point_load(x, y, z):
+    """Return 2 pi times the stress, and 4 pi G times the displacement, of a unit load at the origin.
+
+    Johnson, Contact Mechanics, 1985, Eqs. (3.18) and (3.19).
+    """
+    r2, R = x * x + y * y, np.sqrt(x * x + y * y + z * z)
+    lateral = (1.0 - 2.0 * POISSON) / r2
+    s_x = lateral * ((1.0 - z / R) * (x * x - y * y) / r2 + z * y * y / R**3) - 3.0 * z * x * x / R**5
+    s_y = lateral * ((1.0 - z / R) * (y * y - x * x) / r2 + z * x * x / R**3) - 3.0 * z * y * y / R**5
+    t_xy = lateral * ((1.0 - z / R) * 2.0 * x * y / r2 - x * y * z / R**3) - 3.0 * x * y * z / R**5
+    stress = [s_x, s_y, -3.0 * z**3 / R**5, -3.0 * y * z * z / R**5, -3.0 * x * z * z / R**5, t_xy]
+    beside = (1.0 - 2.0 * POISSON) / (R * (R + z))
+    moved = [x * z / R**3 - beside * x, y * z / R**3 - beside * y, 2.0 * (1.0 - POISSON) / R + z * z / R**3]
+    return np.array(stress), np.array(moved)
+
+
+def by_quadrature(strips, shape, point):
+    """Return stress and G u below strips (low, high, q, a), point load by point load."""
+    stress, moved = np.zeros(6), np.zeros(3)
+    for low, high, q, a in strips:
+        if shape == SEMI_ELLIPSE:
+            angle = 0.5 * np.pi * (NODES + 1.0)
+            across, share = a * np.cos(angle), WEIGHTS * np.sin(angle) ** 2
+        else:
+            across, share = a * NODES, 0.75 * WEIGHTS * (1.0 - NODES**2)
+        along = 0.5 * (low + high) + 0.5 * (high - low) * NODES
+        load = q * share[:, None] * (0.5 * (high - low) * WEIGHTS)
+        of_stress, of_moved = point_load(point[0] - across[:, None], point[1] - along, point[2] + 0.0 * load)
+        stress += np.sum(of_stress * load, axis=(1, 2)) / (2.0 * np.pi)
+        moved += np.sum(of_moved * load, axis=(1, 2)) / (4.0 * np.pi)
+    return stress, moved
+
+
+def load_of(strips, shape=SEMI_ELLIPSE):
+    low, high, q, a = np.array(strips).T
+    # Each strip is its own and only piece.
+    double = [np.concatenate([each, each]) for each in (low, high, q, a)]
+    return StripLoad(Lamination(*double, np.arange(len(strips), 2 * len(strips) + 1)), shape)
+
+
+STRIPS = [(-1.0, -0.2, 700.0, 0.25), (-0.2, 0.5, 1000.0, 0.3), (0.5, 2.0, 800.0, 0.28)]
+POINTS = {
+    "under a strip": (0.1, 0.1, 0.2),
+    "beside the contact": (0.5, -0.6, 0.15),
+    "beyond its end": (-0.2, 2.3, 0.3),
+    "under an edge": (0.05, 0.5, 0.12),
+    "far along": (0.05, 9.0, 0.8),
+    "far across": (4.0, 0.3, 0.4),
+    "far below": (1.0, -2.0, 6.0),
+}
+
+
+@pytest.mark.parametrize("shape", [SEMI_ELLIPSE, PARABOLA], ids=["semi-elliptic", "parabolic"])
+@pytest.mark.parametrize("place", POINTS)
+def test_stress_and_displacement_are_those_of_the_point_loads(place, shape):
+    point = POINTS[place]
+    stress, moved = by_quadrature(STRIPS, shape, point)
+    load, points = load_of(STRIPS, shape), np.array([point])
+    # What the strips add has an error of 1e-8 each; the quadrature here is as good, far away better.
+    np.testing.assert_allclose(load.stress(points, POISSON)[0], stress, rtol=0.0, atol=5e-8 * np.abs(stress).max())
+    np.testing.assert_allclose(load.displacement(points, POISSON)[0], moved, rtol=0.0, atol=5e-9 * np.abs(moved).max())
+
+
+@pytest.mark.parametrize("component", range(6))
+def test_a_tail_is_the_integral_of_point_loads(component):
+    X, Y, z = 0.4, 0.3, 0.25
+    # The point lies at the origin of y, the load ahead of it: field less source is -s.
+    expected, _ = quad(lambda s: point_load(X, -s, z)[0][component], Y, np.inf, epsabs=1e-12)
+    assert stress_tail(X, Y, z, POISSON)[component] == pytest.approx(expected, abs=1e-10)
+
+
+@pytest.mark.parametrize("component", range(3))
+def test_two_tails_differ_by_the_displacement_of_the_segment_between_them(component):
+    X, z = 0.4, 0.25
+    near, far = (displacement_tail(X, Y, z, POISSON)[component] for Y in (0.3, 1.7))
+    expected, _ = quad(lambda s: point_load(X, -s, z)[1][component], 0.3, 1.7, epsabs=1e-12)
+    assert near - far == pytest.approx(expected, abs=1e-10)
+
+
+def test_a_long_strip_is_hertz_line_contact_up_to_the_surface():
+    line = line_contact(line_load=1000.0, radius=10.0, compliance=2.8e-6)
+    b = line.half_width
+    load = load_of([(-1e4, 1e4, 1000.0, b)])
+    x, z = (
+        grid.ravel() for grid in np.meshgrid(np.linspace(-3.0, 3.0, 25) * b, np.array([0.0, 1e-9, 0.01, 1.0, 9.0]) * b)
+    )
+    found = load.stress(np.column_stack([x, np.full(x.size, 3.0), z]), 0.3)
+    # Beyond 1e4 mm there is nothing: (1 - 2 nu) q / (pi 1e4 mm) are missing.
+    np.testing.assert_allclose(found, line.stress(x, z, 0.3), rtol=0.0, atol=2e-5 * line.max_pressure)
+
+
+def test_a_long_parabolic_strip_presses_as_a_parabola_does():
+    load = load_of([(-1e4, 1e4, 1000.0, 0.3)], PARABOLA)
+    x = np.array([0.0, 0.1, 0.2, 0.29])
+    found = load.stress(np.column_stack([x, 0.0 * x, 0.0 * x]), 0.3)
+    pressure = 0.75 * 1000.0 / 0.3 * (1.0 - (x / 0.3) ** 2)
+    np.testing.assert_allclose(found[:, 2], -pressure, rtol=1e-12, atol=0.0)
+    np.testing.assert_allclose(found[:, 0], -pressure, rtol=0.0, atol=2e-5 * pressure.max())
+
+
+@pytest.mark.parametrize("shape", [SEMI_ELLIPSE, PARABOLA], ids=["semi-elliptic", "parabolic"])
+def test_rules_integrate_polynomials_over_the_shape(shape):
+    nodes, weights, starts, enough = rules(shape)
+    second, fourth = (0.25, 0.125) if shape == SEMI_ELLIPSE else (0.2, 3.0 / 35.0)
+    for low, high in pairwise(starts):
+        assert weights[low:high].sum() == pytest.approx(1.0, abs=1e-14)
+        assert weights[low:high] @ nodes[low:high] ** 2 == pytest.approx(second, abs=1e-14)
+        if high - low > 2:
+            assert weights[low:high] @ nodes[low:high] ** 4 == pytest.approx(fourth, abs=1e-14)
+    assert np.all(np.diff(enough) < 0.0)
+    assert np.array_equal(np.diff(starts), LADDER)
+
+
+@pytest.mark.parametrize("depth", [0.0, 1e-6, 1e-3, 0.02])
+def test_where_strips_are_cut_the_field_does_not_see_it(depth):
+    pieces = [(0.02 * k, 0.02 * (k + 1), 1000.0, 0.3) for k in range(-20, 20)]
+    y = np.concatenate([np.linspace(-0.1, 0.1, 41), 0.02 * np.arange(-5, 6) + 1e-13])
+    points = np.column_stack([0.01 + 0.0 * y, y, np.full(y.size, depth)])
+    whole = load_of([(-0.4, 0.4, 1000.0, 0.3)]).stress(points, 0.3)
+    p0 = 2.0 * 1000.0 / (np.pi * 0.3)
+    np.testing.assert_allclose(load_of(pieces).stress(points, 0.3), whole, rtol=0.0, atol=1e-6 * p0)
+
+
+def test_where_the_pressure_steps_the_field_errs_by_no_more_than_the_step():
+    step = 0.005
+    pieces = [(0.02 * k, 0.02 * (k + 1), 1000.0 * (1.0 + step * (k % 2)), 0.3) for k in range(-20, 20)]
+    y = np.concatenate([np.linspace(-0.1, 0.1, 41), 0.02 * np.arange(-5, 6) + 1e-13])
+    even = load_of([(-0.4, 0.4, 1000.0 * (1.0 + 0.5 * step), 0.3)])
+    p0 = 2.0 * 1000.0 / (np.pi * 0.3)
+    for depth in (0.0, 1e-6, 1e-3, 0.02):
+        points = np.column_stack([0.01 + 0.0 * y, y, np.full(y.size, depth)])
+        found = load_of(pieces).stress(points, 0.3)
+        np.testing.assert_allclose(found, even.stress(points, 0.3), rtol=0.0, atol=step * p0)
+
+
+def test_nothing_bears_nothing():
+    empty = StripLoad(Lamination(*(np.empty(0) for _ in range(4)), np.zeros(1, dtype=np.int64)), SEMI_ELLIPSE)
+    assert not empty.stress(np.zeros((2, 3)), 0.3).any()
