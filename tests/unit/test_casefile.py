@@ -18,6 +18,8 @@ from hypothesis import strategies as st
 import nonhertz as nh
 from nonhertz.errors import CaseError
 from nonhertz.io.casefile import Case, case_in, read_case, schema, starting_case
+from nonhertz.life import MODELS, LoadCase, ioannides_harris, iso_16281, zaretsky
+from nonhertz.life.lamina import FEWEST, MOST
 from nonhertz.model.profile import CATALOGUE, PARAMETER_UNITS
 from nonhertz.solver import FEWEST_STRIPS, MOST_STRIPS
 
@@ -277,7 +279,7 @@ def test_the_schema_describes_every_key() -> None:
     whole = schema()
     assert json.loads(json.dumps(whole)) == whole
     tables = whole["$defs"]
-    for name in ("BodyTable", "LoadTable", "SolverTable", "MaterialTable"):
+    for name in ("BodyTable", "LoadTable", "SolverTable", "MaterialTable", "LifeTable"):
         assert tables[name]["additionalProperties"] is False
         for key, entry in tables[name]["properties"].items():
             assert entry["description"], (name, key)
@@ -335,6 +337,77 @@ def test_the_schema_and_the_solver_agree_on_the_number_of_strips() -> None:
         assert len(mistakes_of(WHOLE | {"solver": {"strips": count}})) == 1
 
 
+def test_a_life_table_holds_models_and_a_spectrum() -> None:
+    life = case_in(WHOLE, Path()).life
+    assert (life.rollers, life.names) == (14, ("zaretsky", "iso-16281"))
+    assert life.spectrum == (LoadCase(load=20e3, share=0.25, tilt=0.5e-3), LoadCase(load=5e3, share=0.75))
+    volume, laminae = life.models()
+    assert volume == zaretsky(slope=1.5)
+    assert laminae == iso_16281(laminae=40, edge_stress="none", line_loads="standard")
+    assert life.models(["ioannides-harris"]) == (ioannides_harris(slope=1.5, fatigue_limit=300.0),)
+
+
+def test_without_a_life_table_all_models_are_wanted_as_they_are() -> None:
+    document = {name: table for name, table in WHOLE.items() if name != "life"}
+    assert case_in(document, Path()).life.models() == tuple(make() for make in MODELS.values())
+
+
+@pytest.mark.parametrize(
+    ("life", "sentences"),
+    [
+        ({"rollers": 14.5}, ["rollers = 14.5 must be a whole number"]),
+        ({"rollers": -1, "laminae": 3}, ["rollers = -1 must be positive", "laminae = 3 must lie between 30 and 2000"]),
+        ({"models": []}, ["models = [] must be a list of names"]),
+        (
+            {"models": ["zaretzky", 3]},
+            [
+                "models[1] = 'zaretzky' must be a known fatigue model: the nearest is 'zaretsky'",
+                "models[2] = 3 must be a known fatigue model",
+            ],
+        ),
+        ({"slope": 0}, ["slope = 0.0 must be positive"]),
+        ({"slope": 100}, ["slope = 100.0 must lie between 0.2 and 5"]),
+        ({"fatigue_limit": "360 N"}, ["fatigue_limit = '360 N' must have a unit of stress"]),
+        ({"edge_stress": "presure"}, ["edge_stress = 'presure' must be one of 'pressure', "]),
+        ({"line_loads": 3}, ["line_loads = 3 must be one of 'solution', "]),
+        ({"modles": []}, ["modles = [] must be a known key: the nearest is 'models'"]),
+        ({"spectrum": {"load": 1}}, ["spectrum = {'load': 1} must be a list of tables"]),
+        (
+            {"spectrum": [3, {"load": -1, "tlit": 0}]},
+            [
+                "spectrum[1] = 3 must be a table",
+                "spectrum[2].load = -1.0 must be positive",
+                "spectrum[2].tlit = 0 must be a known key: the nearest is 'tilt'",
+                "spectrum[2].share must be given: give its share of the revolutions",
+            ],
+        ),
+        (
+            {"spectrum": [{"load": 1, "share": 0.5}, {"load": 2, "share": 0.4}]},
+            ["spectrum.share = 0.9 must add up to 1: give all loads with their shares of the revolutions"],
+        ),
+        ({"spectrum": [{"load": 1, "share": 1.5}]}, ["spectrum[1].share = 1.5 must not exceed 1"]),
+    ],
+)
+def test_mistakes_in_a_life_table(life: dict[str, Any], sentences: list[str]) -> None:
+    mistakes = mistakes_of(WHOLE | {"life": life})
+    assert [each[: len(f"life.{start}")] for each, start in zip(mistakes, sentences, strict=True)] == [
+        f"life.{start}" for start in sentences
+    ]
+
+
+@pytest.mark.parametrize("short", [0.9e-3, -0.9e-3])
+def test_shares_are_taken_to_a_thousandth(short: float) -> None:
+    spectrum = [{"load": 1, "share": 0.5}, {"load": 2, "share": 0.5 - short}]
+    assert len(case_in(WHOLE | {"life": {"spectrum": spectrum}}, Path()).life.spectrum) == 2
+    spectrum[1]["share"] -= 0.2e-3 if short > 0.0 else -0.2e-3
+    assert len(mistakes_of(WHOLE | {"life": {"spectrum": spectrum}})) == 1
+
+
+def test_the_schema_and_the_models_agree_on_the_number_of_laminae() -> None:
+    laminae = schema()["$defs"]["LifeTable"]["properties"]["laminae"]["anyOf"][0]
+    assert (laminae["minimum"], laminae["maximum"]) == (FEWEST, MOST)
+
+
 NUMBERS = st.one_of(st.floats(), st.integers(), st.just(10**400))
 KNOWN = ["steel", "crown", "ring", "5 mm", "1e999 m", "auto", "none", "mirror", "series", "plane-strain"]
 WORDS = st.one_of(st.text(max_size=5), st.sampled_from(KNOWN))
@@ -374,6 +447,16 @@ WHOLE: dict[str, Any] = {
     },
     "load": {"load": 1000, "tilt": 0},
     "solver": {"element": "parabolic", "strips": 41},
+    "life": {
+        "rollers": 14,
+        "models": ["zaretsky", "iso-16281"],
+        "slope": 1.5,
+        "fatigue_limit": "0.3 GPa",
+        "laminae": 40,
+        "edge_stress": "none",
+        "line_loads": "standard",
+        "spectrum": [{"load": "20 kN", "share": 0.25, "tilt": "0.5 mrad"}, {"load": 5000, "share": 0.75}],
+    },
 }
 
 
@@ -413,8 +496,9 @@ DOCS = Path(__file__).parents[2] / "docs" / "reference"
 def test_the_reference_names_every_key_and_only_those() -> None:
     page = (DOCS / "case-file.md").read_text(encoding="utf-8")
     tables = schema()["$defs"]
-    for name in ("BodyTable", "LoadTable", "SolverTable"):
-        for key in tables[name]["properties"]:
+    spectrum = tables["LifeTable"]["properties"]["spectrum"]["items"]
+    for table in (*(tables[name] for name in ("BodyTable", "LoadTable", "SolverTable", "LifeTable")), spectrum):
+        for key in table["properties"]:
             assert f"| `{key}` |" in page, key
     for kind, function in CATALOGUE.items():
         row = next(line for line in page.splitlines() if line.startswith(f"| `{kind}` |"))

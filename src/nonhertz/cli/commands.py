@@ -20,9 +20,12 @@ from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED, NOT_VERIFIED
 from nonhertz.errors import AccuracyWarning, CaseError, ConvergenceError, InputError
 
 if TYPE_CHECKING:
+    from nonhertz.cli.living import Spectrum
     from nonhertz.comparison import Comparison
     from nonhertz.io.casefile import Case
+    from nonhertz.io.lives import Assessment
     from nonhertz.solution import Solution
+    from nonhertz.subsurface import Extremes
 
 app = App(
     name="nonhertz",
@@ -37,6 +40,7 @@ app = App(
 
 
 _METHODS = 3  # of a comparison
+_SEARCHES = 2  # for the largest stresses: in the whole body and in a cross-section
 _SILENCE = 2.0  # s, before whoever waits is told why
 
 
@@ -136,6 +140,93 @@ def compare(
     for path in written:
         print(f"wrote {path}")
     return FINE
+
+
+@app.command
+def stress(
+    case: Path,
+    /,
+    *,
+    station: float | None = None,
+    body: str = "a",
+    out: Path | None = None,
+    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+) -> int:
+    """Solve a case file and find the largest stresses below the surface.
+
+    Von Mises, maximum shear and orthogonal shear stress, how large and where: in the whole body, and in one
+    cross-section of it.
+
+    Parameters
+    ----------
+    case : Path
+        The case file.
+    station : float
+        Where the cross-section lies along the contact [mm]; left out, where the von Mises stress is largest.
+    body : str
+        The body to look into, a or b. Both bear the same pressure.
+    out : Path
+        Directory for stress.json, tables and figures of two planes; made if it does not exist.
+    as_json : bool
+        Print one JSON object in place of the table.
+    """
+    from nonhertz.cli.stressing import check_request  # noqa: PLC0415
+    from nonhertz.io.casefile import read_case  # noqa: PLC0415
+    from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
+
+    check_request(station, body)
+    problem = read_case(case)
+    if out is not None:
+        refuse_unwritable(out)
+    solution, complaint = _solved(problem)
+    if complaint:
+        print(complaint, file=sys.stderr)
+        return NOT_CONVERGED
+    _tell_stresses(solution, problem.title, station, body, out, as_json)
+    return FINE
+
+
+@app.command
+def life(
+    case: Path,
+    /,
+    *,
+    model: Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)] = (),
+    compared: Annotated[Path | None, Parameter(name="--compare")] = None,
+    out: Path | None = None,
+    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+) -> int:
+    """Solve a case file and tell how long both bodies last by several fatigue models.
+
+    Lives are relative to those of the same bodies under an ideal pressure, Hertz's line pressure with the load spread
+    evenly. It takes some seconds for each load.
+
+    Parameters
+    ----------
+    case : Path
+        The case file; its table life has the number of rollers, parameters of models, and a spectrum of loads.
+    model : tuple of str
+        Names of the models: lundberg-palmgren, ioannides-harris, zaretsky, weibull, iso-16281. Left out, those of the
+        file, or all of them.
+    compared : Path
+        Another case file, to tell how much longer the first lives by the same models.
+    out : Path
+        Directory for life.json, tables and the figure; made if it does not exist.
+    as_json : bool
+        Print one JSON object in place of the table.
+    """
+    from nonhertz.cli.living import check_models  # noqa: PLC0415
+    from nonhertz.io.casefile import named, read_case  # noqa: PLC0415
+    from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
+
+    check_models(model)
+    problems = [read_case(case)]
+    if compared is not None:
+        with named(compared):
+            problems.append(read_case(compared))
+    if out is not None:
+        refuse_unwritable(out)
+    return _tell_lives(problems, model, out, as_json)
 
 
 @app.command
@@ -290,6 +381,109 @@ def _comparison_written(directory: Path, found: Comparison, title: str) -> tuple
     return write_comparison(
         directory, found, title, lambda folder: save(comparison(found, title), folder / "comparison")
     )
+
+
+def _tell_stresses(
+    solution: Solution, title: str, station: float | None, body: str, out: Path | None, as_json: bool
+) -> None:
+    """Find the largest stresses, write them if there is where to, and print them."""
+    from nonhertz.cli.stressing import print_stresses, searched  # noqa: PLC0415
+    from nonhertz.cli.verification import Progress  # noqa: PLC0415
+    from nonhertz.io.stresses import as_json as json_text  # noqa: PLC0415
+
+    progress = Progress(_SEARCHES if out is None else _SEARCHES + 1)
+    try:
+        overall, section = searched(solution, station, body, progress)
+        text = json_text(solution, overall, section, title)
+        written: tuple[Path, ...] = ()
+        if out is not None:
+            progress.announce("planes and figures")
+            written = _stresses_written(out, solution, (overall, section), text, title)
+    finally:
+        progress.wipe()
+    if as_json:
+        print(text)
+        return
+    print_stresses(solution, overall, section, title)
+    for path in written:
+        print(f"wrote {path}")
+
+
+def _stresses_written(
+    directory: Path, solution: Solution, found: tuple[Extremes, Extremes], text: str, title: str
+) -> tuple[Path, ...]:
+    from nonhertz.io.stresses import write_stresses  # noqa: PLC0415
+    from nonhertz.plot import save, stress_figures, stress_planes  # noqa: PLC0415
+
+    planes = stress_planes(solution, found[1])
+
+    def draw(folder: Path) -> None:
+        for name, figure in stress_figures(solution, *found, title, planes).items():
+            save(figure, folder / name)
+
+    return write_stresses(directory, text, planes, draw)
+
+
+def _spectrum_solved(case: Case) -> tuple[Spectrum, str]:
+    """Return the solutions of all loads with their shares, or what to say about why there are none."""
+    if not case.life.spectrum:
+        solution, complaint = _solved(case)
+        return ((solution, 1.0),), complaint
+    from nonhertz.io.casefile import placed  # noqa: PLC0415
+    from nonhertz.life import solve_spectrum  # noqa: PLC0415
+
+    with warnings.catch_warnings(), _patience():
+        # The solutions carry them, in words for people.
+        warnings.simplefilter("ignore", AccuracyWarning)
+        try:
+            return solve_spectrum(case.contact, case.life.spectrum, **case.solver), ""
+        except ConvergenceError as error:
+            return (), str(error)
+        except InputError as error:
+            raise CaseError([placed(error)]) from None
+
+
+def _tell_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_json: bool) -> int:
+    """Solve one or two cases, assess their lives, write them if there is where to, and print them."""
+    from nonhertz.cli.living import assessed, models_for, print_lives  # noqa: PLC0415
+    from nonhertz.cli.verification import Progress  # noqa: PLC0415
+    from nonhertz.io.casefile import named  # noqa: PLC0415
+    from nonhertz.io.lives import as_json as json_text  # noqa: PLC0415
+
+    models, notes = models_for(cases[0], names, cases[1:])
+    progress = Progress(sum(2 * max(1, len(case.life.spectrum)) for case in cases))
+    found: list[Assessment] = []
+    try:
+        for case in cases:
+            with named(case.path) if found else contextlib.nullcontext():
+                spectrum, complaint = _spectrum_solved(case)
+                if complaint:
+                    progress.wipe()
+                    print(f"{case.path}: {complaint}" if found else complaint, file=sys.stderr)
+                    return NOT_CONVERGED
+                found.append(assessed(case, spectrum, models, notes, progress))
+    finally:
+        progress.wipe()
+    assessment, other = found[0], found[1] if len(found) > 1 else None
+    written = _lives_written(out, assessment, other) if out is not None else ()
+    if as_json:
+        print(json_text(assessment, other))
+        return FINE
+    print_lives(assessment, other)
+    for path in written:
+        print(f"wrote {path}")
+    return FINE
+
+
+def _lives_written(directory: Path, found: Assessment, other: Assessment | None) -> tuple[Path, ...]:
+    from nonhertz.io.lives import write_lives  # noqa: PLC0415
+    from nonhertz.plot import life_figure, save  # noqa: PLC0415
+
+    def draw(folder: Path) -> None:
+        compared = None if other is None else other.lives
+        save(life_figure(found.spectrum, found.lives, found.title, compared), folder / "life-density")
+
+    return write_lives(directory, found, other, draw)
 
 
 def _written(directory: Path, solution: Solution, title: str) -> tuple[Path, ...]:

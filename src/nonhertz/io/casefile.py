@@ -5,21 +5,71 @@ All mistakes of a file are found at once and raised together, in the words that 
 
 from __future__ import annotations
 
+import contextlib
+import inspect
 import sys
 import tomllib
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
 from importlib import resources
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from nonhertz.errors import CaseError, InputError
 from nonhertz.model.contact import Contact
+
+if TYPE_CHECKING:
+    from nonhertz.io.document import LifeTable
+    from nonhertz.life import LoadCase, Model
 
 _OF_BOTH_BODIES = ("diameter", "length", "position")
 _SECTIONS = {
     "load": ("load", "approach", "tilt", "moment"),
     "solver": ("element", "strips"),
 }
+
+
+@dataclass(frozen=True)
+class LifeCase:
+    """What a case file says about life.
+
+    Attributes
+    ----------
+    rollers : int or None
+        Number of rollers in the bearing.
+    names : tuple of str
+        The models that are wanted; empty for all of them.
+    parameters : dict
+        Parameters of models that the file gives, whichever models have them.
+    spectrum : tuple of LoadCase
+        Loads in place of the one to solve for; empty if there is none.
+    """
+
+    rollers: int | None = None
+    names: tuple[str, ...] = ()
+    parameters: dict[str, Any] = field(default_factory=dict)
+    spectrum: tuple[LoadCase, ...] = ()
+
+    def models(self, names: Iterable[str] = ()) -> tuple[Model, ...]:
+        """Return models by name, each with those parameters of the file that it has.
+
+        Parameters
+        ----------
+        names : iterable of str
+            In place of those of the file.
+
+        Raises
+        ------
+        InputError
+            If there is no such model.
+        """
+        from nonhertz.life import MODELS, model  # noqa: PLC0415  (brings the compiler along)
+
+        made = []
+        for name in tuple(names) or self.names or MODELS:
+            known = inspect.signature(MODELS[name]).parameters if name in MODELS else {}
+            made.append(model(name, **{key: value for key, value in self.parameters.items() if key in known}))
+        return tuple(made)
 
 
 @dataclass(frozen=True)
@@ -38,6 +88,8 @@ class Case:
         Element and strips: keywords for `nonhertz.solve`.
     path : Path
         The file.
+    life : LifeCase
+        How long the bodies last: models and a spectrum of loads.
 
     Examples
     --------
@@ -55,6 +107,7 @@ class Case:
     prescribed: dict[str, Any]
     solver: dict[str, Any]
     path: Path
+    life: LifeCase = field(default_factory=LifeCase)
 
 
 def read_case(path: str | Path) -> Case:
@@ -105,6 +158,7 @@ def case_in(document: dict[str, Any], path: Path) -> Case:
         prescribed=table.load.prescribed(),
         solver={"element": ELEMENTS[table.solver.element], "strips": table.solver.strips},
         path=path,
+        life=_life(table.life),
     )
 
 
@@ -150,6 +204,25 @@ def placed(error: InputError) -> str:
         if error.field in fields:
             return str(error.within(section))
     return str(error)
+
+
+@contextlib.contextmanager
+def named(path: str | Path) -> Iterator[None]:
+    """Name the file in front of every mistake that is found in the body of a ``with`` statement, unless it is named."""
+    try:
+        yield
+    except CaseError as error:
+        sentences = (each if each.startswith(str(path)) else f"{path}: {each}" for each in error.mistakes)
+        raise CaseError(sentences) from None
+
+
+def _life(table: LifeTable) -> LifeCase:
+    spectrum: tuple[LoadCase, ...] = ()
+    if table.spectrum:
+        from nonhertz.life import LoadCase  # noqa: PLC0415  (brings the compiler along)
+
+        spectrum = tuple(LoadCase(**dict(case)) for case in table.spectrum)
+    return LifeCase(table.rollers, table.models, table.parameters(), spectrum)
 
 
 def _position(document: Any, place: tuple[str | int, ...]) -> tuple[int, ...]:

@@ -9,6 +9,7 @@ reference.
 from __future__ import annotations
 
 import dataclasses
+import math
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -411,6 +412,124 @@ class SolverTable(Table):
     ] = Field(default="auto", description="'auto', or a number: that many, equally wide")
 
 
+_SPECTRUM_REMEDY = "write each load under a heading [[life.spectrum]]"
+
+
+class LoadCaseTable(Table):
+    """A load that is borne for a share of the revolutions."""
+
+    load: Force = Field(description="the load that presses the bodies together [N]")
+    share: Number = Field(description="its share of the revolutions, above 0 and at most 1")
+    tilt: Angle = Field(default=0.0, description="tilt [rad], positive loads the side of positive y")
+
+    @field_validator("load", "share", "tilt")
+    @classmethod
+    def _check(cls, value: float, info: ValidationInfo) -> float:
+        from nonhertz.life import LoadCase  # noqa: PLC0415  (brings the compiler along)
+
+        LoadCase(**{"load": 1.0, "share": 1.0} | {str(info.field_name): value})
+        return value
+
+
+def _read_spectrum(value: Any) -> tuple[LoadCaseTable, ...]:
+    from nonhertz.life.spectrum import WHOLE  # noqa: PLC0415  (brings the compiler along)
+
+    if not isinstance(value, list) or not value:
+        raise InputError("spectrum", value, "be a list of tables", _SPECTRUM_REMEDY)
+    cases, mistakes = [], []
+    for position, entry in enumerate(value, start=1):
+        if not isinstance(entry, dict):
+            mistakes.append(Mistake((position,), InputError("spectrum", entry, "be a table", _SPECTRUM_REMEDY)))
+            continue
+        try:
+            cases.append(_read_table(LoadCaseTable, entry))
+        except TableError as error:
+            mistakes += [mistake.within((position,)) for mistake in error.mistakes]
+    if mistakes:
+        raise TableError(mistakes)
+    total = math.fsum(case.share for case in cases)
+    if abs(total - 1.0) > WHOLE:
+        raise InputError("share", round(total, 6), "add up to 1", "give all loads with their shares of the revolutions")
+    return tuple(cases)
+
+
+def _read_models(value: Any) -> tuple[str, ...]:
+    from nonhertz.life import MODELS  # noqa: PLC0415  (brings the compiler along)
+
+    if not isinstance(value, list) or not value:
+        raise InputError("models", value, "be a list of names", f"choose from {', '.join(MODELS)}")
+    mistakes = [
+        Mistake((position,), unknown("models", name, "fatigue model", str(name), MODELS))
+        for position, name in enumerate(value, start=1)
+        if not isinstance(name, str) or name not in MODELS
+    ]
+    if mistakes:
+        raise TableError(mistakes)
+    return tuple(dict.fromkeys(value))
+
+
+def _read_rollers(value: Any) -> int:
+    # In the words of `nonhertz.life.assess`, which refuses the same values.
+    remedy = "give the number of rollers in the bearing"
+    positive("rollers", value, remedy)
+    if value != int(value):
+        raise InputError("rollers", value, "be a whole number", remedy)
+    return int(value)
+
+
+Laminae = Annotated[
+    Any, PlainValidator(lambda value: value), WithJsonSchema({"type": "integer", "minimum": 30, "maximum": 2000})
+]
+# The model that refuses a key of its own.
+_MODEL_WITH = {
+    "slope": "lundberg-palmgren",
+    "fatigue_limit": "ioannides-harris",
+    **dict.fromkeys(("laminae", "edge_stress", "line_loads"), "iso-16281"),
+}
+
+
+class LifeTable(Table):
+    """How long the bodies last."""
+
+    rollers: Annotated[int, PlainValidator(_read_rollers), WithJsonSchema({"type": "integer", "minimum": 1})] | None = (
+        Field(default=None, description="number of rollers in the bearing, for absolute lives")
+    )
+    models: Annotated[
+        tuple[str, ...],
+        PlainValidator(_read_models),
+        WithJsonSchema({"type": "array", "items": {"type": "string"}, "minItems": 1}),
+    ] = Field(default=(), description="names of the fatigue models; all of them if left out")
+    slope: Number | None = Field(default=None, description="Weibull's slope e of the volume models, 9/8 if left out")
+    fatigue_limit: Stress | None = Field(
+        default=None, description="fatigue limit of ioannides-harris [MPa], 360 if left out"
+    )
+    laminae: Laminae | None = Field(default=None, description="number of laminae of iso-16281, 60 if left out")
+    edge_stress: Word | None = Field(
+        default=None, description="edges of iso-16281: 'pressure' as solved, 'standard' or 'none'"
+    )
+    line_loads: Word | None = Field(
+        default=None, description="line loads of iso-16281: those of the 'solution' or of the 'standard'"
+    )
+    spectrum: Annotated[
+        tuple[LoadCaseTable, ...],
+        PlainValidator(_read_spectrum),
+        WithJsonSchema({"type": "array", "items": LoadCaseTable.model_json_schema(), "minItems": 1}),
+    ] = Field(default=(), description="loads with their shares of the revolutions, in place of [load]")
+
+    @field_validator(*_MODEL_WITH)
+    @classmethod
+    def _check(cls, value: Any, info: ValidationInfo) -> Any:
+        from nonhertz.life import model  # noqa: PLC0415  (brings the compiler along)
+
+        name = str(info.field_name)
+        model(_MODEL_WITH[name], **{name: value})
+        return value
+
+    def parameters(self) -> dict[str, Any]:
+        """Return the parameters of models that are given."""
+        return {name: getattr(self, name) for name in _MODEL_WITH if getattr(self, name) is not None}
+
+
 class CaseTable(Table):
     """A case file."""
 
@@ -418,3 +537,4 @@ class CaseTable(Table):
     body: BodiesTable = Field(description="the two bodies")
     load: LoadTable = Field(description="what presses them together")
     solver: SolverTable = Field(default_factory=SolverTable, description="how it is solved")
+    life: LifeTable = Field(default_factory=LifeTable, description="how long the bodies last")

@@ -2,15 +2,32 @@
 
 Three functions take a solution and matplotlib axes, draw, and return the axes: `pressure` (pressure and
 half-width along the contact), `footprint` (the contact area) and `profile` (the surfaces before and after
-loading). `figures` makes one finished figure of each, `comparison` one of strips beside a plane grid, and `save` writes
-a figure to SVG and PNG. Nothing here uses pyplot or leaves a setting changed, and matplotlib is imported only when
-something is drawn.
+loading). Two more take what `nonhertz.subsurface` found below the surface as well: `axial_stress` (a plane along the
+contact) and `section_stress` (a plane across it). `figures` makes one finished figure of each of the three,
+`stress_figures` of the two, `comparison` one of strips beside a plane grid, `life_figure` one of where the bodies
+fatigue (which `life_density` draws), and `save` writes a figure to SVG and PNG. Nothing here uses pyplot or leaves a
+setting changed, and matplotlib is imported only when something is drawn.
 """
 
 from nonhertz.plot.centre_line import pressure
 from nonhertz.plot.contact_area import footprint
+from nonhertz.plot.fatigue import life_density, life_figure
 from nonhertz.plot.sheets import figures, save
 from nonhertz.plot.side_by_side import comparison
+from nonhertz.plot.subsurface import axial_stress, section_stress, stress_figures, stress_planes
 from nonhertz.plot.surfaces import profile
 
-__all__ = ["comparison", "figures", "footprint", "pressure", "profile", "save"]
+__all__ = [
+    "axial_stress",
+    "comparison",
+    "figures",
+    "footprint",
+    "life_density",
+    "life_figure",
+    "pressure",
+    "profile",
+    "save",
+    "section_stress",
+    "stress_figures",
+    "stress_planes",
+]

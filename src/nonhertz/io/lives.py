@@ -1,0 +1,191 @@
+"""How long both bodies of a case last, as text and on disk."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from nonhertz.io.results import plain, write_files
+from nonhertz.life import Life
+from nonhertz.solution import Solution
+
+BODIES = ("a", "b")
+
+#: Units of the numbers; what has none is left out.
+UNITS: dict[str, Any] = {
+    "models": {
+        "parameters": {"fatigue_limit": "MPa"},
+        "damage": "MPa^exponent mm^(2 - depth_exponent), of iso-16281 none",
+        "reference": "as damage",
+        "million_revolutions": "10^6 revolutions",
+    },
+    "spectrum": {"load": "N", "tilt": "rad", "max_pressure": "MPa"},
+}
+_COLUMNS = ("body", "model", "y [mm]", "density")
+
+
+@dataclass(frozen=True, eq=False)
+class Assessment:
+    """How long both bodies of a case last.
+
+    Attributes
+    ----------
+    title : str
+        The case's.
+    rollers : int or None
+        Number of rollers in the bearing.
+    spectrum : tuple of pairs
+        Solutions and their shares of the revolutions.
+    lives : mapping of str to tuple of Life
+        One for each model, by the body: ``"a"`` and ``"b"``.
+    notes : tuple of str
+        What is to be known beside the warnings of the lives.
+    """
+
+    title: str
+    rollers: int | None
+    spectrum: tuple[tuple[Solution, float], ...]
+    lives: Mapping[str, tuple[Life, ...]]
+    notes: tuple[str, ...] = ()
+
+    @property
+    def raceway(self) -> str | None:
+        """The body that a roller rolls on, whose life is told in revolutions; None if there is no such."""
+        ring = self.lives["b"][0].raceway
+        return None if ring is None else ring.body
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """All warnings, each once."""
+        found = list(self.notes)
+        for life in (life for body in BODIES for life in self.lives[body]):
+            found += life.warnings
+        return tuple(dict.fromkeys(found))
+
+    def million_revolutions(self, number: int) -> float | None:
+        """Return the life of the raceway by one of the models [10^6 revolutions], None where there is none."""
+        return self.lives[self.raceway or "b"][number].million_revolutions
+
+    def over(self, other: Assessment, body: str, number: int) -> float:
+        """Return the life of a body by one of the models over that in another case [-]."""
+        return self.lives[body][number].over(other.lives[body][number])
+
+
+def as_object(found: Assessment, other: Assessment | None = None) -> dict[str, Any]:
+    """Return lives, and those that they are compared with, as plain numbers, text, lists and dictionaries.
+
+    A number that is not finite is None.
+    """
+    compared = {}
+    if other is not None:
+        models = [
+            entry | {"ratio": {body: plain(found.over(other, body, number)) for body in BODIES}}
+            for number, entry in enumerate(_models(other))
+        ]
+        compared = {"compared_with": _head(other) | {"models": models} | _tail(other)}
+    return _head(found) | {"models": _models(found)} | _tail(found) | compared | {"units": UNITS}
+
+
+def as_json(found: Assessment, other: Assessment | None = None) -> str:
+    """Return `as_object` as JSON text, one key to a line."""
+    entries = (
+        f"  {json.dumps(key)}: {json.dumps(value, allow_nan=False)}" for key, value in as_object(found, other).items()
+    )
+    return "{\n" + ",\n".join(entries) + "\n}"
+
+
+def as_table(found: Assessment) -> str:
+    """Return the density of damage along both bodies as comma-separated values, names and units first."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(_COLUMNS)
+    for body in BODIES:
+        for life in found.lives[body]:
+            for y, density in zip(life.y.tolist(), life.density.tolist(), strict=True):
+                writer.writerow([body, life.model.name, y, density if math.isfinite(density) else ""])
+    return text.getvalue()
+
+
+def write_lives(
+    directory: str | Path, found: Assessment, other: Assessment | None, draw: Callable[[Path], object]
+) -> tuple[Path, ...]:
+    """Write life.json, life.csv and what ``draw`` writes into a directory, all of them or none.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Where to; made if it does not exist. Files of the same names are replaced.
+    found : Assessment
+        What to write.
+    other : Assessment or None
+        What it is compared with; its densities go into compared.csv.
+    draw : callable
+        Writes further files, figures that is, into the directory that it is given.
+
+    Returns
+    -------
+    tuple of Path
+        The files.
+
+    Raises
+    ------
+    InputError
+        If the directory cannot be written to.
+    """
+
+    def write(folder: Path) -> None:
+        (folder / "life.json").write_text(as_json(found, other) + "\n", encoding="utf-8")
+        (folder / "life.csv").write_text(as_table(found), encoding="utf-8")
+        if other is not None:
+            (folder / "compared.csv").write_text(as_table(other), encoding="utf-8")
+        draw(folder)
+
+    return write_files(directory, write)
+
+
+def _head(found: Assessment) -> dict[str, Any]:
+    return {
+        "title": found.title,
+        "status": [solution.status.label for solution, _ in found.spectrum],
+        "rollers": found.rollers,
+        "raceway": found.raceway,
+    }
+
+
+def _models(found: Assessment) -> list[dict[str, Any]]:
+    entries = []
+    for number, both in enumerate(zip(*(found.lives[body] for body in BODIES), strict=True)):
+        model = both[0].model
+        parameters = {key: value for key, value in asdict(model).items() if key not in {"name", "source"}}
+        by_body = dict(zip(BODIES, both, strict=True))
+        entries.append(
+            {
+                "name": model.name,
+                "parameters": parameters | {"slope": model.slope},
+                "source": model.source,
+                "relative_life": {body: plain(life.relative) for body, life in by_body.items()},
+                "million_revolutions": plain(found.million_revolutions(number)),
+                "damage": {body: plain(life.damage) for body, life in by_body.items()},
+                "reference": {body: plain(life.reference) for body, life in by_body.items()},
+            }
+        )
+    return entries
+
+
+def _tail(found: Assessment) -> dict[str, Any]:
+    spectrum = [
+        {
+            "load": plain(solution.load),
+            "tilt": plain(solution.tilt),
+            "share": plain(share),
+            "max_pressure": plain(solution.max_pressure),
+        }
+        for solution, share in found.spectrum
+    ]
+    return {"spectrum": spectrum, "warnings": list(found.warnings)}

@@ -1,0 +1,135 @@
+"""The largest stresses below a contact, and planes of stress, as text and on disk."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.io.results import plain, write_files
+from nonhertz.solution import Solution
+from nonhertz.subsurface import Extreme, Extremes, Field
+
+_EXTREME = {"max": "MPa", "x": "mm", "y": "mm", "z": "mm"}
+_QUANTITIES = ("von_mises", "shear", "orthogonal_shear")
+_UNITS_OF_ALL = dict.fromkeys(_QUANTITIES, _EXTREME)
+
+#: Units of the numbers; what has none is left out.
+UNITS: dict[str, Any] = {
+    "max_pressure": "MPa",
+    "overall": _UNITS_OF_ALL,
+    "section": {"y": "mm", "peak_pressure": "MPa", "half_width": "mm", **_UNITS_OF_ALL},
+}
+_COORDINATES = ("x", "y", "z")
+_STRESSES = ("sigma_x", "sigma_y", "sigma_z", "tau_yz", "tau_xz", "tau_xy", "von_mises", "max_shear")
+
+
+def as_object(solution: Solution, overall: Extremes, section: Extremes, title: str) -> dict[str, Any]:
+    """Return the largest stresses as plain numbers, text, lists and dictionaries.
+
+    A number that is not finite is None.
+    """
+    y = section.von_mises.y
+    return {
+        "title": title,
+        "status": solution.status.label,
+        "body": overall.body,
+        "poisson": plain(poisson(solution, overall.body)),
+        "max_pressure": plain(solution.max_pressure),
+        "overall": _largest(overall),
+        "section": {
+            "y": plain(y),
+            "peak_pressure": plain(there(solution, solution.peak_pressure, y)),
+            "half_width": plain(there(solution, solution.half_width, y)),
+            **_largest(section),
+        },
+        "warnings": list(all_warnings(solution, overall, section)),
+        "units": UNITS,
+    }
+
+
+def as_json(solution: Solution, overall: Extremes, section: Extremes, title: str) -> str:
+    """Return `as_object` as JSON text, one key to a line."""
+    entries = (
+        f"  {json.dumps(key)}: {json.dumps(value, allow_nan=False)}"
+        for key, value in as_object(solution, overall, section, title).items()
+    )
+    return "{\n" + ",\n".join(entries) + "\n}"
+
+
+def there(solution: Solution, values: NDArray[np.float64], y: float) -> float:
+    """Return what strips have at a station, zero off contact."""
+    touching = any(low <= y <= high for low, high in solution.contact_y)
+    return float(np.interp(y, solution.y, values)) if touching else 0.0
+
+
+def as_table(field: Field) -> str:
+    """Return the points of a field and the stress there as comma-separated values, names and units first."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow([*(f"{name} [mm]" for name in _COORDINATES), *(f"{name} [MPa]" for name in _STRESSES)])
+    columns = [getattr(field, name).ravel() for name in (*_COORDINATES, *_STRESSES)]
+    # More digits than the quadrature has would only make the file longer.
+    writer.writerows([f"{value:.7g}" if np.isfinite(value) else "" for value in row] for row in np.transpose(columns))
+    return text.getvalue()
+
+
+def write_stresses(
+    directory: str | Path, text: str, planes: Mapping[str, Field], draw: Callable[[Path], object]
+) -> tuple[Path, ...]:
+    """Write stress.json, a table of each plane and what ``draw`` writes into a directory, all of them or none.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Where to; made if it does not exist. Files of the same names are replaced.
+    text : str
+        What `as_json` returned.
+    planes : mapping of str to Field
+        By the names of their tables, without the ending.
+    draw : callable
+        Writes further files, figures that is, into the directory that it is given.
+
+    Returns
+    -------
+    tuple of Path
+        The files.
+
+    Raises
+    ------
+    InputError
+        If the directory cannot be written to.
+    """
+
+    def write(folder: Path) -> None:
+        (folder / "stress.json").write_text(text + "\n", encoding="utf-8")
+        for name, field in planes.items():
+            (folder / f"{name}.csv").write_text(as_table(field), encoding="utf-8")
+        draw(folder)
+
+    return write_files(directory, write)
+
+
+def poisson(solution: Solution, body: str) -> float:
+    """Return Poisson's ratio of body ``"a"`` or ``"b"``, on which the stress along the contact depends."""
+    return float({"a": solution.contact.a, "b": solution.contact.b}[body].material.poisson)
+
+
+def all_warnings(solution: Solution, *found: Extremes) -> tuple[str, ...]:
+    """Return the warnings of a solution and of all that was found in it, each once."""
+    sentences = [*solution.warnings, *(sentence for each in found for sentence in each.warnings)]
+    return tuple(dict.fromkeys(sentences))
+
+
+def _largest(found: Extremes) -> dict[str, Any]:
+    return {name: _extreme(getattr(found, name)) for name in _QUANTITIES}
+
+
+def _extreme(found: Extreme) -> dict[str, Any]:
+    return {name: plain(getattr(found, name)) for name in _EXTREME}

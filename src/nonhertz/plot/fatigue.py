@@ -1,0 +1,222 @@
+"""Where along a contact its bodies fatigue: damage per length by several models."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.life import Life
+from nonhertz.plot.axial import AXIAL_LABEL, axial_range, conditions, draw_body_ends, number
+from nonhertz.plot.sheets import BOTTOM, LEFT, TITLE, WIDTH, blank, panel, write_title
+from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
+from nonhertz.singular import singular_ends
+from nonhertz.solution import Solution
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+Spectrum = Sequence[tuple[Solution, float]]
+
+# Inches: what was solved above all panels, and above each of them its name and rows of the key.
+HEAD, NAME, ROW, HIGH, HIGH_OF_TWO, BETWEEN, MARGIN = 0.3, 0.22, 0.17, 2.6, 2.0, 0.35, 0.15
+COLUMNS, COLUMNS_COMPARED = 3, 2  # of the key
+LINES: dict[str, tuple[str, Any]] = {
+    "lundberg-palmgren": (FIRST, "-"),
+    "ioannides-harris": (SECOND, (0, (5, 1.5))),
+    "zaretsky": ("#009E73", (0, (6, 1.5, 1.2, 1.5))),
+    "weibull": ("#CC79A7", (0, (1.2, 1.2))),
+    "iso-16281": (INK, "-"),
+}
+OTHER_COLOUR, OTHER_WIDTH = "#9A9A9A", 1.8
+PEAKED = 6.0  # times the ideal: beyond, the axis is logarithmic
+FAINTEST = 1e-2  # of the ideal is where such an axis begins
+ROOM = 1.1
+ALIKE = 0.05  # of the life: where the bodies differ less, one of them is drawn
+
+
+def life_density(spectrum: Spectrum, lives: Sequence[Life], ax: Axes, *, compared: Sequence[Life] = ()) -> Axes:
+    """Draw where a body fatigues: damage per length against y, over its mean under the ideal pressure.
+
+    1, the thin line, is Hertz's line pressure with the load spread evenly. The laminae of ISO/TS 16281 are steps. Where
+    a model has the damage at some place six times the ideal, the axis is logarithmic, from a hundredth. The key tells
+    the lives.
+
+    Parameters
+    ----------
+    spectrum : sequence of pairs
+        Solutions and their shares of the revolutions.
+    lives : sequence of Life
+        Of one body, by models.
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    compared : sequence of Life
+        Of that body in another case; the first of them is drawn, as a broad grey line.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        ``ax``.
+    """
+    widest = max((solution for solution, _ in spectrum), key=lambda solution: float(np.ptp(axial_range(solution))))
+    spans = [axial_range(solution) for solution, _ in spectrum]
+    span = min(low for low, _ in spans), max(high for _, high in spans)
+    entries = [_draw(life, ax) for life in lives]
+    entries += [_draw_compared(life, ax) for life in compared[:1]]
+    ax.axhline(1.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
+    _scale([*lives, *compared[:1]], ax)
+    ax.locator_params(axis="x", steps=[1, 2, 5, 10])
+    ax.set_xlim(span)
+    draw_body_ends(widest, ax)
+    ax.set_xlabel(AXIAL_LABEL)
+    ax.set_ylabel("Damage per length\nover the ideal [-]")
+    for side in ("top", "right"):
+        ax.spines[side].set_visible(False)
+    if any(np.isnan(life.reference) for life in lives):
+        words = "The bodies can touch on an unlimited length:\nthere is no ideal pressure to compare with."
+        ax.text(0.5, 0.6, words, transform=ax.transAxes, ha="center", va="center")
+    elif any(singular_ends(solution) for solution, _ in spectrum):
+        words = "no limit at a sharp end"
+        ax.text(0.5, 0.96, words, transform=ax.transAxes, ha="center", va="top", fontsize=SMALL_SIZE, bbox=BACKING)
+    _key(entries, _columns(bool(compared)), ax)
+    ax.set_title(f"body {lives[0].body}", loc="left", pad=_key_points(_rows(lives, bool(compared))))
+    return ax
+
+
+def life_figure(
+    spectrum: Spectrum,
+    lives: Mapping[str, Sequence[Life]],
+    title: str = "",
+    compared: Mapping[str, Sequence[Life]] | None = None,
+) -> Figure:
+    """Return a finished figure of `life_density`, a panel for each body, or for b alone if their lives are within 5 %.
+
+    Parameters
+    ----------
+    spectrum : sequence of pairs
+        Solutions and their shares of the revolutions.
+    lives : mapping of str to sequence of Life
+        One for each model, by the body: ``"a"`` and ``"b"``.
+    title : str
+        Heading; none if empty.
+    compared : mapping of str to sequence of Life, optional
+        Those of another case.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        `save` writes it.
+    """
+    other = compared or {}
+    bodies = ["b"] if _alike(lives) and _alike(other) else ["a", "b"]
+    rows = _rows(lives["b"], bool(other))
+    height = HIGH if len(bodies) == 1 else HIGH_OF_TWO
+    above = NAME + ROW * rows
+    with sheet_style():
+        top = HEAD + (TITLE if title else 0.0)
+        figure = blank(top + len(bodies) * (above + height) + (len(bodies) - 1) * BETWEEN + BOTTOM)
+        bottom = figure.get_figheight() - top
+        shown = [life for body in bodies for life in (*lives[body], *other.get(body, ())[:1])]
+        for body in bodies:
+            bottom -= above + height
+            axes = panel(figure, LEFT, bottom, WIDTH - LEFT - MARGIN, height)
+            life_density(spectrum, lives[body], axes, compared=other.get(body, ()))
+            _scale(shown, axes)
+            if len(bodies) == 1:
+                axes.set_title(_name_of_one(lives["b"]), loc="left", pad=_key_points(rows))
+            elif body == "a":
+                axes.set_xlabel("")
+            bottom -= BOTTOM if body == "b" else BETWEEN
+        write_title(figure, title, _conditions(spectrum))
+    return figure
+
+
+def _draw(life: Life, ax: Axes) -> tuple[Artist, str]:
+    colour, dashes = LINES[life.model.name]
+    density = np.where(np.isfinite(life.density), life.density, np.nan)
+    drawn: Artist
+    if life.model.name == "iso-16281":
+        edges = 0.5 * (life.y[1:] + life.y[:-1])
+        ends = 2.0 * life.y[[0, -1]] - edges[[0, -1]]
+        edges = np.concatenate([ends[:1], edges, ends[1:]])
+        drawn = ax.stairs(density, edges, baseline=None, color=colour, linewidth=THIN, zorder=2.5)
+    else:
+        (drawn,) = ax.plot(life.y, density, color=colour, linewidth=LINE, linestyle=dashes, zorder=3.0)
+    return drawn, f"{life.model.name}: {_life(life)}"
+
+
+def _draw_compared(life: Life, ax: Axes) -> tuple[Artist, str]:
+    density = np.where(np.isfinite(life.density), life.density, np.nan)
+    (drawn,) = ax.plot(life.y, density, color=OTHER_COLOUR, linewidth=OTHER_WIDTH, zorder=2.0)
+    return drawn, f"{life.model.name}, compared: {_life(life)}"
+
+
+def _life(life: Life) -> str:
+    if np.isnan(life.relative):
+        return "no ideal" if np.isnan(life.reference) else "no damage"
+    return f"life {number(life.relative, 3)}" if np.isfinite(life.relative) else "no damage"
+
+
+def _scale(lives: Sequence[Life], ax: Axes) -> None:
+    """Choose the axis: linear from zero, or logarithmic where the damage peaks."""
+    finite = np.concatenate([life.density[np.isfinite(life.density)] for life in lives])
+    highest = max(1.0, float(finite.max(initial=0.0)))
+    if highest <= PEAKED:
+        ax.set_ylim(0.0, ROOM * highest)
+        return
+    ax.set_yscale("log")
+    ax.set_ylim(FAINTEST, 2.0 * highest)
+
+
+def _name_of_one(lives: Sequence[Life]) -> str:
+    if all(np.isnan(life.relative) for life in lives):
+        return "bodies a and b"
+    return f"body b; lives of body a are within {100.0 * ALIKE:g} %"
+
+
+def _key(entries: Sequence[tuple[Artist, str]], columns: int, ax: Axes) -> None:
+    """Write above the axes what is what, and the lives."""
+    handles, labels = zip(*entries, strict=True)
+    ax.legend(
+        handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns, borderaxespad=0.2, borderpad=0.2,
+        handlelength=2.6, columnspacing=1.6, labelspacing=0.35, frameon=False, fontsize=SMALL_SIZE,
+    )  # fmt: skip
+
+
+def _columns(compared: bool) -> int:
+    # Words of a line that is compared are longer.
+    return COLUMNS_COMPARED if compared else COLUMNS
+
+
+def _rows(lives: Sequence[Life], compared: bool) -> int:
+    return -(-(len(lives) + compared) // _columns(compared))
+
+
+def _key_points(rows: int) -> float:
+    return 6.0 + 72.0 * ROW * rows
+
+
+def _alike(lives: Mapping[str, Sequence[Life]]) -> bool:
+    """Return whether both bodies live as long by all models."""
+    a, b = ([life.relative for life in lives.get(body, ())] for body in "ab")
+    return bool(np.allclose(a, b, rtol=ALIKE, atol=0.0, equal_nan=True))
+
+
+def _conditions(spectrum: Spectrum) -> str:
+    """Return the line that says what was solved."""
+    if len(spectrum) == 1:
+        return conditions(spectrum[0][0])
+    loads = [solution.load for solution, _ in spectrum]
+    tilts = [1e3 * solution.tilt for solution, _ in spectrum]
+    words = [f"Spectrum of {len(loads)} loads", f"{_span(loads)} N", f"tilt {_span(tilts)} mrad"]
+    return ", ".join(words)
+
+
+def _span(values: Sequence[float]) -> str:
+    low, high = number(min(values)), number(max(values))
+    return low if low == high else f"{low} to {high}"

@@ -1,0 +1,287 @@
+"""``nonhertz life`` as a user meets it: table, spectrum, comparison, files, exit codes."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+import nonhertz.cli.commands
+import nonhertz.life
+import nonhertz.plot
+from nonhertz.cli import main
+from nonhertz.io.casefile import read_case
+from nonhertz.life import LoadCase, assess, ioannides_harris, solve_spectrum
+
+CASE = """
+title = "Roller on a ring"
+[body.a]
+kind = "roller"
+diameter = 15
+length = 15
+profile = [{ kind = "iso-logarithmic" }]
+[body.b]
+kind = "ring"
+diameter = 60
+length = 20
+[load]
+load = "12 kN"
+tilt = "0.1 mrad"
+[solver]
+strips = 15
+[life]
+rollers = 14
+"""
+LOADS = ((20e3, 0.5e-3, 0.1), (12e3, 0.0, 0.3), (5e3, 0.2e-3, 0.6))
+SPECTRUM = "".join(f"[[life.spectrum]]\nload = {load}\ntilt = {tilt}\nshare = {share}\n" for load, tilt, share in LOADS)
+FILES = {"life.json", "life.csv", "life-density.svg", "life-density.png"}
+# Laminae take no time.
+QUICK = ["--model", "iso-16281"]
+
+
+@pytest.fixture
+def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    monkeypatch.chdir(tmp_path)
+    Path("case.toml").write_text(CASE, encoding="utf-8")
+    return "case.toml"
+
+
+def changed(old: str, new: str, name: str = "other.toml", text: str = CASE) -> str:
+    """Write the case file with something else in it and return its name."""
+    assert old in text
+    Path(name).write_text(text.replace(old, new, 1), encoding="utf-8")
+    return name
+
+
+def found_in(words: list[str], capsys: pytest.CaptureFixture[str]) -> dict[str, Any]:
+    assert main(["life", *words, "--json"]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    found = json.loads(printed.out)
+    assert isinstance(found, dict)
+    return found
+
+
+def refused(words: list[str], capsys: pytest.CaptureFixture[str]) -> str:
+    assert main(["life", *words]) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    return printed.err
+
+
+def never(*_: object, **__: object) -> Any:
+    pytest.fail("it ran")
+
+
+def solved(path: str) -> nh.Solution:
+    problem = read_case(path)
+    return nh.solve(problem.contact, **problem.prescribed, **problem.solver)
+
+
+def test_lives_are_those_of_python(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    found = found_in([case], capsys)
+    assert (found["title"], found["status"], found["raceway"]) == ("Roller on a ring", ["converged"], "b")
+    assert [each["name"] for each in found["models"]] == list(nonhertz.life.MODELS)
+    solution = solved(case)
+    for body in "ab":
+        for each, life in zip(found["models"], assess(solution, body=body, rollers=14), strict=True):
+            # Digit for digit: neither may round, and an a for a b would show in the seventh.
+            assert each["relative_life"][body] == life.relative
+            assert (each["damage"][body], each["reference"][body]) == (life.damage, life.reference)
+            if body == "b":
+                assert each["million_revolutions"] == life.million_revolutions
+    assert found["models"][1]["parameters"]["fatigue_limit"] == 360.0
+    assert found["models"][4]["parameters"]["laminae"] == 60
+    assert found["spectrum"][0]["load"] == pytest.approx(12e3, rel=1e-12)
+    assert found["units"]["models"]["parameters"] == {"fatigue_limit": "MPa"}
+
+
+def test_the_table_says_what_its_numbers_mean(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["life", case, "--model", "lundberg-palmgren", "iso-16281"]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    lines = printed.out.splitlines()
+    assert lines[0] == "Roller on a ring"
+    assert re.split(r"\s{2,}", lines[1].strip()) == ["life in a", "in b", "L10 [10^6 rev]", "damage"]
+    rows = {cells[0]: cells[1:] for cells in (re.split(r"\s{2,}", line.strip()) for line in lines[2:4])}
+    (life,) = assess(solved(case), "lundberg-palmgren", rollers=14)
+    assert float(rows["lundberg-palmgren"][1]) == pytest.approx(life.relative, rel=1e-3)
+    assert float(rows["lundberg-palmgren"][2]) == pytest.approx(life.million_revolutions, rel=1e-3)
+    assert rows["lundberg-palmgren"][3] == "tau_xz^10.33 / z^2.333, e = 1.125"
+    assert rows["iso-16281"][3] == "60 laminae, edges as solved, e = 1.125"
+    text = " ".join(printed.out.split())
+    assert "1 is the life of the same bodies under Hertz's line pressure" in text
+    assert "L10 is the life of the ring, body b, that 90 % reach where all 14 rollers bear this load." in text
+    assert "There is no absolute life" not in text
+
+
+def test_a_spectrum_takes_the_place_of_the_load(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    Path(case).write_text(CASE + SPECTRUM, encoding="utf-8")
+    found = found_in([case, *QUICK], capsys)
+    contact = read_case(case).contact
+    lives = []
+    for load, tilt, _ in LOADS:
+        (life,) = assess(nh.solve(contact, load=load, tilt=tilt, strips=15), "iso-16281", rollers=14)
+        lives.append(life.million_revolutions)
+    # Palmgren and Miner by hand; solutions of one load and of many agree to the solver's tolerance.
+    together = 1.0 / sum(share / life for (_, _, share), life in zip(LOADS, lives, strict=True) if life)
+    assert found["models"][0]["million_revolutions"] == pytest.approx(together, rel=1e-6)
+    assert [each["share"] for each in found["spectrum"]] == [share for *_, share in LOADS]
+    assert main(["life", case, *QUICK]) == 0
+    rows = [line.split() for line in capsys.readouterr().out.splitlines() if "%" in line and "." in line]
+    assert [row[:3] for row in rows[-3:]] == [["10", "%", "20000"], ["30", "%", "12000"], ["60", "%", "5000.0"]]
+    # The others go on with [load].
+    assert main(["solve", case, "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["load"] == pytest.approx(12e3, rel=1e-12)
+
+
+def test_parameters_come_from_the_file_and_models_from_either(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    table = 'rollers = 14\nmodels = ["iso-16281"]\nlaminae = 40\nfatigue_limit = "0.3 GPa"\nslope = 1.5'
+    path = changed("rollers = 14", table)
+    (of_file,) = found_in([path], capsys)["models"]
+    assert (of_file["name"], of_file["parameters"]["laminae"]) == ("iso-16281", 40)
+    (asked,) = found_in([path, "--model", "ioannides-harris"], capsys)["models"]
+    assert (asked["parameters"]["fatigue_limit"], asked["parameters"]["slope"]) == (300.0, 1.5)
+    (life,) = assess(solved(case), ioannides_harris(fatigue_limit=300.0, slope=1.5))
+    assert asked["relative_life"]["b"] == life.relative
+
+
+def test_another_case_is_compared_by_the_models_of_the_first(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    table = 'rollers = 20\nmodels = ["zaretsky"]\nlaminae = 100\n' + SPECTRUM
+    other = changed("rollers = 14", table)
+    found = found_in([case, *QUICK, "--compare", other], capsys)
+    compared = found["compared_with"]
+    assert (compared["rollers"], len(compared["spectrum"])) == (20, 3)
+    assert compared["models"][0]["parameters"]["laminae"] == 60
+    problem = read_case(other)
+    (of_first,) = assess(solved(case), "iso-16281")
+    spectrum = solve_spectrum(problem.contact, [LoadCase(load=q, tilt=t, share=u) for q, t, u in LOADS], strips=15)
+    (of_other,) = assess(spectrum, "iso-16281")
+    assert compared["models"][0]["ratio"] == dict.fromkeys("ab", of_first.over(of_other))
+    assert abs(compared["models"][0]["ratio"]["b"] - 1.0) > 1e-3
+    assert main(["life", case, *QUICK, "--compare", other]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    row = lines[lines.index("Compared with: Roller on a ring") + 2].split()
+    assert float(row[-1]) == pytest.approx(of_first.over(of_other), rel=1e-3)
+
+
+def test_laminae_with_and_without_a_raceway_are_not_compared(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    plate = changed('kind = "ring"\ndiameter = 60', 'kind = "plate"')
+    found = found_in([case, *QUICK, "--compare", plate], capsys)
+    assert found["compared_with"]["models"][0]["ratio"] == {"a": None, "b": None}
+    assert found["compared_with"]["raceway"] is None
+
+
+def test_all_files_are_written(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    models = ["--model", "lundberg-palmgren", "iso-16281"]
+    found = found_in([case, *models, "--out", "new/folder", "--compare", case], capsys)
+    folder = Path("new/folder")
+    assert {path.name for path in folder.iterdir()} == FILES | {"compared.csv"}
+    assert json.loads((folder / "life.json").read_text(encoding="utf-8")) == found
+    with (folder / "life.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    laminae = [row for row in rows if (row["body"], row["model"]) == ("a", "iso-16281")]
+    assert len(laminae) == 60
+    # Of equal laminae the mean density is the damage over that under the ideal pressure.
+    mean = np.mean([float(row["density"]) for row in laminae])
+    model = found["models"][1]
+    assert mean == pytest.approx(model["damage"]["a"] / model["reference"]["a"], rel=1e-9)
+    assert found["compared_with"]["models"][0]["ratio"] == {"a": 1.0, "b": 1.0}
+
+
+def test_nothing_is_left_behind_when_writing_fails(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: object) -> None:
+        raise RuntimeError("the pen broke")
+
+    monkeypatch.setattr(nonhertz.plot, "save", fail)
+    assert main(["life", case, *QUICK, "--out", "new/folder"]) == 3
+    assert capsys.readouterr().out == ""
+    assert not Path("new").exists()
+
+
+def test_what_is_no_number_is_null_and_said_in_words(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    unbounded = Path("endless.toml")
+    text = re.sub("(?m)^(kind|length) .*\n", "", CASE).replace("12 kN", "1 kN")
+    unbounded.write_text(text.replace('"iso-logarithmic"', '"crown", radius = 100'), encoding="utf-8")
+    assert main(["life", "endless.toml", "--out", "folder"]) == 0
+    printed = " ".join(capsys.readouterr().out.split())
+    assert "none: the bodies can touch on an unlimited length" in printed
+    assert "warning: iso-16281 is left out: it needs a length" in printed
+    found = json.loads(Path("folder/life.json").read_text(encoding="utf-8"))
+    assert found["models"][0]["relative_life"] == {"a": None, "b": None}
+    assert found["models"][0]["damage"]["b"] > 0.0
+    sentence = refused(["endless.toml", *QUICK], capsys)
+    assert sentence.startswith("body.a.length must be given for laminae: ")
+
+
+def test_no_damage_is_said_in_words(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    path = changed("rollers = 14", 'fatigue_limit = "2 GPa"')
+    assert main(["life", path, "--model", "ioannides-harris", "--out", "folder"]) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    assert "ioannides-harris none none" in text
+    assert "none: under the ideal pressure there is no damage either." in text
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (["--model", "zaretzky"], "--model = 'zaretzky' must be a fatigue model: choose from lundberg-palmgren, "),
+        (["--compare", "nothing.toml"], "nothing.toml must exist: "),
+        (["--out", "case.toml"], "--out = 'case.toml' must be a directory, not a file"),
+    ],
+)
+def test_what_cannot_be_is_refused_before_anything_is_solved(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, words: list[str], sentence: str
+) -> None:
+    monkeypatch.setattr(nonhertz.cli.commands, "_solved", never)
+    error = refused([case, *words], capsys)
+    assert error.startswith(sentence)
+    assert len(error.splitlines()) == 1
+
+
+def test_mistakes_of_the_other_file_are_named_with_its_path(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    other = changed("rollers = 14", "rollers = -1\nslope = 0")
+    first, second = refused([case, "--compare", other], capsys).splitlines()
+    assert first.startswith("1. other.toml: life.rollers = -1 must be positive: ")
+    assert second.startswith("2. other.toml: life.slope = 0.0 must be positive: ")
+
+
+@pytest.mark.parametrize("name", ["first", "other"])
+def test_no_life_without_a_solution(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    def stop(contact: nh.Contact, *_: object, **__: object) -> Any:
+        raise nh.ConvergenceError("It stopped.", None)
+
+    monkeypatch.setattr(nonhertz.life, "solve_spectrum", stop)
+    stopping = changed("rollers = 14", "rollers = 14\n" + SPECTRUM)
+    words = [stopping] if name == "first" else [case, "--compare", stopping]
+    assert main(["life", *words, *QUICK, "--out", "folder"]) == 1
+    printed = capsys.readouterr()
+    assert (printed.out, printed.err) == ("", "It stopped.\n" if name == "first" else "other.toml: It stopped.\n")
+    assert not Path("folder").exists()
+
+
+def test_a_terminal_sees_what_is_being_done(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    Path(case).write_text(CASE + SPECTRUM, encoding="utf-8")
+    assert main(["life", case, "--model", "lundberg-palmgren", "--json"]) == 0
+    printed = capsys.readouterr().err
+    assert "1/6 body a, load 1 of 3 ..." in printed
+    assert "6/6 body b, load 3 of 3 ..." in printed
+
+
+def test_help_names_all_models(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["life", "--help"]) == 0
+    text = " ".join(capsys.readouterr().out.replace("│", " ").split())
+    assert all(name in text for name in nonhertz.life.MODELS)

@@ -1,0 +1,234 @@
+"""``nonhertz stress`` as a user meets it: numbers, files, refusals, exit codes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import nonhertz as nh
+import nonhertz.plot
+import nonhertz.solver
+import nonhertz.subsurface
+from nonhertz.cli import main
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+PLANES = ("axial-plane", "cross-section")
+FILES = {"stress.json", *(f"{name}.{ending}" for name in PLANES for ending in ("csv", "svg", "png"))}
+QUANTITIES = ("von_mises", "shear", "orthogonal_shear")
+
+PLANE_STRAIN = """
+title = "Two rollers with coincident ends"
+[body.a]
+kind = "roller"
+diameter = 20
+length = 20
+images = "series"
+[body.b]
+kind = "roller"
+diameter = 20
+length = 20
+images = "series"
+material = { modulus = 207000, poisson = 0.25 }
+[load]
+load = 20000
+[solver]
+strips = 7
+"""
+
+
+@pytest.fixture
+def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    """An elliptical point contact, 0.262 by 1.179 mm, 1546 MPa."""
+    monkeypatch.chdir(tmp_path)
+    text = (EXAMPLES / "elliptical-point-contact.toml").read_text(encoding="utf-8")
+    Path("case.toml").write_text(text, encoding="utf-8")
+    return "case.toml"
+
+
+@pytest.fixture
+def sharp(case: str) -> str:
+    Path(case).write_text((EXAMPLES / "crowned-roller.toml").read_text(encoding="utf-8"), encoding="utf-8")
+    return case
+
+
+def found(capsys: pytest.CaptureFixture[str], *words: str) -> Any:
+    assert main(["stress", *words, "--json"]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    return json.loads(printed.out)
+
+
+def never(*_: object, **__: object) -> Any:
+    pytest.fail("it ran")
+
+
+def test_json_is_what_the_search_returns(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    told = found(capsys, case, "--station", "-0.6", "--body", "b")
+    crowned = nh.Body(diameter=20.0, profile=nh.profile.crown(radius=100.0))
+    solution = nh.solve(nh.Contact(crowned, nh.Body()), load=1000.0)
+    overall = nh.subsurface.extremes(solution, body="b")
+    section = nh.subsurface.extremes(solution, -0.6, body="b")
+    for name in QUANTITIES:
+        assert_allclose(list(told["overall"][name].values()), list(vars(getattr(overall, name)).values()), rtol=1e-9)
+        assert_allclose(list(told["section"][name].values()), list(vars(getattr(section, name)).values()), rtol=1e-9)
+        assert told["section"][name]["y"] == told["section"]["y"] == -0.6
+    assert told["overall"]["von_mises"]["max"] > 1.1 * told["section"]["von_mises"]["max"]
+    # Of Hertz's ellipse: both fall as sqrt(1 - (y/a)^2).
+    share = np.sqrt(1.0 - (0.6 / 1.178742) ** 2)
+    assert_allclose(told["section"]["peak_pressure"], 1546.190 * share, rtol=2e-3)
+    assert_allclose(told["section"]["half_width"], 0.2619749 * share, rtol=2e-3)
+    assert (told["body"], told["poisson"], told["status"]) == ("b", 0.3, "converged")
+    assert told["title"] == "Elliptical point contact, Rx 10 and Ry 100"
+    assert_allclose(told["max_pressure"], 1546.190, rtol=1e-3)
+    assert told["warnings"] == []
+    assert told["units"]["section"]["shear"] == {"max": "MPa", "x": "mm", "y": "mm", "z": "mm"}
+
+
+def test_without_a_station_the_section_is_the_worst(sharp: str, capsys: pytest.CaptureFixture[str]) -> None:
+    told = found(capsys, sharp)
+    assert told["section"]["y"] == told["overall"]["von_mises"]["y"] > 9.0
+    assert_allclose(told["section"]["von_mises"]["max"], told["overall"]["von_mises"]["max"], rtol=1e-6)
+    assert told["overall"]["orthogonal_shear"]["y"] < 5.0
+
+
+def test_landmarks_of_plane_strain(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    Path(case).write_text(PLANE_STRAIN, encoding="utf-8")
+    told = found(capsys, case, "--station", "2")
+    section = told["section"]
+    p0, b = section["peak_pressure"], section["half_width"]
+    # Johnson, Contact Mechanics, section 4.1, at nu = 0.3; the series of images makes both rollers endless.
+    expected = {
+        "von_mises": (0.5575, 0.0, 0.704),
+        "shear": (0.3003, 0.0, 0.786),
+        "orthogonal_shear": (0.25, 0.866, 0.5),
+    }
+    for name, numbers in expected.items():
+        largest = section[name]
+        assert_allclose((largest["max"] / p0, largest["x"] / b, largest["z"] / b), numbers, rtol=2e-3, atol=1e-9)
+        assert_allclose(told["overall"][name]["max"], largest["max"], rtol=1e-4)
+    # sigma_y follows Poisson's ratio, so that a softer one leaves more of the difference to it.
+    other = found(capsys, case, "--station", "2", "--body", "b")
+    assert other["poisson"] == 0.25
+    assert other["section"]["von_mises"]["max"] > 1.005 * section["von_mises"]["max"]
+    assert_allclose(other["section"]["orthogonal_shear"]["max"], section["orthogonal_shear"]["max"], rtol=1e-6)
+
+
+def test_the_table_has_both_and_the_warnings(sharp: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["stress", sharp, "--station", "9.9"]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    lines = printed.out.splitlines()
+    assert lines[0] == "Roller 20 x 20 on a plate"
+    heads = ["largest [MPa]", "of p0 there", "x [mm]", "y [mm]", "z [mm]"]
+    assert [word.strip() for word in lines[1].split("  ") if word.strip()] == heads
+    assert [line.strip() for line in lines[2:10:4]] == ["in body a", "at y = 9.9 mm"]
+    overall, section = ({" ".join(line.split()[:2]): line.split()[2:] for line in lines[k : k + 3]} for k in (3, 7))
+    assert list(overall) == list(section) == ["von Mises", "maximum shear", "orthogonal shear"]
+    assert overall["orthogonal shear"] == ["515.04", "0.2500", "+-0.3134", "2.274", "0.1809"]
+    assert section["von Mises"][2:4] == ["0", "9.900"]
+    text = " ".join(printed.out.split())
+    assert f"goes through a range of {2.0 * float(section['orthogonal shear'][0]):.4g}"[:-1] in text
+    assert text.count("warning: The contact reaches the sharp end") == 2
+    assert "within a half-width of it nothing was searched." in text
+    assert "The cross-section at y = 9.9 mm is within a half-width of the sharp end at y = 10 mm" in text
+
+
+def test_files_are_the_json_and_both_planes(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    told = found(capsys, case, "--station", "0.5", "--out", "new/folder")
+    folder = Path("new/folder")
+    assert {path.name for path in folder.iterdir()} == FILES
+    assert json.loads((folder / "stress.json").read_text(encoding="utf-8")) == told
+    for name, fixed, value in (("axial-plane", "x [mm]", 0.0), ("cross-section", "y [mm]", 0.5)):
+        head, _ = (folder / f"{name}.csv").read_text(encoding="utf-8").split("\n", 1)
+        table = dict(zip(head.split(","), np.loadtxt(folder / f"{name}.csv", delimiter=",", skiprows=1).T, strict=True))
+        assert len(table) == 11
+        assert set(table[fixed]) == {value}
+        largest = told["overall" if name == "axial-plane" else "section"]["von_mises"]
+        at = table["von_mises [MPa]"].argmax()
+        assert_allclose(table["von_mises [MPa]"][at], largest["max"], rtol=2e-3)
+        assert_allclose(table["z [mm]"][at], largest["z"], atol=0.01)
+        surface = table["z [mm]"] == 0.0
+        assert_allclose(
+            table["sigma_z [MPa]"][surface].min(), -1546.19 if name == "axial-plane" else -1400.4, rtol=1e-2
+        )
+
+
+def test_nothing_is_left_behind_when_drawing_fails(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: object) -> None:
+        raise RuntimeError("the pen broke")
+
+    monkeypatch.setattr(nonhertz.plot, "stress_planes", lambda *_: {})
+    monkeypatch.setattr(nonhertz.plot, "stress_figures", fail)
+    assert main(["stress", case, "--out", "new/folder"]) == 3
+    assert capsys.readouterr().out == ""
+    assert not Path("new").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (["--station", "nan"], "--station = nan must be finite: give a place along the contact in mm."),
+        (["--station", "-inf"], "--station = -inf must be finite: "),
+        (["--station", "middle"], "Invalid value for --station"),
+        (["--body", "c"], "--body = 'c' must be one of the two bodies: write a or b."),
+        (["--out", "case.toml"], "--out = 'case.toml' must be a directory, not a file: "),
+    ],
+)
+def test_what_cannot_be_is_refused_before_anything_runs(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, words: list[str], sentence: str
+) -> None:
+    monkeypatch.setattr(nonhertz.solver, "solve", never)
+    assert main(["stress", case, *words]) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert printed.err.startswith(sentence)
+    assert len(printed.err.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("station", "condition"),
+    [
+        ("-30", "--station = -30.0 must lie between the side faces of body a, -10 and 10 mm: choose a place in the "),
+        ("10.001", "--station = 10.001 must lie between the side faces of body a, -10 and 10 mm: "),
+    ],
+)
+def test_a_station_outside_the_body_is_refused(
+    sharp: str, capsys: pytest.CaptureFixture[str], station: str, condition: str
+) -> None:
+    assert main(["stress", sharp, "--station", station, "--out", "folder"]) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert printed.err.startswith(condition)
+    assert len(printed.err.splitlines()) == 1
+    assert not Path("folder").exists()
+
+
+def test_an_unconverged_solve_has_no_stress(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def stop(*_: object, **__: object) -> None:
+        raise nh.ConvergenceError("It stopped.", None)
+
+    monkeypatch.setattr(nonhertz.solver, "solve", stop)
+    monkeypatch.setattr(nonhertz.subsurface, "extremes", never)
+    assert main(["stress", case, "--out", "folder"]) == 1
+    printed = capsys.readouterr()
+    assert (printed.out, printed.err) == ("", "It stopped.\n")
+    assert not Path("folder").exists()
+
+
+def test_a_terminal_sees_what_is_being_done(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    assert main(["stress", case, "--json"]) == 0
+    said = capsys.readouterr().err
+    assert "1/2 whole body ..." in said
+    assert said.endswith("\r")

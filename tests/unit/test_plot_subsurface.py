@@ -1,0 +1,210 @@
+"""Drawings of the stress below a contact: fields, landmarks and scales are those of the solution."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.contour import QuadContourSet
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+from numpy.testing import assert_allclose
+
+import nonhertz as nh
+from nonhertz import plot
+from nonhertz.solution import Solution
+from nonhertz.subsurface import Extreme, Extremes, Field, axial_plane, cross_section, extremes, stress
+
+
+@dataclass(frozen=True)
+class Found:
+    solution: Solution
+    overall: Extremes
+    section: Extremes
+    planes: dict[str, Field]
+
+    @classmethod
+    def of(cls, solution: Solution, body: str, station: float | None = None) -> Found:
+        overall = extremes(solution, body=body)
+        section = extremes(solution, overall.von_mises.y if station is None else station, body=body)
+        return cls(solution, overall, section, plot.stress_planes(solution, section))
+
+    def axial(self, ax: Axes) -> Axes:
+        return plot.axial_stress(self.solution, self.planes["axial-plane"], self.overall, ax, station=0.5)
+
+    def across(self, ax: Axes) -> Axes:
+        return plot.section_stress(self.solution, self.planes["cross-section"], self.section, ax)
+
+    @cached_property
+    def sheets(self) -> dict[str, Figure]:
+        return plot.stress_figures(self.solution, self.overall, self.section, "A roller", self.planes)
+
+
+def solved(crown: float, load: float, tilt: float, **body: object) -> Solution:
+    roller = nh.Body(diameter=20.0, profile=nh.profile.crown(radius=crown), side_faces="none", **body)  # type: ignore[arg-type]
+    return nh.solve(nh.Contact(roller, nh.Body()), load=load, tilt=tilt)
+
+
+@pytest.fixture(scope="module")
+def point() -> Found:
+    # The combined radii are 10 and 100 mm; off the middle, so that y is seen to be y.
+    return Found.of(solved(100.0, 1000.0, 0.003), "b", station=0.5)
+
+
+@pytest.fixture(scope="module")
+def sharp() -> Found:
+    return Found.of(solved(4000.0, 20e3, 0.5e-3, length=20.0), "a")
+
+
+@pytest.fixture
+def ax() -> Axes:
+    return Figure().add_subplot()
+
+
+def contours(ax: Axes) -> tuple[QuadContourSet, QuadContourSet]:
+    bands, lines = sorted(
+        (item for item in ax.collections if isinstance(item, QuadContourSet)), key=lambda c: not c.filled
+    )
+    return bands, lines
+
+
+def marks(ax: Axes) -> dict[str, list[list[float]]]:
+    return {line.get_marker(): line.get_xydata().tolist() for line in ax.lines if line.get_marker() in "oD^"}
+
+
+def key(ax: Axes) -> list[str]:
+    return [text.get_text() for text in ax.get_legend().get_texts()]
+
+
+def words(sheet: Figure) -> list[Text]:
+    """Return every text that shows ink, ticks beyond the axes' limits left out."""
+    sheet.draw_without_rendering()
+    beyond = [
+        label
+        for axes in sheet.axes
+        for axis, limits in ((axes.xaxis, sorted(axes.get_xlim())), (axes.yaxis, sorted(axes.get_ylim())))
+        for tick in axis.get_major_ticks()
+        if not limits[0] - 1e-9 <= tick.get_loc() <= limits[1] + 1e-9
+        for label in (tick.label1, tick.label2)
+    ]
+    return [text for text in sheet.findobj(Text) if text.get_text() and text.get_visible() and text not in beyond]
+
+
+def test_contour_lines_lie_where_the_stress_is_theirs(point: Found, ax: Axes) -> None:
+    assert point.axial(ax) is ax
+    _, lines = contours(ax)
+    assert len(lines.levels) >= 5
+    drawn = 0
+    for level, pieces in zip(lines.levels, lines.allsegs, strict=True):
+        places = np.concatenate([*pieces, np.empty((0, 2))])[::7]
+        # On the surface itself the stress has the strips' steps.
+        y, z = places[places[:, 1] > 0.03].T
+        drawn += y.size
+        assert_allclose(stress(point.solution, 0.0, y, z, body="b").von_mises, level, rtol=2e-2)
+    assert drawn > 30
+
+
+def test_the_axial_plane_points_down_and_marks_the_largest_of_the_body(point: Found, ax: Axes) -> None:
+    point.axial(ax)
+    deepest, surface = ax.get_ylim()
+    assert_allclose((deepest, surface), (3.0 * point.solution.half_width.max(), 0.0), rtol=1e-12)
+    found = point.overall
+    expected = {"o": found.von_mises, "D": found.shear, "^": found.orthogonal_shear}
+    assert marks(ax) == {marker: [[each.y, each.z]] for marker, each in expected.items()}
+    assert expected["o"].y > 0.1
+    assert ax.get_title(loc="left").endswith("; body b at $x$ = 0")
+    aside = f"at $x$ = ±{found.orthogonal_shear.x:.3f}, $y$ = "
+    assert [aside in label for label in key(ax)[:3]] == [False, False, True]
+
+
+def test_the_contact_and_the_cross_section_are_drawn_along(point: Found, ax: Axes) -> None:
+    point.axial(ax)
+    rest = [line.get_xydata().tolist() for line in ax.lines if line.get_marker() == "None"]
+    ((low, high),) = point.solution.contact_y
+    assert [[low, 0.0], [high, 0.0]] in rest
+    assert [[0.5, 0.0], [0.5, 1.0]] in rest
+    assert "contact" in key(ax)
+    assert "cross-section, $y$ = 0.500 mm" in key(ax)
+
+
+def test_the_cross_section_is_true_and_marks_both_sides(point: Found, ax: Axes) -> None:
+    assert point.across(ax) is ax
+    ax.figure.draw_without_rendering()
+    origin, across, down = ax.transData.transform([(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)])
+    assert_allclose(origin[1] - down[1], across[0] - origin[0], rtol=1e-9)
+    found = point.section
+    shear = found.orthogonal_shear
+    assert marks(ax) == {
+        "o": [[0.0, found.von_mises.z]],
+        "D": [[0.0, found.shear.z]],
+        "^": [[-shear.x, shear.z], [shear.x, shear.z]],
+    }
+    half_width = float(np.interp(0.5, point.solution.y, point.solution.half_width))
+    (surface,) = (line.get_xdata() for line in ax.lines if line.get_marker() == "None")
+    assert_allclose(surface, [-half_width, half_width], rtol=1e-12)
+    assert ax.get_title(loc="left").endswith("; body b at $y$ = 0.500 mm")
+
+
+def test_a_sharp_end_does_not_set_the_colours(sharp: Found, point: Found, ax: Axes) -> None:
+    sharp.axial(ax)
+    bands, _ = contours(ax)
+    assert bands.levels[-2] < sharp.overall.von_mises.max <= bands.levels[-1]
+    assert bands.levels[-1] < sharp.planes["axial-plane"].von_mises[:, 1:].max()
+    assert bands.extend == "max"
+    other = Figure().add_subplot()
+    point.axial(other)
+    assert contours(other)[0].extend == "neither"
+
+
+def test_the_end_of_a_body_is_inside_the_frame(sharp: Found, ax: Axes) -> None:
+    sharp.axial(ax)
+    low, high = ax.get_xlim()
+    assert low < -10.0 < 10.0 < high
+    assert "end of body a" in key(ax)
+    assert contours(ax)[0].get_datalim(ax.transData).x1 == 10.0
+
+
+@pytest.mark.parametrize("name", ["point", "sharp"])
+def test_sheets_are_to_scale_and_no_words_overlap(name: str, request: pytest.FixtureRequest) -> None:
+    sheets = request.getfixturevalue(name).sheets
+    assert list(sheets) == ["axial-plane", "cross-section"]
+    for sheet in sheets.values():
+        boxes = [(text.get_text(), Text.get_window_extent(text)) for text in words(sheet)]
+        assert any("A roller" in text for text, _ in boxes)
+        for count, (text, box) in enumerate(boxes):
+            assert 0.0 <= box.x0 <= box.x1 <= sheet.bbox.x1, text
+            assert 0.0 <= box.y0 <= box.y1 <= sheet.bbox.y1, text
+            assert not any(box.overlaps(other) for _, other in boxes[count + 1 :]), text
+        assert sheet.axes[1].get_ylabel() == "Von Mises stress [MPa]"
+    axes = sheets["axial-plane"].axes[0]
+    origin, along, down = axes.transData.transform([(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)])
+    _, _, said = axes.get_title(loc="left").rpartition("stretched ")
+    assert_allclose((origin[1] - down[1]) / (along[0] - origin[0]), float(said.split()[0]), rtol=1e-9)
+
+
+def test_contour_lines_have_numbers(sharp: Found) -> None:
+    for sheet in sharp.sheets.values():
+        _, lines = contours(sheet.axes[0])
+        numbers = [float(text.get_text()) for text in lines.labelTexts]
+        assert len(numbers) >= 3
+        assert set(numbers) <= set(lines.levels)
+        assert all(abs(text.get_rotation()) < 45.0 or text.get_rotation() > 315.0 for text in lines.labelTexts)
+
+
+def test_a_contact_wider_than_long_is_stretched_along() -> None:
+    roller = nh.Roller(diameter=200.0, length=0.8)
+    with pytest.warns(nh.AccuracyWarning):
+        solution = nh.solve(nh.Contact(roller, nh.Plate()), load=2000.0)
+    places = {name: Extreme(900.0, 0.0, 0.1, 0.9) for name in ("von_mises", "shear", "orthogonal_shear")}
+    found = Extremes(body="a", warnings=(), **places)
+    z = np.linspace(0.0, 3.0 * solution.half_width.max(), 15)
+    planes = {
+        "axial-plane": axial_plane(solution, np.linspace(-0.4, 0.4, 15), z),
+        "cross-section": cross_section(solution, 0.1, np.linspace(-2.0, 2.0, 15), z),
+    }
+    sheet = plot.stress_figures(solution, found, found, planes=planes)["axial-plane"]
+    assert sheet.get_figheight() < 5.0
+    assert ", $y$ stretched " in sheet.axes[0].get_title(loc="left")
