@@ -10,6 +10,7 @@ to `new` -->` edits the case file in between. The tutorial's pictures are of its
 from __future__ import annotations
 
 import contextlib
+import importlib.util
 import io
 import os
 import re
@@ -73,6 +74,7 @@ def main() -> None:
     for stem, (example, names) in EXAMPLES.items():
         draw(stem, read_case(ROOT / "examples" / f"{example}.toml"), names)
     draw_finite_bodies()
+    draw_four_profiles()
     TUTORIAL.write_text(with_output(TUTORIAL.read_text(encoding="utf-8")), encoding="utf-8")
     print(f"wrote {TUTORIAL.relative_to(ROOT)}")
 
@@ -111,6 +113,16 @@ def write(figure: Figure, stem: str) -> None:
     # One copy is enough for the documents.
     vector.unlink()
     print(f"wrote {pixels.relative_to(ROOT)}")
+
+
+def draw_four_profiles() -> None:
+    """Write the figure of the example of four profiles."""
+    specification = importlib.util.spec_from_file_location("four_profiles", ROOT / "examples" / "four-profiles.py")
+    assert specification is not None
+    assert specification.loader is not None
+    example = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(example)
+    write(example.draw(example.study()), "four-profiles")
 
 
 def draw_finite_bodies() -> None:
