@@ -66,8 +66,8 @@ def laminated(solution: Solution) -> Lamination:
     strips: list[tuple[Array, ...]] = [(np.empty(0),) * 4]
     pieces: list[tuple[Array, ...]] = [(np.empty(0),) * 4]
     counts: list[Integers] = [np.empty(0, dtype=np.int64)]
-    for run in runs:
-        of_strips, of_pieces, count = _cut(solution, run)
+    for run, ends in zip(runs, solution.contact_y, strict=True):
+        of_strips, of_pieces, count = _cut(solution, run, ends)
         strips.append(of_strips)
         pieces.append(of_pieces)
         counts.append(count)
@@ -76,13 +76,14 @@ def laminated(solution: Solution) -> Lamination:
     return Lamination(low, high, line_load, half_width, first)
 
 
-def _cut(solution: Solution, run: Integers) -> tuple[tuple[Array, ...], tuple[Array, ...], Integers]:
-    """Return neighbours in contact, their pieces, and how many of these each has."""
+def _cut(
+    solution: Solution, run: Integers, ends: tuple[float, float]
+) -> tuple[tuple[Array, ...], tuple[Array, ...], Integers]:
+    """Return neighbours in contact between two ends, their pieces, and how many of these each has."""
     y, q, a = solution.y[run], solution.line_load[run], solution.element_half_width[run]
     edges = solution.edges[run[0] : run[-1] + 2].copy()
-    borne, whole = q * np.diff(edges), edges[[0, -1]]
-    edges[0], edges[-1] = (_end(solution, edge, centre) for edge, centre in zip(whole, y[[0, -1]], strict=True))
-    runs_out = edges[[0, -1]] != whole
+    borne, runs_out = q * np.diff(edges), edges[[0, -1]] != ends
+    edges[[0, -1]] = ends
     strips = edges[:-1], edges[1:], borne / np.diff(edges), a
     if run.size == 1:
         return strips, strips, np.ones(1, dtype=np.int64)
@@ -98,13 +99,6 @@ def _cut(solution: Solution, run: Integers) -> tuple[tuple[Array, ...], tuple[Ar
     load = ratio(centre) * square(centre)
     load *= borne.sum() / (load @ width)
     return strips, (low, high, load, np.sqrt(square(centre))), count
-
-
-def _end(solution: Solution, edge: float, centre: float) -> float:
-    """Return where neighbours in contact end: where the contact runs out if that is near their outermost edge."""
-    ends = np.array(solution.contact_y).ravel()
-    near = ends[(np.abs(ends - edge) < abs(edge - centre))]
-    return float(near[0]) if near.size else edge
 
 
 def _between(y: Array, value: Array, edges: Array, runs_out: NDArray[np.bool_], at_run_out: float) -> PchipInterpolator:
