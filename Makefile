@@ -12,7 +12,7 @@ demo: $(READY)
 	@echo "Figures, table and result are in out/demo; open out/demo/pressure.svg first."
 
 test: $(READY)
-	$(BIN)/python -m pytest -n auto
+	$(BIN)/python -m pytest -n auto --dist loadgroup
 
 campaign: $(READY)
 	$(BIN)/python -m pytest -m campaign -s tests/campaign

@@ -68,9 +68,9 @@ def test_the_field_is_in_equilibrium(name, place):
     field = stress(solution(name), *np.moveaxis(points, -1, 0))
     gradients = np.einsum("k,akij->aij", WEIGHTS, field.tensor) / step
     divergence = np.einsum("aai->i", gradients)
-    # Fourth order in step / depth, and 1e-7 of the pressure from the quadrature over the step.
+    # Fourth order in step / depth, and what strips add differs by 1e-6 of the pressure where they count in pieces.
     scale = np.abs(field.stress).max() / place[2]
-    assert np.abs(divergence).max() < 2e-3 * scale + 2e-7 * solution(name).max_pressure / step
+    assert np.abs(divergence).max() < 2e-3 * scale + 3e-6 * solution(name).max_pressure / step
 
 
 @lawful

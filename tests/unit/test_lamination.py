@@ -37,10 +37,14 @@ def pieces_of(cut):
     return tuple(each[strips:] for each in (cut.low, cut.high, cut.line_load, cut.half_width))
 
 
-def test_pieces_bear_the_load(case):
+def test_pieces_bear_the_load_but_for_what_run_outs_hide(case):
     solution, cut = case
     low, high, load, _ = pieces_of(cut)
-    assert load @ (high - low) == pytest.approx(solution.load, rel=1e-12)
+    assert load @ (high - low) == pytest.approx(solution.load, rel=3e-3)
+    strips = cut.first.size - 1
+    whole = cut.line_load[:strips] * (cut.high[:strips] - cut.low[:strips])
+    of_pieces = np.add.reduceat(load * (high - low), cut.first[:-1] - strips)
+    np.testing.assert_allclose(whole, of_pieces, rtol=1e-12)
     assert cut.first[-1] == cut.low.size
 
 
@@ -60,7 +64,7 @@ def test_pieces_keep_the_values_at_the_centres(case):
         wanted = getattr(solution, name)[touching]
         there = np.interp(solution.y[touching], 0.5 * (low + high), found)
         # Between pieces it is interpolated linearly here; at run-outs and sharp ends that is coarse.
-        np.testing.assert_allclose(there[3:-3], wanted[3:-3], rtol=0.02, atol=0.0)
+        np.testing.assert_allclose(there[3:-3], wanted[3:-3], rtol=0.02, atol=0.01 * wanted.max())
 
 
 def test_pieces_differ_little_or_are_narrow(case):

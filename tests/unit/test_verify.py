@@ -169,7 +169,7 @@ def test_the_catalogue_lists_every_section():
     apart = {f"nonhertz.verify.{name}" for name in ("__init__", "claim", "page")}
     assert set(verify.CATALOGUE.values()) == modules - apart
     for name, module in verify.CATALOGUE.items():
-        assert module == f"nonhertz.verify.{name.replace('-', '_')}"
+        assert module.startswith(f"nonhertz.verify.{name.replace('-', '_')}")
         assert callable(importlib.import_module(module).section)
 
 

@@ -12,7 +12,10 @@ from nonhertz.verify import plane_grid
 
 PAPER = ("hertz_ellipse", "line_limits", "profiled_roller", "load_compression")
 BODIES = ("half_space", "plane_strain", "finite_bodies", "edge_exponents", "quarter_space", "plane_grid")
-MODULES = PAPER + BODIES
+BELOW = ("subsurface_stress", "fatigue_life")
+MODULES = PAPER + BODIES + BELOW
+# The sections are solved once: all of these tests belong to one worker.
+pytestmark = pytest.mark.xdist_group("sections")
 over_modules = pytest.mark.parametrize("module", MODULES)
 
 

@@ -1,9 +1,9 @@
 """What every place below a contact suffers while the load rolls over it: the part that all volume models share.
 
-The stresses over a pass are evaluated at two Gauss points along every strip, and beyond both ends of the contact, at
-equal steps of the root of the depth, in which the amplitude of the orthogonal shear stress is smooth up to the surface.
-A spline through them gives the stress at many more depths, so that powers of ten and fatigue limits are integrated as
-well as the stress is.
+The stresses over a pass are evaluated at one or two Gauss points along every strip, and beyond both ends of the
+contact, at equal steps of the root of the depth, in which the amplitude of the orthogonal shear stress is smooth up to
+the surface. A spline through them gives the stress at many more depths, so that powers of ten and fatigue limits are
+integrated as well as the stress is.
 
 Towards a sharp end the stress grows without bound, and so fast that its tenth power has no integral. The volume around
 such an end is left out, to a tenth of the largest half-width: the strip model, too, says nothing about it.
@@ -34,6 +34,7 @@ LEVELS = 32
 # Between these depths, in half-widths, ten Gauss points each; what is below counts less than 1e-4.
 PANELS = np.array([0.0, 0.05, 0.15, 0.3, 0.45, 0.6, 0.8, 1.0, 1.25, 1.6, 2.2, 3.0, 4.0])
 SHALLOWEST = 1e-6  # half-widths: on the surface itself quadrature across has nothing to hold on to
+NARROW = 0.25  # half-widths
 BEYOND = np.array([0.0, 0.1, 0.25, 0.5, 1.0, 2.0])  # the contact's ends, in half-widths
 MOST_ROWS = 128  # of a plane grid
 
@@ -148,10 +149,14 @@ def _stations(solution: AnySolution, faces: tuple[float, float]) -> tuple[Array,
     below = np.maximum(edges[0] - half_width[0] * BEYOND[1:], faces[0])[::-1]
     above = np.minimum(edges[-1] + half_width[-1] * BEYOND[1:], faces[1])
     edges = np.unique(np.concatenate([below, edges, above]))
-    nodes, weights = np.polynomial.legendre.leggauss(2)
-    half = 0.5 * np.diff(edges)[:, None]
-    y = (edges[:-1, None] + half * (1.0 + nodes)).ravel()
-    return y, (half * weights).ravel(), across_at(solution, y)[1]
+    middle, half = 0.5 * (edges[1:] + edges[:-1]), 0.5 * np.diff(edges)
+    # One Gauss point will do where the depth evens out more than a strip.
+    wide = 2.0 * half > NARROW * across_at(solution, middle)[1]
+    apart = half[wide] / np.sqrt(3.0)
+    y = np.concatenate([middle[~wide], middle[wide] - apart, middle[wide] + apart])
+    width = np.concatenate([2.0 * half[~wide], half[wide], half[wide]])
+    order = y.argsort()
+    return y[order], width[order], across_at(solution, y[order])[1]
 
 
 def _edges_along(solution: AnySolution) -> Array:

@@ -4,8 +4,8 @@ The solution gives a load and a half-width at the centre of every strip. Between
 approach or the load do not feel, but a place does that lies nearer to the surface than a strip is wide. What the solver
 solves for, the square of the half-width m = a^2 and r = q / a^2, is smooth, also where a contact runs out: there m
 falls linearly to zero. So monotone cubics through both give the pressure between the centres, and each strip is cut
-where it changes. All pieces together bear the load of the strips; to hold every strip to its own would cost more at a
-run-out, where a strip bears for what lies beyond the contact, than it gains.
+where it changes. The pressure at the centres stays what it is. The load does not to the last digit: to hold strips to
+theirs would cost more at a run-out, where a strip bears for what lies beyond the contact, than it gains.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ Integers = NDArray[np.int64]
 
 # Pieces differ by so much, or are so narrow in half-widths, that the depth evens them out; at most so many a strip.
 CHANGE, NARROW, MOST = 0.004, 0.06, 12
+FEW = 4  # strips of a contact that all count
 # Bounds to what the values of the last strip are continued to at a sharp end.
 LOWEST, HIGHEST = 0.5, 2.0
 
@@ -82,12 +83,17 @@ def _cut(
     """Return neighbours in contact between two ends, their pieces, and how many of these each has."""
     y, q, a = solution.y[run], solution.line_load[run], solution.element_half_width[run]
     edges = solution.edges[run[0] : run[-1] + 2].copy()
-    borne, runs_out = q * np.diff(edges), edges[[0, -1]] != ends
+    runs_out = edges[[0, -1]] != ends
     edges[[0, -1]] = ends
-    strips = edges[:-1], edges[1:], borne / np.diff(edges), a
     if run.size == 1:
-        return strips, strips, np.ones(1, dtype=np.int64)
-    square, ratio = _between(y, a**2, edges, runs_out, 0.0), _between(y, q / a**2, edges, runs_out, 1.0)
+        return (edges[:-1], edges[1:], q, a), (edges[:-1], edges[1:], q, a), np.ones(1, dtype=np.int64)
+    # At a run-out the last strip is the least certain one: the contact may end anywhere in it.
+    kept = np.ones(run.size, dtype=bool)
+    if run.size > FEW:
+        kept[[0, -1]] = ~runs_out
+    square, ratio = (
+        _between(y[kept], value[kept], edges, runs_out, there) for value, there in ((a**2, 0.0), (q / a**2, 1.0))
+    )
     change = np.abs(np.diff(np.sqrt(np.maximum(square(edges), 0.0)) * ratio(edges))) / (q / a)
     count = np.clip(np.ceil(np.minimum(change / CHANGE, np.diff(edges) / (NARROW * a))), 1, MOST).astype(np.int64)
     strip = np.repeat(np.arange(run.size), count)
@@ -97,8 +103,9 @@ def _cut(
     high = np.append(low[1:], edges[-1])
     centre = low + 0.5 * width
     load = ratio(centre) * square(centre)
-    load *= borne.sum() / (load @ width)
-    return strips, (low, high, load, np.sqrt(square(centre))), count
+    # A strip bears from afar what its pieces bear from near.
+    of_strips = np.bincount(strip, load * (high - low)) / np.diff(edges)
+    return (edges[:-1], edges[1:], of_strips, a), (low, high, load, np.sqrt(square(centre))), count
 
 
 def _between(y: Array, value: Array, edges: Array, runs_out: NDArray[np.bool_], at_run_out: float) -> PchipInterpolator:

@@ -40,7 +40,7 @@ ERROR = 1e-8  # of what a strip adds
 # point on the surface is so much longer for it, and its neighbour shorter.
 NEAREST = 0.04
 # A strip counts as a whole from here on, in half-widths and in its own lengths.
-FAR, FAR_IN_LENGTHS = 3.0, 1.0
+FAR, FAR_IN_LENGTHS = 16.0, 6.0
 # Beyond these distances, in half-widths, nodes replace the closed form of the infinite strip, which begins to cancel.
 CLOSED_FORM = 8.0
 SEMI_ELLIPSE, PARABOLA = 0, 1

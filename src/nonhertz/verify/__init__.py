@@ -28,6 +28,8 @@ CATALOGUE = {
     "profiled-roller": "nonhertz.verify.profiled_roller",
     "load-compression": "nonhertz.verify.load_compression",
     "plane-grid": "nonhertz.verify.plane_grid",
+    "subsurface": "nonhertz.verify.subsurface_stress",
+    "fatigue-life": "nonhertz.verify.fatigue_life",
     "cost": "nonhertz.verify.cost",
 }
 

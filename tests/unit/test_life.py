@@ -1,0 +1,318 @@
+"""Fatigue life: models, laminae, capacities, spectra, and what an assessment says."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.life import (
+    MODELS,
+    LoadCase,
+    Raceway,
+    assess,
+    exposure,
+    ioannides_harris,
+    iso_16281,
+    lundberg_palmgren,
+    model,
+    raceway,
+    solve_spectrum,
+    weibull,
+    zaretsky,
+)
+from nonhertz.life.lamina import LEFT_OUT, edge_function, laminae_of
+
+RING = nh.Ring(diameter=60)
+
+
+def roller(profile=None, **changes):
+    profile = profile or nh.profile.iso_logarithmic(diameter=15, length=12)
+    return nh.Roller(**{"diameter": 15, "length": 12, "profile": profile} | changes)
+
+
+def solved(load=8e3, tilt=0.0, profile=None, ring=RING, strips=31, **changes):
+    return nh.solve(nh.Contact(roller(profile, **changes), ring), load=load, tilt=tilt, strips=strips)
+
+
+@pytest.fixture(scope="module")
+def logarithmic():
+    return solved(tilt=5e-4, strips="auto")
+
+
+@pytest.fixture(scope="module")
+def sharp():
+    return solved(profile=nh.profile.straight(), strips="auto")
+
+
+@pytest.fixture(scope="module")
+def lives(logarithmic):
+    return {life.model.name: life for life in assess(logarithmic, rollers=12)}
+
+
+# Models
+
+
+def test_every_model_is_made_by_its_name():
+    assert [model(name).name for name in MODELS] == list(MODELS)
+    assert all(model(name).source for name in MODELS)
+
+
+def test_the_parameters_are_those_of_the_publications():
+    palmgren, harris = lundberg_palmgren(), ioannides_harris(fatigue_limit=276.0)
+    assert (palmgren.stress, palmgren.exponent, palmgren.depth_exponent) == ("orthogonal_shear", 31 / 3, 7 / 3)
+    assert (palmgren.slope, palmgren.fatigue_limit) == (9 / 8, 0.0)
+    assert (harris.exponent, harris.depth_exponent, harris.fatigue_limit) == (31 / 3, 7 / 3, 276.0)
+    assert (weibull().stress, weibull().exponent, weibull().depth_exponent) == ("shear", 31 / 3, 0.0)
+    # Life goes with the ninth power of the stress whatever the slope.
+    assert zaretsky(slope=2.0).exponent / 2.0 == zaretsky().exponent / zaretsky().slope == 9.0
+
+
+@pytest.mark.parametrize(
+    ("make", "words"),
+    [
+        (lambda: model("palmgren"), "model = 'palmgren' must be a fatigue model: choose from lundberg-palmgren, "),
+        (
+            lambda: model("zaretsky", fatigue_limit=3.0),
+            "fatigue_limit = 3.0 must be a parameter of zaretsky: it has sl",
+        ),
+        (lambda: lundberg_palmgren(slope=0.1), "slope = 0.1 must lie between 0.2 and 5"),
+        (lambda: zaretsky(slope=-1.0), "slope = -1.0 must be positive"),
+        (lambda: weibull(exponent=0.0), "exponent = 0.0 must be positive"),
+        (lambda: ioannides_harris(fatigue_limit=-1.0), "fatigue_limit = -1.0 must not be negative"),
+        (lambda: ioannides_harris(stress="von_mises"), "stress = 'von_mises' must be 'orthogonal_shear' where depth_e"),
+        (lambda: weibull(stress="hydrostatic"), "stress = 'hydrostatic' must be one of 'orthogonal_shear', "),
+        (lambda: iso_16281(laminae=29), "laminae = 29 must lie between 30 and 2000"),
+        (lambda: iso_16281(edge_stress="maybe"), "edge_stress = 'maybe' must be one of 'pressure', "),
+        (lambda: LoadCase(load=0.0, share=1.0), "load = 0.0 must be positive"),
+        (lambda: LoadCase(load=1.0, share=1.2), "share = 1.2 must not exceed 1"),
+        (lambda: solve_spectrum(nh.Contact(roller(), RING), []), "share = 0.0 must add up to 1"),
+    ],
+)
+def test_what_no_model_is_ends_in_one_sentence(make, words):
+    with pytest.raises(nh.InputError) as caught:
+        make()
+    assert str(caught.value).startswith(words)
+
+
+# The volume
+
+
+def test_the_ideal_pressure_is_the_reference():
+    long = nh.Roller(diameter=15, length=8, images="series")
+    solution = nh.solve(nh.Contact(long, long), load=9e3, strips=11)
+    # With its images for ever the pressure is Hertz's line pressure from end to end.
+    for life in assess(solution, body="a"):
+        assert life.relative == pytest.approx(1.0, rel=2e-5)
+        np.testing.assert_allclose(life.density, 1.0, rtol=1e-4)
+
+
+def test_the_reference_is_the_integral_of_the_line_contact():
+    line = nh.hertz.line_contact(
+        line_load=9e3 / 12, radius=1 / (2 / 15 + 2 / 60), compliance=2 * nh.MATERIALS["steel"].compliance
+    )
+    z = np.geomspace(1e-3, 8.0, 400) * line.half_width
+    x = np.linspace(0.0, 5.0, 2001)[:, None] * line.half_width
+    amplitude = np.abs(line.stress(x, z, 0.3)[..., 4]).max(axis=0)
+    expected = 12.0 * np.trapezoid(amplitude ** (31 / 3) * z ** (-7 / 3), z)
+    seen = exposure(solved(load=9e3, strips=5))
+    assert seen.reference is not None
+    assert seen.reference.damage(lundberg_palmgren()) == pytest.approx(expected, rel=1e-3)
+
+
+def test_density_adds_up_to_the_damage(logarithmic):
+    seen = exposure(logarithmic)
+    for wanted in (lundberg_palmgren(), zaretsky(), ioannides_harris()):
+        assert seen.width @ seen.density(wanted) == pytest.approx(seen.damage(wanted), rel=1e-12)
+    assert seen.width.sum() == pytest.approx(np.ptp(seen.y), rel=0.1)
+
+
+def test_more_strips_change_the_life_little(lives):
+    fine = assess(solved(tilt=5e-4, strips=121))
+    for life in fine:
+        assert life.relative == pytest.approx(lives[life.model.name].relative, rel=5e-3)
+
+
+def test_a_tilt_shortens_life_and_moves_the_damage(lives):
+    upright = {life.model.name: life for life in assess(solved(strips="auto"))}
+    for name, life in lives.items():
+        assert life.relative < 0.99 * upright[name].relative < 1.0
+        assert np.average(life.y, weights=life.density) > 0.3
+
+
+def test_a_limit_above_all_stress_leaves_no_damage():
+    (life,) = assess(solved(load=500.0, strips=9), ioannides_harris(fatigue_limit=2000.0))
+    assert (life.damage, life.reference) == (0.0, 0.0)
+    assert math.isnan(life.relative)
+
+
+def test_damage_where_the_ideal_has_none_is_no_life():
+    pressed = solved(load=3e3, profile=nh.profile.crown(radius=400), strips="auto")
+    (life,) = assess(pressed, ioannides_harris(fatigue_limit=360.0))
+    assert life.damage > 0.0
+    assert (life.reference, life.relative) == (0.0, 0.0)
+
+
+def test_towards_a_sharp_end_the_volume_left_out_is_the_same_on_all_grids(sharp):
+    (automatic,) = assess(sharp, "zaretsky")
+    edges = np.unique(np.concatenate([sharp.edges, 0.5 * (sharp.edges[1:] + sharp.edges[:-1])]))
+    (finer,) = assess(nh.solve(sharp.contact, load=sharp.load, strips=edges), "zaretsky")
+    assert finer.relative == pytest.approx(automatic.relative, rel=0.05)
+    assert f"nearer to it than {LEFT_OUT:g} of the largest half-width nothing was counted" in automatic.warnings[-1]
+    (coarse,) = assess(solved(profile=nh.profile.straight(), strips=21), "zaretsky")
+    assert coarse.warnings[-1].startswith("The strips at a sharp end are wider than what was left out")
+
+
+def test_bodies_without_an_end_have_lives_that_can_be_compared_alone():
+    crowned = nh.Body(diameter=15, profile=nh.profile.crown(radius=300))
+    one, other = (
+        assess(nh.solve(nh.Contact(crowned, nh.Plate()), load=load), "lundberg-palmgren")[0] for load in (500, 1000)
+    )
+    assert math.isnan(one.relative)
+    assert one.no_revolutions
+    # A point contact: life goes with the load to the power -(c - h + 2) / (3 e), e = 9/8 here.
+    exponent = (31 / 3 - 7 / 3 + 2) / (3 * 9 / 8)
+    # Two bounding widths along as well as across: the volume's length grows with the load too.
+    assert math.log2(one.over(other)) == pytest.approx(exponent - 0.0, rel=2e-2)
+    with pytest.raises(nh.InputError, match="length = None must be given for laminae"):
+        assess(nh.solve(nh.Contact(crowned, nh.Plate()), load=500), "iso-16281")
+
+
+# Laminae
+
+
+def test_laminae_share_the_load(logarithmic):
+    cut = laminae_of(logarithmic, iso_16281(laminae=41))
+    assert cut.load.sum() == pytest.approx(logarithmic.load, rel=1e-12)
+    assert cut.load @ (0.5 * (cut.edges[1:] + cut.edges[:-1])) == pytest.approx(logarithmic.moment, rel=2e-3)
+
+
+def test_the_pressure_factor_is_one_under_hertz_and_more_where_the_pressure_is(logarithmic, sharp):
+    middle = laminae_of(logarithmic, iso_16281(laminae=40)).factor[15:25]
+    np.testing.assert_allclose(middle, 1.0, rtol=5e-3)
+    of_sharp = laminae_of(sharp, iso_16281(laminae=40)).factor
+    assert of_sharp[0] > 1.1
+    assert of_sharp[0] == pytest.approx(of_sharp[-1], rel=1e-6)
+
+
+def test_the_pressure_factor_is_the_standards_for_its_steel():
+    # (p / 271)^2 D (1 - gamma) L / n_s is the line load of Hertz at E = 210000 MPa, nu = 0.3.
+    steel = nh.Material(210000.0, 0.3)
+    ring = nh.Ring(diameter=60, material=steel)
+    solution = solved(ring=ring, material=steel, strips=240)
+    cut = laminae_of(solution, iso_16281(laminae=40))
+    pressure = solution.peak_pressure.reshape(40, 6)
+    as_standard = (pressure**2).mean(axis=1) / 271.0**2 * 15.0 * (1.0 - 15.0 / 75.0) * 12.0 / 40
+    np.testing.assert_allclose((cut.factor * cut.load)[5:-5], as_standard[5:-5], rtol=2e-3)
+
+
+def test_the_standards_edge_function():
+    found = edge_function(41)
+    # 1 - 0.01 / ln(1.985 |(2 k - n - 1) / (2 n - 2)|) for k = 1, 2; the middle has the limit 1.
+    expected = [1.0 - 0.01 / math.log(1.985 * 40 / 80), 1.0 - 0.01 / math.log(1.985 * 38 / 80), 1.0]
+    np.testing.assert_allclose(found[[0, 1, 20]], expected, rtol=1e-12)
+    np.testing.assert_array_equal(found, found[::-1])
+
+
+def test_the_standards_slices_bear_load_and_tilt(logarithmic):
+    cut = laminae_of(logarithmic, iso_16281(laminae=60, line_loads="standard", edge_stress="none"))
+    assert cut.load.sum() == pytest.approx(logarithmic.load, rel=1e-9)
+    # A straight, upright roller: q = c delta^(10/9) with one contact of both yielding 3.9707e-5 Q^0.9 / L^0.8.
+    even = laminae_of(solved(profile=nh.profile.straight()), iso_16281(line_loads="standard", edge_stress="none"))
+    np.testing.assert_allclose(even.load, 8e3 / 60, rtol=1e-9)
+    assert cut.load[-5:].sum() > 1.2 * cut.load[:5].sum()
+
+
+# Capacities and revolutions
+
+
+def test_capacities_are_those_of_the_worked_bearing():
+    # 14 rollers of 10 mm, 9.6 mm long, on a pitch diameter of 65 mm.
+    inner, outer = (Raceway(10.0, 9.6, 65.0, is_inner) for is_inner in (True, False))
+    assert inner.load_rating(14) == pytest.approx(48416.8, rel=1e-6)
+    assert inner.capacity(14) == pytest.approx(11449.57, rel=1e-6)
+    assert outer.capacity(14) == pytest.approx(17271.62, rel=1e-6)
+
+
+def test_the_raceway_is_the_ring_whichever_body_it_is():
+    small = roller()
+    inner, outer = nh.Ring(diameter=60, length=14), nh.Ring(diameter=-90, length=14)
+    of_inner, _ = raceway(nh.Contact(small, inner))
+    of_outer, _ = raceway(nh.Contact(outer, small))
+    assert of_inner == Raceway(15.0, 12.0, 75.0, True, "b")
+    assert of_outer == Raceway(15.0, 12.0, 75.0, False, "a")
+    for other in (nh.Plate(), nh.Ring(diameter=nh.TabulatedDiameter(y=(-8.0, 8.0), diameter=(59.0, 61.0)))):
+        none, why = raceway(nh.Contact(small, other))
+        assert none is None
+        assert why
+
+
+def test_life_in_revolutions_is_the_capacity_over_the_load(lives, logarithmic):
+    ring, _ = raceway(logarithmic.contact)
+    palmgren = lives["lundberg-palmgren"]
+    expected = (ring.capacity(12) / logarithmic.load) ** 4 * palmgren.relative
+    assert palmgren.million_revolutions == pytest.approx(expected, rel=1e-9)
+    laminar = laminae_of(logarithmic, iso_16281()).life(ring.capacity(12))
+    assert lives["iso-16281"].million_revolutions == pytest.approx(laminar, rel=1e-9)
+    # Two ways to say the same: within a few per cent.
+    assert laminar == pytest.approx(expected, rel=0.02)
+    assert lives["zaretsky"].million_revolutions is None
+    assert lives["zaretsky"].no_revolutions == "zaretsky has no capacity of its own"
+    (unrated,) = assess(logarithmic, "iso-16281")
+    assert (unrated.million_revolutions, unrated.no_revolutions) == (None, "it needs the number of rollers")
+
+
+# Spectra
+
+
+def test_a_spectrum_adds_damage_as_palmgren_and_miner_do(lives):
+    contact = nh.Contact(roller(), RING)
+    cases = [LoadCase(load=8e3, share=0.25, tilt=5e-4), LoadCase(load=5e3, share=0.75)]
+    spectrum = solve_spectrum(contact, cases)
+    together = assess(spectrum, ["lundberg-palmgren", "iso-16281"], rollers=12)
+    alone = [assess(solution, ["lundberg-palmgren", "iso-16281"], rollers=12) for solution, _ in spectrum]
+    for number, life in enumerate(together):
+        expected = 1.0 / sum(
+            case.share / each[number].million_revolutions for case, each in zip(cases, alone, strict=True)
+        )
+        assert life.million_revolutions == pytest.approx(expected, rel=1e-9)
+        assert np.ptp(life.y) > 11.0
+    assert together[0].relative < max(each[0].relative for each in alone)
+
+
+def test_one_load_twice_is_that_load(logarithmic, lives):
+    (life,) = assess([(logarithmic, 0.3), (logarithmic, 0.7)], "lundberg-palmgren", rollers=12)
+    of_one = lives["lundberg-palmgren"]
+    assert life.relative == pytest.approx(of_one.relative, rel=1e-12)
+    np.testing.assert_allclose(life.density, of_one.density, rtol=1e-9, atol=1e-12)
+
+
+def test_lives_are_compared_by_one_model(lives):
+    shorter, longer = assess(solved(strips=9), ["zaretsky", "lundberg-palmgren"])
+    assert lives["zaretsky"].over(shorter) == pytest.approx((shorter.damage / lives["zaretsky"].damage) ** (8 / 9))
+    with pytest.raises(nh.InputError, match="other = 'zaretsky' must be by the model lundberg-palmgren too"):
+        longer.over(shorter)
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"rollers": 0}, "rollers = 0 must be positive"),
+        ({"rollers": 2.5}, "rollers = 2.5 must be a whole number"),
+        ({"body": "c"}, "body = 'c' must be one of the two bodies"),
+        ({"models": "palmgren"}, "model = 'palmgren' must be a fatigue model"),
+    ],
+)
+def test_an_assessment_of_nonsense_ends_in_one_sentence(logarithmic, options, words):
+    with pytest.raises(nh.InputError) as caught:
+        assess(logarithmic, **options)
+    assert str(caught.value).startswith(words)
+
+
+def test_what_is_no_solution_has_no_life(logarithmic):
+    with pytest.raises(nh.InputError, match="must be a solved contact or several with their shares"):
+        assess(logarithmic.contact)
+    with pytest.raises(nh.InputError, match="share = -1"):
+        assess([(logarithmic, -1.0)])
