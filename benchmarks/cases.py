@@ -22,6 +22,7 @@ HALF_SPACE: dict[str, Any] = {"side_faces": "none", "depth": "none"}
 STRIPS, FIXED_TARGET, AUTOMATIC_TARGET, HELP_TARGET = 41, 1.5e-3, 3e-3, 0.5  # s
 MANY, MANY_TARGET, GAIN_TARGET = 2000, 0.5e-3, 1.8  # cases; s each on one thread; times that on two
 FINITE_TARGET = 3.5  # times the half-spaces
+POINTS, STRIPS_ABOVE, BELOW_TARGET = 100_000, 81, 5.0  # points below so many strips; s on two threads
 
 
 def crowned(extent: dict[str, Any] = HALF_SPACE) -> nh.Contact:
@@ -45,6 +46,39 @@ def many() -> dict[str, Callable[[int], nh.Solutions]]:
             contact, **scattered, strips=STRIPS, threads=threads
         ),
         "a sweep of loads": lambda threads: nh.solve_many(contact, **sweep, strips=STRIPS, threads=threads),
+    }
+
+
+def below() -> dict[str, Callable[[int], object]]:
+    """Return by name what is evaluated below a tilted logarithmic roller, as functions of the number of threads.
+
+    Points are at random in a block that is as long as the roller and three half-widths deep.
+    """
+    profile = nh.profile.iso_logarithmic(diameter=20, length=20)
+    rng = np.random.default_rng(1)
+
+    def solution(extent: dict[str, Any], strips: int | str) -> nh.Solution:
+        return nh.solve(_on_plate(profile, extent), load=20e3, tilt=0.5e-3, strips=strips)
+
+    half_spaces, finite = (solution(extent, STRIPS_ABOVE) for extent in (HALF_SPACE, {}))
+    half_width = float(finite.half_width.max())
+    scale = np.array([2.0 * half_width, 20.0, 3.0 * half_width])
+    points = (rng.random((3, POINTS)).T * scale - [half_width, 10.0, 0.0]).T
+    automatic = solution({}, "auto")
+    cells = nh.patch.solve(automatic.contact, load=20e3, tilt=0.5e-3)
+    stress, extremes = nh.subsurface.stress, nh.subsurface.extremes
+    return {
+        f"{POINTS} points, {STRIPS_ABOVE} strips, half-space": lambda threads: stress(
+            half_spaces, *points, threads=threads
+        ),
+        f"{POINTS} points, {STRIPS_ABOVE} strips, both faces mirrored": lambda threads: stress(
+            finite, *points, threads=threads
+        ),
+        f"{POINTS} points, 128 x 512 cells, both faces mirrored": lambda threads: stress(
+            cells, *points, threads=threads
+        ),
+        "largest stresses, automatic strips": lambda threads: extremes(automatic, threads=threads),
+        "lives by all models, automatic strips": lambda threads: nh.life.assess(automatic, threads=threads),
     }
 
 

@@ -33,6 +33,7 @@ SECONDS, FEWEST_RUNS = 1.0, 21  # of measuring each solve
 COMMAND_RUNS = 11
 SPLIT_RUNS = 101
 MANY_ROUNDS = 9
+BELOW_ROUNDS = 5
 PARTS = ("assembly", "linear algebra", "rest of the Newton loop", "laying the grid", "Python around them")
 
 
@@ -55,6 +56,7 @@ def measured() -> dict[str, Any]:
     results["automatic"] = {name: automatic(solve) for name, solve in cases.automatic().items()}
     results["many"] = {name: on_threads(solve) for name, solve in cases.many().items()}
     results["finite"] = {name: compared(*pair) for name, pair in cases.against_finite().items()}
+    results["below"] = {name: threaded(run) for name, run in cases.below().items()}
     results["split"] = {
         f"{cases.STRIPS} equal strips": split(cases.fixed(cases.STRIPS)),
         "400 equal strips": split(cases.fixed(400), runs=11),
@@ -119,6 +121,21 @@ def on_threads(solve: Callable[[int], nh.Solutions], rounds: int = MANY_ROUNDS) 
     one, two = np.median(times, axis=0)
     gain = np.median([first / second for first, second in times])
     return {"one thread": float(one), "two threads": float(two), "gain": float(gain)}
+
+
+def threaded(run: Callable[[int], object], rounds: int = BELOW_ROUNDS) -> dict[str, float]:
+    """Return median times of a call on one thread and on two, taken in turn."""
+    run(2)
+    times = []
+    for _ in range(rounds):
+        pair = []
+        for threads in (1, 2):
+            start = time.perf_counter()
+            run(threads)
+            pair.append(time.perf_counter() - start)
+        times.append(pair)
+    one, two = np.median(times, axis=0)
+    return {"one thread": float(one), "two threads": float(two)}
 
 
 def compared(one: cases.Solve, other: cases.Solve, seconds: float = 2.0 * SECONDS) -> dict[str, float]:
@@ -250,9 +267,8 @@ def drawn(results: dict[str, Any]) -> Figure:
 
 def page(results: dict[str, Any]) -> Iterator[str]:
     """Yield the lines of the page."""
-    computer, curve, commands = results["machine"], results["curve"], results["commands"]
+    computer, commands = results["machine"], results["commands"]
     versions = ", ".join(f"{name} {version}" for name, version in computer["versions"].items())
-    slowest = max(entry["time"] for entry in results["automatic"].values())
     yield "# Speed"
     yield ""
     yield "Written by `benchmarks/report.py` (`make bench`); do not edit. Everything was measured in one run: warm,"
@@ -261,19 +277,7 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield ""
     yield "Beside other programs: [the race](race.md). Against an earlier state: [before and now](against.md)."
     yield ""
-    yield "| | target | measured |"
-    yield "|---|---|---|"
-    yield f"| {cases.STRIPS} equal strips | {_ms(cases.FIXED_TARGET)} | {_ms(curve[cases.STRIPS])} |"
-    yield f"| automatic grid, slowest case below | {_ms(cases.AUTOMATIC_TARGET)} | {_ms(slowest)} |"
-    slowest_of_many = max(entry["one thread"] for entry in results["many"].values())
-    least_gain = min(entry["gain"] for entry in results["many"].values())
-    label = f"{cases.STRIPS} equal strips, each of {cases.MANY} cases in `solve_many`, one thread"
-    yield f"| {label} | {_ms(cases.MANY_TARGET)} | {_ms(slowest_of_many)} |"
-    yield f"| the same on two threads, how many times as fast | {cases.GAIN_TARGET} | {least_gain:.2f} |"
-    dearest = max(entry["ratio"] for entry in results["finite"].values())
-    yield f"| faces and depth on both bodies, dearest case below | {cases.FINITE_TARGET} times | {dearest:.2f} times |"
-    yield f"| `nonhertz --help` | {_ms(cases.HELP_TARGET)} | {_ms(commands['nonhertz --help'])} |"
-    yield ""
+    yield from targets(results)
     yield "## Cost against strips"
     yield ""
     yield "![Time of a solve against the number of equal strips](cost-against-strips.svg)"
@@ -292,6 +296,7 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield ""
     yield from many_cases(results)
     yield from finite_bodies(results)
+    yield from below(results)
     yield from parts(results)
     yield "## Starting"
     yield ""
@@ -299,6 +304,27 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield "|---|---|"
     for name, seconds in commands.items():
         yield f"| `{name}` | {_ms(seconds)} |" if name != "python alone" else f"| {name} | {_ms(seconds)} |"
+    yield ""
+
+
+def targets(results: dict[str, Any]) -> Iterator[str]:
+    """Yield the lines of what was aimed at, and what was measured."""
+    curve, commands = results["curve"], results["commands"]
+    slowest = max(entry["time"] for entry in results["automatic"].values())
+    yield "| | target | measured |"
+    yield "|---|---|---|"
+    yield f"| {cases.STRIPS} equal strips | {_ms(cases.FIXED_TARGET)} | {_ms(curve[cases.STRIPS])} |"
+    yield f"| automatic grid, slowest case below | {_ms(cases.AUTOMATIC_TARGET)} | {_ms(slowest)} |"
+    slowest_of_many = max(entry["one thread"] for entry in results["many"].values())
+    least_gain = min(entry["gain"] for entry in results["many"].values())
+    label = f"{cases.STRIPS} equal strips, each of {cases.MANY} cases in `solve_many`, one thread"
+    yield f"| {label} | {_ms(cases.MANY_TARGET)} | {_ms(slowest_of_many)} |"
+    yield f"| the same on two threads, how many times as fast | {cases.GAIN_TARGET} | {least_gain:.2f} |"
+    dearest = max(entry["ratio"] for entry in results["finite"].values())
+    yield f"| faces and depth on both bodies, dearest case below | {cases.FINITE_TARGET} times | {dearest:.2f} times |"
+    label, entry = next((name, entry) for name, entry in results["below"].items() if "mirrored" in name)
+    yield f"| stress at {label}, two threads | {cases.BELOW_TARGET:g} s | {entry['two threads']:.2f} s |"
+    yield f"| `nonhertz --help` | {_ms(cases.HELP_TARGET)} | {_ms(commands['nonhertz --help'])} |"
     yield ""
 
 
@@ -328,6 +354,19 @@ def many_cases(results: dict[str, Any]) -> Iterator[str]:
     yield "|---|---|---|---|"
     for name, entry in results["many"].items():
         yield f"| {name} | {_ms(entry['one thread'])} | {_ms(entry['two threads'])} | {entry['gain']:.2f} |"
+    yield ""
+
+
+def below(results: dict[str, Any]) -> Iterator[str]:
+    """Yield the lines of stress below the surface and life."""
+    yield "## Below the surface"
+    yield ""
+    yield "A logarithmic roller on a plate under tilt, solved beforehand; points at random down to three half-widths."
+    yield ""
+    yield "| | one thread | two threads |"
+    yield "|---|---|---|"
+    for name, entry in results["below"].items():
+        yield f"| {name} | {entry['one thread']:.2f} s | {entry['two threads']:.2f} s |"
     yield ""
 
 

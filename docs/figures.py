@@ -28,7 +28,7 @@ from matplotlib.ticker import NullFormatter
 import nonhertz as nh
 from nonhertz.cli import main as nonhertz
 from nonhertz.io.casefile import Case, read_case
-from nonhertz.plot import figures, save
+from nonhertz.plot import figures, life_figure, save, stress_figures
 from nonhertz.plot.sheets import WIDTH
 from nonhertz.plot.style import (
     END_DASHES,
@@ -74,6 +74,7 @@ def main() -> None:
     for stem, (example, names) in EXAMPLES.items():
         draw(stem, read_case(ROOT / "examples" / f"{example}.toml"), names)
     draw_finite_bodies()
+    draw_below("bearing", read_case(ROOT / "examples" / f"{EXAMPLES['bearing'][0]}.toml"))
     draw_four_profiles()
     TUTORIAL.write_text(with_output(TUTORIAL.read_text(encoding="utf-8")), encoding="utf-8")
     print(f"wrote {TUTORIAL.relative_to(ROOT)}")
@@ -113,6 +114,19 @@ def write(figure: Figure, stem: str) -> None:
     # One copy is enough for the documents.
     vector.unlink()
     print(f"wrote {pixels.relative_to(ROOT)}")
+
+
+def draw_below(stem: str, case: Case) -> None:
+    """Write the pictures of stress below the surface, and of where it makes the bodies fatigue."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        solution = nh.solve(case.contact, **case.prescribed, **case.solver)
+    overall = nh.subsurface.extremes(solution)
+    section = nh.subsurface.extremes(solution, overall.von_mises.y)
+    for name, figure in stress_figures(solution, overall, section, case.title).items():
+        write(figure, f"{stem}-{name}")
+    lives = {body: nh.life.assess(solution, body=body) for body in "ab"}
+    write(life_figure([(solution, 1.0)], lives, case.title), f"{stem}-life-density")
 
 
 def draw_four_profiles() -> None:

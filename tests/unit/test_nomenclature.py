@@ -26,6 +26,10 @@ CLASSES = {
     "`hertz.PointContact`": nh.hertz.PointContact,
     "`hertz.LineContact`": nh.hertz.LineContact,
     "`Element`": Element,
+    "`subsurface.Field`": nh.subsurface.Field,
+    "`subsurface.Passage`": nh.subsurface.Passage,
+    "`subsurface.Extreme`": nh.subsurface.Extreme,
+    "`life.Life`": nh.life.Life,
 }
 
 
