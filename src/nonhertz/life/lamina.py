@@ -26,13 +26,11 @@ from scipy.optimize import brentq
 from nonhertz.errors import InputError
 from nonhertz.model.checks import one_of
 from nonhertz.model.contact import Contact
-from nonhertz.patch.solution import PatchSolution
 from nonhertz.singular import singular_ends
 from nonhertz.solution import Solution
+from nonhertz.subsurface.inside import AnySolution, edges_along
 
 Array = NDArray[np.float64]
-AnySolution = Solution | PatchSolution
-
 FEWEST, MOST = 30, 2000
 SLOPE, EXPONENT = 9.0 / 8.0, 4.5
 EDGE_STRESS = ("pressure", "standard", "none")
@@ -158,9 +156,7 @@ def laminae_of(solution: AnySolution, model: LaminaModel) -> Laminae:
 
 
 def _line_load(solution: AnySolution) -> tuple[Array, Array]:
-    if isinstance(solution, Solution):
-        return solution.edges, solution.line_load
-    return np.append(solution.y - 0.5 * solution.dy, solution.y[-1] + 0.5 * solution.dy), solution.line_load
+    return edges_along(solution), solution.line_load
 
 
 def _shares(edges: Array, fine: Array, density: Array) -> Array:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Protocol
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -87,22 +88,18 @@ class Inside:
         """
         if name not in {"a", "b"}:
             raise InputError("body", name, "be one of the two bodies", _BODY_REMEDY)
-        if isinstance(solution, Solution):
-            load: Load = StripLoad.of(solution)
-            shape: Shape = solution.element
-            edges = solution.edges
-        elif isinstance(solution, PatchSolution):
-            load = Rectangles.of(solution.x, solution.y, solution.dx, solution.dy, solution.pressure)
-            shape, edges = HERTZ, np.append(solution.y - 0.5 * solution.dy, solution.y[-1] + 0.5 * solution.dy)
-        else:
+        if not isinstance(solution, Solution | PatchSolution):
             raise InputError("solution", solution, "be a solved contact", "give what solve or patch.solve returns")
+        shape: Shape = solution.element if isinstance(solution, Solution) else HERTZ
+        edges = edges_along(solution)
         which = "ab".index(name)
         terms, depth = influence_within(solution.contact, shape, which)
         body = (solution.contact.a, solution.contact.b)[which]
         afar = 0.0
         if body.images == SERIES and body.length is not None and terms.shape[0] > SEPARATE_LINKS:
             afar = solution.load / body.length * float(terms[-1, 2])
-        return cls(name, body, load, terms, depth, edges, solution.contact.compliance * solution.line_load, afar)
+        lifted = solution.contact.compliance * solution.line_load
+        return cls(name, body, _load(solution), terms, depth, edges, lifted, afar)
 
     def _sides(self) -> tuple[tuple[float, float], tuple[float, float]]:
         return (self.body.faces[0], -1.0), (self.body.faces[1], 1.0)
@@ -149,6 +146,29 @@ class Inside:
             y, back = np.unique(points[:, 1], return_inverse=True)
             total[:, U_Z] -= (self.depth.displacement(y, self.edges) @ self.lifted)[back.ravel()]
         return total
+
+
+def edges_along(solution: AnySolution) -> Array:
+    """Return the edges [mm] of the strips, or of the rows of cells."""
+    if isinstance(solution, Solution):
+        return solution.edges
+    return np.append(solution.y - 0.5 * solution.dy, solution.y[-1] + 0.5 * solution.dy)
+
+
+# Solutions never change, and a search asks for the field below one a hundred times.
+_LOADS: WeakKeyDictionary[AnySolution, Load] = WeakKeyDictionary()
+
+
+def _load(solution: AnySolution) -> Load:
+    """Return the pressure of a solution, made when it is first asked for."""
+    load = _LOADS.get(solution)
+    if load is None:
+        if isinstance(solution, Solution):
+            load = StripLoad.of(solution)
+        else:
+            load = Rectangles.of(solution.x, solution.y, solution.dx, solution.dy, solution.pressure)
+        _LOADS[solution] = load
+    return load
 
 
 def _seen(points: Array, sign: float, offset: float) -> Array:

@@ -22,8 +22,8 @@ Array = NDArray[np.float64]
 
 # Depths over the half-width at which the search begins.
 DEPTHS = np.array([0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.95, 1.15, 1.4])
-MOST_STATIONS = 401
-EQUAL = 1e-6
+MOST_STATIONS, MOST_ROWS = 401, 65  # of strips, and of a plane grid, which takes longer
+EQUAL, ROUNDING = 1e-6, 1e-9
 MESHES, ROUNDS, SHRINKING = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]), 18, 0.6
 
 
@@ -127,9 +127,16 @@ def _sections(solution: AnySolution) -> Array:
     touching = away_from_ends(solution) if isinstance(solution, Solution) else solution.line_load > 0.0
     if not touching.any():  # all of the contact is near an end
         touching = solution.line_load > 0.0
-    sections = solution.y[touching]
-    if sections.size > MOST_STATIONS:
-        sections = sections[np.linspace(0, sections.size - 1, MOST_STATIONS).astype(int)]
+    rows = np.flatnonzero(touching)
+    most = MOST_STATIONS if isinstance(solution, Solution) else MOST_ROWS
+    if rows.size > most:
+        even = rows[np.linspace(0, rows.size - 1, most).astype(int)]
+        # What is narrow, a dent or an edge, shows in the pressure.
+        pressure = solution.peak_pressure if isinstance(solution, Solution) else solution.pressure.max(axis=0)
+        crests = rows[1:-1][(np.diff(pressure[rows])[:-1] > 0.0) & (np.diff(pressure[rows])[1:] <= 0.0)]
+        highest = crests[pressure[crests].argsort()[-most // 4 :]]
+        rows = np.unique(np.concatenate([even, highest]))
+    sections: Array = solution.y[rows]
     return sections
 
 
@@ -168,8 +175,9 @@ def _refined(
         if found.max() > top:
             top, best = float(found.max()), net[int(found.argmax())]
         span *= SHRINKING
-    x = abs(best[0]) if isinstance(solution, Solution) else best[0]
-    return Extreme(top, float(x) + 0.0, float(best[1]) + 0.0, float(best[2]) + 0.0)
+    across = float(abs(best[0]) if isinstance(solution, Solution) else best[0])
+    across = 0.0 if abs(across) < ROUNDING * half_width else across
+    return Extreme(top, across, float(best[1]) + 0.0, float(best[2]) + 0.0)
 
 
 def _first_of_equals(values: Array, y: Array) -> tuple[int, int]:
