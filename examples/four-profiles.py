@@ -220,8 +220,10 @@ def _span(values: np.ndarray) -> str:
 
 
 def _percent(share: float | np.ndarray) -> str:
+    # The ends of a flat roller relieve its middle: what costs less than nothing is a gain.
     low, high = 100.0 * np.min(share), 100.0 * np.max(share)
-    return f"{low:.1f} %" if high - low < 0.05 else f"{low:.1f} to {high:.1f} %"
+    least = f"a gain of {-low:.1f}" if low < 0.0 else f"{low:.1f}"
+    return f"{least} %" if high - low < 0.05 else f"{least} to {high:.1f} %"
 
 
 def _flat_lives_longest(results: Study) -> Finding:

@@ -356,7 +356,10 @@ def test_without_a_life_table_all_models_are_wanted_as_they_are() -> None:
     ("life", "sentences"),
     [
         ({"rollers": 14.5}, ["rollers = 14.5 must be a whole number"]),
-        ({"rollers": -1, "laminae": 3}, ["rollers = -1 must be positive", "laminae = 3 must lie between 30 and 2000"]),
+        (
+            {"rollers": -1, "laminae": 3},
+            ["rollers = -1 must be positive", "laminae = 3 must be a whole number from 30 to 2000"],
+        ),
         ({"models": []}, ["models = [] must be a list of names"]),
         (
             {"models": ["zaretzky", 3]},

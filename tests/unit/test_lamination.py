@@ -60,7 +60,7 @@ def test_pieces_keep_the_values_at_the_centres(case):
     solution, cut = case
     low, high, load, half_width = pieces_of(cut)
     touching = solution.line_load > 0.0
-    for name, found in (("line_load", load), ("element_half_width", half_width)):
+    for name, found in (("line_load", load), ("half_width", half_width)):
         wanted = getattr(solution, name)[touching]
         there = np.interp(solution.y[touching], 0.5 * (low + high), found)
         # Between pieces it is interpolated linearly here; at run-outs and sharp ends that is coarse.

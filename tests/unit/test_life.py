@@ -84,7 +84,7 @@ def test_the_parameters_are_those_of_the_publications():
         (lambda: ioannides_harris(fatigue_limit=-1.0), "fatigue_limit = -1.0 must not be negative"),
         (lambda: ioannides_harris(stress="von_mises"), "stress = 'von_mises' must be 'orthogonal_shear' where depth_e"),
         (lambda: weibull(stress="hydrostatic"), "stress = 'hydrostatic' must be one of 'orthogonal_shear', "),
-        (lambda: iso_16281(laminae=29), "laminae = 29 must lie between 30 and 2000"),
+        (lambda: iso_16281(laminae=29), "laminae = 29 must be a whole number from 30 to 2000"),
         (lambda: iso_16281(edge_stress="maybe"), "edge_stress = 'maybe' must be one of 'pressure', "),
         (lambda: LoadCase(load=0.0, share=1.0), "load = 0.0 must be positive"),
         (lambda: LoadCase(load=1.0, share=1.2), "share = 1.2 must not exceed 1"),
@@ -160,9 +160,9 @@ def test_towards_a_sharp_end_the_volume_left_out_is_the_same_on_all_grids(sharp)
     edges = np.unique(np.concatenate([sharp.edges, 0.5 * (sharp.edges[1:] + sharp.edges[:-1])]))
     (finer,) = assess(nh.solve(sharp.contact, load=sharp.load, strips=edges), "zaretsky")
     assert finer.relative == pytest.approx(automatic.relative, rel=0.05)
-    assert f"nearer to it than {LEFT_OUT:g} of the largest half-width nothing was counted" in automatic.warnings[-1]
+    assert f"nearer to them than {LEFT_OUT:g} of the largest half-width nothing was counted" in automatic.warnings[-1]
     (coarse,) = assess(solved(profile=nh.profile.straight(), strips=21), "zaretsky")
-    assert coarse.warnings[-1].startswith("The strips at a sharp end are wider than what was left out")
+    assert coarse.warnings[-1].startswith("The strips or cells at a sharp end are longer than what was left out")
 
 
 def test_bodies_without_an_end_have_lives_that_can_be_compared_alone():
@@ -264,6 +264,45 @@ def test_life_in_revolutions_is_the_capacity_over_the_load(lives, logarithmic):
     assert (unrated.million_revolutions, unrated.no_revolutions) == (None, "it needs the number of rollers")
 
 
+def test_the_roller_has_no_capacity_and_other_materials_and_slopes_have_none(logarithmic):
+    whys = {
+        "the capacity is that of the ring, body b": assess(logarithmic, "iso-16281", body="a", rollers=12),
+        "the capacity of ISO 281 belongs to the slope 9/8 and the usual exponents": assess(
+            logarithmic, lundberg_palmgren(slope=1.5), rollers=12
+        ),
+        "the capacity of ISO 281 is that of bearing steel": assess(
+            solved(ring=nh.Ring(diameter=60, material=nh.MATERIALS["bronze"]), strips=9), "iso-16281", rollers=12
+        ),
+        "neither of the bodies is a ring; give one of them kind = 'ring'": assess(
+            solved(ring=roller(nh.profile.straight()), strips=9), "iso-16281", rollers=12
+        ),
+    }
+    for why, (life,) in whys.items():
+        assert (life.million_revolutions, life.no_revolutions) == (None, why)
+
+
+def test_the_ring_may_be_the_smaller_body():
+    big = nh.Roller(diameter=60, length=12)
+    ring, _ = raceway(nh.Contact(big, nh.Ring(diameter=40)))
+    assert ring == Raceway(60.0, 12.0, 100.0, True, "b")
+
+
+def test_a_plane_grid_leaves_out_sharp_ends_too():
+    straight = nh.Contact(roller(nh.profile.straight()), RING)
+    found = [
+        {
+            life.model.name: life
+            for life in assess(nh.patch.solve(straight, load=8e3, cells=cells), ["zaretsky", "iso-16281"])
+        }
+        for cells in ((24, 256), (24, 512))
+    ]
+    strips = {life.model.name: life for life in assess(nh.solve(straight, load=8e3), ["zaretsky", "iso-16281"])}
+    for name, life in found[1].items():
+        assert life.relative == pytest.approx(found[0][name].relative, rel=0.12)
+        assert life.relative == pytest.approx(strips[name].relative, rel=0.15)
+        assert any("no limit towards the sharp ends" in sentence for sentence in life.warnings)
+
+
 # Spectra
 
 
@@ -301,6 +340,9 @@ def test_lives_are_compared_by_one_model(lives):
     [
         ({"rollers": 0}, "rollers = 0 must be positive"),
         ({"rollers": 2.5}, "rollers = 2.5 must be a whole number"),
+        ({"rollers": 16}, "rollers = 16 must fit side by side on the pitch circle of 75 mm, 15 at most"),
+        ({"models": [3]}, "models = 3 must be a fatigue model or several"),
+        ({"models": "iso-16281", "body": "c"}, "body = 'c' must be one of the two bodies"),
         ({"body": "c"}, "body = 'c' must be one of the two bodies"),
         ({"models": "palmgren"}, "model = 'palmgren' must be a fatigue model"),
     ],
@@ -316,3 +358,7 @@ def test_what_is_no_solution_has_no_life(logarithmic):
         assess(logarithmic.contact)
     with pytest.raises(nh.InputError, match="share = -1"):
         assess([(logarithmic, -1.0)])
+    with pytest.raises(nh.InputError, match="must be a solved contact or several with their shares"):
+        assess([logarithmic])
+    with pytest.raises(nh.InputError, match="must all be of one contact"):
+        assess([(logarithmic, 0.5), (solved(ring=nh.Ring(diameter=61), strips=9), 0.5)])

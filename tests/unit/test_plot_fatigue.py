@@ -76,7 +76,7 @@ def test_another_case_is_the_broad_grey_line(solution: nh.Solution, lives: tuple
     other = (replace(lives[0], density=2.0 * lives[0].density, damage=2.0 * lives[0].damage), lives[1])
     figure = life_figure([(solution, 1.0)], {"a": lives, "b": lives}, compared={"a": other, "b": other})
     (told,) = labels(figure)
-    assert told[-1] == f"lundberg-palmgren, compared: life {other[0].relative:.3g}"
+    assert told[-1] == f"lundberg-palmgren, other case: life {other[0].relative:.3g}"
     # Behind the others, of which the steps are no line.
     np.testing.assert_array_equal(figure.axes[0].lines[1].get_ydata(), other[0].density)
 
@@ -85,7 +85,7 @@ def test_what_has_no_number_is_told_in_words(solution: nh.Solution, lives: tuple
     nothing = np.full(lives[0].y.size, np.nan)
     no_ideal = replace(lives[0], reference=np.nan, density=nothing)
     figure = life_figure([(solution, 1.0)], {"a": [no_ideal], "b": [no_ideal]})
-    assert labels(figure) == [["lundberg-palmgren: no ideal"]]
+    assert labels(figure) == [["lundberg-palmgren: no ideal life"]]
     assert any("unlimited length" in text.get_text() for text in figure.axes[0].texts)
     untouched = replace(lives[0], damage=0.0, density=0.0 * nothing)
     (told,) = labels(life_figure([(solution, 1.0)], {"a": [untouched], "b": [untouched]}))

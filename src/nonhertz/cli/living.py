@@ -20,7 +20,7 @@ from nonhertz.life import MODELS, RATED, Model, VolumeModel, assess
 from nonhertz.singular import largest_away, singular_ends
 from nonhertz.solution import Solution
 
-WIDTH = 100  # of what is piped
+WIDTH = 120  # of what is piped
 Spectrum = tuple[tuple[Solution, float], ...]
 
 _IDEAL = (
@@ -29,7 +29,7 @@ _IDEAL = (
 )
 _RATIO = (
     "Ratios are those of passes of a roller: where the cases differ in rings or in the number of rollers, compare "
-    "their revolutions."
+    "their L10."
 )
 _REVOLUTIONS = "L10 [10^6 rev]"
 _STRESSES = {"orthogonal_shear": "tau_xz", "shear": "tau_max", "von_mises": "sigma_vM"}
@@ -93,9 +93,10 @@ def print_lives(found: Assessment, other: Assessment | None) -> None:
         return
     console.print()
     console.print(Text(f"Compared with: {other.title}", style="bold"))
-    head = ("", "its life in a", "in b", _REVOLUTIONS, "first / this in a", "in b")
+    head = ("", "life in a", "in b", _REVOLUTIONS, "first / this, a", "first / this, b")
     console.print(_table(head, ratio_rows(found, other), left=(0,)))
-    console.print(Text(_RATIO), soft_wrap=True)
+    for sentence in [_RATIO, *sentences(other)[1:]]:
+        console.print(Text(sentence), soft_wrap=True)
     _print_spectrum(console, other)
     _print_warnings(console, other)
 
@@ -127,14 +128,16 @@ def sentences(found: Assessment) -> list[str]:
     if any(math.isnan(life.reference) for life in lives):
         lines.append("none: the bodies can touch on an unlimited length, along which no load can be spread evenly.")
     elif any(math.isnan(life.relative) for life in lives):
-        lines.append("none: under the ideal pressure there is no damage either.")
+        lines.append("none: there is no damage, under the ideal pressure neither.")
     if any(life.relative == 0.0 for life in lives):
         lines.append("0: under the ideal pressure there is no damage.")
     if any(found.million_revolutions(number) is not None for number in range(len(found.lives["a"]))):
         bearing = "its one roller bears" if found.rollers == 1 else f"all {found.rollers} rollers bear"
-        lines.append(f"L10 is the life of the ring, body {found.raceway}, that 90 % reach where {bearing} this load.")
+        load = "this load" if len(found.spectrum) == 1 else "these loads"
+        lines.append(f"L10 is the life of the ring, body {found.raceway}, that 90 % reach where {bearing} {load}.")
     else:
-        why = dict.fromkeys(life.no_revolutions for life in lives if life.model.name in RATED)
+        of_ring = found.lives[found.raceway or "b"]
+        why = dict.fromkeys(life.no_revolutions for life in of_ring if life.model.name in RATED)
         lines += [f"No life in revolutions: {reason}." for reason in why]
     return lines
 

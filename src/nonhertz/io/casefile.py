@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 _OF_BOTH_BODIES = ("diameter", "length", "position")
 _SECTIONS = {
+    "life": ("rollers", "slope", "fatigue_limit", "laminae", "edge_stress", "line_loads", "share"),
     "load": ("load", "approach", "tilt", "moment"),
     "solver": ("element", "strips"),
 }

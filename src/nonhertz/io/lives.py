@@ -13,6 +13,7 @@ from typing import Any
 
 from nonhertz.io.results import plain, write_files
 from nonhertz.life import Life
+from nonhertz.singular import singular_ends
 from nonhertz.solution import Solution
 
 BODIES = ("a", "b")
@@ -184,7 +185,8 @@ def _tail(found: Assessment) -> dict[str, Any]:
             "load": plain(solution.load),
             "tilt": plain(solution.tilt),
             "share": plain(share),
-            "max_pressure": plain(solution.max_pressure),
+            # Towards a sharp end it has no limit.
+            "max_pressure": None if singular_ends(solution) else plain(solution.max_pressure),
         }
         for solution, share in found.spectrum
     ]

@@ -19,19 +19,22 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.life.capacity import Raceway, raceway
-from nonhertz.life.catalogue import MODELS, Model, VolumeModel, model
+from nonhertz.life.catalogue import MODELS, RATED, Model, VolumeModel, lundberg_palmgren, model
 from nonhertz.life.lamina import EXPONENT, LEFT_OUT, LaminaModel, laminae_of
 from nonhertz.life.volume import Exposure, exposure
 from nonhertz.model.checks import positive
+from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.singular import singular_ends
 from nonhertz.solution import ReadOnly, Solution
 from nonhertz.subsurface.evaluation import Running
-from nonhertz.subsurface.inside import AnySolution
+from nonhertz.subsurface.inside import check_body
+from nonhertz.subsurface.reach import AnySolution, checked_solution, contact_ends
 
 Array = NDArray[np.float64]
 Spectrum = Sequence[tuple[AnySolution, float]]
 
+SHORT = 4.0
 _NO_ROLLERS = "it needs the number of rollers"
 _ROLLERS_REMEDY = "give the number of rollers in the bearing"
 
@@ -54,8 +57,8 @@ class Life(ReadOnly):
     reference : float
         That under the ideal pressure; not a number where the bodies can touch on an unlimited length.
     million_revolutions : float or None
-        L_10 [10^6 revolutions of the ring, all rollers passing under this load], with 90 % reliability. None without a
-        number of rollers, or where no standard has a capacity.
+        L_10 [10^6 revolutions of the ring, all rollers passing under this load], with 90 % reliability. None for the
+        roller, without a number of rollers, or where no standard has a capacity.
     no_revolutions : str
         Why there is no absolute life, in words; empty if there is.
     raceway : Raceway or None
@@ -81,7 +84,10 @@ class Life(ReadOnly):
 
     @property
     def relative(self) -> float:
-        """Life over that under the ideal pressure [-]; infinite without damage, not a number without a reference."""
+        """Life over that under the ideal pressure [-].
+
+        Infinite without damage; not a number without a reference, or where neither pressure does any damage.
+        """
         return ratio(self.reference, self.damage, self.model.slope)
 
     def over(self, other: Life) -> float:
@@ -94,9 +100,10 @@ class Life(ReadOnly):
         InputError
             If the models differ.
         """
-        if self.model != other.model:
+        if not isinstance(other, Life) or self.model != other.model:
             remedy = "compare lives by one model with the same parameters"
-            raise InputError("other", other.model.name, f"be by the model {self.model.name} too", remedy)
+            named = getattr(getattr(other, "model", other), "name", other)
+            raise InputError("other", named, f"be by the model {self.model.name} too", remedy)
         if isinstance(self.model, LaminaModel) and (self.raceway is None) != (other.raceway is None):
             return math.nan
         return ratio(other.damage, self.damage, self.model.slope)
@@ -117,7 +124,7 @@ def assess(
     rollers: int | None = None,
     **options: Unpack[Running],
 ) -> tuple[Life, ...]:
-    """Return how long one body of a contact lasts, by several models.
+    """Return how long one body of a contact lasts, by several models; body b, usually the ring, unless told otherwise.
 
     Parameters
     ----------
@@ -158,13 +165,10 @@ def assess(
     >>> round(life.relative, 2)
     0.76
     """
+    check_body(body)
     wanted = _wanted(models)
     spectrum = _spectrum(solution)
-    if rollers is not None:
-        positive("rollers", rollers, _ROLLERS_REMEDY)
-        if rollers != int(rollers):
-            raise InputError("rollers", rollers, "be a whole number", _ROLLERS_REMEDY)
-        rollers = int(rollers)
+    rollers = _checked_rollers(rollers, spectrum[0][0].contact)
     seen: list[Exposure] = []
     if any(isinstance(each, VolumeModel) for each in wanted):
         seen = [exposure(each, body, **options) for each, _ in spectrum]
@@ -177,22 +181,47 @@ def assess(
     )
 
 
+def _checked_rollers(rollers: int | None, contact: Contact) -> int | None:
+    if rollers is None:
+        return None
+    positive("rollers", rollers, _ROLLERS_REMEDY)
+    if rollers != int(rollers):
+        raise InputError("rollers", rollers, "be a whole number", _ROLLERS_REMEDY)
+    ring, _ = raceway(contact)
+    if ring is not None and rollers > ring.most_rollers:
+        condition = f"fit side by side on the pitch circle of {ring.pitch_diameter:g} mm, {ring.most_rollers} at most"
+        raise InputError("rollers", rollers, condition, _ROLLERS_REMEDY)
+    return int(rollers)
+
+
 def _wanted(models: Model | str | Iterable[Model | str]) -> list[Model]:
-    several = [models] if isinstance(models, str | VolumeModel | LaminaModel) else list(models) or list(MODELS)
-    return [model(each) if isinstance(each, str) else each for each in several]
+    several = [models] if isinstance(models, str | VolumeModel | LaminaModel) else models
+    remedy = f"give models or their names: {', '.join(MODELS)}"
+    if not isinstance(several, Iterable):
+        raise InputError("models", models, "be a fatigue model or several", remedy)
+    wanted = [model(each) if isinstance(each, str) else each for each in several or MODELS]
+    for each in wanted:
+        if not isinstance(each, VolumeModel | LaminaModel):
+            raise InputError("models", each, "be a fatigue model or several", remedy)
+    return wanted
 
 
 def _spectrum(solution: AnySolution | Spectrum) -> Spectrum:
     if isinstance(solution, Solution | PatchSolution):
-        return [(solution, 1.0)]
+        return [(checked_solution(solution), 1.0)]
     remedy = "give pairs of a solution and its share of the revolutions"
-    if not isinstance(solution, Sequence) or not solution:
+    pairs = list(solution) if isinstance(solution, Sequence) else []
+    if not pairs or not all(isinstance(pair, Sequence) and len(pair) == 2 for pair in pairs):
         raise InputError("solution", solution, "be a solved contact or several with their shares", remedy)
-    total = 0.0
-    for _, share in solution:
+    for each, share in pairs:
+        checked_solution(each)
         positive("share", share, remedy)
-        total += share
-    return [(each, share / total) for each, share in solution]
+        if each.contact != pairs[0][0].contact:
+            raise InputError("solution", "several", "all be of one contact", "assess contacts one by one")
+    total = math.fsum(share for _, share in pairs)
+    if not math.isfinite(total):
+        raise InputError("share", total, "add up to a finite number", remedy)
+    return [(each, share / total) for each, share in pairs]
 
 
 def _by_volume(
@@ -205,12 +234,14 @@ def _by_volume(
     y, density = _density([each.y for each in seen], [each.density(wanted) for each in seen], damages, shares, wanted)
     length = float(np.ptp(spectrum[0][0].contact.interval))
     ring, why = raceway(spectrum[0][0].contact)
-    absolute = None
-    if wanted.name != "lundberg-palmgren":
-        why = f"{wanted.name} has no capacity of its own"
-    elif ring is not None and rollers is not None:
-        absolute = _ideal_life(ring, spectrum, shares, rollers) * ratio(reference, damage, wanted.slope)
-    why = "" if absolute is not None else why or _NO_ROLLERS
+    absolute, why = None, why or _why_unrated(wanted, ring, body, rollers)
+    if not why and ring is not None and rollers is not None:
+        # Of every load by itself: (Q_c / Q)^4 for the ideal pressure, and what this one makes of it.
+        of_loads = [
+            (ring.capacity(rollers) / each.load) ** 4 * ratio(*pair, wanted.slope)
+            for (each, _), pair in zip(spectrum, zip(references, damages, strict=True), strict=True)
+        ]
+        absolute = float(1.0 / sum(share / life for share, life in zip(shares, of_loads, strict=True)))
     warnings = _warnings(spectrum, {end for each in seen for end in each.sharp})
     return Life(wanted, body, damage, reference, absolute, why, ring, y, _over(density, reference / length), warnings)
 
@@ -227,11 +258,10 @@ def _by_laminae(wanted: LaminaModel, spectrum: Spectrum, shares: Array, body: st
     damage, reference = (_together(each, shares, wanted.slope) for each in (damages, references))
     y = 0.5 * (edges[1:] + edges[:-1])
     _, density = _density([y] * len(cut), of_laminae, damages, shares, wanted)
-    absolute = None
-    if ring is not None and rollers is not None:
+    absolute, why = None, why or _why_unrated(wanted, ring, body, rollers)
+    if not why and rollers is not None:
         # Every roller is a pass: a quarter power of Z in the capacity.
         absolute = damage ** (-1.0 / wanted.slope) / rollers
-    why = "" if absolute is not None else why or _NO_ROLLERS
     warnings = _warnings(spectrum, {end for each in cut for end in each.sharp})
     return Life(
         wanted, body, damage, reference, absolute, why, ring, y, _over(density, reference / wanted.laminae), warnings
@@ -243,15 +273,28 @@ def _warnings(spectrum: Spectrum, sharp: set[float]) -> tuple[str, ...]:
     sentences = dict.fromkeys(sentence for each, _ in spectrum for sentence in each.warnings)
     if not sharp:
         return tuple(sentences)
+    many = len(sharp) > 1
     places = " and ".join(f"{end:.5g}" for end in sorted(sharp))
     sentences[
-        f"The damage has no limit towards the sharp end at y = {places} mm: nearer to it than {LEFT_OUT:g} of the "
-        "largest half-width nothing was counted."
+        f"The damage has no limit towards the sharp end{'s' * many} at y = {places} mm: nearer to "
+        f"{'them' if many else 'it'} than {LEFT_OUT:g} of the largest half-width nothing was counted, so that the life "
+        "may come out too long, even above 1."
     ] = None
-    solutions = [each for each, _ in spectrum if isinstance(each, Solution)]
-    if any(end.strip_width > LEFT_OUT * each.half_width.max() for each in solutions for end in singular_ends(each)):
-        sentences["The strips at a sharp end are wider than what was left out: solve on the automatic grid."] = None
+    steps = [(_step_at_sharp_ends(each), float(each.half_width.max()), each) for each, _ in spectrum]
+    if any(step > LEFT_OUT * half_width for step, half_width, _ in steps):
+        sentences["The strips or cells at a sharp end are longer than what was left out: use finer ones."] = None
+    if any(np.ptp(contact_ends(each)) < SHORT * half_width for _, half_width, each in steps):
+        sentences[
+            f"The contact is shorter than {SHORT:g} half-widths between its ends: hardly anything is left to count."
+        ] = None
     return tuple(sentences)
+
+
+def _step_at_sharp_ends(solution: AnySolution) -> float:
+    """Return the widest strip, or the length of a cell, at a sharp end [mm]."""
+    if isinstance(solution, Solution):
+        return max((end.strip_width for end in singular_ends(solution)), default=0.0)
+    return solution.dy
 
 
 def _over(density: Array, mean: float) -> Array:
@@ -260,10 +303,15 @@ def _over(density: Array, mean: float) -> Array:
         return density / mean
 
 
-def _ideal_life(ring: Raceway, spectrum: Spectrum, shares: Array, rollers: int) -> float:
-    """Return L_10 [10^6 revolutions] under the ideal pressure, (Q_c / Q)^4."""
-    loads = np.array([each.load for each, _ in spectrum])
-    return float(1.0 / (shares @ (loads / ring.capacity(rollers)) ** 4))
+def _why_unrated(wanted: Model, ring: Raceway | None, body: str, rollers: int | None) -> str:
+    """Return why a model has no life in revolutions for a body, nothing if it has."""
+    if wanted.name not in RATED:
+        return f"{wanted.name} has no capacity of its own"
+    if isinstance(wanted, VolumeModel) and wanted != lundberg_palmgren():
+        return "the capacity of ISO 281 belongs to the slope 9/8 and the usual exponents"
+    if ring is not None and ring.body != body:
+        return f"the capacity is that of the ring, body {ring.body}"
+    return "" if rollers is not None else _NO_ROLLERS
 
 
 def _together(damages: Array, shares: Array, slope: float) -> float:

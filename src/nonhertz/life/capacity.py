@@ -16,10 +16,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from nonhertz.model.body import Body, Ring, Roller
 from nonhertz.model.contact import Contact
+from nonhertz.model.material import Material
 
 MATERIAL_FACTOR = 1.1  # b_m of cylindrical and tapered roller bearings
 REDUCTION = 0.83  # lambda nu: of the load rating for uneven line loads, absent in a capacity of laminae
+SAME = 1e-9
+STEEL_MODULUS = 195e3, 220e3  # MPa
 _DIAMETER_EXPONENT, _LENGTH_EXPONENT = 29.0 / 27.0, 7.0 / 9.0
 
 
@@ -46,6 +50,11 @@ class Raceway:
     pitch_diameter: float
     inner: bool
     body: str = "b"
+
+    @property
+    def most_rollers(self) -> int:
+        """The number of rollers that fit side by side on the pitch circle."""
+        return int(math.pi / math.asin(self.roller_diameter / self.pitch_diameter) + SAME)
 
     def load_rating(self, rollers: int) -> float:
         """Return the basic dynamic radial load rating C_r [N] of a bearing, ISO 281.
@@ -84,17 +93,41 @@ class Raceway:
 
 
 def raceway(contact: Contact) -> tuple[Raceway | None, str]:
-    """Return the ring of a contact under its roller, the smaller of the bodies, or None and why there is no such."""
-    diameters = [body.diameter for body in (contact.a, contact.b)]
-    if not all(isinstance(diameter, float | int) for diameter in diameters):
-        return None, "it is told of a cylindrical roller on a cylindrical ring alone"
-    numbers = [(float(diameter), name) for diameter, name in zip(diameters, "ab", strict=True)]  # type: ignore[arg-type]
-    (roller, _), (ring, body) = sorted(numbers, key=lambda each: (each[0] < 0.0, each[0]))
-    low, high = contact.interval
+    """Return the ring of a contact under its roller, or None and why there is no such.
+
+    The ring is the one that is a `Ring`; of two bodies that are neither a ring nor a roller by name, the concave or
+    larger one.
+    """
+    bodies = {"a": contact.a, "b": contact.b}
+    if not all(isinstance(body.diameter, float | int) for body in bodies.values()):
+        return None, "L10 is known only for a cylindrical roller on a cylindrical ring"
+    if not all(_is_steel(body.material) for body in bodies.values()):
+        return None, "the capacity of ISO 281 is that of bearing steel"
+    rings = [name for name, body in bodies.items() if isinstance(body, Ring)]
+    others = [name for name, body in bodies.items() if not isinstance(body, Roller)]
+    if not others:
+        return None, "neither of the bodies is a ring; give one of them kind = 'ring'"
+    name = rings[0] if len(rings) == 1 else max(others, key=lambda each: _largeness(bodies[each]))
+    ring, roller = bodies[name], bodies["b" if name == "a" else "a"]
+    return _raceway(name, float(ring.diameter), float(roller.diameter), contact.interval)  # type: ignore[arg-type]
+
+
+def _raceway(name: str, ring: float, roller: float, interval: tuple[float, float]) -> tuple[Raceway | None, str]:
+    low, high = interval
     if roller <= 0.0 or not math.isfinite(high - low):
         return None, "neither of the bodies is a roller that ends"
     inner = ring > 0.0
     pitch = abs(ring) + (roller if inner else -roller)
     if pitch <= roller:
         return None, "the ring is too small for the roller"
-    return Raceway(roller, high - low, pitch, inner, body), ""
+    return Raceway(roller, high - low, pitch, inner, name), ""
+
+
+def _largeness(body: Body) -> tuple[bool, float]:
+    diameter = float(body.diameter)  # type: ignore[arg-type]
+    return diameter < 0.0, abs(diameter)
+
+
+def _is_steel(material: Material) -> bool:
+    low, high = STEEL_MODULUS
+    return low <= material.modulus <= high

@@ -22,6 +22,7 @@ from nonhertz.model.checks import not_negative, one_of, positive
 
 LINE_CONTACT_SLOPE = 9.0 / 8.0
 SLOPES = 0.2, 5.0  # far beyond what has been found; the powers stay within double precision
+MOST_EXPONENT = 60.0
 STRESSES = ("orthogonal_shear", "shear", "von_mises")
 
 _EXPONENT_REMEDY = "give a positive number"
@@ -61,6 +62,8 @@ class VolumeModel:
     def __post_init__(self) -> None:
         one_of("stress", self.stress, STRESSES, "choose what makes the material fatigue")
         positive("exponent", self.exponent, _EXPONENT_REMEDY)
+        if self.exponent > MOST_EXPONENT:
+            raise InputError("exponent", self.exponent, f"not exceed {MOST_EXPONENT:g}", _EXPONENT_REMEDY)
         not_negative("depth_exponent", self.depth_exponent, "give 0 for no influence of the depth")
         check_slope(self.slope)
         not_negative("fatigue_limit", self.fatigue_limit, "give a limit in MPa, 0 for none")
@@ -68,6 +71,10 @@ class VolumeModel:
             condition = "be 'orthogonal_shear' where depth_exponent is 1 or more"
             remedy = "other stresses do not vanish on the surface, and the integral has no limit there"
             raise InputError("stress", self.stress, condition, remedy)
+        # Right below the surface orthogonal shear goes with the root of the depth at worst.
+        if self.depth_exponent >= 1.0 and 0.5 * self.exponent <= self.depth_exponent - 1.0:
+            condition = f"be less than {1.0 + 0.5 * self.exponent:g}, or the integral has no limit at the surface"
+            raise InputError("depth_exponent", self.depth_exponent, condition, "give 7/3, or a larger stress exponent")
 
 
 def check_slope(slope: float) -> None:
@@ -207,7 +214,7 @@ def model(name: str, **parameters: Any) -> Model:
     >>> model("ioannides-harris", fatigue_limit=276.0).fatigue_limit
     276.0
     """
-    if name not in MODELS:
+    if not isinstance(name, str) or name not in MODELS:
         raise InputError("model", name, "be a fatigue model", f"choose from {', '.join(MODELS)}")
     known = tuple(inspect.signature(MODELS[name]).parameters)
     for parameter, value in parameters.items():

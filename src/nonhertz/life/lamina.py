@@ -26,17 +26,16 @@ from scipy.optimize import brentq
 from nonhertz.errors import InputError
 from nonhertz.model.checks import one_of
 from nonhertz.model.contact import Contact
-from nonhertz.singular import singular_ends
 from nonhertz.solution import Solution
-from nonhertz.subsurface.inside import AnySolution, edges_along
+from nonhertz.subsurface.reach import AnySolution, edges_along, sharp_ends
 
 Array = NDArray[np.float64]
 FEWEST, MOST = 30, 2000
 SLOPE, EXPONENT = 9.0 / 8.0, 4.5
 EDGE_STRESS = ("pressure", "standard", "none")
 LINE_LOADS = ("solution", "standard")
-# Load of a lamina of length L / n_s: c_s delta^(10/9), c_s = STIFFNESS L^(8/9) / n_s, for roller and two raceways.
 LEFT_OUT = 0.1  # around a sharp end, of the largest half-width
+# Load of a lamina of length L / n_s: c_s delta^(10/9), c_s = STIFFNESS L^(8/9) / n_s, for roller and two raceways.
 STIFFNESS, STIFFENING = 35948.0, 10.0 / 9.0
 
 
@@ -74,9 +73,9 @@ def iso_16281(*, laminae: int = 60, edge_stress: str = "pressure", line_loads: s
     ISO/TS 16281:2008, Rolling bearings - Methods for calculating the modified reference rating life for universally
     loaded bearings, Eqs. (47), (48), (56) to (65), as quoted by others.
     """
-    remedy = f"give a whole number from {FEWEST} to {MOST}"
+    remedy = "give the number of slices, 60 say"
     if isinstance(laminae, bool) or not isinstance(laminae, int | np.integer) or not FEWEST <= laminae <= MOST:
-        raise InputError("laminae", laminae, f"lie between {FEWEST} and {MOST}", remedy)
+        raise InputError("laminae", laminae, f"be a whole number from {FEWEST} to {MOST}", remedy)
     one_of("edge_stress", edge_stress, EDGE_STRESS, "use 'pressure' for what was solved")
     one_of("line_loads", line_loads, LINE_LOADS, "use 'solution' for what was solved")
     return LaminaModel("iso-16281", int(laminae), edge_stress, line_loads, "ISO/TS 16281:2008")
@@ -149,7 +148,7 @@ def laminae_of(solution: AnySolution, model: LaminaModel) -> Laminae:
     edges = np.linspace(low, high, model.laminae + 1)
     load = _slices(solution, edges) if model.line_loads == "standard" else _shares(edges, *_line_load(solution))
     if model.edge_stress == "pressure":
-        sharp = tuple(end.y for end in singular_ends(solution)) if isinstance(solution, Solution) else ()
+        sharp = sharp_ends(solution)
         return Laminae(edges, load, _factors(solution, edges, load, sharp), sharp)
     factor = edge_function(model.laminae) if model.edge_stress == "standard" else np.ones(model.laminae)
     return Laminae(edges, load, factor)

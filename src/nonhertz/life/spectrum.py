@@ -88,6 +88,9 @@ def solve_spectrum(
     >>> [round(share, 3) for _, share in solve_spectrum(contact, cases, strips=41)]
     [0.2, 0.8]
     """
+    for case in cases:
+        if not isinstance(case, LoadCase):
+            raise InputError("cases", case, "be a LoadCase", "make each with LoadCase(load=..., share=...)")
     total = math.fsum(case.share for case in cases)
     if not cases or abs(total - 1.0) > WHOLE:
         remedy = "give all loads with their shares of the revolutions"

@@ -22,10 +22,10 @@ from scipy.interpolate import CubicSpline
 from nonhertz.hertz import line_contact
 from nonhertz.life.catalogue import VolumeModel
 from nonhertz.life.lamina import LEFT_OUT
-from nonhertz.singular import singular_ends
 from nonhertz.solution import ReadOnly, Solution
 from nonhertz.subsurface.evaluation import Running, across_at
-from nonhertz.subsurface.inside import AnySolution, Inside
+from nonhertz.subsurface.inside import Inside
+from nonhertz.subsurface.reach import AnySolution, sharp_ends
 from nonhertz.subsurface.rolling import QUANTITIES, passage, plane_strain_passage
 
 Array = NDArray[np.float64]
@@ -132,7 +132,7 @@ def exposure(solution: AnySolution, body: str = "b", **options: Unpack[Running])
     levels, fill = _levels()
     seen = passage(solution, y[:, None], half_width[:, None] * levels, body=body, **options)
     amplitudes = {name: np.maximum(getattr(seen, name) @ fill.T, 0.0) for name in QUANTITIES}
-    sharp = tuple(end.y for end in singular_ends(solution)) if isinstance(solution, Solution) else ()
+    sharp = sharp_ends(solution)
     counted = np.ones(amplitudes["shear"].shape, dtype=bool)
     for end in sharp:
         distance = np.hypot(y[:, None] - end, half_width[:, None] * depths()[0])

@@ -156,8 +156,10 @@ def number(value: float, digits: int = 4) -> str:
     """
     if value == 0.0 or not np.isfinite(value):
         return "0" if value == 0.0 else ("−∞" if value < 0 else "∞")
-    decimals = max(0, digits - 1 - int(np.floor(np.log10(abs(value)))))
-    text = f"{value:.{decimals}f}"
+    decade = int(np.floor(np.log10(abs(value))))
+    if decade < -6:
+        return f"{value:.{digits - 1}e}".replace("-", "−")
+    text = f"{value:.{max(0, digits - 1 - decade)}f}"
     text = text.rstrip("0").rstrip(".") if "." in text else text
     return text.replace("-", "−")
 

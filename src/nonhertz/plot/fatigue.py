@@ -153,12 +153,12 @@ def _draw(life: Life, ax: Axes) -> tuple[Artist, str]:
 def _draw_compared(life: Life, ax: Axes) -> tuple[Artist, str]:
     density = np.where(np.isfinite(life.density), life.density, np.nan)
     (drawn,) = ax.plot(life.y, density, color=OTHER_COLOUR, linewidth=OTHER_WIDTH, zorder=2.0)
-    return drawn, f"{life.model.name}, compared: {_life(life)}"
+    return drawn, f"{life.model.name}, other case: {_life(life)}"
 
 
 def _life(life: Life) -> str:
     if np.isnan(life.relative):
-        return "no ideal" if np.isnan(life.reference) else "no damage"
+        return "no ideal life" if np.isnan(life.reference) else "no damage"
     return f"life {number(life.relative, 3)}" if np.isfinite(life.relative) else "no damage"
 
 

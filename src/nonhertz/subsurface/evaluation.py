@@ -15,16 +15,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import thread_count
+from nonhertz.model.checks import finite, thread_count
 from nonhertz.solution import Solution
 from nonhertz.subsurface.field import Field
-from nonhertz.subsurface.inside import AnySolution, Inside
+from nonhertz.subsurface.inside import Inside
+from nonhertz.subsurface.reach import AnySolution, checked_solution
 
 Array = NDArray[np.float64]
 Announce = Callable[[int, int], object]
 
 PORTION = 2048  # points that a thread takes at a time
 DOUBLE = 8
+FARTHEST = 1e6  # mm
 # What counts of a half-width at a distance along y, and the least that does anywhere, of the largest.
 NARROWING, LEAST = 0.5, 0.05
 DEEPEST, WIDEST = 3.0, 2.0  # of planes whose extent is left to us, in half-widths
@@ -95,10 +97,13 @@ def stress(
     -----
     A half-space under the pressure of the solution, with the images of the body's side faces. The pressure of strips is
     continued smoothly between their centres, that of a plane grid is uniform in each cell, which shows near the
-    surface. The field of that pressure is right within 1e-5 of the largest pressure; nearer to the surface than 0.04
-    half-widths that of strips is within the steps between their pieces, half a per cent. Beside the result about 10 MB
-    are needed; see `memory`. What the pressure itself errs, the field errs too: on the automatic grid up to a per cent
-    of the largest stress within a half-width of a run-out.
+    surface. Parabolic strips count as the semi-ellipses of equal load, whose pressure the solution reports: a parabola
+    has a tenth less orthogonal shear than the contact that it stands for.
+
+    The field of that pressure is right within 2e-5 of the largest pressure; nearer to the surface than 0.04 half-widths
+    that of strips is within the steps between their pieces, half a per cent. What the pressure itself errs, the field
+    errs too: on the automatic grid up to a per cent of the largest stress within a half-width of a run-out. Beside the
+    result about 10 MB are needed; see `memory`.
 
     References
     ----------
@@ -116,7 +121,7 @@ def stress(
     array([-1. , -0.8])
     """
     inside = Inside.of(solution, body)
-    places = _broadcast(*(finite_numbers(name, value) for name, value in zip("xyz", (x, y, z), strict=True)))
+    places = broadcast(*(finite_numbers(name, value) for name, value in zip("xyz", (x, y, z), strict=True)))
     inside.refuse_outside(places[1], places[2])
     count = places[0].size
     stresses = np.empty((count, 6))
@@ -202,7 +207,7 @@ def cross_section(
     Field
         Of shape (m, n).
     """
-    middle, half_width = across_at(solution, finite_numbers("station", station))
+    middle, half_width = across_at(solution, np.asarray(one_station(station)))
     x = middle + WIDEST * half_width * np.linspace(-1.0, 1.0, ACROSS) if x is None else _row("x", x)
     z = DEEPEST * half_width * np.linspace(0.0, 1.0, LEVELS) if z is None else _row("z", z)
     return stress(solution, x[:, None], station, z, **options)
@@ -253,12 +258,10 @@ def across_at(solution: AnySolution, y: Array) -> tuple[Array, Array]:
     InputError
         If nothing is in contact.
     """
-    touching = solution.line_load > 0.0
-    if not touching.any():
-        raise InputError("solution", solution.status.label, "have a contact", "press the bodies together")
+    touching = checked_solution(solution).line_load > 0.0
     along = solution.y[touching]
     if isinstance(solution, Solution):
-        middle, half_width = np.zeros(along.size), solution.element_half_width[touching]
+        middle, half_width = np.zeros(along.size), solution.half_width[touching]
         half_length = 0.5 * solution.strip_width[touching]
     else:
         footprint = solution.footprint[:, touching]
@@ -279,8 +282,15 @@ def across_at(solution: AnySolution, y: Array) -> tuple[Array, Array]:
     return np.interp(y, along, middle), np.maximum(counted, least).reshape(np.shape(y))
 
 
+def one_station(station: float) -> float:
+    """Return a station as a number, or refuse what is none or several."""
+    finite("station", station, "give one place along the contact in mm")
+    return float(station)
+
+
 def axial_range(solution: AnySolution, body: str) -> Array:
     """Return stations [mm] over the contact and what is stressed beyond its ends."""
+    checked_solution(solution)
     beyond = WIDEST * float(across_at(solution, solution.y)[1].max())
     touching = solution.y[solution.line_load > 0.0]
     low, high = Inside.of(solution, body).body.faces
@@ -288,7 +298,7 @@ def axial_range(solution: AnySolution, body: str) -> Array:
 
 
 def _depths(solution: AnySolution) -> Array:
-    return DEEPEST * float(solution.half_width.max()) * np.linspace(0.0, 1.0, LEVELS)
+    return DEEPEST * float(checked_solution(solution).half_width.max()) * np.linspace(0.0, 1.0, LEVELS)
 
 
 def finite_numbers(name: str, value: ArrayLike) -> Array:
@@ -299,15 +309,18 @@ def finite_numbers(name: str, value: ArrayLike) -> Array:
         raise InputError(name, value, "be numbers", _POINTS_REMEDY) from None
     if not np.all(np.isfinite(numbers)):
         raise InputError(name, value, "be finite", _POINTS_REMEDY)
-    return numbers
+    if np.any(np.abs(numbers) > FARTHEST):
+        raise InputError(name, float(np.abs(numbers).max()), f"not exceed {FARTHEST:g} mm", _POINTS_REMEDY)
+    return numbers + 0.0  # a depth of -0 would be on the wrong side of a branch
 
 
-def _broadcast(*places: Array) -> tuple[Array, ...]:
+def broadcast(*places: Array) -> tuple[Array, ...]:
+    """Return arrays broadcast against each other, or refuse shapes that cannot be."""
     try:
         return np.broadcast_arrays(*places)
     except ValueError:
         shapes = tuple(place.shape for place in places)
-        raise InputError("shapes of x, y and z", shapes, "broadcast against each other", _POINTS_REMEDY) from None
+        raise InputError("shapes of the coordinates", shapes, "broadcast against each other", _POINTS_REMEDY) from None
 
 
 def _row(name: str, value: ArrayLike) -> Array:

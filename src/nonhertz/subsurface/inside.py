@@ -20,16 +20,14 @@ from nonhertz.errors import InputError
 from nonhertz.finite import HERTZ, SEPARATE_LINKS, Depth, Shape, influence_within
 from nonhertz.model.body import Body
 from nonhertz.model.finite import SERIES
-from nonhertz.patch.solution import PatchSolution
 from nonhertz.solution import Solution
 from nonhertz.subsurface.field import TAU_XY, TAU_YZ
+from nonhertz.subsurface.reach import AnySolution, checked_solution, edges_along
 from nonhertz.subsurface.rectangles import Rectangles
 from nonhertz.subsurface.strips import StripLoad
 from nonhertz.subsurface.tails import TWO_PI, stress_tail
 
 Array = NDArray[np.float64]
-AnySolution = Solution | PatchSolution
-
 U_Y, U_Z = 1, 2
 ON_A_FACE = 1e-9  # of the body's length; nearer is on it
 
@@ -62,7 +60,7 @@ class Inside:
         Rows (sign, offset, weight) of the pressure itself and its images in this body.
     depth : Depth or None
         The points that displacement is measured against; None where they are far away.
-    edges, lifted : ndarray, shape (stations + 1,) and (stations,)
+    edges, pressed : ndarray, shape (stations + 1,) and (stations,)
         Edges along y [mm] and compliance times line load [mm] between them, for displacement at depth.
     afar : float
         Line load [N/mm] of what lies beyond the last image on either side; zero without a whole series of them.
@@ -74,7 +72,7 @@ class Inside:
     terms: Array
     depth: Depth | None
     edges: Array
-    lifted: Array
+    pressed: Array
     afar: float
 
     @classmethod
@@ -86,10 +84,8 @@ class Inside:
         InputError
             If there is no such body, or ``solution`` is none.
         """
-        if name not in {"a", "b"}:
-            raise InputError("body", name, "be one of the two bodies", _BODY_REMEDY)
-        if not isinstance(solution, Solution | PatchSolution):
-            raise InputError("solution", solution, "be a solved contact", "give what solve or patch.solve returns")
+        check_body(name)
+        checked_solution(solution)
         shape: Shape = solution.element if isinstance(solution, Solution) else HERTZ
         edges = edges_along(solution)
         which = "ab".index(name)
@@ -98,8 +94,8 @@ class Inside:
         afar = 0.0
         if body.images == SERIES and body.length is not None and terms.shape[0] > SEPARATE_LINKS:
             afar = solution.load / body.length * float(terms[-1, 2])
-        lifted = solution.contact.compliance * solution.line_load
-        return cls(name, body, _load(solution), terms, depth, edges, lifted, afar)
+        pressed = solution.contact.compliance * solution.line_load
+        return cls(name, body, _load(solution), terms, depth, edges, pressed, afar)
 
     def _sides(self) -> tuple[tuple[float, float], tuple[float, float]]:
         return (self.body.faces[0], -1.0), (self.body.faces[1], 1.0)
@@ -144,15 +140,14 @@ class Inside:
         total /= material.shear_modulus
         if self.depth is not None:
             y, back = np.unique(points[:, 1], return_inverse=True)
-            total[:, U_Z] -= (self.depth.displacement(y, self.edges) @ self.lifted)[back.ravel()]
+            total[:, U_Z] -= (self.depth.displacement(y, self.edges) @ self.pressed)[back.ravel()]
         return total
 
 
-def edges_along(solution: AnySolution) -> Array:
-    """Return the edges [mm] of the strips, or of the rows of cells."""
-    if isinstance(solution, Solution):
-        return solution.edges
-    return np.append(solution.y - 0.5 * solution.dy, solution.y[-1] + 0.5 * solution.dy)
+def check_body(name: object) -> None:
+    """Refuse what is neither of the bodies."""
+    if not isinstance(name, str) or name not in {"a", "b"}:
+        raise InputError("body", name, "be one of the two bodies", _BODY_REMEDY)
 
 
 # Solutions never change, and a search asks for the field below one a hundred times.

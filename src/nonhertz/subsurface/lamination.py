@@ -2,7 +2,7 @@
 
 The solution gives a load and a half-width at the centre of every strip. Between the strips they jump, which the
 approach or the load do not feel, but a place does that lies nearer to the surface than a strip is wide. What the solver
-solves for, the square of the half-width m = a^2 and r = q / a^2, is smooth, also where a contact runs out: there m
+solves for, the square of the half-width m = b^2 and r = q / b^2, is smooth, also where a contact runs out: there m
 falls linearly to zero. So monotone cubics through both give the pressure between the centres, and each strip is cut
 where it changes. The pressure at the centres stays what it is. The load does not to the last digit: to hold strips to
 theirs would cost more at a run-out, where a strip bears for what lies beyond the contact, than it gains.
@@ -37,7 +37,7 @@ class Lamination:
     low, high : ndarray, shape (strips + pieces,)
         Their ends [mm]. Where a contact runs out, its last strip ends with it.
     line_load, half_width : ndarray, shape (strips + pieces,)
-        q [N/mm] and a [mm].
+        q [N/mm], and the half-width b [mm] of the semi-ellipse of that load.
     first : ndarray of int, shape (strips + 1,)
         Where the pieces of each strip begin.
     """
@@ -81,7 +81,7 @@ def _cut(
     solution: Solution, run: Integers, ends: tuple[float, float]
 ) -> tuple[tuple[Array, ...], tuple[Array, ...], Integers]:
     """Return neighbours in contact between two ends, their pieces, and how many of these each has."""
-    y, q, a = solution.y[run], solution.line_load[run], solution.element_half_width[run]
+    y, q, a = solution.y[run], solution.line_load[run], solution.half_width[run]
     edges = solution.edges[run[0] : run[-1] + 2].copy()
     runs_out = edges[[0, -1]] != ends
     edges[[0, -1]] = ends

@@ -12,10 +12,11 @@ from typing import Unpack
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.singular import away_from_ends, singular_ends
+from nonhertz.errors import InputError
 from nonhertz.solution import Solution
-from nonhertz.subsurface.evaluation import Within, across_at, finite_numbers, stress
-from nonhertz.subsurface.inside import AnySolution
+from nonhertz.subsurface.evaluation import Within, across_at, one_station, stress
+from nonhertz.subsurface.inside import Inside
+from nonhertz.subsurface.reach import AnySolution, checked_solution, contact_ends, edges_along, sharp_ends
 from nonhertz.subsurface.rolling import QUANTITIES, Passage, Quantity, passage
 
 Array = NDArray[np.float64]
@@ -23,6 +24,8 @@ Array = NDArray[np.float64]
 # Depths over the half-width at which the search begins.
 DEPTHS = np.array([0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.95, 1.15, 1.4])
 MOST_STATIONS, MOST_ROWS = 401, 65  # of strips, and of a plane grid, which takes longer
+FEW = 60  # strips: with fewer, their edges are searched too
+CRESTS, WORTH = 3, 0.7  # of the net that are looked at closely, and how high they are
 EQUAL, ROUNDING = 1e-6, 1e-9
 MESHES, ROUNDS, SHRINKING = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]), 18, 0.6
 
@@ -89,9 +92,10 @@ def extremes(solution: AnySolution, station: float | None = None, **options: Unp
 
     Notes
     -----
-    Over the whole body, places nearer than a half-width to a singular end are left out, as they are for the largest
+    Over the whole body, places nearer than a half-width to a sharp end are left out, as they are for the largest
     pressure: the stress there has no limit. In a smooth field the values are within 1e-5 of the largest; near the
-    surface, steps of the pressure between strips or cells are part of the field.
+    surface, steps of the pressure between strips or cells are part of the field. What lies beyond the contact is not
+    searched.
 
     Examples
     --------
@@ -102,9 +106,14 @@ def extremes(solution: AnySolution, station: float | None = None, **options: Unp
     >>> round(found.von_mises.max / solution.max_pressure, 3)
     0.562
     """
+    checked_solution(solution)
     announce = options.pop("announce", None)
-    sections = _sections(solution) if station is None else finite_numbers("station", station)
-    sections = np.atleast_1d(sections)
+    if station is not None:
+        one_station(station)
+        sections = np.array([station + 0.0])
+        _refuse_outside(solution, station, options.get("body", "a"))
+    else:
+        sections = _sections(solution)
     depths = across_at(solution, sections)[1][:, None] * DEPTHS
     if station is not None:  # off contact the stress comes from further away and is largest further down
         depths = np.unique(np.concatenate([depths, _distances(solution, sections) * DEPTHS], axis=None))[None, :]
@@ -112,21 +121,33 @@ def extremes(solution: AnySolution, station: float | None = None, **options: Unp
     if announce is not None:
         searched["announce"] = announce
     coarse = passage(solution, sections[:, None], depths, **searched)
-    limits = (sections[0], sections[-1])
-
-    def refined(name: str) -> Extreme:
-        return _refined(solution, name, coarse, sections, limits, options)
-
+    largest = {name: _largest(solution, name, coarse, sections, options) for name in QUANTITIES}
     warnings = tuple(_warnings(solution)) if station is None else ()
-    largest = {name: refined(name) for name in QUANTITIES}
     return Extremes(body=options.get("body", "a"), warnings=warnings, **largest)
 
 
+def _refuse_outside(solution: AnySolution, station: float, body: str) -> None:
+    try:
+        Inside.of(solution, body).refuse_outside(np.array([station]), np.zeros(1))
+    except InputError as error:
+        if error.field != "y":
+            raise
+        raise InputError("station", station, error.condition, error.remedy) from None
+
+
+def _limits(solution: AnySolution) -> tuple[float, float]:
+    """Return between where to search: the ends of the contact, half-widths inside them where they are sharp."""
+    low, high = contact_ends(solution)
+    inset = [
+        float(across_at(solution, np.array([end]))[1][0]) if end in sharp_ends(solution) else 0.0 for end in (low, high)
+    ]
+    return (low + inset[0], high - inset[1]) if low + inset[0] < high - inset[1] else (low, high)
+
+
 def _sections(solution: AnySolution) -> Array:
-    """Return the stations to search: where there is contact, away from singular ends."""
-    touching = away_from_ends(solution) if isinstance(solution, Solution) else solution.line_load > 0.0
-    if not touching.any():  # all of the contact is near an end
-        touching = solution.line_load > 0.0
+    """Return the stations to search: strips and their edges, or rows, and where the search ends."""
+    low, high = _limits(solution)
+    touching = (solution.line_load > 0.0) & (solution.y > low) & (solution.y < high)
     rows = np.flatnonzero(touching)
     most = MOST_STATIONS if isinstance(solution, Solution) else MOST_ROWS
     if rows.size > most:
@@ -136,8 +157,37 @@ def _sections(solution: AnySolution) -> Array:
         crests = rows[1:-1][(np.diff(pressure[rows])[:-1] > 0.0) & (np.diff(pressure[rows])[1:] <= 0.0)]
         highest = crests[pressure[crests].argsort()[-most // 4 :]]
         rows = np.unique(np.concatenate([even, highest]))
-    sections: Array = solution.y[rows]
-    return sections
+    between = edges_along(solution) if rows.size < FEW else np.empty(0)
+    between = between[(between > low) & (between < high)]
+    return np.unique(np.concatenate([[low], solution.y[rows], between, [high]]))
+
+
+def _largest(solution: AnySolution, name: str, coarse: Passage, sections: Array, options: Within) -> Extreme:
+    """Return the largest value near the best places of a net."""
+    values = getattr(coarse, name)
+    found = [
+        _refined(solution, name, coarse, sections, place, options)
+        for place in [_first_of_equals(values, coarse.y), *_other_crests(values)]
+    ]
+    # Of equal ones the first.
+    best = max(each.max for each in found)
+    return next(each for each in found if each.max >= (1.0 - EQUAL) * best)
+
+
+def _other_crests(values: Array) -> list[tuple[int, int]]:
+    """Return the highest places of a net that no neighbour exceeds."""
+    framed = np.pad(values, 1, constant_values=-np.inf)
+    around = [
+        framed[1 + i : 1 + i + values.shape[0], 1 + j : 1 + j + values.shape[1]]
+        for i in (-1, 0, 1)
+        for j in (-1, 0, 1)
+        if (i, j) != (0, 0)
+    ]
+    crests = np.argwhere(values >= np.max(around, axis=0))
+    heights = values[crests[:, 0], crests[:, 1]]
+    tall = crests[heights >= WORTH * heights.max()]
+    order = values[tall[:, 0], tall[:, 1]].argsort()[::-1]
+    return [(int(row), int(column)) for row, column in tall[order[:CRESTS]]]
 
 
 def _distances(solution: AnySolution, station: Array) -> Array:
@@ -153,14 +203,13 @@ def _refined(
     name: str,
     coarse: Passage,
     sections: Array,
-    limits: tuple[float, float],
+    place: tuple[int, int],
     options: Within,
 ) -> Extreme:
-    """Return the largest value near the best place of a net, on nets that are drawn together."""
-    values, places = getattr(coarse, name), getattr(coarse, f"{name}_x")
-    row, column = _first_of_equals(values, coarse.y)
-    best = np.array([places[row, column], coarse.y[row, column], coarse.z[row, column]])
-    top = float(values[row, column])
+    """Return the largest value near one place of a net, on nets that are drawn together."""
+    row, column = place
+    best = np.array([getattr(coarse, f"{name}_x")[place], coarse.y[place], coarse.z[place]])
+    top, limits = float(getattr(coarse, name)[place]), (sections[0], sections[-1])
     half_width = float(across_at(solution, sections[row])[1])
     neighbours = sections[max(row - 1, 0) : row + 2]
     step = np.diff(coarse.z[row])[max(column - 1, 0) : column + 1].max()
@@ -177,7 +226,8 @@ def _refined(
         span *= SHRINKING
     across = float(abs(best[0]) if isinstance(solution, Solution) else best[0])
     across = 0.0 if abs(across) < ROUNDING * half_width else across
-    return Extreme(top, across, float(best[1]) + 0.0, float(best[2]) + 0.0)
+    along = 0.0 if abs(best[1]) < ROUNDING * half_width else float(best[1])
+    return Extreme(top, across, along, float(best[2]) + 0.0)
 
 
 def _first_of_equals(values: Array, y: Array) -> tuple[int, int]:
@@ -193,13 +243,22 @@ def _first_of_equals(values: Array, y: Array) -> tuple[int, int]:
 
 
 def _warnings(solution: AnySolution) -> list[str]:
-    if not isinstance(solution, Solution):
-        return []
-    ends = singular_ends(solution)
-    if not ends:
-        return []
-    places = " and ".join(f"{end.y:.5g}" for end in ends)
-    what = f"The stress has no limit towards the sharp end at y = {places} mm:"
-    if away_from_ends(solution).any():
-        return [f"{what} within a half-width of it nothing was searched."]
-    return [f"{what} all of the contact lies within a half-width of it, and the values depend on the strips."]
+    sentences = []
+    ends = sharp_ends(solution)
+    if ends:
+        many = len(ends) > 1
+        places = " and ".join(f"{end:.5g}" for end in ends)
+        what = f"The stress has no limit towards the sharp end{'s' * many} at y = {places} mm:"
+        low, high = contact_ends(solution)
+        searched = "within a half-width of them" if many else "within a half-width of it"
+        sentences.append(
+            f"{what} {searched} nothing was searched."
+            if _limits(solution) != (low, high)
+            else f"{what} all of the contact lies {searched}, and the values depend on the strips."
+        )
+    if isinstance(solution, Solution) and solution.peaks_at_corner:
+        sentences.append(
+            "The pressure is largest at a corner of the profile, where it has no limit: so is the stress right below, "
+            "and its largest values depend on the strips."
+        )
+    return sentences

@@ -1,4 +1,7 @@
-"""The field below strips: uniform along y, semi-elliptic or parabolic across.
+"""The field below strips: uniform along y, semi-elliptic across.
+
+Of parabolic strips it is the field of the semi-ellipse of equal load, whose half-width and pressure a solution reports:
+a parabola itself has a tenth less orthogonal shear stress than the contact that it stands for.
 
 Across, the pressure of a strip is a Gaussian sum of line loads: n nodes integrate what a load at xi does, a function
 that is analytic up to the ellipse through the point with its foci at the strip's edges, with an error like
@@ -23,11 +26,9 @@ from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import roots_jacobi
 
 from nonhertz.compiled import compiled
 from nonhertz.solution import Solution
-from nonhertz.strip.element import SEMI_ELLIPTIC
 from nonhertz.subsurface.lamination import Lamination, laminated
 from nonhertz.subsurface.tails import TWO_PI, displacement_tail, stress_tail
 
@@ -43,7 +44,6 @@ NEAREST = 0.04
 FAR, FAR_IN_LENGTHS = 16.0, 6.0
 # Beyond these distances, in half-widths, nodes replace the closed form of the infinite strip, which begins to cancel.
 CLOSED_FORM = 8.0
-SEMI_ELLIPSE, PARABOLA = 0, 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,18 +54,14 @@ class StripLoad:
     ----------
     strips : Lamination
         The strips and their pieces.
-    shape : int
-        SEMI_ELLIPSE or PARABOLA.
     """
 
     strips: Lamination
-    shape: int
 
     @classmethod
     def of(cls, solution: Solution) -> StripLoad:
         """Return the load of a solution."""
-        shape = SEMI_ELLIPSE if solution.element.name == SEMI_ELLIPTIC.name else PARABOLA
-        return cls(laminated(solution), shape)
+        return cls(laminated(solution))
 
     def stress(self, points: Array, poisson: float) -> Array:
         """Return sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy [MPa] at ``points`` (n, 3), shape (n, 6)."""
@@ -81,14 +77,14 @@ class StripLoad:
 
     def _given(
         self, poisson: float
-    ) -> tuple[Array, Array, Array, Array, Integers, int, Array, Array, Integers, Array, float]:
+    ) -> tuple[Array, Array, Array, Array, Integers, Array, Array, Integers, Array, float]:
         of = self.strips
-        return of.low, of.high, of.line_load, of.half_width, of.first, self.shape, *rules(self.shape), poisson
+        return of.low, of.high, of.line_load, of.half_width, of.first, *rules(), poisson
 
 
 @cache
-def rules(shape: int) -> tuple[Array, Array, Integers, Array]:
-    """Return the Gaussian rules of a pressure shape whose integral is 1.
+def rules() -> tuple[Array, Array, Integers, Array]:
+    """Return the Gaussian rules of a semi-ellipse whose integral is 1, Chebyshev's of the second kind.
 
     Returns
     -------
@@ -96,46 +92,24 @@ def rules(shape: int) -> tuple[Array, Array, Integers, Array]:
         Nodes and weights of all rules in a row, where each rule begins, and the sum of distances from both edges over
         the half-width from which on it suffices, falling.
     """
-    nodes, weights = zip(*(_rule(shape, count) for count in LADDER), strict=True)
+    angles = [np.pi * np.arange(1, count + 1) / (count + 1) for count in LADDER]
+    nodes = np.concatenate([np.cos(angle) for angle in angles])
+    weights = np.concatenate([2.0 / (angle.size + 1) * np.sin(angle) ** 2 for angle in angles])
     starts = np.concatenate([[0], np.cumsum(LADDER)])
-    enough = 2.0 * np.cosh(-math.log(ERROR) / (2.0 * np.array(LADDER)))
-    return np.concatenate(nodes), np.concatenate(weights), starts, enough
-
-
-def _rule(shape: int, count: int) -> tuple[Array, Array]:
-    if shape == SEMI_ELLIPSE:
-        angle = np.pi * np.arange(1, count + 1) / (count + 1)
-        return np.cos(angle), 2.0 / (count + 1) * np.sin(angle) ** 2
-    nodes, weights = roots_jacobi(count, 1.0, 1.0)
-    return nodes, weights / weights.sum()
+    return nodes, weights, starts, 2.0 * np.cosh(-math.log(ERROR) / (2.0 * np.array(LADDER)))
 
 
 @compiled
-def _infinite(x: float, z: float, a: float, shape: int) -> tuple[complex, complex, complex]:
+def _infinite(x: float, z: float, a: float) -> tuple[complex, complex, complex]:
     """Return H, H' and the integral of p ln(zeta - xi) of an infinite strip under unit line load."""
     zeta = complex(x / a, z / a)
-    if shape == SEMI_ELLIPSE:
-        # Factors apart, for the branch that goes like zeta far away.
-        root = cmath.sqrt(zeta - 1.0) * cmath.sqrt(zeta + 1.0)
-        if root == 0.0:
-            root = complex(1e-150, 0.0)
-        outside = zeta + root
-        transform = 2.0 / outside
-        slope = -2.0 / (root * outside)
-        potential = cmath.log(0.5 * outside) + 0.5 / (outside * outside)
-    else:
-        plus, minus = zeta + 1.0, zeta - 1.0
-        if plus == 0.0:
-            plus = complex(1e-150, 0.0)
-        if minus == 0.0:
-            minus = complex(1e-150, 0.0)
-        log_plus, log_minus = cmath.log(plus), cmath.log(minus)
-        difference = log_plus - log_minus
-        square = zeta * zeta
-        transform = 0.75 * ((1.0 - square) * difference + 2.0 * zeta)
-        slope = 3.0 - 1.5 * zeta * difference
-        potential = 0.75 * zeta * (1.0 - square / 3.0) * difference + 0.5 * (square + log_plus + log_minus) - 4.0 / 3.0
-    return transform / a, slope / (a * a), potential + math.log(a)
+    # Factors apart, for the branch that goes like zeta far away.
+    root = cmath.sqrt(zeta - 1.0) * cmath.sqrt(zeta + 1.0)
+    if root == 0.0:
+        root = complex(1e-150, 0.0)
+    outside = zeta + root
+    potential = cmath.log(0.5 * outside) + 0.5 / (outside * outside)
+    return 2.0 / (a * outside), -2.0 / (a * a * root * outside), potential + math.log(a)
 
 
 @compiled
@@ -150,18 +124,23 @@ def _sufficient(x: float, distance: float, a: float, enough: Array) -> int:
 
 
 @compiled
-def _tails(low: float, high: float, z: float, a: float) -> tuple[float, float, float, float, float, float, bool]:
+def _tails(low: float, high: float, z: float, a: float) -> tuple[float, float, float, float, float, float, float]:
     """Return both tails that make a segment: distance, sign, and sign of what is odd along y, of each.
 
-    ``low`` and ``high`` are the segment's ends, ahead of the point where positive. What comes last is whether the point
-    lies between them.
+    ``low`` and ``high`` are the segment's ends, ahead of the point where positive. What comes last is how much of the
+    infinite strip counts: all of it under the segment, and half right at one of its ends, where the tail that begins at
+    the point is half of the infinite strip but for what is odd.
     """
     least = math.sqrt(max((NEAREST * a) ** 2 - z * z, (1e-9 * a) ** 2))
     if low > 0.0:
-        return max(low, least), 1.0, 1.0, max(high, least), -1.0, -1.0, False
-    if high <= 0.0:
-        return max(-high, least), 1.0, -1.0, max(-low, least), -1.0, 1.0, False
-    return max(high, least), -1.0, -1.0, max(-low, least), -1.0, 1.0, True
+        return max(low, least), 1.0, 1.0, max(high, least), -1.0, -1.0, 0.0
+    if high < 0.0:
+        return max(-high, least), 1.0, -1.0, max(-low, least), -1.0, 1.0, 0.0
+    if low == 0.0:
+        return least, 0.0, 1.0, max(high, least), -1.0, -1.0, 0.5
+    if high == 0.0:
+        return least, 0.0, -1.0, max(-low, least), -1.0, 1.0, 0.5
+    return max(high, least), -1.0, -1.0, max(-low, least), -1.0, 1.0, 1.0
 
 
 @compiled
@@ -181,7 +160,6 @@ def _stress(
     line_load: Array,
     half_width: Array,
     first: Integers,
-    shape: int,
     nodes: Array,
     weights: Array,
     starts: Integers,
@@ -196,10 +174,10 @@ def _stress(
             begin, end = _counted(j, y, low, high, half_width, first)
             for p in range(begin, end):
                 a, q = half_width[p], line_load[p] / TWO_PI
-                Y1, even1, odd1, Y2, even2, odd2, astride = _tails(low[p] - y, high[p] - y, z, a)
-                if astride:
+                Y1, even1, odd1, Y2, even2, odd2, whole = _tails(low[p] - y, high[p] - y, z, a)
+                if whole > 0.0:
                     if abs(x) + z < CLOSED_FORM * a:
-                        H, slope, _ = _infinite(x, z, a, shape)
+                        H, slope, _ = _infinite(x, z, a)
                         s_x, s_z = 2.0 * (H.imag + z * slope.real), 2.0 * (H.imag - z * slope.real)
                         s_xz = -2.0 * z * slope.imag
                     else:
@@ -212,10 +190,10 @@ def _stress(
                             s_x += common * X * X
                             s_z += common * z * z
                             s_xz += common * X * z
-                    t_x += q * s_x
-                    t_y += q * poisson * (s_x + s_z)
-                    t_z += q * s_z
-                    t_xz += q * s_xz
+                    t_x += whole * q * s_x
+                    t_y += whole * q * poisson * (s_x + s_z)
+                    t_z += whole * q * s_z
+                    t_xz += whole * q * s_xz
                 rule = _sufficient(x, math.sqrt(z * z + min(Y1, Y2) ** 2), a, enough)
                 for k in range(starts[rule], starts[rule + 1]):
                     X, w = x - a * nodes[k], q * weights[k]
@@ -238,7 +216,6 @@ def _displacement(
     line_load: Array,
     half_width: Array,
     first: Integers,
-    shape: int,
     nodes: Array,
     weights: Array,
     starts: Integers,
@@ -253,12 +230,12 @@ def _displacement(
             begin, end = _counted(j, y, low, high, half_width, first)
             for p in range(begin, end):
                 a, q = half_width[p], 0.5 * line_load[p] / TWO_PI
-                Y1, even1, odd1, Y2, even2, odd2, astride = _tails(low[p] - y, high[p] - y, z, a)
-                if astride:
-                    H, _, potential = _infinite(x, z, a, shape)
+                Y1, even1, odd1, Y2, even2, odd2, whole = _tails(low[p] - y, high[p] - y, z, a)
+                if whole > 0.0:
+                    H, _, potential = _infinite(x, z, a)
                     turned = math.pi - 2.0 * potential.imag
-                    u_x += q * (2.0 * z * H.real - (1.0 - 2.0 * poisson) * turned)
-                    u_z += q * (-4.0 * (1.0 - poisson) * potential.real - 2.0 * z * H.imag)
+                    u_x += whole * q * (2.0 * z * H.real - (1.0 - 2.0 * poisson) * turned)
+                    u_z += whole * q * (-4.0 * (1.0 - poisson) * potential.real - 2.0 * z * H.imag)
                 rule = _sufficient(x, math.sqrt(z * z + min(Y1, Y2) ** 2), a, enough)
                 for k in range(starts[rule], starts[rule + 1]):
                     X, w = x - a * nodes[k], q * weights[k]
