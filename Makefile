@@ -12,10 +12,10 @@ demo: $(READY)
 	@echo "Figures, table and result are in out/demo; open out/demo/pressure.svg first."
 
 test: $(READY)
-	$(BIN)/python -m pytest -n auto --dist loadgroup
+	$(BIN)/python -m pytest -n auto
 
 campaign: $(READY)
-	$(BIN)/python -m pytest -m campaign -s tests/campaign
+	$(BIN)/python -m pytest -m campaign -s tests
 
 verify: $(READY)
 	$(BIN)/nonhertz verify --out out/verify

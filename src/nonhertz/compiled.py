@@ -21,7 +21,12 @@ import numba.core.config
 from numba.core.compiler_lock import global_compiler_lock
 
 # The files with compiled functions.
-_COMPILED = ("compiled.py", "finite.py", "strip/*.py", "subsurface/*.py")
+_COMPILED = (
+    "compiled.py",
+    "finite.py",
+    "strip/*.py",
+    *(f"subsurface/{name}.py" for name in ("inside", "rectangles", "strips", "tails")),
+)
 
 Function = TypeVar("Function", bound=Callable[..., object])
 

@@ -39,7 +39,7 @@ def solved(load=8e3, tilt=0.0, profile=None, ring=RING, strips=31, **changes):
 
 @pytest.fixture(scope="module")
 def logarithmic():
-    return solved(tilt=5e-4, strips="auto")
+    return solved(tilt=5e-4)
 
 
 @pytest.fixture(scope="module")
@@ -130,13 +130,12 @@ def test_density_adds_up_to_the_damage(logarithmic):
 
 
 def test_more_strips_change_the_life_little(lives):
-    fine = assess(solved(tilt=5e-4, strips=121))
-    for life in fine:
-        assert life.relative == pytest.approx(lives[life.model.name].relative, rel=5e-3)
+    for life in assess(solved(tilt=5e-4, strips=93)):
+        assert life.relative == pytest.approx(lives[life.model.name].relative, rel=2e-2)
 
 
 def test_a_tilt_shortens_life_and_moves_the_damage(lives):
-    upright = {life.model.name: life for life in assess(solved(strips="auto"))}
+    upright = {life.model.name: life for life in assess(solved())}
     for name, life in lives.items():
         assert life.relative < 0.99 * upright[name].relative < 1.0
         assert np.average(life.y, weights=life.density) > 0.3
@@ -149,20 +148,25 @@ def test_a_limit_above_all_stress_leaves_no_damage():
 
 
 def test_damage_where_the_ideal_has_none_is_no_life():
-    pressed = solved(load=3e3, profile=nh.profile.crown(radius=400), strips="auto")
+    pressed = solved(load=3e3, profile=nh.profile.crown(radius=400))
     (life,) = assess(pressed, ioannides_harris(fatigue_limit=360.0))
     assert life.damage > 0.0
     assert (life.reference, life.relative) == (0.0, 0.0)
 
 
+def test_at_a_sharp_end_it_is_said_what_is_not_counted():
+    (coarse,) = assess(solved(profile=nh.profile.straight(), strips=21), "zaretsky")
+    assert f"nearer to them than {LEFT_OUT:g} of the largest half-width nothing was counted" in coarse.warnings[-2]
+    assert coarse.warnings[-1].startswith("The strips or cells at a sharp end are longer than what was left out")
+
+
+@pytest.mark.campaign
 def test_towards_a_sharp_end_the_volume_left_out_is_the_same_on_all_grids(sharp):
     (automatic,) = assess(sharp, "zaretsky")
     edges = np.unique(np.concatenate([sharp.edges, 0.5 * (sharp.edges[1:] + sharp.edges[:-1])]))
     (finer,) = assess(nh.solve(sharp.contact, load=sharp.load, strips=edges), "zaretsky")
     assert finer.relative == pytest.approx(automatic.relative, rel=0.05)
     assert f"nearer to them than {LEFT_OUT:g} of the largest half-width nothing was counted" in automatic.warnings[-1]
-    (coarse,) = assess(solved(profile=nh.profile.straight(), strips=21), "zaretsky")
-    assert coarse.warnings[-1].startswith("The strips or cells at a sharp end are longer than what was left out")
 
 
 def test_bodies_without_an_end_have_lives_that_can_be_compared_alone():
@@ -289,18 +293,15 @@ def test_the_ring_may_be_the_smaller_body():
 
 def test_a_plane_grid_leaves_out_sharp_ends_too():
     straight = nh.Contact(roller(nh.profile.straight()), RING)
-    found = [
-        {
-            life.model.name: life
-            for life in assess(nh.patch.solve(straight, load=8e3, cells=cells), ["zaretsky", "iso-16281"])
-        }
-        for cells in ((24, 256), (24, 512))
-    ]
-    strips = {life.model.name: life for life in assess(nh.solve(straight, load=8e3), ["zaretsky", "iso-16281"])}
-    for name, life in found[1].items():
-        assert life.relative == pytest.approx(found[0][name].relative, rel=0.12)
-        assert life.relative == pytest.approx(strips[name].relative, rel=0.15)
+    laminae = [assess(nh.patch.solve(straight, load=8e3, cells=(across, 512)), "iso-16281")[0] for across in (16, 32)]
+    (strips,) = assess(nh.solve(straight, load=8e3), "iso-16281")
+    for life in laminae:
+        # Rows of cells, too, are cut off a tenth of a half-width from the end, to a row.
+        assert life.relative == pytest.approx(strips.relative, rel=0.08)
         assert any("no limit towards the sharp ends" in sentence for sentence in life.warnings)
+    seen = exposure(nh.patch.solve(straight, load=8e3, cells=(8, 32)))
+    assert seen.sharp == (-6.0, 6.0)
+    assert not seen.counted.all()
 
 
 # Spectra
@@ -309,7 +310,7 @@ def test_a_plane_grid_leaves_out_sharp_ends_too():
 def test_a_spectrum_adds_damage_as_palmgren_and_miner_do(lives):
     contact = nh.Contact(roller(), RING)
     cases = [LoadCase(load=8e3, share=0.25, tilt=5e-4), LoadCase(load=5e3, share=0.75)]
-    spectrum = solve_spectrum(contact, cases)
+    spectrum = solve_spectrum(contact, cases, strips=15)
     together = assess(spectrum, ["lundberg-palmgren", "iso-16281"], rollers=12)
     alone = [assess(solution, ["lundberg-palmgren", "iso-16281"], rollers=12) for solution, _ in spectrum]
     for number, life in enumerate(together):

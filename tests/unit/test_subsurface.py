@@ -246,10 +246,14 @@ def test_a_depth_of_minus_nothing_is_the_surface(tilted):
 
 def test_parabolic_strips_have_the_field_of_the_contact_that_they_stand_for():
     contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=3000)), RING)
-    one, other = (nh.solve(contact, load=6e3, element=element) for element in (nh.SEMI_ELLIPTIC, nh.PARABOLIC))
+    found = [
+        extremes(nh.solve(contact, load=6e3, element=element, strips=31), 0.0)
+        for element in (nh.SEMI_ELLIPTIC, nh.PARABOLIC)
+    ]
     for name in ("von_mises", "shear", "orthogonal_shear"):
         # The parabola's own bias of half a per cent in pressure stays.
-        assert getattr(extremes(other), name).max == pytest.approx(getattr(extremes(one), name).max, rel=0.01)
+        one, other = (getattr(each, name).max for each in found)
+        assert other == pytest.approx(one, rel=0.01)
 
 
 def test_the_largest_below_a_plane_grid_is_that_below_strips(patched):

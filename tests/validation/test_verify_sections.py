@@ -14,8 +14,8 @@ PAPER = ("hertz_ellipse", "line_limits", "profiled_roller", "load_compression")
 BODIES = ("half_space", "plane_strain", "finite_bodies", "edge_exponents", "quarter_space", "plane_grid")
 BELOW = ("subsurface_stress", "fatigue_life")
 MODULES = PAPER + BODIES + BELOW
-# The sections are solved once: all of these tests belong to one worker.
-pytestmark = pytest.mark.xdist_group("sections")
+# CI runs `nonhertz verify` as well: half a minute that a developer need not wait for all day.
+pytestmark = pytest.mark.campaign
 over_modules = pytest.mark.parametrize("module", MODULES)
 
 

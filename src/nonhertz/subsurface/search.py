@@ -27,7 +27,7 @@ MOST_STATIONS, MOST_ROWS = 401, 65  # of strips, and of a plane grid, which take
 FEW = 60  # strips: with fewer, their edges are searched too
 CRESTS, WORTH = 3, 0.7  # of the net that are looked at closely, and how high they are
 EQUAL, ROUNDING = 1e-6, 1e-9
-MESHES, ROUNDS, SHRINKING = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]), 18, 0.6
+MESHES, ROUNDS, SHRINKING = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]), 12, 0.5
 
 
 @dataclass(frozen=True)
