@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -12,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from nonhertz.comparison import Comparison, Quantity, Stretch
-from nonhertz.io.results import plain, write_files
+from nonhertz.io.results import key_by_key, plain, write_files
 from nonhertz.solution import Solution
 
 #: Units of the numbers in a comparison; quantities have their own, and what has none is left out.
@@ -52,10 +51,7 @@ def as_object(found: Comparison, title: str) -> dict[str, Any]:
 
 def as_json(found: Comparison, title: str) -> str:
     """Return `as_object` as JSON text, one key to a line."""
-    entries = (
-        f"  {json.dumps(key)}: {json.dumps(value, allow_nan=False)}" for key, value in as_object(found, title).items()
-    )
-    return "{\n" + ",\n".join(entries) + "\n}"
+    return key_by_key(as_object(found, title))
 
 
 def as_table(found: Comparison) -> str:

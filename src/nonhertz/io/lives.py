@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from nonhertz.io.results import plain, write_files
+from nonhertz.io.results import key_by_key, plain, write_files
 from nonhertz.life import Life
 from nonhertz.singular import singular_ends
 from nonhertz.solution import Solution
@@ -95,10 +94,7 @@ def as_object(found: Assessment, other: Assessment | None = None) -> dict[str, A
 
 def as_json(found: Assessment, other: Assessment | None = None) -> str:
     """Return `as_object` as JSON text, one key to a line."""
-    entries = (
-        f"  {json.dumps(key)}: {json.dumps(value, allow_nan=False)}" for key, value in as_object(found, other).items()
-    )
-    return "{\n" + ",\n".join(entries) + "\n}"
+    return key_by_key(as_object(found, other))
 
 
 def as_table(found: Assessment) -> str:

@@ -95,11 +95,22 @@ def plain(value: Any) -> Any:
 
 def as_json(solution: Solution, title: str) -> str:
     """Return `as_object` as JSON text, one key to a line."""
-    entries = (
-        f"  {json.dumps(key)}: {json.dumps(value, allow_nan=False)}"
-        for key, value in as_object(solution, title).items()
-    )
-    return "{\n" + ",\n".join(entries) + "\n}"
+    return key_by_key(as_object(solution, title))
+
+
+def key_by_key(entries: dict[str, Any]) -> str:
+    """Return an object as JSON text, one of its keys to a line.
+
+    Examples
+    --------
+    >>> print(key_by_key({"load": 1.0, "y": [0.0, 1.0]}))
+    {
+      "load": 1.0,
+      "y": [0.0, 1.0]
+    }
+    """
+    lines = (f"  {json.dumps(key)}: {json.dumps(value, allow_nan=False)}" for key, value in entries.items())
+    return "{\n" + ",\n".join(lines) + "\n}"
 
 
 def as_table(solution: Solution) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
@@ -12,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.io.results import plain, write_files
+from nonhertz.io.results import key_by_key, plain, write_files
 from nonhertz.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes, Field
 
@@ -56,11 +55,7 @@ def as_object(solution: Solution, overall: Extremes, section: Extremes, title: s
 
 def as_json(solution: Solution, overall: Extremes, section: Extremes, title: str) -> str:
     """Return `as_object` as JSON text, one key to a line."""
-    entries = (
-        f"  {json.dumps(key)}: {json.dumps(value, allow_nan=False)}"
-        for key, value in as_object(solution, overall, section, title).items()
-    )
-    return "{\n" + ",\n".join(entries) + "\n}"
+    return key_by_key(as_object(solution, overall, section, title))
 
 
 def there(solution: Solution, values: NDArray[np.float64], y: float) -> float:
