@@ -95,7 +95,7 @@ def print_lives(found: Assessment, other: Assessment | None) -> None:
     console.print(Text(f"Compared with: {other.title}", style="bold"))
     head = ("", "life in a", "in b", _REVOLUTIONS, "first / this, a", "first / this, b")
     console.print(_table(head, ratio_rows(found, other), left=(0,)))
-    for sentence in [_RATIO, *sentences(other)[1:]]:
+    for sentence in [_RATIO, *_without_ratio(found, other), *sentences(other)[1:]]:
         console.print(Text(sentence), soft_wrap=True)
     _print_spectrum(console, other)
     _print_warnings(console, other)
@@ -140,6 +140,14 @@ def sentences(found: Assessment) -> list[str]:
         why = dict.fromkeys(life.no_revolutions for life in of_ring if life.model.name in RATED)
         lines += [f"No life in revolutions: {reason}." for reason in why]
     return lines
+
+
+def _without_ratio(found: Assessment, other: Assessment) -> list[str]:
+    """Return why lives by laminae cannot be compared, if they cannot."""
+    names = [life.model.name for life in found.lives["b"]]
+    if "iso-16281" in names and math.isnan(found.over(other, "b", names.index("iso-16281"))):
+        return ["none: laminae of a raceway are not compared with those of a contact without one."]
+    return []
 
 
 def spectrum_rows(found: Assessment) -> list[tuple[str, ...]]:
