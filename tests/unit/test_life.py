@@ -169,6 +169,7 @@ def test_towards_a_sharp_end_the_volume_left_out_is_the_same_on_all_grids(sharp)
     assert f"nearer to them than {LEFT_OUT:g} of the largest half-width nothing was counted" in automatic.warnings[-1]
 
 
+@pytest.mark.campaign
 def test_bodies_without_an_end_have_lives_that_can_be_compared_alone():
     crowned = nh.Body(diameter=15, profile=nh.profile.crown(radius=300))
     one, other = (
