@@ -34,7 +34,7 @@ from nonhertz.subsurface.reach import AnySolution, checked_solution, contact_end
 Array = NDArray[np.float64]
 Spectrum = Sequence[tuple[AnySolution, float]]
 
-SHORT = 4.0
+SHORT = 4.0  # half-widths
 _NO_ROLLERS = "it needs the number of rollers"
 _ROLLERS_REMEDY = "give the number of rollers in the bearing"
 

@@ -25,7 +25,7 @@ from nonhertz.life.lamina import LEFT_OUT
 from nonhertz.solution import ReadOnly, Solution
 from nonhertz.subsurface.evaluation import Running, across_at
 from nonhertz.subsurface.inside import Inside
-from nonhertz.subsurface.reach import AnySolution, sharp_ends
+from nonhertz.subsurface.reach import AnySolution, edges_along, sharp_ends
 from nonhertz.subsurface.rolling import QUANTITIES, passage, plane_strain_passage
 
 Array = NDArray[np.float64]
@@ -144,7 +144,7 @@ def exposure(solution: AnySolution, body: str = "b", **options: Unpack[Running])
 
 def _stations(solution: AnySolution, faces: tuple[float, float]) -> tuple[Array, Array, Array]:
     """Return stations over and beyond the contact, their widths in an integral, and the half-widths there."""
-    edges = _edges_along(solution)
+    edges = _edges_in_contact(solution)
     half_width = across_at(solution, 0.5 * (edges[1:] + edges[:-1]))[1]
     below = np.maximum(edges[0] - half_width[0] * BEYOND[1:], faces[0])[::-1]
     above = np.minimum(edges[-1] + half_width[-1] * BEYOND[1:], faces[1])
@@ -159,14 +159,14 @@ def _stations(solution: AnySolution, faces: tuple[float, float]) -> tuple[Array,
     return y[order], width[order], across_at(solution, y[order])[1]
 
 
-def _edges_along(solution: AnySolution) -> Array:
+def _edges_in_contact(solution: AnySolution) -> Array:
     """Return the edges of what is in contact along y, strip by strip, those of a plane grid in fewer pieces."""
-    touching = np.flatnonzero(solution.line_load > 0.0)
-    first, last = (touching[0], touching[-1]) if touching.size else (0, -1)
+    first, last = np.flatnonzero(solution.line_load > 0.0)[[0, -1]]
+    edges: Array = edges_along(solution)[first : last + 2]
     if isinstance(solution, Solution):
-        return solution.edges[first : last + 2]
-    rows = np.unique(np.linspace(first, last + 1, MOST_ROWS + 1).astype(int))
-    return np.asarray(solution.y[0] + solution.dy * (rows - 0.5))
+        return edges
+    fewer: Array = edges[np.unique(np.linspace(0, edges.size - 1, MOST_ROWS + 1).astype(int))]
+    return fewer
 
 
 def _ideal(solution: AnySolution, body: str) -> Exposure | None:

@@ -107,20 +107,16 @@ def extremes(solution: AnySolution, station: float | None = None, **options: Unp
     0.562
     """
     checked_solution(solution)
-    announce = options.pop("announce", None)
     if station is not None:
-        one_station(station)
-        sections = np.array([station + 0.0])
+        sections = np.array([one_station(station) + 0.0])
         _refuse_outside(solution, station, options.get("body", "a"))
     else:
         sections = _sections(solution)
     depths = across_at(solution, sections)[1][:, None] * DEPTHS
     if station is not None:  # off contact the stress comes from further away and is largest further down
         depths = np.unique(np.concatenate([depths, _distances(solution, sections) * DEPTHS], axis=None))[None, :]
-    searched: Within = {**options}
-    if announce is not None:
-        searched["announce"] = announce
-    coarse = passage(solution, sections[:, None], depths, **searched)
+    coarse = passage(solution, sections[:, None], depths, **options)
+    options.pop("announce", None)  # what follows is short
     largest = {name: _largest(solution, name, coarse, sections, options) for name in QUANTITIES}
     warnings = tuple(_warnings(solution)) if station is None else ()
     return Extremes(body=options.get("body", "a"), warnings=warnings, **largest)

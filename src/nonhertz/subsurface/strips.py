@@ -12,9 +12,8 @@ tails left that begin at the strip's ends (see `nonhertz.subsurface.tails`). Nea
 follow the pressure between their centres (see `nonhertz.subsurface.lamination`). With zeta = x + i z and the Cauchy
 integral H = int p(xi) / (zeta - xi), plane strain is
 
-    sigma_x, sigma_z = (Im H -+ ... z Re H') / pi        tau_xz = -z Im H' / pi        sigma_y = nu (sigma_x + sigma_z)
-
-with plus for x and minus for z.
+    sigma_x = (Im H + z Re H') / pi     tau_xz = -z Im H' / pi
+    sigma_z = (Im H - z Re H') / pi     sigma_y = nu (sigma_x + sigma_z)
 """
 
 from __future__ import annotations
