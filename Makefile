@@ -42,7 +42,7 @@ docs-numbers: $(READY)
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --upgrade --constraint constraints.txt pip
-	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable ".[cli]" --group dev
+	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable ".[web]" --group dev
 	@touch $@
 
 clean:

@@ -56,6 +56,8 @@ class CaseError(NonhertzError):
     ----------
     mistakes : iterable of str
         The mistakes, one sentence each.
+    places : iterable of str
+        The key that each is about, such as ``"body.a.profile[1].radius"``; empty where it is about the whole file.
 
     Examples
     --------
@@ -64,9 +66,11 @@ class CaseError(NonhertzError):
     2
     """
 
-    def __init__(self, mistakes: Iterable[str]) -> None:
+    def __init__(self, mistakes: Iterable[str], places: Iterable[str] = ()) -> None:
         self.mistakes = tuple(mistakes)
-        super().__init__(self.mistakes)
+        self.places = tuple(places) or ("",) * len(self.mistakes)
+        # All arguments, so that the error travels between processes.
+        super().__init__(self.mistakes, self.places)
 
     def __str__(self) -> str:
         return "\n".join(self.mistakes)

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+import nonhertz.casework
 import nonhertz.cli.commands
-import nonhertz.life
 import nonhertz.plot
 from nonhertz.cli import main
 from nonhertz.io.casefile import read_case
@@ -261,7 +261,7 @@ def test_no_life_without_a_solution(
     def stop(contact: nh.Contact, *_: object, **__: object) -> Any:
         raise nh.ConvergenceError("It stopped.", None)
 
-    monkeypatch.setattr(nonhertz.life, "solve_spectrum", stop)
+    monkeypatch.setattr(nonhertz.casework, "solve_spectrum", stop)
     stopping = changed("rollers = 14", "rollers = 14\n" + SPECTRUM)
     words = [stopping] if name == "first" else [case, "--compare", stopping]
     assert main(["life", *words, *QUICK, "--out", "folder"]) == 1

@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.cli.summary import print_summary, summary_rows
+from nonhertz.cli.summary import print_summary
 from nonhertz.io.results import UNITS, as_json
 from nonhertz.solution import Solution
+from nonhertz.tables.summary import summary_rows
 
 
 def solved(roller: nh.Body, against: nh.Body, tilt: float = 0.0, load: float = 20e3, **more: object) -> Solution:

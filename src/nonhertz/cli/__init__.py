@@ -19,7 +19,10 @@ NOT_VERIFIED = NOT_CONVERGED
 # As a shell reports a program that a signal has ended.
 INTERRUPTED, BROKEN_PIPE = 130, 141
 
-_EXTRAS = ("cyclopts", "matplotlib", "pint", "pydantic", "rich")
+_EXTRAS = {
+    **dict.fromkeys(("cyclopts", "jinja2", "matplotlib", "pint", "pydantic", "rich", "tomli_w", "x3pio"), "cli"),
+    **dict.fromkeys(("starlette", "uvicorn"), "web"),
+}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -77,7 +80,9 @@ def _verdict(error: BaseException) -> tuple[int, list[str]]:
             verdict = INTERNAL, [f"The output could not be written: {error.strerror or error}."]
         case ModuleNotFoundError(name=str(name)) if name.partition(".")[0] in _EXTRAS:
             package = name.partition(".")[0]
-            way_out = "install what the command line needs with: pip install 'nonhertz[cli]'"
+            extra = _EXTRAS[package]
+            what = "the page" if extra == "web" else "the command line"
+            way_out = f"install what {what} needs with: pip install 'nonhertz[{extra}]'"
             verdict = BAD_INPUT, [f"The package {package} is not installed; {way_out}"]
         case _:
             what = f"{type(error).__name__}: {error}".replace("\n", " ").rstrip(".")

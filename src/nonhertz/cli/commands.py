@@ -8,7 +8,6 @@ from __future__ import annotations
 import contextlib
 import sys
 import threading
-import warnings
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -17,10 +16,10 @@ from cyclopts import App, CycloptsError, Parameter
 
 from nonhertz import __version__
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED, NOT_VERIFIED
-from nonhertz.errors import AccuracyWarning, CaseError, ConvergenceError, InputError
+from nonhertz.errors import CaseError, ConvergenceError, InputError
 
 if TYPE_CHECKING:
-    from nonhertz.cli.living import Spectrum
+    from nonhertz.casework import Spectrum
     from nonhertz.comparison import Comparison
     from nonhertz.io.casefile import Case
     from nonhertz.io.lives import Assessment
@@ -340,19 +339,13 @@ def _patience() -> Iterator[None]:
 
 def _solved(case: Case) -> tuple[Solution, str]:
     """Return the solution and, if it has not converged, what to say about that."""
-    from nonhertz.solver import solve as solve_contact  # noqa: PLC0415
+    from nonhertz.casework import solved  # noqa: PLC0415
 
-    with warnings.catch_warnings(), _patience():
-        # The solution carries them, in words for people.
-        warnings.simplefilter("ignore", AccuracyWarning)
+    with _patience():
         try:
-            return solve_contact(case.contact, **case.prescribed, **case.solver), ""
+            return solved(case), ""
         except ConvergenceError as error:
             return error.solution, str(error)
-        except InputError as error:
-            from nonhertz.io.casefile import placed  # noqa: PLC0415
-
-            raise CaseError([placed(error)]) from None
 
 
 def _compared(case: Case, cells: tuple[int, int] | None) -> Comparison:
@@ -369,7 +362,7 @@ def _compared(case: Case, cells: tuple[int, int] | None) -> Comparison:
     except InputError as error:
         if error.field == "cells":
             raise InputError("--cells", error.value, error.condition, "give two whole numbers such as 64 256") from None
-        raise CaseError([placed(error)]) from None
+        raise placed(error) from None
     finally:
         progress.wipe()
 
@@ -426,26 +419,19 @@ def _stresses_written(
 
 def _spectrum_solved(case: Case) -> tuple[Spectrum, str]:
     """Return the solutions of all loads with their shares, or what to say about why there are none."""
-    if not case.life.spectrum:
-        solution, complaint = _solved(case)
-        return ((solution, 1.0),), complaint
-    from nonhertz.io.casefile import placed  # noqa: PLC0415
-    from nonhertz.life import solve_spectrum  # noqa: PLC0415
+    from nonhertz.casework import spectrum_solved  # noqa: PLC0415
 
-    with warnings.catch_warnings(), _patience():
-        # The solutions carry them, in words for people.
-        warnings.simplefilter("ignore", AccuracyWarning)
+    with _patience():
         try:
-            return solve_spectrum(case.contact, case.life.spectrum, **case.solver), ""
+            return spectrum_solved(case), ""
         except ConvergenceError as error:
             return (), str(error)
-        except InputError as error:
-            raise CaseError([placed(error)]) from None
 
 
 def _tell_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_json: bool) -> int:
     """Solve one or two cases, assess their lives, write them if there is where to, and print them."""
-    from nonhertz.cli.living import assessed, models_for, print_lives  # noqa: PLC0415
+    from nonhertz.casework import assessed, models_for  # noqa: PLC0415
+    from nonhertz.cli.living import print_lives  # noqa: PLC0415
     from nonhertz.cli.verification import Progress  # noqa: PLC0415
     from nonhertz.io.casefile import named  # noqa: PLC0415
     from nonhertz.io.lives import as_json as json_text  # noqa: PLC0415
@@ -461,7 +447,7 @@ def _tell_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_js
                     progress.wipe()
                     print(f"{case.path}: {complaint}" if found else complaint, file=sys.stderr)
                     return NOT_CONVERGED
-                found.append(assessed(case, spectrum, models, notes, progress))
+                found.append(assessed(case, spectrum, models, notes, progress.announce))
     finally:
         progress.wipe()
     assessment, other = found[0], found[1] if len(found) > 1 else None

@@ -9,8 +9,8 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from nonhertz.cli.summary import digits
 from nonhertz.comparison import Comparison, Quantity, Stretch
+from nonhertz.tables.summary import digits
 
 WIDTH = 100  # of what is piped
 _COLUMNS = ("", "plane grid", "semi-elliptic", "difference", "parabolic", "difference")

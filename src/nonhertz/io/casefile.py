@@ -133,8 +133,17 @@ def read_case(path: str | Path) -> Case:
     return case_in(_parsed(path), path)
 
 
-def case_in(document: dict[str, Any], path: Path) -> Case:
-    """Return the case in a document that is parsed already; ``path`` is where it came from.
+def case_in(document: dict[str, Any], path: Path, *, files: bool = True) -> Case:
+    """Return the case in a document that is parsed already.
+
+    Parameters
+    ----------
+    document : dict
+        What a TOML file holds.
+    path : Path
+        Where it came from; files that it names are relative to it.
+    files : bool
+        Whether it may name files. One that comes from elsewhere must not have them read.
 
     Raises
     ------
@@ -145,14 +154,14 @@ def case_in(document: dict[str, Any], path: Path) -> Case:
     from pydantic import ValidationError  # noqa: PLC0415
 
     from nonhertz.io.document import CaseTable  # noqa: PLC0415
-    from nonhertz.io.mistakes import mistakes_in  # noqa: PLC0415
+    from nonhertz.io.mistakes import case_error, mistakes_in  # noqa: PLC0415
     from nonhertz.strip.element import ELEMENTS  # noqa: PLC0415
 
     try:
-        table = CaseTable.model_validate(document, context={"folder": path.parent})
+        table = CaseTable.model_validate(document, context={"folder": path.parent if files else None})
     except ValidationError as error:
         found = sorted(mistakes_in(error, CaseTable), key=lambda mistake: _position(document, mistake.place))
-        raise CaseError(mistake.sentence for mistake in found) from None
+        raise case_error(found) from None
     return Case(
         title=table.title or path.stem,
         contact=table.body.contact(),
@@ -161,6 +170,39 @@ def case_in(document: dict[str, Any], path: Path) -> Case:
         path=path,
         life=_life(table.life),
     )
+
+
+def parsed(text: str, name: str) -> dict[str, Any]:
+    """Return the document in the text of a case file; ``name`` is what to call it in a complaint.
+
+    Raises
+    ------
+    CaseError
+        If the text is no TOML.
+    """
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        reason = str(error).rstrip(".")
+    except RecursionError:
+        reason = "lists or tables are nested too deeply"
+    except ValueError:  # Python's limit on the digits of an integer
+        reason = "a number has thousands of digits"
+    raise CaseError([f"{name} must be valid TOML: {reason[:1].lower()}{reason[1:]}."])
+
+
+def as_toml(document: dict[str, Any]) -> str:
+    """Return a document as the text of a case file.
+
+    Examples
+    --------
+    >>> print(as_toml({"load": {"load": "20 kN"}}), end="")
+    [load]
+    load = "20 kN"
+    """
+    import tomli_w  # noqa: PLC0415
+
+    return tomli_w.dumps(document)
 
 
 def schema() -> dict[str, Any]:
@@ -195,16 +237,15 @@ def write_starting_case(path: str | Path) -> None:
         raise InputError("PATH", str(path), f"be a file to write to ({reason})", "choose another name") from None
 
 
-def placed(error: InputError) -> str:
-    """Return the sentence of a complaint that `nonhertz.solve` made, with the field as the file names it."""
-    if error.field in _OF_BOTH_BODIES:
-        from nonhertz.io.document import of_both  # noqa: PLC0415  (pydantic is slow to import)
+def placed(error: InputError) -> CaseError:
+    """Return a complaint that `nonhertz.solve` made as one about the case file, with the field as the file names it."""
+    from nonhertz.io.document import of_both  # noqa: PLC0415  (pydantic is slow to import)
+    from nonhertz.io.mistakes import Mistake, case_error  # noqa: PLC0415
 
-        return of_both(error).within(("body",)).sentence
-    for section, fields in _SECTIONS.items():
-        if error.field in fields:
-            return str(error.within(section))
-    return str(error)
+    if error.field in _OF_BOTH_BODIES:
+        return case_error([of_both(error).within(("body",))])
+    section = [section for section, fields in _SECTIONS.items() if error.field in fields]
+    return case_error([Mistake((*section, *error.field.split(".")), error)])
 
 
 @contextlib.contextmanager
@@ -214,7 +255,7 @@ def named(path: str | Path) -> Iterator[None]:
         yield
     except CaseError as error:
         sentences = (each if each.startswith(str(path)) else f"{path}: {each}" for each in error.mistakes)
-        raise CaseError(sentences) from None
+        raise CaseError(sentences, error.places) from None
 
 
 def _life(table: LifeTable) -> LifeCase:
@@ -255,12 +296,4 @@ def _parsed(path: Path) -> dict[str, Any]:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise CaseError([f"{path} must be readable ({reason.lower()}): check path and permissions."]) from None
-    try:
-        return tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        reason = str(error).rstrip(".")
-    except RecursionError:
-        reason = "lists or tables are nested too deeply"
-    except ValueError:  # Python's limit on the digits of an integer
-        reason = "a number has thousands of digits"
-    raise CaseError([f"{path} must be valid TOML: {reason[:1].lower()}{reason[1:]}."])
+    return parsed(text, str(path))

@@ -161,7 +161,8 @@ def _read_diameter(value: Any) -> Any:
 def _read_profile(value: Any, info: ValidationInfo) -> Profile:
     # A key that was refused is not among the data.
     body = {name: info.data.get(name, BROKEN) for name in ("length", "diameter")}
-    folder = (info.context or {}).get("folder", Path())
+    # None where no file may be read.
+    folder: Path | None = (info.context or {}).get("folder", Path())
     return read_profile(value, body, folder)
 
 

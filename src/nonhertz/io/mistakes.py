@@ -15,7 +15,7 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
-from nonhertz.errors import InputError
+from nonhertz.errors import CaseError, InputError
 
 Place = tuple[str | int, ...]
 
@@ -65,6 +65,12 @@ class TableError(ValueError):
     def __init__(self, mistakes: Iterable[Mistake]) -> None:
         self.mistakes = tuple(mistakes)
         super().__init__(self.mistakes)
+
+
+def case_error(mistakes: Iterable[Mistake]) -> CaseError:
+    """Return one error of several mistakes, each with the key that it is about."""
+    found = tuple(mistakes)
+    return CaseError((mistake.sentence for mistake in found), (path_of(mistake.place) for mistake in found))
 
 
 def path_of(place: Place) -> str:

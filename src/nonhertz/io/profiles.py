@@ -27,6 +27,7 @@ _COMMON_MEANINGS = {
     "shift": "How far to move the profile towards positive y [mm].",
     "scale": "Factor on the relief.",
 }
+_UPLOAD_REMEDY = "give y and relief, or upload the measured profile"
 _FILE_MEANING = "Text file of two columns, y and relief [mm]; its path is relative to the case file."
 # Parameters that say how large the body is; left out of a table, they are taken from the body.
 _OF_THE_BODY = ("length", "diameter")
@@ -34,7 +35,7 @@ _OF_THE_BODY = ("length", "diameter")
 _STAND_INS = (0.5, 1e-3, 7.0, 1e4)
 
 
-def read_profile(value: Any, body: Mapping[str, Any], folder: Path) -> Profile:
+def read_profile(value: Any, body: Mapping[str, Any], folder: Path | None) -> Profile:
     """Return the sum of the profiles in a list of tables, or the profile of one table.
 
     Parameters
@@ -43,8 +44,8 @@ def read_profile(value: Any, body: Mapping[str, Any], folder: Path) -> Profile:
         What the case file holds.
     body : mapping
         The body's own ``length`` and ``diameter``: a number, None where it has none, or `BROKEN`.
-    folder : Path
-        What file names are relative to.
+    folder : Path or None
+        What file names are relative to; None where no file may be read.
 
     Returns
     -------
@@ -85,7 +86,7 @@ def quantity_schema(unit: str) -> dict[str, Any]:
     return {"anyOf": [{"type": "number"}, {"type": "string"}], "unit": unit}
 
 
-def _read_table(table: Any, body: Mapping[str, Any], folder: Path) -> Profile:
+def _read_table(table: Any, body: Mapping[str, Any], folder: Path | None) -> Profile:
     if not isinstance(table, dict):
         raise TableError([Mistake((), InputError("", table, "be a table", _LIST_REMEDY))])
     if "kind" not in table:
@@ -99,7 +100,7 @@ def _read_table(table: Any, body: Mapping[str, Any], folder: Path) -> Profile:
 class _Reader:
     """Reads one table, going on after a mistake as far as it can see."""
 
-    def __init__(self, kind: str, table: Mapping[str, Any], body: Mapping[str, Any], folder: Path) -> None:
+    def __init__(self, kind: str, table: Mapping[str, Any], body: Mapping[str, Any], folder: Path | None) -> None:
         self.kind = kind
         self.table = {key: value for key, value in table.items() if key != "kind"}
         self.body = body
@@ -199,6 +200,9 @@ class _Reader:
         options = {name: self.values[name] for name in ("interpolation",) if name in self.values}
         name = self.values.get("file")
         if name is None:
+            return CATALOGUE["straight"]()
+        if self.folder is None:
+            self._note("file", InputError("file", name, "not be read here", _UPLOAD_REMEDY))
             return CATALOGUE["straight"]()
         try:
             return from_file(self.folder / name, **options)

@@ -1,0 +1,162 @@
+"""From a case file's problem to what is asked of it: solution, largest stresses, lives.
+
+The same work for the command line, for reports and for the page, with complaints placed where the case file has the
+key. Warnings are left to the results, which carry them in words for people.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from nonhertz.errors import AccuracyWarning, InputError
+from nonhertz.io.casefile import Case, placed
+from nonhertz.io.lives import BODIES, Assessment
+from nonhertz.life import Model, VolumeModel, assess, solve_spectrum
+from nonhertz.singular import singular_ends
+from nonhertz.solution import Solution
+from nonhertz.solver import solve
+from nonhertz.subsurface import Extremes, extremes
+
+Spectrum = tuple[tuple[Solution, float], ...]
+Announce = Callable[[str], None]
+
+
+def in_silence(name: str) -> None:
+    """Announce nothing."""
+
+
+def solved(case: Case) -> Solution:
+    """Return the solution of a case.
+
+    Raises
+    ------
+    CaseError
+        If the solver refuses the case.
+    ConvergenceError
+        If it stops short of a solution.
+    """
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", AccuracyWarning)
+        try:
+            return solve(case.contact, **case.prescribed, **case.solver)
+        except InputError as error:
+            raise placed(error) from None
+
+
+def spectrum_solved(case: Case) -> Spectrum:
+    """Return the solutions of all loads of a case with their shares of the revolutions.
+
+    Raises
+    ------
+    CaseError
+        If the solver refuses the case.
+    ConvergenceError
+        If it stops short of a solution.
+    """
+    if not case.life.spectrum:
+        return ((solved(case), 1.0),)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", AccuracyWarning)
+        try:
+            return solve_spectrum(case.contact, case.life.spectrum, **case.solver)
+        except InputError as error:
+            raise placed(error) from None
+
+
+def largest_stresses(
+    solution: Solution, station: float | None = None, body: str = "a", announce: Announce = in_silence
+) -> tuple[Extremes, Extremes]:
+    """Return the largest stresses in a body and in a cross-section of it, that of the largest von Mises stress.
+
+    Parameters
+    ----------
+    solution : Solution
+        A solved contact.
+    station : float or None
+        Another place of the cross-section [mm].
+    body : str
+        ``"a"`` or ``"b"``.
+    announce : callable
+        Is told which search begins.
+
+    Raises
+    ------
+    InputError
+        If the cross-section does not lie in the body.
+    """
+    announce("whole body")
+    overall = extremes(solution, body=body)
+    announce("cross-section")
+    y = overall.von_mises.y if station is None else station
+    section = extremes(solution, y, body=body)
+    return overall, replace(section, warnings=(*section.warnings, *_near_sharp_ends(solution, y)))
+
+
+def _near_sharp_ends(solution: Solution, y: float) -> list[str]:
+    """Return a sentence for each singular end within a half-width."""
+    half_widths = dict(zip(solution.edge_pressure, solution.half_width[[0, -1]], strict=True))
+    return [
+        f"The cross-section at y = {y:.5g} mm is within a half-width of the sharp end at y = {end.y:.5g} mm, "
+        "towards which the stress has no limit: its largest values depend on the strips."
+        for end in singular_ends(solution)
+        if abs(y - end.y) <= half_widths[end]
+    ]
+
+
+def models_for(
+    case: Case, names: Sequence[str] = (), others: Iterable[Case] = ()
+) -> tuple[tuple[Model, ...], tuple[str, ...]]:
+    """Return the models that are wanted, with the parameters of a case, and why there are fewer than all.
+
+    Laminae are cut from a length: where a contact has none, and nobody asks for them, they are left out.
+    """
+    models = case.life.models(dict.fromkeys(names))
+    lengths = [np.ptp(each.contact.interval) for each in (case, *others)]
+    if names or case.life.names or np.isfinite(lengths).all():
+        return models, ()
+    kept = tuple(model for model in models if isinstance(model, VolumeModel))
+    return kept, ("iso-16281 is left out: it needs a length on which the bodies can touch.",)
+
+
+def assessed(
+    case: Case,
+    spectrum: Spectrum,
+    models: tuple[Model, ...],
+    notes: tuple[str, ...] = (),
+    announce: Announce = in_silence,
+) -> Assessment:
+    """Return the lives of both bodies of a case that is solved.
+
+    Raises
+    ------
+    CaseError
+        If the case has no life by one of the models.
+    """
+    lives = {}
+    try:
+        for body in BODIES:
+            told = _announcer(announce, body, len(spectrum))
+            lives[body] = assess(spectrum, models, body=body, rollers=case.life.rollers, announce=told)
+    except InputError as error:
+        raise placed(error) from None
+    return Assessment(case.title, case.life.rollers, spectrum, lives, notes)
+
+
+def _announcer(announce: Announce, body: str, loads: int) -> Callable[[int, int], None]:
+    """Say that a body is begun, and return what says whenever another load is."""
+    words = (
+        [f"body {body}"] if loads == 1 else [f"body {body}, load {number} of {loads}" for number in range(1, loads + 1)]
+    )
+    left = iter(words)
+    announce(next(left))
+
+    def told(done: int, total: int) -> None:
+        following = next(left, None) if done == total else None
+        if following is not None:
+            announce(following)
+
+    return told

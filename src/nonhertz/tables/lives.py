@@ -1,0 +1,113 @@
+"""How long both bodies of a case last, in rows of name and numbers by each model."""
+
+from __future__ import annotations
+
+import math
+
+from nonhertz.io.lives import BODIES, Assessment
+from nonhertz.life import RATED, Model, VolumeModel
+from nonhertz.singular import largest_away, singular_ends
+from nonhertz.solution import Solution
+from nonhertz.tables.summary import digits
+
+_IDEAL = (
+    "1 is the life of the same bodies under Hertz's line pressure, the load spread evenly over the length on which "
+    "they can touch."
+)
+RATIO = (
+    "Ratios are those of passes of a roller: where the cases differ in rings or in the number of rollers, compare "
+    "their L10."
+)
+REVOLUTIONS = "L10 [10^6 rev]"
+_STRESSES = {"orthogonal_shear": "tau_xz", "shear": "tau_max", "von_mises": "sigma_vM"}
+
+
+def life_rows(found: Assessment) -> list[tuple[str, ...]]:
+    """Return name, life in both bodies, revolutions and the integrand of each model."""
+    return [
+        (life.model.name, *_lives(found, number), _integrand(life.model))
+        for number, life in enumerate(found.lives["a"])
+    ]
+
+
+def ratio_rows(found: Assessment, other: Assessment) -> list[tuple[str, ...]]:
+    """Return name, the other case's lives, and those of the first over them, for each model."""
+    return [
+        (
+            life.model.name,
+            *_lives(other, number),
+            *(_relative(found.over(other, body, number)) for body in BODIES),
+        )
+        for number, life in enumerate(found.lives["a"])
+    ]
+
+
+def sentences(found: Assessment) -> list[str]:
+    """Return what has to be known to read the numbers."""
+    lines = [_IDEAL]
+    lives = [life for body in BODIES for life in found.lives[body]]
+    if any(math.isnan(life.reference) for life in lives):
+        lines.append("none: the bodies can touch on an unlimited length, along which no load can be spread evenly.")
+    elif any(math.isnan(life.relative) for life in lives):
+        lines.append("none: there is no damage, under the ideal pressure neither.")
+    if any(life.relative == 0.0 for life in lives):
+        lines.append("0: under the ideal pressure there is no damage.")
+    if any(found.million_revolutions(number) is not None for number in range(len(found.lives["a"]))):
+        bearing = "its one roller bears" if found.rollers == 1 else f"all {found.rollers} rollers bear"
+        load = "this load" if len(found.spectrum) == 1 else "these loads"
+        lines.append(f"L10 is the life of the ring, body {found.raceway}, that 90 % reach where {bearing} {load}.")
+    else:
+        of_ring = found.lives[found.raceway or "b"]
+        why = dict.fromkeys(life.no_revolutions for life in of_ring if life.model.name in RATED)
+        lines += [f"No life in revolutions: {reason}." for reason in why]
+    return lines
+
+
+def without_ratio(found: Assessment, other: Assessment) -> list[str]:
+    """Return why lives by laminae cannot be compared, if they cannot."""
+    names = [life.model.name for life in found.lives["b"]]
+    if "iso-16281" in names and math.isnan(found.over(other, "b", names.index("iso-16281"))):
+        return ["none: laminae of a raceway are not compared with those of a contact without one."]
+    return []
+
+
+def spectrum_rows(found: Assessment) -> list[tuple[str, ...]]:
+    """Return share, load, tilt and largest pressure of every load."""
+    return [
+        (f"{100.0 * share:.4g} %", digits(solution.load), digits(1e3 * solution.tilt), _pressure(solution))
+        for solution, share in found.spectrum
+    ]
+
+
+def _lives(found: Assessment, number: int) -> tuple[str, ...]:
+    revolutions = found.million_revolutions(number)
+    relative = (_relative(found.lives[body][number].relative) for body in BODIES)
+    return *relative, "" if revolutions is None else _relative(revolutions)
+
+
+def _relative(value: float) -> str:
+    if math.isnan(value):
+        return "none"
+    return digits(value, 4) if math.isfinite(value) else "no damage"
+
+
+def _integrand(model: Model) -> str:
+    """Return what is integrated over the volume, or how laminae are loaded, with Weibull's slope."""
+    slope = f"e = {model.slope:.4g}"
+    if not isinstance(model, VolumeModel):
+        edges = {"pressure": "edges as solved", "standard": "edges of the standard", "none": "no edges"}
+        loads = "" if model.line_loads == "solution" else ", loads of the standard"
+        return f"{model.laminae} laminae, {edges[model.edge_stress]}{loads}, {slope}"
+    stress = _STRESSES[model.stress]
+    if model.fatigue_limit > 0.0:
+        stress = f"({stress} - {model.fatigue_limit:.4g} MPa)"
+    depth = f" / z^{model.depth_exponent:.4g}" if model.depth_exponent > 0.0 else ""
+    return f"{stress}^{model.exponent:.4g}{depth}, {slope}"
+
+
+def _pressure(solution: Solution) -> str:
+    """Return the largest pressure, or that away from ends where it has no limit."""
+    if not singular_ends(solution):
+        return digits(solution.max_pressure)
+    strips = largest_away(solution)
+    return f"no limit, {digits(float(solution.peak_pressure[strips[0]]))} away" if strips else "no limit"
