@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo test campaign verify lint bench docs-numbers clean
+.PHONY: demo test campaign browser verify lint docs bench docs-numbers clean
 
 demo: $(READY)
 	$(BIN)/nonhertz solve examples/cylindrical-roller-bearing.toml --out out/demo
@@ -17,6 +17,10 @@ test: $(READY)
 campaign: $(READY)
 	$(BIN)/python -m pytest -m campaign -s tests
 
+# The page in a real browser: Chromium or Chrome must be installed. Screenshots go to out/screenshots.
+browser: $(READY)
+	$(BIN)/python -m pytest -m browser -s tests/browser
+
 verify: $(READY)
 	$(BIN)/nonhertz verify --out out/verify
 
@@ -25,6 +29,11 @@ lint: $(READY)
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+
+docs: $(READY)
+	$(BIN)/python -m pip install --quiet --constraint constraints.txt --group docs
+	$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet --builder html docs out/site
+	@echo "The documents are in out/site; open out/site/index.html first."
 
 # The race runs without the peers where they cannot be had, and says so.
 bench: $(READY)

@@ -36,6 +36,7 @@ def drop(example, name):
     }[name]
 
 
+@pytest.mark.campaign
 def test_the_study(example, monkeypatch, tmp_path, capsys):
     monkeypatch.setattr(example, "OTHER_TAPERS", ())
     results = example.main(tmp_path, LOADS, strips=21)

@@ -35,7 +35,10 @@ def test_the_estimate_covers_the_error():
         assert abs(found.max_pressure / exact.max_pressure - 1.0) < found.error_estimate.max_pressure
 
 
-@pytest.mark.parametrize("cells", [(16, 64), (16, 256), (24, 200), (32, 128), (64, 128)], ids=str)
+LONG = [pytest.param(cells, marks=pytest.mark.campaign) for cells in ((16, 256), (24, 200), (32, 128), (64, 128))]
+
+
+@pytest.mark.parametrize("cells", [(16, 64), *LONG], ids=str)
 def test_the_estimate_covers_the_error_of_few_cells_in_one_direction(cells):
     generator = np.random.default_rng(3)
     for k in range(4):
