@@ -8,6 +8,7 @@ from __future__ import annotations
 import contextlib
 import sys
 import threading
+import warnings
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -46,11 +47,20 @@ _SILENCE = 2.0  # s, before whoever waits is told why
 def run(words: Sequence[str]) -> int:
     """Run one command and return its exit code."""
     try:
-        code = app(list(words))
+        with _plain_warnings():
+            code = app(list(words))
     except CycloptsError as error:
         print(f"{' '.join(str(error).split()).rstrip('.')}; see 'nonhertz --help'.", file=sys.stderr)
         return BAD_INPUT
     return code if isinstance(code, int) else FINE
+
+
+@contextlib.contextmanager
+def _plain_warnings() -> Iterator[None]:
+    """Show warnings, such as those of a measured profile, as sentences and not as lines of source."""
+    with warnings.catch_warnings():
+        warnings.showwarning = lambda message, *_, **__: print(f"warning: {message}", file=sys.stderr)
+        yield
 
 
 @app.command
@@ -229,6 +239,132 @@ def life(
 
 
 @app.command
+def report(
+    *cases: Path,
+    out: Path | None = None,
+    life: bool | None = None,
+    stress: bool = True,
+) -> int:
+    """Solve case files and write one HTML file for people who run nothing.
+
+    It has inputs, assumptions and whether they hold, results, figures, references and the case files themselves, and
+    loads nothing from elsewhere. Several cases are compared with the first.
+
+    Parameters
+    ----------
+    cases : tuple of Path
+        The case files, one at least.
+    out : Path
+        The file to write; an older report is replaced, any other file is not. Left out, the first case file's name
+        with '-report.html', in the current directory.
+    life : bool
+        Assess lives, or do not; left out, of those cases that have a table life. It takes some seconds for each load.
+    stress : bool
+        Look below the surface.
+    """
+    from nonhertz.cli.reporting import made, read_subjects, target, write  # noqa: PLC0415
+    from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
+
+    if not cases:
+        raise InputError("CASE", "", "be given", "name one case file or more")
+    path = target(out, cases)
+    subjects = read_subjects(cases)
+    refuse_unwritable(path.parent)
+    text, found = made(subjects, life, stress, _patience())
+    write(path, text)
+    print(f"wrote {path}")
+    complaints = [f"{each.label}: {each.complaint}" for each in found if each.complaint]
+    if complaints:
+        sys.stdout.flush()
+        print(*complaints, sep="\n", file=sys.stderr)
+    return NOT_CONVERGED if complaints else FINE
+
+
+@app.command
+def profile(
+    file: Path,
+    /,
+    *,
+    position_unit: str | None = None,
+    height_unit: str | None = None,
+    position_column: str | None = None,
+    height_column: str | None = None,
+    sense: str | None = None,
+    level: Annotated[bool | None, Parameter(show_default=False)] = None,
+    align: str | None = None,
+    trim: str | None = None,
+    outliers: str | None = None,
+    smooth: str | None = None,
+    cutoff: str | None = None,
+    slope: str | None = None,
+    points: str | None = None,
+    fit: str | None = None,
+    out: Path | None = None,
+    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+) -> int:
+    """Prepare a measured profile step by step, and say what every step did.
+
+    Parameters
+    ----------
+    file : Path
+        What the measuring machine wrote: text in columns, a MarWin text export, .smd, .prf or .x3p.
+    position_unit : str
+        Unit of the positions in a text; what the file states, or mm.
+    height_unit : str
+        Unit of the heights in a text, such as um; what the file states, or mm.
+    position_column : str
+        Column of the positions, by number from 1 or by name.
+    height_column : str
+        Column of the heights.
+    sense : str
+        height (positive where material is) or drop (positive where it is taken away).
+    level : bool
+        Take off the tilt at which the body lay in the machine; --no-level leaves it.
+    align : str
+        How to find the middle of the body: ends, symmetry or no.
+    trim : str
+        Cut off the chamfers: auto, a length to keep, or no.
+    outliers : str
+        Robust standard deviations beyond which points are taken out, 5 if left out, or no.
+    smooth : str
+        Filter: gaussian, spline or no.
+    cutoff : str
+        Wavelength of which the filter lets half through, 0.8 mm if left out.
+    slope : str
+        Slope at which a chamfer begins, 0.05 if left out.
+    points : str
+        How many points to keep: auto, a number, or no for all.
+    fit : str
+        A kind of profile to fit, such as crown, or best to compare all.
+    out : Path
+        Directory for profile.csv, profile.json, profile.toml and the figure; made if it does not exist.
+    as_json : bool
+        Print one JSON object in place of the tables.
+    """
+    from nonhertz.cli import profiling  # noqa: PLC0415
+    from nonhertz.io.prepared import as_json as json_text  # noqa: PLC0415
+    from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
+
+    if out is not None:
+        refuse_unwritable(out)
+    values = profiling.options(
+        position_unit=position_unit, height_unit=height_unit, position_column=position_column,
+        height_column=height_column, sense=sense, level=level, align=align, trim=trim, outliers=outliers,
+        smooth=smooth, cutoff=cutoff, slope=slope, points=points,
+    )  # fmt: skip
+    measured = profiling.prepared(file, values)
+    fits = profiling.fitted(measured, fit)
+    written = profiling.written(out, file, values, measured, fits) if out is not None else ()
+    if as_json:
+        print(json_text(measured, fits))
+        return FINE
+    profiling.print_profile(measured, fits)
+    for path in written:
+        print(f"wrote {path}")
+    return FINE
+
+
+@app.command
 def check(case: Path, /) -> int:
     """List all mistakes in a case file.
 
@@ -269,6 +405,42 @@ def new(path: Path | None = None, /) -> int:
     else:
         write_starting_case(path)
         print(f"wrote {path}; solve it with: nonhertz solve {path}")
+    return FINE
+
+
+@app.command
+def serve(
+    case: Path | None = None,
+    /,
+    *,
+    port: int = 8765,
+    browser: bool = True,
+) -> int:
+    """Open a page in the browser on which a case is changed and solved as you go.
+
+    The page is served to this machine alone, and nothing leaves it. Ctrl-C ends it.
+
+    Parameters
+    ----------
+    case : Path
+        The case file to begin with; left out, the one that 'nonhertz new' writes. The page reads no files: a profile
+        that names one begins with its points.
+    port : int
+        Where the page is served; 0 for a free port.
+    browser : bool
+        Whether to open the page in a browser.
+    """
+    from nonhertz.cli.serving import starting_document  # noqa: PLC0415
+    from nonhertz.web.server import serve as serve_page  # noqa: PLC0415
+
+    document, notes = starting_document(case)
+    for note in notes:
+        print(note)
+
+    def announce(address: str) -> None:
+        print(f"The page is at {address} until you press Ctrl-C here.", flush=True)
+
+    serve_page(document, port, browser=browser, announce=announce)
     return FINE
 
 

@@ -1,0 +1,240 @@
+"""What the result rests on: each assumption with its criterion, this case's number, and whether it holds.
+
+Limits are those that the solver warns by, and for errors the difference from which on a comparison of methods tells
+why. Where no input tells whether an assumption holds, that is said.
+"""
+
+from __future__ import annotations
+
+import enum
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.comparison.reasons import TOLD
+from nonhertz.finite import depth_below, ends
+from nonhertz.outcome import HEAVIEST, LEAST_DEPTH, MOST_OF_RADIUS, WIDER_THAN_LONG
+from nonhertz.report.finding import Finding
+from nonhertz.report.numerals import given
+from nonhertz.singular import largest_away, singular_ends
+from nonhertz.solution import EdgeKind, EdgePressure, Solution, Status
+from nonhertz.strip.element import SEMI_ELLIPTIC
+from nonhertz.tables.summary import digits
+
+Array = NDArray[np.float64]
+
+# Of the yield strength, the pressure p0 of a line contact at which flow begins below the surface, by Tresca's
+# criterion: K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, section 6.1.
+FLOW_BEGINS = 1.67
+
+
+class Verdict(enum.Enum):
+    """Whether an assumption holds; each member's value is what the reader sees."""
+
+    HOLDS = "holds"
+    STRAINED = "strained"
+    NOT_MET = "not met"
+    OPEN = "not judged"
+
+
+@dataclass(frozen=True)
+class Assumption:
+    """One assumption.
+
+    Attributes
+    ----------
+    name : str
+        What is assumed.
+    criterion : str
+        When that can be.
+    number : str
+        What this case has.
+    verdict : Verdict
+        Whether it holds.
+    remark : str
+        What follows from that; may be empty.
+    """
+
+    name: str
+    criterion: str
+    number: str
+    verdict: Verdict
+    remark: str = ""
+
+
+def assumptions(found: Finding) -> list[Assumption]:
+    """Return the assumptions behind a result and whether they hold."""
+    solution = found.solution
+    told = [_converged(solution)]
+    if solution.contact_y and solution.status is Status.CONVERGED:
+        told += [_curved(solution), _long(solution), *_deep(solution), *_faces(solution), *_ends(solution)]
+        told += [_smooth(solution), *_fine(solution), _shape(solution), *_elastic(found)]
+    told.append(
+        Assumption("Surfaces", "dry, smooth, without friction", "no such input", Verdict.OPEN, "Roughness is left out.")
+    )
+    return told
+
+
+def _converged(solution: Solution) -> Assumption:
+    fine = solution.status is Status.CONVERGED
+    remark = "" if fine else "The numbers are those at which the solver stopped. They mean nothing."
+    return Assumption(
+        "Solved",
+        "every contact condition is met",
+        f"{solution.status.label}, {solution.iterations} Newton steps",
+        Verdict.HOLDS if fine else Verdict.NOT_MET,
+        remark,
+    )
+
+
+def _curved(solution: Solution) -> Assumption:
+    touching = solution.line_load > 0.0
+    y = solution.y[touching]
+    sharper = np.maximum(np.abs(solution.contact.a.curvature(y)), np.abs(solution.contact.b.curvature(y)))
+    ratio = float(np.max(solution.half_width[touching] * sharper))
+    return Assumption(
+        "Half-spaces, parabolic separation across",
+        f"half-width up to {MOST_OF_RADIUS:g} of the smaller radius of curvature",
+        f"{digits(ratio, 3)}",
+        _strained_if(ratio > MOST_OF_RADIUS),
+    )
+
+
+def _long(solution: Solution) -> Assumption:
+    widest = 2.0 * float(solution.half_width.max())
+    longest = max(high - low for low, high in solution.contact_y)
+    return Assumption(
+        "Strips across a contact that is long",
+        f"width / length up to {WIDER_THAN_LONG:g}",
+        f"{digits(widest / longest, 3)}",
+        _strained_if(widest > WIDER_THAN_LONG * longest),
+        "Expect errors where the contact ends." if widest > WIDER_THAN_LONG * longest else "",
+    )
+
+
+def _deep(solution: Solution) -> Iterator[Assumption]:
+    touching = solution.half_width > 0.0
+    for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
+        what = f"Body {name} is thick"
+        criterion = f"depth of at least {LEAST_DEPTH:g} half-widths"
+        below: Callable[[Array], Array] | None = depth_below(body, solution.element)
+        if below is None:
+            remark = "A half-space of endless depth: approach counts from a point far away."
+            yield Assumption(what, criterion, "no depth given", Verdict.OPEN, remark)
+        else:
+            ratio = float(np.min(below(solution.y[touching]) / solution.half_width[touching]))
+            yield Assumption(what, criterion, digits(ratio, 3), _strained_if(ratio < LEAST_DEPTH))
+
+
+def _faces(solution: Solution) -> Iterator[Assumption]:
+    freed = ends(solution.contact)
+    if not freed:
+        return
+    heaviest = max(freed, key=lambda end: end.wanted)
+    heavy = heaviest.wanted > HEAVIEST
+    places = " and ".join(f"{end.y:.5g}" for end in freed if end.wanted > HEAVIEST)
+    remark = f"Those about y = {places} mm were lowered until it is 1; the pressure up to there is finite only by this."
+    yield Assumption(
+        "Images about side faces",
+        "weight of at most 1 of the surface",
+        f"{'' if len(freed) == 1 else 'at most '}{digits(heaviest.wanted, 3)}",
+        _strained_if(heavy),
+        remark if heavy else "",
+    )
+
+
+_ENDS = {
+    EdgeKind.RUN_OUT: (Verdict.HOLDS, ""),
+    EdgeKind.FINITE: (Verdict.STRAINED, "Freed of shear, not of normal stress: the true pressure at the end is lower."),
+    EdgeKind.SINGULAR: (
+        Verdict.NOT_MET,
+        "The pressure has no limit there; trust it from a quarter of a half-width inwards.",
+    ),
+    EdgeKind.CUT_OFF: (Verdict.NOT_MET, "The pressure there is that of bodies cut off: give more strips."),
+}
+
+
+def _ends(solution: Solution) -> Iterator[Assumption]:
+    for edge, name in zip(solution.edge_pressure, ("low", "high"), strict=True):
+        verdict, remark = _ENDS[edge.kind]
+        what = f"Contact ends inside the bodies at {name} y"
+        yield Assumption(what, "pressure falls to zero before a body ends", _end(edge), verdict, remark)
+
+
+def _end(edge: EdgePressure) -> str:
+    kind = edge.kind.label.replace("-", " ")
+    sharp = f", p ~ s^-{edge.exponent:.3g}" if edge.kind is EdgeKind.SINGULAR else ""
+    return f"{kind} at y = {edge.y:.5g} mm{sharp}"
+
+
+def _smooth(solution: Solution) -> Assumption:
+    low, high = solution.contact_y[0][0], solution.contact_y[-1][1]
+    bends = sum(low < y < high for y in solution.contact.bends)
+    number = "1 bend of the relief in contact" if bends == 1 else f"{bends or 'no'} bends of the relief in contact"
+    corner = solution.peaks_at_corner
+    remark = "The largest pressure has no limit: give the corner a radius." if corner else ""
+    criterion = "no corner of the profile bears the largest pressure"
+    return Assumption("Smooth along y", criterion, number, Verdict.NOT_MET if corner else Verdict.HOLDS, remark)
+
+
+def _fine(solution: Solution) -> Iterator[Assumption]:
+    estimate = solution.error_estimate
+    criterion = f"the solve's own estimate of its error is up to {100.0 * TOLD:g} %"
+    # Whichever of the two is prescribed has no error.
+    name, error = max((("approach", estimate.approach), ("load", estimate.load)), key=lambda each: each[1])
+    yield Assumption(f"Grid fine enough for the {name}", criterion, _percent(error), _known(error))
+    singular = bool(singular_ends(solution)) or solution.peaks_at_corner
+    verdict = Verdict.NOT_MET if singular else _known(estimate.max_pressure)
+    remark = "The largest pressure rises with every refinement." if singular else ""
+    number = "no limit" if singular else _percent(estimate.max_pressure)
+    yield Assumption("Grid fine enough for the largest pressure", criterion, number, verdict, remark)
+
+
+def _shape(solution: Solution) -> Assumption:
+    remark = "'nonhertz compare' solves the case on a plane grid that assumes no shape."
+    if solution.element is not SEMI_ELLIPTIC:
+        remark = f"The parabola has an error of about 1 % that no refinement removes. {remark}"
+    return Assumption(
+        "Pressure across", "has the shape of the strips' element", solution.element.name, Verdict.OPEN, remark
+    )
+
+
+def _elastic(found: Finding) -> Iterator[Assumption]:
+    solution = found.solution
+    strips = largest_away(solution)
+    if not strips:
+        return
+    pressure = float(solution.peak_pressure[strips[0]])
+    where = " away from the ends" if singular_ends(solution) else ""
+    yield Assumption(
+        "Linear elastic bodies",
+        f"p0 below {FLOW_BEGINS:g} yield strengths (line contact, Tresca; Johnson 1985, section 6.1)",
+        f"p0 = {digits(pressure)} MPa{where}",
+        Verdict.OPEN,
+        f"No input says when the material flows: it must bear {digits(pressure / FLOW_BEGINS, 4)} MPa before it does.",
+    )
+    if found.stress:
+        largest = found.stress[0]
+        yield Assumption(
+            f"Linear elastic below the surface of body {largest.body}",
+            "von Mises stress below the yield strength",
+            f"{digits(largest.von_mises.max)} MPa at z = {digits(largest.von_mises.z, 3)} mm",
+            Verdict.OPEN,
+        )
+
+
+def _strained_if(strained: bool) -> Verdict:
+    return Verdict.STRAINED if strained else Verdict.HOLDS
+
+
+def _known(error: float) -> Verdict:
+    return _strained_if(error > TOLD) if math.isfinite(error) else Verdict.OPEN
+
+
+def _percent(error: float) -> str:
+    if not math.isfinite(error):
+        return "not known"
+    return f"about {given(100.0 * error, 1)} %" if error > 1e-12 else "none"

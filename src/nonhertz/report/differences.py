@@ -1,0 +1,157 @@
+"""Several cases side by side: in which inputs they differ, and what that changes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from nonhertz.io.lives import BODIES
+from nonhertz.report.finding import Finding
+from nonhertz.report.inputs import Entry, inputs
+from nonhertz.report.subject import Subject
+from nonhertz.singular import largest_away, singular_ends
+from nonhertz.solution import EdgeKind, EdgePressure, Solution
+from nonhertz.tables.lives import without_ratio
+from nonhertz.tables.summary import digits
+
+ABSENT = "–"
+ROUNDING = 1e-12
+
+
+@dataclass(frozen=True)
+class Row:
+    """One quantity of all cases.
+
+    Attributes
+    ----------
+    name : str
+        What it is, with its unit.
+    values : tuple of str
+        One for each case.
+    remarks : tuple of str
+        What is to be said of each beside, mostly its difference to the first in per cent; may be empty.
+    """
+
+    name: str
+    values: tuple[str, ...]
+    remarks: tuple[str, ...] = ()
+
+
+def differing_inputs(subjects: Sequence[Subject]) -> list[Row]:
+    """Return the inputs in which cases differ, by their keys."""
+    tables = [_by_place(subject) for subject in subjects]
+    places = dict.fromkeys(place for table in tables for place in table)
+    rows = []
+    for place in places:
+        values = tuple(table.get(place, ABSENT) for table in tables)
+        if len(set(values)) > 1:
+            rows.append(Row(place, values))
+    return rows
+
+
+def results(found: Sequence[Finding]) -> list[Row]:
+    """Return the results of all cases, with differences to the first."""
+    solutions = [each.solution for each in found]
+    rows = [_row(name, [number(each) for each in solutions]) for name, number in _QUANTITIES.items()]
+    sharp = any(singular_ends(each) for each in solutions)
+    name = "largest pressure away from sharp ends [MPa]" if sharp else "maximum pressure [MPa]"
+    rows.insert(0, _row(name, [_largest_pressure(each) for each in solutions]))
+    rows[1:1] = [_ends(solutions, at, name) for at, name in ((0, "low"), (1, "high"))]
+    if all(each.stress for each in found):
+        for name, key in _STRESSES.items():
+            largest = [getattr(each.stress[0], key).max for each in found if each.stress]
+            rows.append(_row(f"largest {name} in body a [MPa]", largest))
+    return rows
+
+
+def lives(found: Sequence[Finding]) -> list[Row]:
+    """Return the lives of all cases that have any, over that of the first; none if the first has none."""
+    first = found[0].lives
+    if first is None or sum(each.lives is not None for each in found) < 2:
+        return []
+    rows = []
+    for number, life in enumerate(first.lives["a"]):
+        for body in BODIES:
+            own, ratios = [], []
+            for each in found:
+                has = each.lives is not None
+                own.append(_number(each.lives.lives[body][number].relative) if each.lives else ABSENT)
+                ratio = each.lives.over(first, body, number) if each.lives else math.nan
+                ratios.append(f"× {digits(ratio, 4)}" if has and each is not found[0] and math.isfinite(ratio) else "")
+            rows.append(Row(f"{life.model.name}, body {body}", tuple(own), tuple(ratios)))
+    return rows
+
+
+def remarks_on_lives(found: Sequence[Finding]) -> list[str]:
+    """Return why some lives are not compared."""
+    first = found[0].lives
+    told = [without_ratio(each.lives, first) for each in found[1:] if each.lives and first]
+    return list(dict.fromkeys(words for each in told for words in each))
+
+
+def _by_place(subject: Subject) -> dict[str, str]:
+    groups = inputs(subject)
+    entries = [entry for group in groups for entry in group.entries]
+    entries += [entry for group in groups for profile in group.profiles for entry in profile.entries]
+    return {entry.place: _told(entry) for entry in entries}
+
+
+def _told(entry: Entry) -> str:
+    return f"{entry.value} {entry.unit}".strip()
+
+
+def _largest_pressure(solution: Solution) -> float:
+    strips = largest_away(solution)
+    return float(solution.peak_pressure[strips[0]]) if strips else math.nan
+
+
+def _ends(solutions: Sequence[Solution], at: int, name: str) -> Row:
+    values, remarks = zip(*(_end(each.edge_pressure[at]) for each in solutions), strict=True)
+    return Row(f"pressure at the {name} end", values, remarks)
+
+
+def _end(edge: EdgePressure) -> tuple[str, str]:
+    if edge.kind is EdgeKind.RUN_OUT:
+        return "runs out", ""
+    if edge.kind is not EdgeKind.SINGULAR:
+        return f"{digits(edge.pressure)} MPa", edge.kind.label.replace("-", " ")
+    strength = "K not known" if edge.strength is None else f"K = {digits(edge.strength, 4)} MPa mm^{edge.exponent:.3g}"
+    return "no limit", strength
+
+
+def _length(solution: Solution) -> float:
+    return math.fsum(high - low for low, high in solution.contact_y)
+
+
+_QUANTITIES: dict[str, Callable[[Solution], float]] = {
+    "approach [µm]": lambda solution: 1e3 * solution.approach,
+    "tilt [mrad]": lambda solution: 1e3 * solution.tilt,
+    "load [N]": lambda solution: solution.load,
+    "moment [N mm]": lambda solution: _rounded(solution.moment, solution.load * _length(solution)),
+    "largest half-width [mm]": lambda solution: float(solution.half_width.max()),
+    "length of contact [mm]": _length,
+    "d load / d approach [N/mm]": lambda solution: float(solution.stiffness[0, 0]),
+    "d moment / d tilt [N mm/rad]": lambda solution: float(solution.stiffness[1, 1]),
+}
+_STRESSES = {"von Mises stress": "von_mises", "shear stress": "shear", "orthogonal shear stress": "orthogonal_shear"}
+
+
+def _rounded(value: float, scale: float) -> float:
+    """Return zero for what is rounding of a sum of terms of the size of ``scale``."""
+    return value if abs(value) > ROUNDING * abs(scale) else 0.0
+
+
+def _row(name: str, values: Sequence[float]) -> Row:
+    return Row(name, tuple(map(_number, values)), ("", *(_change(value, values[0]) for value in values[1:])))
+
+
+def _number(value: float) -> str:
+    return digits(value) if math.isfinite(value) else ABSENT
+
+
+def _change(value: float, first: float) -> str:
+    if not (math.isfinite(value) and math.isfinite(first)) or first == 0.0:
+        return ""
+    change = 100.0 * (value - first) / abs(first)
+    return f"{change:+.3g} %" if abs(change) >= 5e-4 else "0 %"

@@ -1,0 +1,66 @@
+"""Files that the page carries inside itself, as links that save them."""
+
+from __future__ import annotations
+
+import base64
+from dataclasses import dataclass
+from pathlib import PurePosixPath
+
+from nonhertz.io.lives import as_json as lives_as_json
+from nonhertz.io.results import as_json, as_table
+from nonhertz.io.stresses import as_json as stresses_as_json
+from nonhertz.report.finding import Finding
+
+_KINDS = {".toml": "application/toml", ".json": "application/json", ".csv": "text/csv"}
+
+
+@dataclass(frozen=True)
+class Download:
+    """A file inside the page.
+
+    Attributes
+    ----------
+    name : str
+        What it is saved as.
+    what : str
+        What it holds, in words.
+    size : int
+        Its length [bytes].
+    address : str
+        The file itself, as a ``data:`` address.
+    """
+
+    name: str
+    what: str
+    size: int
+    address: str
+
+
+def downloads(found: Finding) -> list[Download]:
+    """Return the case file, the files that it names, and everything that was found."""
+    subject, title = found.subject, found.subject.case.title
+    files = [_download(subject.name, "the case file, as it was solved", subject.text.encode())]
+    files += [
+        _download(name, f"named by the case file; put it where {name} is from there", content)
+        for name, content in subject.attachments.items()
+    ]
+    stem = PurePosixPath(subject.name).stem
+    files.append(_text(f"{stem}-table.csv", "the strips", as_table(found.solution)))
+    files.append(_text(f"{stem}-result.json", "all numbers of the solution", as_json(found.solution, title) + "\n"))
+    if found.stress:
+        text = stresses_as_json(found.solution, *found.stress, title)
+        files.append(_text(f"{stem}-stress.json", "the largest stresses", text + "\n"))
+    if found.lives:
+        files.append(_text(f"{stem}-life.json", "the lives", lives_as_json(found.lives) + "\n"))
+    return files
+
+
+def _text(name: str, what: str, text: str) -> Download:
+    return _download(name, what, text.encode())
+
+
+def _download(name: str, what: str, content: bytes) -> Download:
+    saved_as = PurePosixPath(name.replace("\\", "/")).name
+    kind = _KINDS.get(PurePosixPath(saved_as).suffix.lower(), "application/octet-stream")
+    address = f"data:{kind};base64,{base64.b64encode(content).decode('ascii')}"
+    return Download(saved_as, what, len(content), address)

@@ -1,0 +1,108 @@
+"""The figures of a report with their captions, each in the words that its drawing needs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import count
+from typing import TYPE_CHECKING
+
+from nonhertz.plot import figures, life_figure, stress_figures
+from nonhertz.report.drawing import inline_svg
+from nonhertz.report.finding import Finding
+from nonhertz.report.overlay import pressures, reliefs
+from nonhertz.report.telling import keys
+from nonhertz.singular import singular_ends
+from nonhertz.solution import Solution
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_SHARP = " Where the pressure has no limit the axis is cut, with exponent and strength beside it."
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure of the page.
+
+    Attributes
+    ----------
+    number : int
+        Its number.
+    svg : str
+        An ``svg`` element.
+    caption : str
+        What stands below it.
+    """
+
+    number: int
+    svg: str
+    caption: str
+
+
+class Gallery:
+    """Draws the figures of one page and numbers them."""
+
+    def __init__(self) -> None:
+        self._numbers = count(1)
+
+    def of_solution(self, found: Finding) -> dict[str, Picture]:
+        """Return pressure, footprint and profile, by these names."""
+        solution = found.solution
+        captions = {
+            "pressure": "Pressure on the centre line and half-width along the contact."
+            + (_SHARP if singular_ends(solution) else ""),
+            "footprint": "Contact area, coloured by its pressure" + _proportions(solution),
+            "profile": "Distance of both surfaces on the centre line before and after loading.",
+        }
+        told = "; ".join(f"{key.name} {key.value} {key.unit} {key.remark}".strip() for key in keys(found))
+        return {
+            name: self._picture(drawn, captions[name], f"{found.subject.case.title}: {told}")
+            for name, drawn in figures(solution).items()
+        }
+
+    def of_stress(self, found: Finding) -> dict[str, Picture]:
+        """Return both planes below the surface, none where stress was not asked for."""
+        if found.stress is None:
+            return {}
+        overall, section = found.stress
+        captions = {
+            "axial-plane": f"Von Mises stress in body {overall.body} below the centre line, along the contact.",
+            "cross-section": f"Von Mises stress in the cross-section at y = {section.von_mises.y:.4g} mm, in true "
+            "proportions.",
+        }
+        largest = overall.von_mises
+        told = (
+            f"The largest is {largest.max:.5g} MPa at x = {largest.x:.3g}, y = {largest.y:.3g}, z = {largest.z:.3g} mm."
+        )
+        return {
+            name: self._picture(drawn, captions[name], told)
+            for name, drawn in stress_figures(found.solution, overall, section).items()
+        }
+
+    def of_lives(self, found: Finding) -> Picture | None:
+        """Return where the bodies fatigue, if lives were asked for."""
+        if found.lives is None:
+            return None
+        drawn = life_figure(found.lives.spectrum, found.lives.lives)
+        caption = (
+            "Where along the contact the bodies fatigue: damage per length over its mean under the ideal pressure."
+        )
+        lives = [life for body in found.lives.lives.values() for life in body]
+        told = "; ".join(f"{life.model.name} in body {life.body}: life {life.relative:.3g}" for life in lives)
+        return self._picture(drawn, caption, told)
+
+    def of_all(self, found: Sequence[Finding]) -> Iterator[Picture]:
+        """Yield pressures with half-widths, and separations, of all cases."""
+        names = ", ".join(each.label for each in found)
+        yield self._picture(pressures(found), "Pressure on the centre line and half-width of all cases.", names)
+        caption = "Separation of the bodies before loading (the reliefs of both) of all cases, as far as they touch."
+        yield self._picture(reliefs(found), caption, names)
+
+    def _picture(self, figure: Figure, caption: str, description: str) -> Picture:
+        number = next(self._numbers)
+        return Picture(number, inline_svg(figure, f"figure-{number}", caption, description), caption)
+
+
+def _proportions(solution: Solution) -> str:
+    return " (the dotted line is the half-width)." if solution.element.name == "parabolic" else "."

@@ -1,0 +1,140 @@
+"""What is found out about the subjects of a report: solutions, and then stress below the surface and life."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from nonhertz.casework import Announce, assessed, in_silence, largest_stresses, models_for, solved, spectrum_solved
+from nonhertz.errors import CaseError, ConvergenceError
+from nonhertz.io.casefile import LifeCase, named
+from nonhertz.io.lives import BODIES, Assessment
+from nonhertz.io.stresses import all_warnings
+from nonhertz.report.subject import Subject, labels
+from nonhertz.solution import Solution
+from nonhertz.subsurface import Extremes
+
+STRESS_STEPS = 2  # in the whole body and in a cross-section
+
+
+@dataclass(frozen=True, eq=False)
+class Finding:
+    """What is known of one subject.
+
+    Attributes
+    ----------
+    subject : Subject
+        What was asked.
+    label : str
+        What to call it beside others.
+    solution : Solution
+        The solution, or where the loop stopped.
+    complaint : str
+        Why it is none, or why there is no life; empty if nothing failed.
+    stress : tuple of two Extremes or None
+        The largest stresses in body a and in one cross-section of it.
+    lives : Assessment or None
+        How long both bodies last.
+    """
+
+    subject: Subject
+    label: str
+    solution: Solution
+    complaint: str = ""
+    stress: tuple[Extremes, Extremes] | None = None
+    lives: Assessment | None = None
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Everything that strains the numbers, each sentence once."""
+        of_lives = self.lives.warnings if self.lives else ()
+        of_stress = all_warnings(self.solution, *(self.stress or ()))
+        return tuple(dict.fromkeys((*self.subject.notes, *of_stress, *of_lives)))
+
+
+def settled(subjects: Sequence[Subject]) -> tuple[Finding, ...]:
+    """Return the solutions of all subjects.
+
+    Raises
+    ------
+    CaseError
+        If the solver refuses cases, with every mistake; of several subjects each has its label in front.
+    """
+    found: list[Finding] = []
+    mistakes: list[str] = []
+    places: list[str] = []
+    for subject, label in zip(subjects, labels(subjects), strict=True):
+        try:
+            with named(subject.name) if len(subjects) > 1 else contextlib.nullcontext():
+                found.append(Finding(subject, label, *_solved(subject)))
+        except CaseError as error:
+            mistakes += error.mistakes
+            places += error.places
+    if mistakes:
+        raise CaseError(mistakes, places)
+    return tuple(found)
+
+
+def examined(
+    found: Sequence[Finding], *, life: bool | None = None, stress: bool = True, announce: Announce = in_silence
+) -> tuple[Finding, ...]:
+    """Return the findings with stress below the surface and life, where these are wanted and the case has converged.
+
+    Parameters
+    ----------
+    found : sequence of Finding
+        What `settled` returned.
+    life : bool or None
+        Whether to assess lives; None for that of cases that say anything of life.
+    stress : bool
+        Whether to search for the largest stresses.
+    announce : callable
+        Is told what is begun; `steps` says how often.
+    """
+    found = [_stressed(each, announce) if stress else each for each in found]
+    wanted = [each for each in found if _wants_life(each, life)]
+    with_lives = iter(_assessed(wanted, announce))
+    return tuple(next(with_lives) if each in wanted else each for each in found)
+
+
+def steps(found: Sequence[Finding], *, life: bool | None = None, stress: bool = True) -> int:
+    """Return how often `examined` will announce something."""
+    searches = sum(STRESS_STEPS for each in found if stress and not each.complaint)
+    loads = sum(max(1, len(each.subject.case.life.spectrum)) for each in found if _wants_life(each, life))
+    return searches + len(BODIES) * loads
+
+
+def _solved(subject: Subject) -> tuple[Solution, str]:
+    try:
+        return solved(subject.case), ""
+    except ConvergenceError as error:
+        return error.solution, str(error)
+
+
+def _stressed(found: Finding, announce: Announce) -> Finding:
+    if found.complaint:
+        return found
+    return replace(found, stress=largest_stresses(found.solution, announce=announce))
+
+
+def _wants_life(found: Finding, life: bool | None) -> bool:
+    told = found.subject.case.life != LifeCase()
+    return not found.complaint and (told if life is None else life)
+
+
+def _assessed(found: Sequence[Finding], announce: Announce) -> list[Finding]:
+    """Return findings with lives by the models of the first, so that lives can be compared."""
+    if not found:
+        return []
+    cases = [each.subject.case for each in found]
+    models, notes = models_for(cases[0], (), cases[1:])
+    told = []
+    for each, case in zip(found, cases, strict=True):
+        try:
+            with named(each.subject.name) if len(found) > 1 else contextlib.nullcontext():
+                lives = assessed(case, spectrum_solved(case), models, notes, announce)
+            told.append(replace(each, lives=lives))
+        except ConvergenceError as error:
+            told.append(replace(each, complaint=str(error)))
+    return told

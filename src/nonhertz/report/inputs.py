@@ -1,0 +1,221 @@
+"""Every input of a case with value, unit and meaning, and whether it is a default.
+
+Meanings and units are those of the case file's schema, values those of the bodies that were made of it.
+"""
+
+from __future__ import annotations
+
+import functools
+import inspect
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from nonhertz.io.casefile import schema
+from nonhertz.model.body import Body, TabulatedDiameter
+from nonhertz.model.material import MATERIALS, Material
+from nonhertz.model.profile import CATALOGUE
+from nonhertz.report.method import formula, source
+from nonhertz.report.numerals import given
+from nonhertz.report.subject import Subject, profile_tables
+
+LONGEST_LIST = 8  # entries that are told one by one
+_ABSENT = {"diameter": "flat", "length": "unbounded", "effective_length": "all of the length"}
+_OF_THE_BODY = "of the body"
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One input.
+
+    Attributes
+    ----------
+    place : str
+        The key as the case file has it, such as ``"body.a.length"``.
+    value, unit : str
+        Number or word, and the unit that the number is in.
+    meaning : str
+        What it is.
+    default : bool
+        Whether the case file leaves it out.
+    written : str
+        As the case file has it, where that is in another unit.
+    """
+
+    place: str
+    value: str
+    unit: str
+    meaning: str
+    default: bool
+    written: str = ""
+
+    @property
+    def key(self) -> str:
+        """The last part of the place."""
+        return self.place.rpartition(".")[2]
+
+
+@dataclass(frozen=True)
+class ProfileInput:
+    """One profile of a body: what it is, its parameters, its formula and where that comes from."""
+
+    title: str
+    formula: str
+    source: str
+    entries: tuple[Entry, ...]
+
+
+@dataclass(frozen=True)
+class Group:
+    """The inputs under one heading of the case file."""
+
+    title: str
+    entries: tuple[Entry, ...]
+    profiles: tuple[ProfileInput, ...] = ()
+
+
+def inputs(subject: Subject) -> list[Group]:
+    """Return all inputs of a subject by the headings of its case file."""
+    document, contact = subject.document, subject.case.contact
+    groups = [
+        _body_group(f"Body {name}", f"body.{name}", document["body"][name], body)
+        for name, body in (("a", contact.a), ("b", contact.b))
+    ]
+    groups.append(Group("Load", tuple(_load_entries(subject, document.get("load", {})))))
+    groups.append(Group("Solver", tuple(_solver_entries(subject, document.get("solver", {})))))
+    if document.get("life"):
+        groups.append(Group("Life", tuple(_life_entries(document["life"]))))
+    return groups
+
+
+def _body_group(title: str, place: str, table: Mapping[str, Any], body: Body) -> Group:
+    entries = [Entry(f"{place}.kind", *_kind(table, body), "kind" not in table)]
+    for name, property_ in _properties("BodyTable").items():
+        if name not in {"kind", "profile"}:
+            value = getattr(body, name)
+            shown = _ABSENT[name] if value is None else _shown(value)
+            unit = _unit(property_) if isinstance(value, float | int | TabulatedDiameter) else ""
+            entries.append(
+                Entry(
+                    f"{place}.{name}", shown, unit, property_["description"], name not in table, _written(table, name)
+                )
+            )
+    tables = profile_tables(table)
+    profiles = tuple(
+        _profile_input(f"{place}.profile[{number}]", profile) for number, profile in enumerate(tables, start=1)
+    )
+    if not tables:
+        profiles = (_profile_input(f"{place}.profile", {"kind": "straight"}, default=True),)
+    return Group(title, tuple(entries), profiles)
+
+
+def _kind(table: Mapping[str, Any], body: Body) -> tuple[str, str, str]:
+    made = type(body).__name__.lower()
+    return (table.get("kind") or ("any body" if made == "body" else made)), "", "what the body is"
+
+
+def _load_entries(subject: Subject, table: Mapping[str, Any]) -> Iterator[Entry]:
+    prescribed = subject.case.prescribed
+    for name, property_ in _properties("LoadTable").items():
+        if name in prescribed:
+            value = given(prescribed[name])
+            yield Entry(f"load.{name}", value, _unit(property_), property_["description"], False, _written(table, name))
+    if not {"tilt", "moment"} & set(prescribed):
+        yield Entry("load.tilt", "0", "rad", _properties("LoadTable")["tilt"]["description"], True)
+
+
+def _solver_entries(subject: Subject, table: Mapping[str, Any]) -> Iterator[Entry]:
+    values = {"element": subject.case.solver["element"].name, "strips": str(subject.case.solver["strips"])}
+    for name, property_ in _properties("SolverTable").items():
+        yield Entry(f"solver.{name}", values[name], "", property_["description"], name not in table)
+
+
+def _life_entries(table: Mapping[str, Any]) -> Iterator[Entry]:
+    for name, property_ in _properties("LifeTable").items():
+        if name == "spectrum" and table.get(name):
+            for number, case in enumerate(table[name], start=1):
+                told = ", ".join(f"{key} {_shown(value)}" for key, value in case.items())
+                yield Entry(f"life.spectrum[{number}]", told, "", property_["description"], False)
+        elif name in table:
+            yield Entry(f"life.{name}", _shown(table[name]), _unit(property_), property_["description"], False)
+
+
+def _profile_input(place: str, table: Mapping[str, Any], *, default: bool = False) -> ProfileInput:
+    kind = table["kind"]
+    described = _profile_kinds().get(kind, {})
+    function = CATALOGUE.get(kind)
+    entries = [Entry(f"{place}.kind", kind, "", "relief along the axis", default)]
+    for name, property_ in described.get("properties", {}).items():
+        value, is_default = _parameter(name, table, function)
+        if name != "kind" and value is not None:
+            meaning = property_.get("description", "").replace("`", "").rstrip(".")
+            unit = _unit(property_) if not isinstance(table.get(name), str) or "unit" not in property_ else ""
+            entries.append(Entry(f"{place}.{name}", value, unit, meaning, is_default))
+    what = described.get("description", kind).rstrip(".")
+    return ProfileInput(what[:1].upper() + what[1:], formula(function), source(function), tuple(entries))
+
+
+def _parameter(name: str, table: Mapping[str, Any], function: Callable[..., Any] | None) -> tuple[str | None, bool]:
+    """Return the value of a profile's parameter in words, None where it has none, and whether it is a default."""
+    if name in table:
+        return _shown(table[name]), False
+    known = inspect.signature(function).parameters.get(name) if function else None
+    if known is None or (known.default is known.empty and "file" in table):
+        return None, True
+    if known.default is known.empty:
+        return _OF_THE_BODY, True
+    return (None if known.default is None else _shown(known.default)), True
+
+
+def _shown(value: Any) -> str:
+    """Return a value as people read it."""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float | int):
+        return given(float(value))
+    if isinstance(value, Material):
+        return _material(value)
+    if isinstance(value, TabulatedDiameter):
+        return f"{_sequence(value.diameter)} at y = {_sequence(value.y)}"
+    if isinstance(value, dict):
+        return ", ".join(f"{key} = {_shown(entry)}" for key, entry in value.items())
+    return _sequence(value) if isinstance(value, list | tuple) else str(value)
+
+
+def _sequence(values: Sequence[Any]) -> str:
+    if len(values) > LONGEST_LIST:
+        return f"{len(values)} values, {_shown(values[0])} to {_shown(values[-1])}"
+    return ", ".join(map(_shown, values))
+
+
+def _material(material: Material) -> str:
+    name = next((name for name, known in MATERIALS.items() if known == material), "")
+    constants = f"E = {_shown(material.modulus)} MPa, ν = {_shown(material.poisson)}"
+    return f"{name} ({constants})" if name else constants
+
+
+def _written(table: Mapping[str, Any], name: str) -> str:
+    """Return a quantity as the case file has it if that is text with a unit, which begins with a digit."""
+    value = table.get(name)
+    return value if isinstance(value, str) and any(letter.isdigit() for letter in value) else ""
+
+
+def _unit(property_: Mapping[str, Any]) -> str:
+    """Return the unit in a key's schema, wherever it stands there."""
+    choices = [property_, *property_.get("anyOf", ()), property_.get("items", {})]
+    return next((str(each["unit"]) for each in choices if each.get("unit")), "")
+
+
+@functools.cache
+def _schema() -> dict[str, Any]:
+    return schema()
+
+
+def _properties(table: str) -> dict[str, dict[str, Any]]:
+    found: dict[str, dict[str, Any]] = _schema()["$defs"][table]["properties"]
+    return found
+
+
+def _profile_kinds() -> dict[str, dict[str, Any]]:
+    single = _properties("BodyTable")["profile"]["anyOf"][0]
+    return {each["title"]: each for each in single["anyOf"]}

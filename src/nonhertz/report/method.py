@@ -1,0 +1,121 @@
+"""How a case was solved, in sentences, and what has been published on it.
+
+Only what the case makes use of is told. Formulas and references are those of the docstrings of the functions at work.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from nonhertz import hertz
+from nonhertz.life import MODELS
+from nonhertz.model.body import Body
+from nonhertz.model.profile import CATALOGUE
+from nonhertz.report.finding import Finding
+from nonhertz.report.numerals import given
+from nonhertz.report.subject import profile_tables
+from nonhertz.singular import singular_ends
+from nonhertz.strip.element import Element
+from nonhertz.subsurface import stress
+
+_REFERENCES = re.compile(r"^References\n-+\n(.*?)(?=\n\n\w+\n---|\Z)", re.DOTALL | re.MULTILINE)
+_NO_SOURCE = re.compile(r"^(Geometry|See |ISO[^;]*; see )")
+_HALF_SPACES = "J. Boussinesq, Application des potentiels, Gauthier-Villars, Paris 1885."
+_SHARP_ENDS = (
+    "M. Comninou, Stress singularity at a sharp edge in contact problems with friction, Zeitschrift für angewandte "
+    "Mathematik und Physik 27 (1976), doi:10.1007/BF01594906; here the case without friction."
+)
+
+
+def formula(function: Callable[..., Any] | None) -> str:
+    """Return what the docstring of a profile says between its first line and its parameters."""
+    words = (inspect.getdoc(function) or "") if function else ""
+    body = words.partition("\n\n")[2].partition("Parameters\n")[0].partition("Returns\n")[0]
+    return _flowing(body)
+
+
+def source(documented: Any) -> str:
+    """Return the references in a docstring; empty if there are none."""
+    found = _REFERENCES.search((inspect.getdoc(documented) or "") if documented else "")
+    return _flowing(found[1]) if found else ""
+
+
+def paragraphs(found: Finding) -> list[str]:
+    """Return how the case was solved, a paragraph for each part of the method."""
+    solution = found.solution
+    contact = solution.contact
+    told = [
+        f"The contact is cut along y into {solution.strips} strips. Each carries a load and a half-width, its pressure "
+        f"is {solution.element.name} across, and all strips act on each other through both elastic bodies. One Newton "
+        "loop finds all loads and half-widths, approach and tilt together, so that both surfaces touch on the centre "
+        "line of every strip that bears load, to second order across, and no strip pulls. Bodies are linear elastic "
+        "half-spaces (Boussinesq), without friction, and the separation across the contact is parabolic.",
+    ]
+    told += [" ".join(_body_words(name, body)) for name, body in (("a", contact.a), ("b", contact.b))]
+    if found.stress:
+        told.append(
+            "Stress below the surface is integrated from the pressure of the strips, which follows it between their "
+            "centres, with the same images behind side faces. The largest values are searched in all of body "
+            f"{found.stress[0].body} below the contact."
+        )
+    if found.lives:
+        told.append(
+            "Life follows from the stresses that every place of both bodies suffers over a pass of the load. It is "
+            "told relative to the life under Hertz's line pressure with the load spread evenly."
+        )
+    return told
+
+
+def references(found: Finding) -> list[str]:
+    """Return the publications that this case draws on, each once."""
+    told = [
+        source(Element),
+        "J. Boussinesq, Application des potentiels, Gauthier-Villars, Paris 1885.",
+        *_of_profiles(found),
+    ]
+    bodies = found.solution.contact.a, found.solution.contact.b
+    if any(body.depth == "plane-strain" for body in bodies):
+        told += [source(hertz.plane_strain_cylinder_compression)]
+    if singular_ends(found.solution):
+        told.append(_SHARP_ENDS)
+    if found.stress or found.lives:
+        told.append(source(stress))
+    if found.lives:
+        told += [source(MODELS[life.model.name]) for life in found.lives.lives["a"]]
+    return list(dict.fromkeys(each for each in told if each))
+
+
+def _of_profiles(found: Finding) -> Iterator[str]:
+    for body in found.subject.document["body"].values():
+        for table in profile_tables(body):
+            words = source(CATALOGUE.get(table["kind"]))
+            if not _NO_SOURCE.match(words):
+                yield words
+
+
+def _body_words(name: str, body: Body) -> Iterator[str]:
+    weights = [weight for weight in body.face_weights if weight > 0.0]
+    if weights:
+        told = " and ".join(f"{weight:.3g}" for weight in dict.fromkeys(weights))
+        yield (
+            f"Side faces of body {name} are freed of shear by mirror images of the pressure with the weight {told}. A "
+            "normal stress is left on them, so that the true pressure at an end is lower."
+        )
+    if body.depth == "none":
+        yield f"Displacement of body {name} is measured against a point far away: it is a half-space of endless depth."
+    elif body.depth == "plane-strain":
+        yield (
+            f"Displacement of body {name} is measured against the depth that makes the compression of a long cylinder "
+            "that of plane strain."
+        )
+    else:
+        where = "its diameter" if body.depth == "diameter" else f"{given(float(body.depth))} mm"
+        yield f"Displacement of body {name} is measured against a point {where} below the surface."
+
+
+def _flowing(text: str) -> str:
+    """Return a docstring's lines as one paragraph, without marks of code."""
+    return " ".join(text.replace("`", "").split())

@@ -1,0 +1,107 @@
+"""Several cases in one figure: pressure and half-width along the contact, and separation before loading."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonhertz.plot.axial import AXIAL_LABEL, axial_range, regular
+from nonhertz.plot.sheets import BOTTOM, LEFT, WIDTH, blank, panel
+from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, sheet_style
+from nonhertz.report.finding import Finding
+from nonhertz.singular import singular_ends
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+# Colours that are told apart with any colour vision (Okabe and Ito), each with dashes of its own for print in grey.
+LINES = (
+    (FIRST, "-"), (SECOND, (0, (5, 1.5))), ("#009E73", (0, (6, 1.5, 1.2, 1.5))), ("#CC79A7", (0, (1.2, 1.2))),
+    (INK, (0, (8, 2))), ("#B08A00", (0, (3, 1, 1, 1, 1, 1))),
+)  # fmt: skip
+HIGH, LOW, BETWEEN, MARGIN, ROW = 2.3, 1.5, 0.25, 0.15, 0.17  # inches; the last is a line of the key
+ROOM, BEYOND = 1.08, 1.6  # times the largest: above all, and where a pressure has no limit
+MICROMETRES = 1e3
+
+
+def pressures(found: Sequence[Finding]) -> Figure:
+    """Return a sheet with the pressure of all cases and, below, their half-widths."""
+    with sheet_style():
+        key = _key_height(found)
+        figure = blank(key + HIGH + BETWEEN + LOW + BOTTOM)
+        upper = panel(figure, LEFT, BOTTOM + LOW + BETWEEN, WIDTH - LEFT - MARGIN, HIGH)
+        lower = panel(figure, LEFT, BOTTOM, WIDTH - LEFT - MARGIN, LOW)
+        for each, (colour, dashes) in zip(found, _lines(found), strict=True):
+            solution = each.solution
+            drawn: dict[str, Any] = {"color": colour, "linestyle": dashes, "linewidth": LINE}
+            upper.plot(solution.y, solution.peak_pressure, **drawn)
+            lower.plot(solution.y, solution.half_width, **drawn)
+        counted = [each.solution.peak_pressure[regular(each.solution)].max(initial=0.0) for each in found]
+        sharp = any(singular_ends(each.solution) for each in found)
+        upper.set_ylim(0.0, float(max(counted)) * (BEYOND if sharp else ROOM) or 1.0)
+        lower.set_ylim(0.0, max(float(each.solution.half_width.max()) for each in found) * ROOM or 1.0)
+        upper.set_ylabel("Centre-line pressure $p_0$ [MPa]")
+        lower.set_ylabel("Half-width $b$ [mm]")
+        _along(upper, found)
+        _along(lower, found)
+        upper.set_xlabel("")
+        upper.tick_params(labelbottom=False)
+        _key(upper, found)
+        return figure
+
+
+def reliefs(found: Sequence[Finding]) -> Figure:
+    """Return a sheet with the separation of both bodies before loading, both reliefs together, of all cases."""
+    with sheet_style():
+        key = _key_height(found)
+        figure = blank(key + HIGH + BOTTOM)
+        axes = panel(figure, LEFT, BOTTOM, WIDTH - LEFT - MARGIN, HIGH)
+        tops = []
+        for each, (colour, dashes) in zip(found, _lines(found), strict=True):
+            solution = each.solution
+            separation = MICROMETRES * solution.contact.separation(solution.y)
+            separation = np.where(np.isfinite(separation), separation, np.nan)
+            axes.plot(solution.y, separation, color=colour, linestyle=dashes, linewidth=LINE)
+            touching = separation[solution.line_load > 0.0]
+            tops.append(float(np.nanmax(touching)) if touching.size else 0.0)
+        low = min(0.0, *axes.get_ylim())
+        # Beyond the contact a relief may rise to tenths of a millimetre.
+        axes.set_ylim(low, BEYOND * max(tops) or 1.0)
+        axes.set_ylabel("Separation before loading [µm]")
+        axes.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
+        _along(axes, found)
+        _key(axes, found)
+        return figure
+
+
+def _lines(found: Sequence[Finding]) -> list[tuple[str, Any]]:
+    return [LINES[number % len(LINES)] for number in range(len(found))]
+
+
+def _along(axes: Axes, found: Sequence[Finding]) -> None:
+    spans = [axial_range(each.solution) for each in found]
+    axes.set_xlim(min(low for low, _ in spans), max(high for _, high in spans))
+    axes.locator_params(axis="x", steps=[1, 2, 5, 10])
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+    axes.set_xlabel(AXIAL_LABEL)
+
+
+def _key_height(found: Sequence[Finding]) -> float:
+    return 0.12 + ROW * len(found)
+
+
+def _key(axes: Axes, found: Sequence[Finding]) -> None:
+    """Write the key above the axes, a line for each case: it cannot cover a curve, and names may be long."""
+    numbers = [str(number) for number in range(1, len(found) + 1)]
+    legend = axes.legend(
+        axes.lines[: len(found)], numbers, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=1, borderaxespad=0.2,
+        borderpad=0.2, labelspacing=0.25, handlelength=3.2, frameon=False, fontsize=SMALL_SIZE,
+    )  # fmt: skip
+    for text, number, each in zip(legend.get_texts(), numbers, found, strict=True):
+        # A file's name: a dollar sign in it is a dollar sign, and one that begins with a dash below is no secret.
+        text.set_parse_math(False)
+        text.set_text(f"{number}  {each.label}")

@@ -1,0 +1,223 @@
+"""From findings to the text of one HTML file."""
+
+from __future__ import annotations
+
+import functools
+import platform
+import re
+from collections.abc import Sequence
+from importlib import metadata, resources
+from typing import TYPE_CHECKING, Any
+
+from nonhertz import __version__
+from nonhertz.casework import Announce, in_silence
+from nonhertz.report.assumptions import assumptions
+from nonhertz.report.differences import differing_inputs, lives, remarks_on_lives, results
+from nonhertz.report.downloads import downloads
+from nonhertz.report.figures import Gallery
+from nonhertz.report.finding import Finding, examined, settled
+from nonhertz.report.inputs import inputs
+from nonhertz.report.method import paragraphs, references
+from nonhertz.report.subject import Subject
+from nonhertz.report.telling import ends_in_words, geometry, keys, opening
+from nonhertz.tables.lives import RATIO, REVOLUTIONS, life_rows, spectrum_rows
+from nonhertz.tables.lives import sentences as life_sentences
+from nonhertz.tables.stresses import COLUMNS, stress_rows
+from nonhertz.tables.stresses import sentences as stress_sentences
+from nonhertz.tables.summary import summary_rows
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+    from markupsafe import Markup
+
+#: What tells a report from any other file: it stands near its beginning.
+MARK = '<meta name="generator" content="nonhertz report">'
+
+_PACKAGES = ("numpy", "scipy", "numba", "matplotlib")
+_LIFE_COLUMNS = ("", "life in a", "in b", REVOLUTIONS, "damage")
+_SPECTRUM_COLUMNS = ("share", "load [N]", "tilt [mrad]", "largest p0 [MPa]")
+_ADDRESS = re.compile(r"doi:(10\.\S+?)(?=[.,;:]?(?:\s|$))|(https?://\S+?)(?=[.,;:]?(?:\s|$))")
+
+
+def compose(
+    subjects: Sequence[Subject],
+    *,
+    life: bool | None = None,
+    stress: bool = True,
+    announce: Announce = in_silence,
+) -> str:
+    """Return a report of one case, or of several with a comparison first, as the text of an HTML file.
+
+    Parameters
+    ----------
+    subjects : sequence of Subject
+        At least one; others are compared with the first.
+    life : bool or None
+        Whether to assess lives, which takes seconds; None for those of cases that say anything of life.
+    stress : bool
+        Whether to look below the surface.
+    announce : callable
+        Is told what is begun.
+
+    Returns
+    -------
+    str
+        The file. Cases that have not converged are told of without stress and life.
+
+    Raises
+    ------
+    CaseError
+        If the solver refuses cases.
+    """
+    return rendered(examined(settled(subjects), life=life, stress=stress, announce=announce))
+
+
+def rendered(found: Sequence[Finding]) -> str:
+    """Return the text of the file that tells of these findings."""
+    gallery = Gallery()
+    several = len(found) > 1
+    comparison = _comparison(found, gallery) if several else None
+    parts = [_part(each, number, several, gallery) for number, each in enumerate(found, start=1)]
+    title = f"{len(found)} cases compared" if several else found[0].subject.case.title
+    page = (
+        _environment()
+        .get_template("report.html")
+        .render(
+            title=title,
+            mark=_safe(MARK),
+            style=_safe(_resource("style.css")),
+            comparison=comparison,
+            parts=parts,
+            versions=_versions(),
+        )
+    )
+    return page.strip() + "\n"
+
+
+def _part(found: Finding, number: int, several: bool, gallery: Gallery) -> dict[str, Any]:
+    """Return what the template tells of one case."""
+    solution = found.solution
+    return {
+        "anchor": f"case-{number}",
+        "title": found.subject.case.title,
+        "label": found.label if several else "",
+        "file": found.subject.name,
+        "opening": opening(found),
+        "complaint": found.complaint,
+        "warnings": found.warnings,
+        "keys": keys(found),
+        "figures": {name: _marked(picture) for name, picture in gallery.of_solution(found).items()},
+        "inputs": inputs(found.subject),
+        "geometry": geometry(solution),
+        "assumptions": assumptions(found),
+        "summary": _merged(summary_rows(solution)),
+        "ends": ends_in_words(solution),
+        "stress": _stress(found, gallery),
+        "life": _life(found, gallery),
+        "method": paragraphs(found),
+        "references": references(found),
+        "downloads": downloads(found),
+        "left_out": [name for name in found.subject.files if name not in found.subject.attachments],
+        "text": found.subject.text,
+    }
+
+
+def _comparison(found: Sequence[Finding], gallery: Gallery) -> dict[str, Any]:
+    subjects = [each.subject for each in found]
+    told = lives(found)
+    return {
+        "heads": [
+            {"label": each.label, "title": each.subject.case.title, "complaint": each.complaint} for each in found
+        ],
+        "inputs": differing_inputs(subjects),
+        "results": results(found),
+        "lives": told,
+        "life_sentences": [RATIO, *remarks_on_lives(found)] if told else [],
+        "figures": [_marked(picture) for picture in gallery.of_all(found)],
+    }
+
+
+def _stress(found: Finding, gallery: Gallery) -> dict[str, Any] | None:
+    if found.stress is None:
+        return None
+    return {
+        "columns": COLUMNS,
+        "rows": [[cell.replace("+-", "±") for cell in row] for row in stress_rows(found.solution, *found.stress)],
+        "sentences": stress_sentences(found.solution, found.stress[1]),
+        "figures": [_marked(picture) for picture in gallery.of_stress(found).values()],
+    }
+
+
+def _life(found: Finding, gallery: Gallery) -> dict[str, Any] | None:
+    if found.lives is None:
+        return None
+    rows = life_rows(found.lives)
+    # Not a column where all is blank, as revolutions are without a raceway.
+    kept = [column for column in range(len(_LIFE_COLUMNS)) if any(row[column] for row in rows)]
+    picture = gallery.of_lives(found)
+    return {
+        "columns": [_LIFE_COLUMNS[column] for column in kept],
+        "rows": [[row[column] for column in kept] for row in rows],
+        "sentences": life_sentences(found.lives),
+        "spectrum_columns": _SPECTRUM_COLUMNS,
+        "spectrum": spectrum_rows(found.lives) if len(found.lives.spectrum) > 1 else [],
+        "figures": [_marked(picture)] if picture else [],
+    }
+
+
+def _merged(rows: Sequence[tuple[str, str, str]]) -> list[tuple[str, list[tuple[str, str]]]]:
+    """Return names with their values and remarks; a row without a name goes on with the one before."""
+    merged: list[tuple[str, list[tuple[str, str]]]] = []
+    for name, value, remark in rows:
+        if name or not merged:
+            merged.append((name, []))
+        merged[-1][1].append((value.replace(" um", " µm"), remark))
+    return merged
+
+
+def _versions() -> list[tuple[str, str]]:
+    packages = [(name, metadata.version(name)) for name in _PACKAGES]
+    return [("nonhertz", __version__), ("Python", platform.python_version()), *packages]
+
+
+def _marked(picture: Any) -> dict[str, Any]:
+    return {"number": picture.number, "svg": _safe(picture.svg), "caption": picture.caption}
+
+
+@functools.cache
+def _environment() -> Environment:
+    from jinja2 import Environment, PackageLoader, StrictUndefined  # noqa: PLC0415  (slow, and only wanted here)
+
+    environment = Environment(
+        loader=PackageLoader("nonhertz.report"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters["linked"] = _linked
+    return environment
+
+
+def _linked(text: str) -> Markup:
+    """Return a reference with its DOIs and addresses as links."""
+    from markupsafe import Markup, escape  # noqa: PLC0415  (as Jinja2)
+
+    told, at = Markup(), 0
+    for found in _ADDRESS.finditer(text):
+        address = found[2] or f"https://doi.org/{found[1]}"
+        told += escape(text[at : found.start()])
+        told += Markup('<a href="{}" rel="noreferrer">{}</a>').format(address, found[0])
+        at = found.end()
+    return told + escape(text[at:])
+
+
+def _safe(text: str) -> Markup:
+    """Return text of our own making as HTML that is not escaped."""
+    from markupsafe import Markup  # noqa: PLC0415  (as Jinja2)
+
+    return Markup(text)
+
+
+def _resource(name: str) -> str:
+    return resources.files("nonhertz.report").joinpath("templates", name).read_text(encoding="utf-8")

@@ -1,0 +1,174 @@
+"""What a solution says first: what was solved, the few numbers that matter, the geometry, and the ends, in words."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from nonhertz.model.body import Body, TabulatedDiameter
+from nonhertz.model.material import MATERIALS
+from nonhertz.report.finding import Finding
+from nonhertz.report.numerals import given
+from nonhertz.singular import largest_away, singular_ends
+from nonhertz.solution import EdgeKind, EdgePressure, Solution
+from nonhertz.tables.summary import digits
+
+SAMPLES = 401  # of the interval on which both bodies can touch
+FARTHEST = 1e3  # mm, where it has no end
+
+
+@dataclass(frozen=True)
+class Key:
+    """A number that the reader looks for first.
+
+    Attributes
+    ----------
+    name : str
+        What it is.
+    value, unit : str
+        The number, or a word where there is none.
+    remark : str
+        Where it is, or what it is instead.
+    """
+
+    name: str
+    value: str
+    unit: str
+    remark: str = ""
+
+
+def opening(found: Finding) -> str:
+    """Return one sentence on what was solved."""
+    solution, prescribed = found.solution, found.subject.case.prescribed
+    a, b = solution.contact.a, solution.contact.b
+    pressed = f"with {given(prescribed['load'])} N" if "load" in prescribed else _by_approach(prescribed["approach"])
+    turned = ""
+    if prescribed.get("tilt"):
+        turned = f" and tilted by {given(1e3 * prescribed['tilt'], 4)} mrad"
+    elif "moment" in prescribed:
+        turned = f" under a moment of {given(prescribed['moment'])} N mm"
+    return f"{_body(a, 'a')} and {_body(b, 'b')} are pressed together {pressed}{turned}."
+
+
+def keys(found: Finding) -> list[Key]:
+    """Return the few numbers that stand first."""
+    solution = found.solution
+    if not solution.contact_y:
+        return [Key("contact", "none", "")]
+    widest = int(solution.half_width.argmax())
+    told = [
+        *_pressures(solution),
+        Key("approach", digits(1e3 * solution.approach), "µm"),
+        Key("largest half-width", digits(float(solution.half_width[widest])), "mm", _at(float(solution.y[widest]))),
+    ]
+    if "load" not in found.subject.case.prescribed:
+        told.append(Key("load", digits(solution.load), "N"))
+    if found.stress:
+        largest = found.stress[0].von_mises
+        where = f"at y = {digits(largest.y, 4)}, z = {digits(largest.z, 3)} mm"
+        told.append(Key(f"largest von Mises stress in body {found.stress[0].body}", digits(largest.max), "MPa", where))
+    return told
+
+
+def geometry(solution: Solution) -> list[tuple[str, str, str]]:
+    """Return name, value and unit of what follows from the inputs before anything is solved."""
+    contact = solution.contact
+    low, high = contact.interval
+    y = np.linspace(max(low, -FARTHEST), min(high, FARTHEST), SAMPLES)
+    if not math.isfinite(high - low) and solution.contact_y:
+        y = np.linspace(solution.contact_y[0][0], solution.contact_y[-1][1], SAMPLES)
+    radius = 1.0 / contact.curvature(y)
+    relief = contact.separation(y)
+    told = [
+        ("both bodies can touch", *_interval(low, high)),
+        ("combined radius of curvature across", _span(radius), "mm"),
+        ("combined curvature across", _span(1.0 / radius), "1/mm"),
+    ]
+    if np.isfinite(relief[[0, -1]]).all():
+        where = f"{_end(float(y[0]))} and {_end(float(y[-1]))} mm"
+        ends = (digits(1e3 * each, 4) for each in relief[[0, -1]].tolist())
+        told.append((f"separation (both reliefs) at y = {where}", " and ".join(ends), "µm"))
+    modulus = 1.0 / (math.pi * contact.compliance)
+    told.append(("contact modulus, 1/E* = sum of (1 - ν²) / E", digits(modulus), "MPa"))
+    return told
+
+
+def ends_in_words(solution: Solution) -> list[str]:
+    """Return for both ends of the contact what kind of number the pressure there is."""
+    return [_end_in_words(edge) for edge in solution.edge_pressure] if solution.contact_y else []
+
+
+def _end_in_words(edge: EdgePressure) -> str:
+    told = f"At y = {edge.y:.5g} mm: {edge.kind.value[0].lower()}{edge.kind.value[1:]}"
+    match edge.kind:
+        case EdgeKind.RUN_OUT:
+            return told
+        case EdgeKind.SINGULAR:
+            known = (
+                f"K = {edge.strength:.4g} MPa mm^{edge.exponent:.3g}" if edge.strength is not None else "K not known"
+            )
+            return (
+                f"{told} It goes like p ~ K / s^{edge.exponent:.3g} with the distance s, {known} ({edge.convention})."
+            )
+        case _:
+            return f"{told} It is {digits(edge.pressure)} MPa ({edge.convention})."
+
+
+def _pressures(solution: Solution) -> list[Key]:
+    singular = singular_ends(solution)
+    strips = largest_away(solution)
+    where = " and ".join(digits(y, 4) for y in solution.y[list(strips)].tolist())
+    if not singular:
+        remark = "no limit, at a corner of the profile" if solution.peaks_at_corner else f"at y = {where} mm"
+        return [Key("maximum pressure", digits(solution.max_pressure), "MPa", remark)]
+    highest = max(singular, key=lambda edge: edge.pressure)
+    strength = "" if highest.strength is None else f", K = {highest.strength:.4g} MPa mm^{highest.exponent:.3g}"
+    sharp = f"p ~ K / s^{highest.exponent:.3g} at y = {highest.y:.5g} mm{strength}"
+    told = [Key("maximum pressure", "no limit", "", sharp)]
+    if strips:
+        largest = float(solution.peak_pressure[strips[0]])
+        told.append(Key("largest pressure away from sharp ends", digits(largest), "MPa", f"at y = {where} mm"))
+    return told
+
+
+def _body(body: Body, letter: str) -> str:
+    kind = type(body).__name__.lower()
+    words = (
+        f"{'A' if letter == 'a' else 'a'} {kind}" if kind != "body" else f"{'B' if letter == 'a' else 'b'}ody {letter}"
+    )
+    sizes = []
+    if isinstance(body.diameter, float | int):
+        sizes.append(f"diameter {given(float(abs(body.diameter)))} mm{', concave' if body.diameter < 0.0 else ''}")
+    elif isinstance(body.diameter, TabulatedDiameter):
+        sizes.append(f"diameter {_span(np.array(body.diameter.diameter))} mm")
+    else:
+        sizes.append("flat")
+    if body.length is not None:
+        sizes.append(f"length {given(body.length)} mm")
+    name = next((name for name, known in MATERIALS.items() if known == body.material), "")
+    sizes.append(name or f"E = {given(body.material.modulus)} MPa")
+    return f"{words} ({', '.join(sizes)})"
+
+
+def _by_approach(approach: float) -> str:
+    return f"until they have come {given(1e3 * approach)} µm nearer"
+
+
+def _at(y: float) -> str:
+    return f"at y = {digits(y, 4)} mm"
+
+
+def _interval(low: float, high: float) -> tuple[str, str]:
+    unbounded = math.isinf(low) and math.isinf(high)
+    return ("everywhere", "") if unbounded else (f"{_end(low)} to {_end(high)}", "mm")
+
+
+def _end(y: float) -> str:
+    return f"{y:.6g}" if math.isfinite(y) else "no end"
+
+
+def _span(values: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> str:
+    low, high = float(values.min()), float(values.max())
+    return given(low, 5) if math.isclose(low, high, rel_tol=1e-9) else f"{given(low, 5)} to {given(high, 5)}"

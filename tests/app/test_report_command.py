@@ -1,0 +1,119 @@
+"""``nonhertz report`` as a user meets it: file, names, what is refused, exit codes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import nonhertz as nh
+import nonhertz.casework
+import nonhertz.cli.reporting
+import nonhertz.report.figures
+from nonhertz.cli import main
+from nonhertz.io.casefile import read_case
+from nonhertz.report import MARK
+
+CASE = """
+title = "Roller on a plate"
+[body.a]
+kind = "roller"
+diameter = 20
+length = 20
+profile = [{ kind = "crown", radius = 2000 }]
+[body.b]
+kind = "plate"
+[load]
+load = "6 kN"
+[solver]
+strips = 15
+"""
+QUICK = ["--no-stress"]
+
+
+@pytest.fixture(autouse=True)
+def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    monkeypatch.chdir(tmp_path)
+    # Figures take the time, and tests/unit/test_report.py looks at them.
+    monkeypatch.setattr(nonhertz.report.figures, "inline_svg", lambda *_: "<svg></svg>")
+    Path("case.toml").write_text(CASE, encoding="utf-8")
+    return "case.toml"
+
+
+def refused(words: list[str], capsys: pytest.CaptureFixture[str]) -> list[str]:
+    before = sorted(Path().rglob("*"))
+    assert main(["report", *words]) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert sorted(Path().rglob("*")) == before
+    return printed.err.splitlines()
+
+
+def test_a_report_is_written_beside_and_replaced(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["report", case, *QUICK]) == 0
+    printed = capsys.readouterr()
+    assert (printed.out, printed.err) == ("wrote case-report.html\n", "")
+    text = Path("case-report.html").read_text(encoding="utf-8")
+    assert text.startswith("<!DOCTYPE html>")
+    assert MARK in text[:500]
+    assert "Stress below the surface" not in text
+    Path(case).write_text(CASE.replace("6 kN", "7 kN"), encoding="utf-8")
+    assert main(["report", case, *QUICK]) == 0
+    assert "7000 N" in Path("case-report.html").read_text(encoding="utf-8")
+
+
+def test_several_cases_become_one_report(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("other.toml").write_text(CASE.replace("6 kN", "7 kN"), encoding="utf-8")
+    assert main(["report", case, "other.toml", *QUICK, "--out", "new/both.html"]) == 0
+    assert capsys.readouterr().out == "wrote new/both.html\n"
+    text = Path("new/both.html").read_text(encoding="utf-8")
+    assert "2 cases compared" in text
+    assert [path.name for path in Path("new").iterdir()] == ["both.html"]
+
+
+def test_only_reports_are_replaced(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    (line,) = refused([case, "--out", case], capsys)
+    assert line.startswith("--out = 'case.toml' must be a new file or a report of nonhertz to replace: ")
+    assert Path(case).read_text(encoding="utf-8") == CASE
+    Path("folder").mkdir()
+    (line,) = refused([case, "--out", "folder"], capsys)
+    assert line.startswith("--out = 'folder' must be a file, not a directory: ")
+    (line,) = refused([case, "--out", "case.toml/report.html"], capsys)
+    assert line.startswith("--out = 'case.toml' must be a directory")
+
+
+def test_all_mistakes_of_all_files_are_named(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("wrong.toml").write_text(CASE.replace("length = 20", "length = -20"), encoding="utf-8")
+    lines = refused([case, "wrong.toml", "nothing.toml"], capsys)
+    assert [line.split(" ")[1] for line in lines] == ["wrong.toml:", "nothing.toml"]
+    (line,) = refused(["wrong.toml"], capsys)
+    assert line.startswith("body.a.length = ")
+    (line,) = refused([], capsys)
+    assert line.startswith("CASE = '' must be given: ")
+
+
+def test_a_case_that_has_not_converged_is_reported_and_told(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    solution = nonhertz.casework.solved(read_case(case))
+
+    def stop(*_: object, **__: object) -> None:
+        raise nh.ConvergenceError("It stopped.", solution)
+
+    monkeypatch.setattr(nonhertz.casework, "solve", stop)
+    assert main(["report", case]) == 1
+    printed = capsys.readouterr()
+    assert (printed.out, printed.err) == ("wrote case-report.html\n", "case: It stopped.\n")
+    assert "It stopped." in Path("case-report.html").read_text(encoding="utf-8")
+
+
+def test_nothing_is_left_behind_when_drawing_fails(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: object) -> None:
+        raise RuntimeError("the pen broke")
+
+    monkeypatch.setattr(nonhertz.cli.reporting, "rendered", fail)
+    assert main(["report", case, *QUICK, "--out", "new/report.html"]) == 3
+    assert capsys.readouterr().out == ""
+    assert not Path("new").exists()

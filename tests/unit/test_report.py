@@ -1,0 +1,404 @@
+"""The report: what it tells, that it stands alone, and that nothing a user writes becomes markup."""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+from matplotlib.figure import Figure
+
+from nonhertz.casework import solved
+from nonhertz.errors import CaseError
+from nonhertz.io.casefile import case_in, parsed, read_case
+from nonhertz.report import Finding, Subject, compose, examined, read_subject, rendered, settled, steps
+from nonhertz.report.assumptions import Verdict, assumptions
+from nonhertz.report.differences import differing_inputs, lives, results
+from nonhertz.report.downloads import downloads
+from nonhertz.report.drawing import inline_svg
+from nonhertz.report.inputs import inputs
+from nonhertz.report.method import formula, references, source
+from nonhertz.report.page import _linked
+from nonhertz.report.telling import ends_in_words, keys, opening
+from nonhertz.solution import Status
+
+TITLE = "Roller & <script>alert('title')</script>"
+POINTS = "y, relief\n" + "".join(f"{y}, {1e-5 * y**4}\n" for y in range(-7, 8))
+CASE = f"""# <b>a comment</b>
+title = "{TITLE}"
+[body.a]
+kind = "roller"
+diameter = 15
+length = 15
+profile = [{{ kind = "tabulated", file = "points/a.csv" }}, {{ kind = "conical", angle = "0.1 mrad" }}]
+[body.b]
+kind = "ring"
+diameter = 60
+[load]
+load = "4 kN"
+[solver]
+strips = 15
+"""
+PLAIN = (
+    CASE.replace(TITLE, "Plain")
+    .replace('{ kind = "tabulated", file = "points/a.csv" }', '{ kind = "iso-logarithmic" }')
+    .replace("strips = 15", 'strips = "auto"')
+)
+VOID = {"meta", "br", "hr", "img", "input", "link"}
+
+
+class Page(HTMLParser):
+    """What stands in a page: elements with attributes, identifiers, words; complains of what is not closed."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(convert_charrefs=True)
+        self.elements: list[tuple[str, dict[str, str]]] = []
+        self.words: list[str] = []
+        self.open: list[str] = []
+        self.feed(text)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.elements.append((tag, {name: value or "" for name, value in attrs}))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.elements.append((tag, {name: value or "" for name, value in attrs}))
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        if self.open and self.open[-1] != "style":
+            self.words.append(data)
+
+    @property
+    def text(self) -> str:
+        return " ".join(" ".join(self.words).split())
+
+    def values(self, attribute: str) -> list[str]:
+        return [attributes[attribute] for _, attributes in self.elements if attribute in attributes]
+
+    def files(self) -> dict[str, bytes]:
+        """Return the files inside the page by the names that they are saved as."""
+        links = [attributes for tag, attributes in self.elements if tag == "a" and "download" in attributes]
+        return {link["download"]: base64.b64decode(link["href"].partition("base64,")[2]) for link in links}
+
+
+def subject(text: str, name: str = "case.toml") -> Subject:
+    return Subject(case_in(parsed(text, name), Path(name), files=False), text, name)
+
+
+def found_in(text: str, name: str = "case.toml") -> Finding:
+    (found,) = settled([subject(text, name)])
+    return found
+
+
+@pytest.fixture(scope="module")
+def finding(tmp_path_factory: pytest.TempPathFactory) -> Finding:
+    folder = tmp_path_factory.mktemp("report")
+    (folder / "points").mkdir()
+    (folder / "points/a.csv").write_text(POINTS, encoding="utf-8")
+    (folder / "roller.toml").write_text(CASE, encoding="utf-8")
+    (found,) = examined(settled([read_subject(folder / "roller.toml")]))
+    return found
+
+
+@pytest.fixture(scope="module")
+def text(finding: Finding) -> str:
+    return rendered([finding])
+
+
+@pytest.fixture(scope="module")
+def page(text: str) -> Page:
+    return Page(text)
+
+
+@pytest.fixture
+def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Leave the figures out, which take the time."""
+    monkeypatch.setattr("nonhertz.report.figures.inline_svg", lambda _, prefix, *__: f'<svg id="{prefix}"></svg>')
+
+
+def test_every_identifier_stands_once_and_every_reference_meets_one(text: str, page: Page) -> None:
+    identifiers = page.values("id")
+    assert len(identifiers) == len(set(identifiers)) > 20
+    referred = {value[1:] for value in page.values("href") if value.startswith("#")}
+    referred |= set(re.findall(r"url\(#([^)]+)\)", text))
+    referred |= {name for value in page.values("aria-labelledby") for name in value.split()}
+    assert referred <= set(identifiers)
+    assert any(name.startswith("figure-5-") for name in referred)
+
+
+def test_it_loads_nothing_and_runs_nothing(text: str, page: Page) -> None:
+    tags = {tag for tag, _ in page.elements}
+    assert not tags & {"script", "link", "iframe", "object", "embed", "base", "form", "img"}
+    for tag, attributes in page.elements:
+        assert not [name for name in attributes if name.startswith("on")]
+        for name in ("src", "href", "srcset", "xlink:href", "data", "poster"):
+            value = attributes.get(name, "#")
+            assert value.startswith(("#", "data:")) or (tag == "a" and value.startswith("https://")), (tag, value[:60])
+    outside = re.findall(r"@import|url\((?!#)[^)]*\)|javascript:", text)
+    assert outside == []
+
+
+def test_what_a_user_writes_stays_text(text: str, page: Page) -> None:
+    assert TITLE in page.text
+    assert "<script" not in text
+    assert "<b>a comment" not in text
+
+
+def test_each_figure_tells_a_screen_reader_what_it_is(page: Page) -> None:
+    drawn = [attributes for tag, attributes in page.elements if tag == "svg"]
+    assert len(drawn) == 5
+    assert all(each["role"] == "img" and len(each["aria-labelledby"].split()) == 2 for each in drawn)
+    assert sum(tag == "desc" for tag, _ in page.elements) == 5
+
+
+def test_the_files_inside_solve_to_the_same_numbers(page: Page, finding: Finding, tmp_path: Path) -> None:
+    files = page.files()
+    assert set(files) == {"roller.toml", "a.csv", "roller-table.csv", "roller-result.json", "roller-stress.json"}
+    assert files["roller.toml"].decode() == CASE
+    (tmp_path / "points").mkdir()
+    (tmp_path / "points/a.csv").write_bytes(files["a.csv"])
+    (tmp_path / "roller.toml").write_bytes(files["roller.toml"])
+    again = solved(read_case(tmp_path / "roller.toml"))
+    told = json.loads(files["roller-result.json"])
+    assert (again.approach, again.peak_pressure.tolist()) == (told["approach"], told["peak_pressure"])
+    assert files["roller-table.csv"].count(b"\n") == 16
+
+
+def test_it_is_the_same_file_every_time(text: str, finding: Finding) -> None:
+    assert rendered([finding]) == text
+
+
+def test_key_numbers_stand_first(finding: Finding) -> None:
+    shown = {key.name: key.value for key in keys(finding)}
+    assert float(shown["maximum pressure"]) == pytest.approx(finding.solution.max_pressure, rel=1e-4)
+    assert float(shown["approach"]) == pytest.approx(1e3 * finding.solution.approach, rel=1e-4)
+    assert finding.stress is not None
+    assert float(shown["largest von Mises stress in body a"]) == pytest.approx(
+        finding.stress[0].von_mises.max, rel=1e-4
+    )
+    assert opening(finding) == (
+        "A roller (diameter 15 mm, length 15 mm, steel) and a ring (diameter 60 mm, steel) are pressed together with "
+        "4000 N."
+    )
+
+
+def test_where_the_pressure_has_no_limit_its_strength_is_told() -> None:
+    found = found_in(PLAIN.replace('{ kind = "iso-logarithmic" }, ', ""))
+    first, second, *_ = keys(found)
+    assert (first.name, first.value) == ("maximum pressure", "no limit")
+    assert re.search(r"p ~ K / s\^0\.333 at y = .* K = \d", first.remark)
+    assert second.name == "largest pressure away from sharp ends"
+    assert "grows without bound" in ends_in_words(found.solution)[0]
+    assert any("Comninou" in each for each in references(found))
+
+
+def test_inputs_have_value_unit_meaning_and_say_what_is_a_default() -> None:
+    body, other, load, solver = inputs(subject(PLAIN))
+    entries = {entry.place: entry for entry in (*body.entries, *other.entries, *load.entries, *solver.entries)}
+    assert (entries["body.a.diameter"].value, entries["body.a.diameter"].unit) == ("15", "mm")
+    assert not entries["body.a.diameter"].default
+    assert (entries["body.b.length"].value, entries["body.b.length"].default) == ("unbounded", True)
+    assert entries["body.a.depth"].value == "plane-strain"
+    assert entries["body.b.depth"].value == "none"
+    assert (entries["load.load"].value, entries["load.load"].written) == ("4000", "4 kN")
+    assert (entries["load.tilt"].value, entries["load.tilt"].default) == ("0", True)
+    assert (entries["solver.strips"].value, entries["solver.strips"].default) == ("auto", False)
+    assert all(entry.meaning for entry in entries.values())
+    logarithmic, conical = body.profiles
+    assert {entry.key: entry.value for entry in logarithmic.entries} == {
+        "kind": "iso-logarithmic",
+        "diameter": "of the body",
+        "length": "of the body",
+    }
+    assert "ISO/TS 16281:2008" in logarithmic.source
+    assert [(entry.value, entry.unit) for entry in conical.entries if entry.key == "angle"] == [("0.1 mrad", "")]
+
+
+STRAINED = {
+    "coarse grid": ('strips = "auto"', "strips = 6", "Grid fine enough for the approach", Verdict.STRAINED),
+    "sharp ends": ('{ kind = "iso-logarithmic" }, ', "", "Contact ends inside the bodies at low y", Verdict.NOT_MET),
+    "thin body": ("diameter = 60", "diameter = 60\ndepth = 0.3", "Body b is thick", Verdict.STRAINED),
+    "heavy images": (
+        "diameter = 60",
+        'diameter = 60\nlength = 15\nside_faces = "calibrated"',
+        "Images about side faces",
+        Verdict.STRAINED,
+    ),
+    "wide half-width": ("4 kN", "1500 kN", "Half-spaces, parabolic separation across", Verdict.STRAINED),
+    "wider than long": (
+        '{ kind = "iso-logarithmic" }, ',
+        '{ kind = "crown", radius = 3.0 }, ',
+        "Strips across a contact that is long",
+        Verdict.STRAINED,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", STRAINED)
+def test_a_strained_assumption_is_one_that_the_solver_warns_of(name: str) -> None:
+    old, new, assumption, verdict = STRAINED[name]
+    changed = PLAIN.replace(old, new)
+    assert changed != PLAIN
+    if name == "heavy images":
+        changed = changed.replace("length = 15\nprofile", 'length = 15\nside_faces = "calibrated"\nprofile')
+    if name == "wider than long":
+        changed = changed.replace("4 kN", "100 N")
+    found = found_in(changed)
+    told = {each.name: each.verdict for each in assumptions(found)}
+    assert told[assumption] is verdict
+    assert found.solution.warnings
+    fine = found_in(PLAIN)
+    assert fine.solution.warnings == ()
+    assert {each.verdict for each in assumptions(fine)} == {Verdict.HOLDS, Verdict.OPEN}
+
+
+def test_only_publications_that_apply_are_named(finding: Finding) -> None:
+    told = " ".join(references(finding))
+    assert "de Mul" in told
+    assert "Love" in told
+    assert "Fritsch" in told  # of the points
+    for name in ("Comninou", "Lundberg", "Zaretsky", "ISO/TS", "Geometry"):
+        assert name not in told
+
+
+def test_formula_and_source_come_from_a_docstring() -> None:
+    def documented() -> None:
+        """Return nothing.
+
+        Nothing = 0, like `none`.
+
+        Parameters
+        ----------
+        none : float
+
+        References
+        ----------
+        A. Author, A title,
+        doi:10.1000/1.
+
+        Examples
+        --------
+        """
+
+    assert formula(documented) == "Nothing = 0, like none."
+    assert source(documented) == "A. Author, A title, doi:10.1000/1."
+    assert formula(None) == source(None) == ""
+
+
+def test_references_become_links_and_stay_escaped() -> None:
+    told = str(_linked("A & B, doi:10.1000/1.2; https://example.org/a.html, <i>."))
+    assert '<a href="https://doi.org/10.1000/1.2" rel="noreferrer">doi:10.1000/1.2</a>;' in told
+    assert '<a href="https://example.org/a.html" rel="noreferrer">https://example.org/a.html</a>,' in told
+    assert told.startswith("A &amp; B")
+    assert told.endswith("&lt;i&gt;.")
+
+
+def test_figures_share_no_identifier_and_no_style() -> None:
+    figure = Figure()
+    figure.add_subplot().plot([0.0, 1.0], [0.0, 1.0], "o-", label="$p_0$")
+    first, second = (inline_svg(figure, prefix, "<title>", "a & b") for prefix in ("one", "two"))
+    names = [set(re.findall(r' id="([^"]+)"', each)) for each in (first, second)]
+    assert not names[0] & names[1]
+    assert all(name.startswith("one-") for name in names[0])
+    assert "<style" not in first
+    assert "<metadata" not in first
+    assert "&lt;title&gt;" in first
+    assert first.replace("one-", "two-") == second
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_two_cases_are_compared_by_what_differs() -> None:
+    other = PLAIN.replace("4 kN", "8 kN").replace("diameter = 60", "diameter = 60\nposition = 0")
+    pair = [subject(PLAIN, "first.toml"), subject(other, "second.toml")]
+    # A default that is written down is no difference.
+    assert [(row.name, row.values) for row in differing_inputs(pair)] == [("load.load", ("4000 N", "8000 N"))]
+    found = settled(pair)
+    rows = {row.name: row for row in results(found)}
+    assert rows["load [N]"].remarks == ("", "+100 %")
+    ratio = found[1].solution.max_pressure / found[0].solution.max_pressure
+    change = float(rows["maximum pressure [MPa]"].remarks[1].rstrip(" %"))
+    assert change == pytest.approx(100.0 * (ratio - 1.0), rel=5e-3)  # three digits are told
+    page = Page(rendered(found))
+    assert "2 cases compared" in page.text
+    assert {"first.toml", "second.toml", "second-table.csv"} <= set(page.files())
+    assert len(page.values("id")) == len(set(page.values("id")))
+
+
+@pytest.mark.parametrize(
+    ("names", "told"),
+    [
+        (("a.toml", "b.toml"), ["a", "b"]),
+        (("x/a.toml", "y/a.toml"), ["x/a", "y/a"]),
+        (("a.toml", "a.toml"), ["a (1)", "a (2)"]),
+    ],
+    ids=["names", "folders", "numbers"],
+)
+def test_cases_of_one_title_are_told_apart(names: tuple[str, str], told: list[str]) -> None:
+    subjects = [replace(subject(PLAIN, name), name=Path(name).name) for name in names]
+    assert [each.label for each in settled(subjects)] == told
+
+
+def test_lives_are_told_where_the_case_asks_and_compared() -> None:
+    asked = PLAIN + '[life]\nmodels = ["iso-16281"]\n'
+    pair = settled([subject(asked, "a.toml"), subject(asked.replace("4 kN", "2 kN"), "b.toml")])
+    assert [steps(pair, life=life, stress=False) for life in (None, True, False)] == [4, 4, 0]
+    assert steps([found_in(PLAIN)], stress=True) == 2
+    announced: list[str] = []
+    found = examined(pair, stress=False, announce=announced.append)
+    assert len(announced) == 4
+    assert found[0].lives is not None
+    row_a, _ = lives(found)
+    ratio = found[1].lives.over(found[0].lives, "a", 0) if found[1].lives else 0.0
+    assert float(row_a.remarks[1].lstrip("× ")) == pytest.approx(ratio, rel=1e-3)
+    assert ratio > 5.0  # half the load lives longer by a power of about 4 and what the edges add
+    assert "a-life.json" in {each.name for each in downloads(found[0])}
+    assert any("ISO/TS 16281" in each for each in references(found[0]))
+    assert examined(pair, life=False, stress=False)[0].lives is None
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_a_case_that_has_not_converged_is_told_as_such(finding: Finding) -> None:
+    stopped = replace(
+        finding,
+        subject=replace(finding.subject, attachments={}),
+        solution=replace(finding.solution, status=Status.STAGNATED),
+        complaint="It stopped.",
+        stress=None,
+    )
+    (found,) = examined([stopped], life=True)
+    assert found.stress is found.lives is None
+    assert assumptions(found)[0].verdict is Verdict.NOT_MET
+    page = Page(rendered([found]))
+    assert "Not solved. It stopped." in page.text
+    assert "stagnated" in page.text
+    # Nor are the points there, as where they are too many.
+    assert "points/a.csv is named by the case file, but is not in here" in page.text
+
+
+def test_what_the_solver_refuses_is_named_by_its_file() -> None:
+    never = PLAIN.replace('load = "4 kN"', "approach = -1.0")
+    with pytest.raises(CaseError) as caught:
+        compose([subject(never, "a.toml"), subject(PLAIN, "b.toml"), subject(never, "c.toml")])
+    assert [mistake.partition(":")[0] for mistake in caught.value.mistakes] == ["a.toml", "c.toml"]
+    with pytest.raises(CaseError, match=r"^load\.approach = -1\.0 must "):
+        compose([subject(never)])
+
+
+def test_files_that_are_too_large_are_left_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("nonhertz.report.subject.MOST_ATTACHED", 10)
+    (tmp_path / "points").mkdir()
+    (tmp_path / "points/a.csv").write_text(POINTS, encoding="utf-8")
+    (tmp_path / "roller.toml").write_text(CASE, encoding="utf-8")
+    found = read_subject(tmp_path / "roller.toml")
+    assert found.files == ("points/a.csv",)
+    assert found.attachments == {}
