@@ -1,0 +1,115 @@
+"""The documents: all within reach, no link into nothing, and what they show is what happens.
+
+The site itself is built by `make docs`, with warnings as errors.
+"""
+
+import doctest
+import importlib
+import json
+import re
+import warnings
+from fnmatch import fnmatch
+from pathlib import Path
+
+import pytest
+
+import nonhertz as nh
+from nonhertz.cli import main
+
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
+GENERATED = DOCS / "gallery"
+API = DOCS / "reference" / "api"
+SHOWN_ELSEWHERE = [ROOT / name for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "examples/README.md")]
+PAGES = sorted(path for path in DOCS.rglob("*") if path.suffix in {".md", ".rst"} and GENERATED not in path.parents)
+MARKDOWN = [path for path in (*PAGES, *SHOWN_ELSEWHERE) if path.suffix == ".md"]
+HOW_TOS = sorted((DOCS / "how-to").glob("*.md"))
+
+FENCED = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
+TOCTREE = re.compile(r"^```\{toctree\}\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
+
+
+def name_of(path):
+    return path.relative_to(ROOT).as_posix()
+
+
+def names_in_toctrees(page):
+    """Return the patterns in a page's tables of contents, relative to the documents."""
+    folder = page.parent.relative_to(DOCS).as_posix()
+    for tree in TOCTREE.findall(page.read_text(encoding="utf-8")):
+        for line in tree.splitlines():
+            if line and not line.startswith(":"):
+                yield f"{folder}/{line}".removeprefix("./")
+
+
+def test_every_page_can_be_reached():
+    patterns = {pattern for page in PAGES for pattern in names_in_toctrees(page)}
+    names = {page.relative_to(DOCS).with_suffix("").as_posix() for page in PAGES} - {"index"}
+    # A star does not reach into folders.
+    lost = [n for n in names if not any(fnmatch(n, p) and n.count("/") == p.count("/") for p in patterns)]
+    assert lost == []
+    assert {p for p in patterns if "*" not in p} <= names | {"gallery/index"}
+
+
+def anchors(path):
+    """Return the anchors of a page's headings, as GitHub and MyST make them."""
+    headings = re.findall(r"^#+ (.*)$", FENCED.sub("", path.read_text(encoding="utf-8")), re.MULTILINE)
+    plain = (re.sub(r"[^\w\- ]", "", re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", each)).lower() for each in headings)
+    return {each.strip().replace(" ", "-") for each in plain}
+
+
+@pytest.mark.parametrize("page", MARKDOWN, ids=name_of)
+def test_links_lead_somewhere(page):
+    text = re.sub(r"`[^`\n]*`", "", FENCED.sub("", page.read_text(encoding="utf-8")))
+    for link in LINK.findall(re.sub(r"\$[^$\n]*\$", "", text)):
+        if not link.startswith("http"):
+            file, _, anchor = link.partition("#")
+            target = page.parent / file if file else page
+            assert target.exists(), link
+            assert not anchor or anchor in anchors(target), link
+
+
+@pytest.mark.parametrize("page", HOW_TOS, ids=lambda page: page.stem)
+def test_how_to_shows_what_happens(page, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    text = page.read_text(encoding="utf-8")
+    assert "```python" not in text, "write ```pycon, with what it prints"
+    blocks = re.findall(r"^```pycon\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+    # Blocks go on where the one before stopped; a blank line ends what is printed.
+    test = doctest.DocTestParser().get_doctest("\n".join(blocks), {}, page.stem, str(page), 0)
+    runner = doctest.DocTestRunner(optionflags=doctest.REPORT_ONLY_FIRST_FAILURE)
+    said = []
+    with warnings.catch_warnings():
+        # A reader would see warnings that the page does not show.
+        warnings.simplefilter("error")
+        runner.run(test, out=said.append)
+    assert runner.summarize(verbose=False).failed == 0, "".join(said)
+
+
+MODULES = {"nonhertz.profile": nh.profile} | {
+    f"nonhertz.{name}": importlib.import_module(f"nonhertz.{name}")
+    for name in ("hertz", "io.casefile", "life", "measured", "patch", "plot", "subsurface")
+}
+
+
+def directives():
+    """Return what the pages of the reference ask of `public-names`: a module, and names if not all."""
+    found = re.compile(r"^\.\. public-names:: (\S+)\n((?:\n|   .*\n?)*)", re.MULTILINE)
+    return [match for page in API.glob("*.rst") for match in found.findall(page.read_text(encoding="utf-8") + "\n")]
+
+
+def test_the_reference_has_every_public_name():
+    whole = {module for module, names in directives() if not names.strip()}
+    assert whole == set(MODULES)
+    listed = [name for module, names in directives() if module == "nonhertz" for name in names.split()]
+    modules = {module.removeprefix("nonhertz.") for module in MODULES}
+    assert sorted(listed) == sorted(set(dir(nh)) - modules - {"__version__"})
+
+
+def test_the_json_that_the_how_to_reads_is_there(tmp_path, capsys):
+    case = tmp_path / "roller.toml"
+    assert main(["new", str(case)]) == 0
+    capsys.readouterr()
+    assert main(["solve", str(case), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["max_pressure"] < 2200

@@ -1,0 +1,126 @@
+"""Every script of the gallery runs, and one number of each is what others have found."""
+
+import importlib.util
+import json
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+from numpy.testing import assert_allclose
+from scipy.optimize import brentq
+from scipy.special import ellipe, ellipk
+
+ROOT = Path(__file__).parents[2]
+GALLERY = ROOT / "examples" / "gallery"
+SCRIPTS = sorted(path.stem for path in GALLERY.glob("*.py"))
+
+
+def run(name):
+    """Return a script after it has run; what it filters of warnings is undone."""
+    specification = importlib.util.spec_from_file_location(name, GALLERY / f"{name}.py")
+    script = importlib.util.module_from_spec(specification)
+    with warnings.catch_warnings():
+        specification.loader.exec_module(script)
+    assert isinstance(script.figure, Figure)
+    return script
+
+
+def elliptical(load, radius_x, radius_y, modulus=207e3, poisson=0.3):
+    """Return Hertz's maximum pressure [MPa] by K. L. Johnson, Contact Mechanics (1985), Eqs. (4.25) to (4.30).
+
+    Two equal bodies; radius_x is the smaller radius. With the complete elliptic integrals, not those of
+    `nonhertz.hertz`.
+    """
+
+    def excess(ratio):  # minor over major axis
+        squared = 1 - ratio**2
+        first, second = ellipk(squared), ellipe(squared)
+        return (second / ratio**2 - first) / (first - second) - radius_y / radius_x
+
+    ratio = brentq(excess, 1e-3, 1 - 1e-6)
+    squared = 1 - ratio**2
+    effective = 0.5 * modulus / (1 - poisson**2)
+    mean = (radius_x * radius_y) ** 0.5
+    shape = 4 / (np.pi * squared) * ratio**1.5
+    shape *= ((ellipe(squared) / ratio**2 - ellipk(squared)) * (ellipk(squared) - ellipe(squared))) ** 0.5
+    middle = (3 * load * mean / (4 * effective) * shape) ** (1 / 3)  # (a b)^(1/2)
+    return 1.5 * load / (np.pi * middle**2)
+
+
+def test_none_is_without_a_test():
+    tested = {name.removeprefix("test_") for name in globals() if name.startswith("test_")}
+    assert set(SCRIPTS) <= tested
+
+
+def test_crown_or_logarithm():
+    script = run("crown_or_logarithm")
+    # The contact on the strong crown ends well inside the roller: it is Hertz's ellipse. Side faces 1.6 mm beyond it,
+    # six half-widths, leave some tenths of a percent.
+    expected = elliptical(script.LOAD, script.RADIUS, 600)
+    assert_allclose(script.upright["crown, radius 0.6 m"].max_pressure, expected, rtol=5e-3)
+
+
+def test_elliptical_footprint():
+    # The automatic grid is held to 5e-5 on this contact.
+    assert_allclose(run("elliptical_footprint").solution.max_pressure, elliptical(1000, 10, 100), rtol=8e-5)
+
+
+def test_sharp_end():
+    # A body ends on one of the same material and is freed of shear: cos(pi alpha) = 1/2. The powers -alpha and alpha
+    # are fitted to the pressures within a quarter of the half-width, but for the strips at the very end.
+    finest = run("sharp_end").refined[0]
+    distance, pressure = 10 - finest.y[-16:-3], finest.peak_pressure[-16:-3]
+
+    def misfit(alpha):
+        powers = np.stack([distance**-alpha, distance**alpha], axis=1) / pressure[:, None]
+        return np.linalg.lstsq(powers, np.ones(distance.size), rcond=None)[1][0]
+
+    alphas = np.linspace(0.2, 0.5, 301)
+    assert_allclose(alphas[np.argmin([misfit(alpha) for alpha in alphas])], 1 / 3, rtol=0.03)
+
+
+def test_misalignment_map():
+    script = run("misalignment_map")
+    path = ROOT / "benchmarks" / "logarithmic.json"
+    reference = json.loads(path.read_text(encoding="utf-8"))["cases"]["logarithmic"]["value"]
+    case = script.many[-1, int(np.argmin(np.abs(script.TILTS + 1e-3)))]
+    assert_allclose((case.load, case.tilt), (40e3, -1e-3), rtol=1e-9)
+    # Rectangles on a plane grid, by programs of others. The tilt drives the pressure up to the steep end of the
+    # profile, where strips are good for half a percent.
+    assert_allclose(case.approach, reference["approach"], rtol=1e-4)
+    assert_allclose(case.max_pressure, reference["max_pressure"], rtol=5e-3)
+
+
+@pytest.mark.campaign
+def test_stress_below():
+    # Johnson, Section 4.2(a): 0.30 p0 at 0.78 half-widths below a line contact. The profile makes it a little shorter.
+    script = run("stress_below")
+    assert_allclose(script.below.max_shear.max() / script.pressure, 0.30, atol=0.005)
+    assert_allclose(script.depths[script.deepest], 0.78, atol=0.02)
+
+
+@pytest.mark.campaign
+def test_life_against_drop():
+    # The profile designed for a load spreads it evenly over an upright roller, all but its ends: the ideal, life 1.
+    script = run("life_against_drop")
+    at_design = np.interp(script.LOAD, script.DESIGN_LOADS, script.lives["upright"])
+    assert_allclose(at_design, 1, atol=0.06)
+    best = [script.drops[lives.argmax()] for lives in script.lives.values()]
+    assert np.all(np.diff(best) > 0)
+
+
+def test_dent():
+    # Away from the dent, two methods that share nothing; cells of 0.02 mm and the dent's load leave some tenths.
+    script = run("dent")
+    for y in (-6.0, -3.0, 0.0, 6.0):
+        on_the_grid = np.interp(y, script.dented.y, script.dented.centre_pressure)
+        assert_allclose(on_the_grid, np.interp(y, script.strips.y, script.strips.peak_pressure), rtol=5e-3)
+
+
+def test_wheel_on_rail():
+    # On one arc the contact is Hertz's ellipse; the smaller arc makes it wider than long, and strips err by 1 %.
+    script = run("wheel_on_rail")
+    assert_allclose(script.solutions[0].max_pressure, elliptical(script.LOAD, script.FLAT_ARC, 460), rtol=1e-3)
+    assert_allclose(script.solutions[-1].max_pressure, elliptical(script.LOAD, script.STEEP_ARC, 460), rtol=0.01)
