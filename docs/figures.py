@@ -28,7 +28,8 @@ from matplotlib.ticker import NullFormatter
 import nonhertz as nh
 from nonhertz.cli import main as nonhertz
 from nonhertz.io.casefile import Case, read_case
-from nonhertz.plot import figures, life_figure, save, stress_figures
+from nonhertz.io.traces import read_trace
+from nonhertz.plot import figures, life_figure, measured_figure, save, stress_figures
 from nonhertz.plot.sheets import WIDTH
 from nonhertz.plot.style import (
     END_DASHES,
@@ -76,6 +77,7 @@ def main() -> None:
     draw_finite_bodies()
     draw_below("bearing", read_case(ROOT / "examples" / f"{EXAMPLES['bearing'][0]}.toml"))
     draw_four_profiles()
+    draw_measured("measured-roller")
     TUTORIAL.write_text(with_output(TUTORIAL.read_text(encoding="utf-8")), encoding="utf-8")
     print(f"wrote {TUTORIAL.relative_to(ROOT)}")
 
@@ -137,6 +139,13 @@ def draw_four_profiles() -> None:
     example = importlib.util.module_from_spec(specification)
     specification.loader.exec_module(example)
     write(example.draw(example.study()), "four-profiles")
+
+
+def draw_measured(stem: str) -> None:
+    """Write the figure of the steps of a measured profile, with the profile of the catalogue that fits best."""
+    trace = read_trace(ROOT / "examples" / f"{stem}.txt")
+    measured = nh.measured.prepare(trace)
+    write(measured_figure(measured, trace.name, measured.fit_best()[0]), stem)
 
 
 def draw_finite_bodies() -> None:

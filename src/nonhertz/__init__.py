@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from nonhertz import hertz as hertz
     from nonhertz import life as life
+    from nonhertz import measured as measured
     from nonhertz import patch as patch
     from nonhertz import subsurface as subsurface
     from nonhertz.comparison import Comparison as Comparison
@@ -82,6 +83,7 @@ _HOMES = {
 _MODULES = {
     "hertz": "nonhertz.hertz",
     "life": "nonhertz.life",
+    "measured": "nonhertz.measured",
     "patch": "nonhertz.patch",
     "profile": "nonhertz.model.profile",
     "subsurface": "nonhertz.subsurface",

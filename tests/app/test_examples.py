@@ -22,6 +22,7 @@ ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
 CASES = sorted(EXAMPLES.glob("*.toml"))
 TABULATED = "tabulated-profile.csv"
+MEASURED = "measured-roller.txt"
 
 
 def case(name: str) -> Case:
@@ -151,6 +152,24 @@ def test_a_tabulated_profile_is_found_beside_its_case_file(tmp_path, monkeypatch
     monkeypatch.chdir(tmp_path.parent)
     assert main(["check", str(tmp_path / "tabulated-profile.toml")]) == 0
     capsys.readouterr()
+
+
+def test_the_measured_roller_is_what_its_script_writes(tmp_path):
+    written = script("make_measured_roller").main(tmp_path)
+    assert written.read_text(encoding="utf-8") == (EXAMPLES / MEASURED).read_text(encoding="utf-8")
+
+
+def test_the_measured_roller_is_the_profile_below_what_the_machine_added():
+    """Tilt, place, chamfers, dust and roughness are gone: the contact is that of the profile they were added to."""
+    make = script("make_measured_roller")
+    example = case("measured-roller")
+    true = replace(example.contact.a, profile=make.profile(), effective_length=make.LENGTH - 2.0 * make.CHAMFER)
+    direct = nh.solve(nh.Contact(true, example.contact.b), **example.prescribed)
+    found = solved(example)
+    # The waviness of 50 nm stays, and of the roughness 20 nm in waves of the cutoff: 0.07 um of 11 um of approach, and
+    # with curvatures of 4 pi^2 * 50 nm / (1.9 mm)^2 a few per cent of pressure.
+    assert_allclose(found.approach, direct.approach, atol=7e-5)
+    assert_allclose(found.max_pressure, direct.max_pressure, rtol=0.04)
 
 
 def test_the_sweep(tmp_path, monkeypatch, capsys):

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.errors import InputError
+from nonhertz.io.measured import KIND, measured_schema, read_measured
 from nonhertz.io.mistakes import InFile, Mistake, TableError, missing, mistake_in, nearest, unknown
 from nonhertz.io.units import in_unit
 from nonhertz.model.profile import CATALOGUE, PARAMETER_UNITS, Profile, from_file
@@ -75,7 +76,7 @@ def read_profile(value: Any, body: Mapping[str, Any], folder: Path | None) -> Pr
 
 def profile_schema() -> dict[str, Any]:
     """Return the JSON schema of what `read_profile` takes."""
-    tables = {"anyOf": [_kind_schema(kind) for kind in CATALOGUE]}
+    tables = {"anyOf": [*(_kind_schema(kind) for kind in CATALOGUE), measured_schema()]}
     return {"anyOf": [tables, {"type": "array", "items": tables}]}
 
 
@@ -92,8 +93,10 @@ def _read_table(table: Any, body: Mapping[str, Any], folder: Path | None) -> Pro
     if "kind" not in table:
         raise TableError([missing(("kind",), "name the profile, such as kind = 'crown'")])
     kind = table["kind"]
+    if kind == KIND:
+        return read_measured(table, folder)
     if not isinstance(kind, str) or kind not in CATALOGUE:
-        raise TableError([Mistake(("kind",), unknown("kind", kind, "profile", str(kind), CATALOGUE))])
+        raise TableError([Mistake(("kind",), unknown("kind", kind, "profile", str(kind), (*CATALOGUE, KIND)))])
     return _Reader(kind, table, body, folder).read()
 
 

@@ -5,13 +5,15 @@ half-width along the contact), `footprint` (the contact area) and `profile` (the
 loading). Two more take what `nonhertz.subsurface` found below the surface as well: `axial_stress` (a plane along the
 contact) and `section_stress` (a plane across it). `figures` makes one finished figure of each of the three,
 `stress_figures` of the two, `comparison` one of strips beside a plane grid, `life_figure` one of where the bodies
-fatigue (which `life_density` draws), and `save` writes a figure to SVG and PNG. Nothing here uses pyplot or leaves a
-setting changed, and matplotlib is imported only when something is drawn.
+fatigue (which `life_density` draws), `measured_figure` one of the steps of a measured profile, and `save` writes a
+figure to SVG and PNG. Nothing here uses pyplot or leaves a setting changed, and matplotlib is imported only when
+something is drawn.
 """
 
 from nonhertz.plot.centre_line import pressure
 from nonhertz.plot.contact_area import footprint
 from nonhertz.plot.fatigue import life_density, life_figure
+from nonhertz.plot.measured import measured_figure
 from nonhertz.plot.sheets import figures, save
 from nonhertz.plot.side_by_side import comparison
 from nonhertz.plot.subsurface import axial_stress, section_stress, stress_figures, stress_planes
@@ -24,6 +26,7 @@ __all__ = [
     "footprint",
     "life_density",
     "life_figure",
+    "measured_figure",
     "pressure",
     "profile",
     "save",

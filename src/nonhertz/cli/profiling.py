@@ -1,0 +1,192 @@
+"""What ``nonhertz profile`` makes of a measured file, and what it prints for people."""
+
+from __future__ import annotations
+
+import math
+import re
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from nonhertz.errors import InputError
+from nonhertz.io.measured import checked, measured_from, trace_from
+from nonhertz.io.prepared import write_prepared
+from nonhertz.measured import Fit, Measured
+from nonhertz.measured.fit import KINDS
+from nonhertz.model.checks import one_of
+from nonhertz.model.profile import PARAMETER_UNITS
+from nonhertz.tables.summary import digits
+
+WIDTH = 100  # of what is piped
+BEST = "best"
+_PLAIN_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+_NO, _YES = frozenset({"no", "false", "none"}), frozenset({"yes", "true"})
+# Options whose words are words, whatever they look like.
+_WORDS = frozenset({"position_unit", "height_unit", "sense"})
+
+
+def options(**words: str | bool | None) -> dict[str, Any]:
+    """Return what options of the command line mean, by the keys of a case file; None is left out.
+
+    A number is a number, "no" is false, and lengths are text with a unit or a number in mm.
+
+    Raises
+    ------
+    InputError
+        If a value is of the wrong kind; the option is named as it is written.
+    """
+    values = {}
+    for name, word in words.items():
+        if word is None:
+            continue
+        try:
+            values[name] = checked(name, _meant(name, word))
+        except InputError as error:
+            raise option_named(error) from None
+    return values
+
+
+def option_named(error: InputError) -> InputError:
+    """Return the same complaint with the option as it is written on the command line."""
+    if error.field == "file":
+        remedy = re.sub(r"\b(position|height)_(unit|column)\b", r"--\1-\2", error.remedy)
+        return InputError("file", error.value, error.condition, remedy)
+    return InputError("--" + error.field.replace("_", "-"), error.value, error.condition, error.remedy)
+
+
+def prepared(file: Path, values: Mapping[str, Any]) -> Measured:
+    """Return the profile in a file after all steps.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read or a step does not go with it.
+    """
+    try:
+        measured = measured_from(trace_from(file, values), values)
+        _ = measured.states
+    except InputError as error:
+        raise option_named(error) from None
+    return measured
+
+
+def fitted(measured: Measured, kind: str | None) -> tuple[Fit, ...]:
+    """Return the fits that were asked for: of one kind, of all for "best", or none.
+
+    Raises
+    ------
+    InputError
+        If the kind cannot be fitted.
+    """
+    if kind is None:
+        return ()
+    one_of("--fit", kind, (*KINDS, BEST), "name a kind of profile, or 'best' to compare all")
+    return measured.fit_best() if kind == BEST else (measured.fit(kind),)
+
+
+def written(
+    directory: Path, file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[Fit]
+) -> tuple[Path, ...]:
+    """Write all that `print_profile` prints, with a figure, and return the files.
+
+    Raises
+    ------
+    InputError
+        If the directory cannot be written to.
+    """
+    from nonhertz.plot import save  # noqa: PLC0415  (slow, and only wanted where something is drawn)
+    from nonhertz.plot.measured import measured_figure  # noqa: PLC0415
+
+    def draw(folder: Path) -> None:
+        figure = measured_figure(measured, measured.trace.name, fits[0] if fits else None)
+        save(figure, folder / "profile-steps")
+
+    return write_prepared(directory, file, values, measured, fits, draw)
+
+
+def print_profile(measured: Measured, fits: Sequence[Fit]) -> None:
+    """Print the steps, the roughness, the fits and warnings."""
+    console = Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH)
+    console.print(Text(measured.trace.name, style="bold"))
+    for note in measured.trace.notes:
+        console.print(Text(note), soft_wrap=True)
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=False)
+    for row in profile_rows(measured):
+        table.add_row(*map(Text, row))
+    console.print(table)
+    if fits:
+        console.print(_fit_table(fits))
+    for warning in measured.warnings:
+        console.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
+
+
+def profile_rows(measured: Measured) -> list[tuple[str, str]]:
+    """Return name and sentence of every step, the relief that came of them, and the roughness."""
+    found, points = measured.roughness, measured.points
+    low, high, most = found.main_band
+    return [
+        *((state.name, state.words) for state in measured.states),
+        ("relief", f"{1e3 * float(measured.relief[0]):.4g} um at y = {points.y[0]:.5g} mm and "
+                   f"{1e3 * float(measured.relief[-1]):.4g} um at y = {points.y[-1]:.5g} mm."),
+        ("roughness", f"Ra {1e3 * found.ra:.3g}, Rq {1e3 * found.rq:.3g}, Rz {1e3 * found.rz:.3g} um below "
+                      f"{found.cutoff:.3g} mm; most of it, {1e3 * most:.3g} um, in waves "
+                      + (f"from {low:.3g} to {high:.3g} mm." if low else f"shorter than {high:.3g} mm.")),
+    ]  # fmt: skip
+
+
+def fit_rows(fits: Sequence[Fit]) -> list[tuple[str, ...]]:
+    """Return kind, parameters with their standard errors, and what each fit leaves, the best first."""
+    return [
+        (
+            fit.kind,
+            ", ".join(_parameter(fit, name) for name in (*fit.parameters, "shift") if _is_free(fit, name)),
+            f"{1e3 * fit.rms:.3g} um",
+            f"{1e3 * fit.largest:.3g} um",
+            f"{fit.penalised - fits[0].penalised:.1f}",
+        )
+        for fit in fits
+    ]
+
+
+def _fit_table(fits: Sequence[Fit]) -> Table:
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
+    for position, name in enumerate(("fit", "parameters and standard errors", "rms", "largest", "behind")):
+        table.add_column(name, justify="right" if position > 1 else "left", no_wrap=position != 1)
+    for row in fit_rows(fits):
+        table.add_row(*map(Text, row))
+    return table
+
+
+def _is_free(fit: Fit, name: str) -> bool:
+    return name in fit.parameters or name in fit.standard_errors
+
+
+def _parameter(fit: Fit, name: str) -> str:
+    value = fit.parameters.get(name, fit.shift)
+    unit = PARAMETER_UNITS.get(name, "mm")
+    error = fit.standard_errors.get(name)
+    if error is None:
+        told = ""
+    elif math.isfinite(error):
+        told = f" +- {error:.2g}"
+    else:
+        told = " (undetermined)"
+    return f"{name} {digits(value)}{told}{' ' + unit if unit else ''}"
+
+
+def _meant(name: str, word: str | bool) -> Any:
+    if isinstance(word, bool) or name in _WORDS:
+        return word
+    if word.lower() in _NO | _YES:
+        return word.lower() in _YES
+    if _PLAIN_NUMBER.fullmatch(word):
+        number = float(word)
+        return (
+            int(number) if name in {"points", "position_column", "height_column"} and number == int(number) else number
+        )
+    return word

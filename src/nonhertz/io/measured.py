@@ -1,0 +1,227 @@
+"""A measured profile in a case file: ``{ kind = "measured", file = "roller.txt", height_unit = "um" }``.
+
+The file stays as the machine wrote it; what is done to it stands in the table, key by key, and is done anew each time.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from nonhertz.errors import AccuracyWarning, InputError
+from nonhertz.io.mistakes import Mistake, TableError, missing, nearest, unknown
+from nonhertz.io.traces import read_trace
+from nonhertz.io.units import in_unit
+from nonhertz.measured import Measured, Trace, prepare
+from nonhertz.model.profile import Profile
+
+#: The kind's name.
+KIND = "measured"
+#: What is said about the columns of the file.
+READING = ("position_unit", "height_unit", "position_column", "height_column", "sense")
+#: What is done to the points.
+PREPARING = ("level", "align", "trim", "outliers", "smooth", "cutoff", "slope", "points")
+
+_UPLOAD_REMEDY = "give y and relief, or upload the measured profile"
+_TEXT: dict[str, Any] = {"type": "string"}
+_NUMBER: dict[str, Any] = {"type": "number"}
+_SWITCH: dict[str, Any] = {"type": "boolean"}
+_LENGTH: dict[str, Any] = {"anyOf": [_NUMBER, _TEXT], "unit": "mm"}
+_COLUMN: dict[str, Any] = {"anyOf": [{"type": "integer", "minimum": 1}, _TEXT]}
+
+#: JSON schema of each key, with what it means.
+KEYS: dict[str, dict[str, Any]] = {
+    "file": _TEXT | {"description": "The measured file; its path is relative to the case file."},
+    "position_unit": _TEXT | {"description": "Unit of the positions; what the file states, or mm, if left out."},
+    "height_unit": _TEXT | {"description": "Unit of the heights; what the file states, or mm, if left out."},
+    "position_column": _COLUMN | {"description": "Column of the positions, by number from 1 or by name."},
+    "height_column": _COLUMN | {"description": "Column of the heights, by number from 1 or by name."},
+    "sense": {
+        "enum": ["height", "drop"],
+        "description": "Whether the column is positive where material is, or where it is taken away.",
+    },
+    "level": _SWITCH | {"description": "Whether to take off the tilt at which the body lay in the machine."},
+    "align": {
+        "anyOf": [_SWITCH, {"enum": ["ends", "symmetry"]}],
+        "description": "How the middle of the body is found; false leaves y as it is.",
+    },
+    "trim": {
+        "anyOf": [_SWITCH, {"const": "auto"}, _LENGTH],
+        "description": "'auto' cuts the chamfers off, a length is kept about y = 0, false keeps all.",
+    },
+    "outliers": {
+        "anyOf": [_SWITCH, _NUMBER],
+        "description": "Robust standard deviations beyond which points are taken out; true for 5, false for none.",
+    },
+    "smooth": {
+        "anyOf": [_SWITCH, {"enum": ["gaussian", "spline"]}],
+        "description": "The filter that takes roughness off, or false.",
+    },
+    "cutoff": _LENGTH | {"description": "Wavelength of which the filter lets half through."},
+    "slope": _NUMBER | {"description": "Slope at which a chamfer begins."},
+    "points": {
+        "anyOf": [_SWITCH, {"const": "auto"}, {"type": "integer", "minimum": 5}],
+        "description": "How many points to keep; 'auto' for eight per cutoff, false for all.",
+    },
+    "interpolation": {
+        "enum": ["pchip", "linear", "cubic"],
+        "description": "The curve through the points; 'cubic' for smoothed ones, else 'pchip', if left out.",
+    },
+    "shift": _LENGTH | {"description": "How far to move the profile towards positive y."},
+    "scale": _NUMBER | {"description": "Factor on the relief."},
+}
+_LENGTHS = {"trim", "cutoff", "shift"}
+
+
+def read_measured(table: Mapping[str, Any], folder: Path | None) -> Profile:
+    """Return the profile of a table of this kind.
+
+    Parameters
+    ----------
+    table : mapping
+        What the case file holds.
+    folder : Path or None
+        What file names are relative to; None where no file may be read.
+
+    Returns
+    -------
+    Profile
+        The measured profile after all steps.
+
+    Raises
+    ------
+    TableError
+        Everything that is wrong, placed relative to the table.
+
+    Warns
+    -----
+    AccuracyWarning
+        What has to be known before solving with the profile, such as roughness that strips cannot carry.
+    """
+    mistakes: list[Mistake] = []
+    values = {}
+    for name, value in table.items():
+        if name == "kind":
+            continue
+        try:
+            values[name] = checked(name, value)
+        except InputError as error:
+            mistakes.append(Mistake((name,), error))
+    misspelled = {nearest(name, KEYS) for name in table if name not in KEYS and name != "kind"}
+    if "file" not in table and "file" not in misspelled:
+        mistakes.append(missing(("file",), "name the measured file"))
+    elif folder is None and "file" in values:
+        refused = InputError("file", values["file"], "not be read here", _UPLOAD_REMEDY)
+        mistakes.append(Mistake(("file",), refused))
+    if mistakes or folder is None:
+        raise TableError(mistakes)
+    try:
+        return _made(values, folder)
+    except InputError as error:
+        raise TableError([_placed(error, table)]) from None
+
+
+def checked(name: str, value: Any) -> Any:
+    """Return the value of a key, lengths in mm.
+
+    Raises
+    ------
+    InputError
+        If the key is not known or its value is of the wrong kind.
+    """
+    if name not in KEYS:
+        raise unknown(name, value, f"parameter of '{KIND}'", name, KEYS)
+    if isinstance(value, bool):
+        if not any(choice == _SWITCH for choice in _choices(name)):
+            raise InputError(name, value, "not be true or false", _meaning(name))
+        return value
+    if isinstance(value, str):
+        return _checked_text(name, value)
+    if not isinstance(value, int | float) or not _takes_numbers(name):
+        wanted = "true or false" if _choices(name) == [_SWITCH] else "text"
+        raise InputError(name, value, f"be {wanted}", _meaning(name))
+    return float(value) if name in _LENGTHS else value
+
+
+def measured_from(trace: Trace, values: Mapping[str, Any]) -> Measured:
+    """Return a trace with the steps that checked values ask for.
+
+    Raises
+    ------
+    InputError
+        If a value is out of range.
+    """
+    return prepare(trace, **{name: values[name] for name in PREPARING if name in values})
+
+
+def trace_from(source: Path | bytes, values: Mapping[str, Any], name: str | None = None) -> Trace:
+    """Return the trace in a file, with its columns read as checked values say.
+
+    Raises
+    ------
+    InputError
+        If it cannot be read.
+    """
+    return read_trace(source, name, **{key: values[key] for key in READING if key in values})
+
+
+def measured_schema() -> dict[str, Any]:
+    """Return the JSON schema of a table of this kind."""
+    return {
+        "type": "object",
+        "title": KIND,
+        "description": "measured profile, prepared step by step",
+        "properties": {"kind": {"const": KIND}, **KEYS},
+        "required": ["kind", "file"],
+        "additionalProperties": False,
+    }
+
+
+def _choices(name: str) -> list[dict[str, Any]]:
+    schema = KEYS[name]
+    return [
+        {key: value for key, value in each.items() if key != "description"} for each in schema.get("anyOf", [schema])
+    ]
+
+
+def _takes_numbers(name: str) -> bool:
+    return any("number" in str(each) or "integer" in str(each) for each in _choices(name))
+
+
+def _checked_text(name: str, value: str) -> Any:
+    words = [word for each in _choices(name) for word in each.get("enum", [each["const"]] if "const" in each else [])]
+    if value in words:
+        return value
+    if name in _LENGTHS:
+        return in_unit(name, value, "mm")
+    if _TEXT in _choices(name):
+        return value
+    if words:
+        raise InputError(name, value, "be one of " + ", ".join(map(repr, words)), _meaning(name))
+    raise InputError(name, value, "be a number" if _takes_numbers(name) else "be true or false", "take the quotes away")
+
+
+def _meaning(name: str) -> str:
+    text = str(KEYS[name]["description"]).rstrip(".")
+    return text[0].lower() + text[1:]
+
+
+def _made(values: Mapping[str, Any], folder: Path) -> Profile:
+    measured = measured_from(trace_from(folder / values["file"], values), values)
+    for sentence in measured.warnings:
+        warnings.warn(sentence, AccuracyWarning, stacklevel=2)
+    profile = measured.profile(values.get("interpolation"))
+    if "scale" in values:
+        profile = profile.scaled(values["scale"])
+    return profile.shifted(values["shift"]) if "shift" in values else profile
+
+
+def _placed(error: InputError, table: Mapping[str, Any]) -> Mistake:
+    """Return a complaint at its key, with what the user wrote there."""
+    field = error.field if error.field in KEYS else "file"
+    if field not in table:
+        # A default that does not go with this file, such as a cutoff longer than the line.
+        return Mistake((field,), InputError(field, error.value, error.condition, error.remedy))
+    return Mistake((field,), InputError(field, table[field], error.condition, error.remedy))

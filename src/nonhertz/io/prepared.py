@@ -1,0 +1,187 @@
+"""A prepared measured profile as text and on disk: numbers, a table to solve with, and a piece of a case file."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from nonhertz.io.measured import KIND
+from nonhertz.io.results import key_by_key, plain, write_files
+from nonhertz.measured import Fit, Measured, Roughness
+
+#: Units of the numbers; what has none is left out. Parameters of fits have those of the catalogue.
+UNITS: dict[str, Any] = {
+    "steps": {"tilt": "rad", "shift": "mm", "low": "mm", "high": "mm", "limit": "mm", "cutoff": "mm", "rms": "mm"},
+    "roughness": {"ra": "mm", "rq": "mm", "rz": "mm", "cutoff": "mm", "bands": {"from": "mm", "to": "mm", "rms": "mm"}},
+    "fits": {"offset": "mm", "shift": "mm", "tilt": "rad", "rms": "mm", "largest": "mm"},
+    "y": "mm",
+    "relief": "mm",
+}
+TABLE = "profile.csv"
+
+
+def as_object(measured: Measured, fits: Sequence[Fit] = ()) -> dict[str, Any]:
+    """Return a prepared profile as plain numbers, text, lists and dictionaries.
+
+    Parameters
+    ----------
+    measured : Measured
+        The trace and its steps.
+    fits : sequence of Fit
+        Fitted profiles, the best first.
+
+    Returns
+    -------
+    dict
+        A number that is not finite is None.
+    """
+    return {
+        "name": measured.trace.name,
+        "notes": list(measured.trace.notes),
+        "steps": [
+            {"name": state.name, "words": state.words} | {key: plain(value) for key, value in state.numbers.items()}
+            for state in measured.states
+        ],
+        "gaps": plain(measured.points.gaps),
+        "roughness": _roughness(measured.roughness),
+        "fits": [_fit(fit) for fit in fits],
+        "warnings": list(measured.warnings),
+        "y": plain(measured.points.y),
+        "relief": plain(measured.relief),
+        "units": UNITS,
+    }
+
+
+def as_json(measured: Measured, fits: Sequence[Fit] = ()) -> str:
+    """Return `as_object` as JSON text, one key to a line."""
+    return key_by_key(as_object(measured, fits))
+
+
+def as_table(measured: Measured) -> str:
+    """Return positions and relief as comma-separated values, which ``kind = "tabulated"`` reads."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(["y [mm]", "relief [mm]"])
+    # A picometre is less than any machine resolves.
+    rows = zip(measured.points.y.tolist(), measured.relief.tolist(), strict=True)
+    writer.writerows([f"{y:.9g}", f"{relief:.9f}"] for y, relief in rows)
+    return text.getvalue()
+
+
+def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[Fit] = ()) -> str:
+    """Return the line of a case file that makes this profile, with others that come near it as comments.
+
+    Parameters
+    ----------
+    file : Path
+        The measured file, as the case file shall call it.
+    values : mapping
+        What else the table of kind ``"measured"`` holds.
+    measured : Measured
+        What came of it.
+    fits : sequence of Fit
+        Fitted profiles, the best first.
+
+    Returns
+    -------
+    str
+        TOML.
+    """
+    smooth = any(state.name == "smooth" for state in measured.states)
+    lines = [
+        f"# Profile measured in {measured.trace.name}; for [body.a] or [body.b] of a case file beside this one.",
+        f"profile = [{_table({'kind': KIND, 'file': file.as_posix(), **values})}]",
+        "# Or the points that came of it:",
+        "# profile = ["
+        + _table({"kind": "tabulated", "file": TABLE, "interpolation": "cubic" if smooth else "pchip"})
+        + "]",
+    ]
+    if fits:
+        best = fits[0]
+        lines.append(f"# Or what fits best of the catalogue, within {1e3 * best.rms:.2g} um root mean square:")
+        lines.append(f"# profile = [{_table({'kind': best.kind, **best.parameters, 'shift': best.shift})}]")
+    return "\n".join(lines) + "\n"
+
+
+def write_prepared(
+    directory: str | Path,
+    file: Path,
+    values: Mapping[str, Any],
+    measured: Measured,
+    fits: Sequence[Fit],
+    draw: Callable[[Path], object],
+) -> tuple[Path, ...]:
+    """Write profile.json, profile.csv, profile.toml and what ``draw`` writes into a directory, all of them or none.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Where to; made if it does not exist. Files of the same names are replaced.
+    file : Path
+        The measured file.
+    values : mapping
+        What else the table of kind ``"measured"`` holds.
+    measured : Measured
+        The trace and its steps.
+    fits : sequence of Fit
+        Fitted profiles, the best first.
+    draw : callable
+        Writes further files, figures that is, into the directory that it is given.
+
+    Returns
+    -------
+    tuple of Path
+        The files.
+
+    Raises
+    ------
+    InputError
+        If the directory cannot be written to.
+    """
+
+    def write(folder: Path) -> None:
+        (folder / "profile.json").write_text(as_json(measured, fits) + "\n", encoding="utf-8")
+        (folder / TABLE).write_text(as_table(measured), encoding="utf-8")
+        text = as_case(_seen_from(Path(directory), file), values, measured, fits)
+        (folder / "profile.toml").write_text(text, encoding="utf-8")
+        draw(folder)
+
+    return write_files(directory, write)
+
+
+def _seen_from(directory: Path, file: Path) -> Path:
+    try:
+        return Path(os.path.relpath(file, directory))
+    except ValueError:  # on another drive
+        return file.absolute()
+
+
+def _table(entries: Mapping[str, Any]) -> str:
+    # JSON's numbers, words and strings are TOML's too; keys are bare words.
+    return "{ " + ", ".join(f"{key} = {json.dumps(value, ensure_ascii=False)}" for key, value in entries.items()) + " }"
+
+
+def _roughness(roughness: Roughness) -> dict[str, Any]:
+    bands = [{"from": low, "to": high, "rms": rms} for low, high, rms in roughness.bands]
+    heights = {"ra": roughness.ra, "rq": roughness.rq, "rz": roughness.rz}
+    return heights | {"sections": roughness.sections, "cutoff": roughness.cutoff, "bands": bands}
+
+
+def _fit(fit: Fit) -> dict[str, Any]:
+    return {
+        "kind": fit.kind,
+        "parameters": {name: plain(value) for name, value in fit.parameters.items()},
+        "standard_errors": {name: plain(value) for name, value in fit.standard_errors.items()},
+        "offset": fit.offset,
+        "shift": fit.shift,
+        "tilt": fit.tilt,
+        "rms": fit.rms,
+        "largest": fit.largest,
+        "points": fit.points,
+        "penalised": fit.penalised,
+    }

@@ -1,0 +1,166 @@
+"""What all readers come to: positions and heights as the file has them, and a trace of them in order."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.measured.trace import FEWEST_POINTS, Array, Trace, holes
+from nonhertz.model.checks import one_of
+
+#: Points of the longest line that is read.
+MOST_POINTS = 2_000_000
+# Heights without a unit are taken for mm only below this share of the line's length.
+_PLAUSIBLE = 0.1
+
+_MM = {"mm": 1.0, "um": 1e-3, "µm": 1e-3, "μm": 1e-3, "micron": 1e-3, "microns": 1e-3, "nm": 1e-6, "m": 1e3}
+_MM |= {"cm": 10.0, "in": 25.4, "inch": 25.4}
+
+
+@dataclass(frozen=True)
+class Request:
+    """What whoever asks for a file says about it; see `nonhertz.io.traces.read_trace`."""
+
+    name: str
+    position_unit: str | None = None
+    height_unit: str | None = None
+    position_column: int | str | None = None
+    height_column: int | str | None = None
+    sense: str | None = None
+
+    def __post_init__(self) -> None:
+        if self.sense is not None:
+            one_of("sense", self.sense, ("height", "drop"), "say whether the column is positive where material is")
+        for field in ("position_unit", "height_unit"):
+            unit = getattr(self, field)
+            if unit is not None:
+                in_mm(field, unit)
+
+    def refuse(self, condition: str, remedy: str) -> InputError:
+        """Return the complaint about the file."""
+        return InputError("file", self.name, condition, remedy)
+
+    def refuse_choices(self, what: str) -> None:
+        """Refuse units and columns beside a format that states its own."""
+        for field in ("position_unit", "height_unit", "position_column", "height_column"):
+            value = getattr(self, field)
+            if value is not None:
+                raise InputError(field, value, f"not be given for {what}, which states its own", "leave it out")
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """A measured line as a file has it.
+
+    Attributes
+    ----------
+    y, height : array
+        Positions and heights [mm], NaN where nothing was measured.
+    notes : tuple of str
+        What was done so far.
+    unit_known : bool
+        Whether the unit of the heights was stated.
+    drop : bool
+        Whether the heights are positive where material is taken away.
+    """
+
+    y: Array
+    height: Array
+    notes: tuple[str, ...] = ()
+    unit_known: bool = True
+    drop: bool = False
+
+    def noted(self, *notes: str) -> Line:
+        """Return the line with more notes in front."""
+        return replace(self, notes=(*notes, *self.notes))
+
+
+def in_mm(field: str, unit: str) -> float:
+    """Return how many mm a unit is.
+
+    Raises
+    ------
+    InputError
+        If it is no unit of length.
+    """
+    factor = _MM.get(unit.strip())
+    if factor is not None:
+        return factor
+    from nonhertz.io.units import in_unit  # noqa: PLC0415  (knows all units, and is slow to learn them)
+
+    try:
+        return float(in_unit(field, f"1 {unit}", "mm"))
+    except InputError:
+        raise InputError(field, unit, "be a unit of length", "write mm, um, nm, m or in") from None
+
+
+def made(line: Line, request: Request) -> Trace:
+    """Return the trace of a line: in ascending order, each position once, gaps known.
+
+    Raises
+    ------
+    InputError
+        If there are too few or too many points, or heights without a unit that are none in mm.
+    """
+    if len(line.y) > MOST_POINTS:
+        raise request.refuse(f"hold no more than {MOST_POINTS:,} points", "export fewer; a few thousand are enough")
+    notes = list(line.notes)
+    gaps, known = _unmeasured(line, notes)
+    y, height = line.y[known], line.height[known]
+    if len(y) == 0:
+        raise request.refuse("hold measured points (there is no pair of numbers)", "export the profile again")
+    y, height = _sorted(y, height, notes)
+    if len(y) < FEWEST_POINTS:
+        found = "one position" if len(y) == 1 else f"{len(y)} positions"
+        raise request.refuse(f"hold {FEWEST_POINTS} positions at least (there is {found})", "measure more points")
+    if not line.unit_known:
+        _check_plausible(y, height, request)
+        notes.append("The file states no unit of its heights; they were taken for mm.")
+    if (request.sense or ("drop" if line.drop else "height")) == "drop":
+        height = -height
+        notes.append("The column counts material taken away; its sign was turned.")
+    missing = [gap for gap in holes(y) if not any(low <= gap[0] and gap[1] <= high for low, high in gaps)]
+    gaps = tuple(sorted({*gaps, *missing}))
+    if gaps:
+        places = ", ".join(f"{low:.5g} to {high:.5g}" for low, high in gaps[:5]) + (", ..." if len(gaps) > 5 else "")
+        notes.append(f"Nothing was measured from y = {places} mm.")
+    return Trace(y, height, gaps, name=request.name, notes=tuple(notes))
+
+
+def _unmeasured(line: Line, notes: list[str]) -> tuple[tuple[tuple[float, float], ...], NDArray[np.bool_]]:
+    """Return the gaps that unmeasured points leave between measured ones, and which points are measured."""
+    known = np.isfinite(line.y) & np.isfinite(line.height)
+    missing = int(np.sum(~known))
+    if not missing:
+        return (), known
+    notes.append(f"{missing} of {len(known)} points hold no number and were left out.")
+    places = np.flatnonzero(known)
+    broken = np.flatnonzero(np.diff(places) > 1)
+    pairs = ((line.y[places[k]], line.y[places[k + 1]]) for k in broken)
+    return tuple((float(min(pair)), float(max(pair))) for pair in pairs), known
+
+
+def _sorted(y: Array, height: Array, notes: list[str]) -> tuple[Array, Array]:
+    if np.all(np.diff(y) < 0.0):
+        notes.append("Positions descend in the file; they were turned round.")
+        return y[::-1], height[::-1]
+    back = int(np.sum(np.diff(y) < 0.0))
+    if back:
+        notes.append(f"Positions go back {back} times in the file; the points were sorted.")
+    order = np.argsort(y, kind="stable")
+    y, height = y[order], height[order]
+    once, which, counts = np.unique(y, return_inverse=True, return_counts=True)
+    if len(once) < len(y):
+        notes.append(f"{int(np.sum(counts > 1))} positions are there more than once; their heights were averaged.")
+        height = np.bincount(which, height) / counts
+    return once, height
+
+
+def _check_plausible(y: Array, height: Array, request: Request) -> None:
+    drop, length = float(np.ptp(height)), float(y[-1] - y[0])
+    if drop > _PLAUSIBLE * length:
+        condition = f"state the unit of its heights (in mm they would differ by {drop:.3g} on a length of {length:.3g})"
+        raise request.refuse(condition, "give height_unit, such as 'um', or 'mm' if that is so")

@@ -1,0 +1,66 @@
+"""The text export of Mahr's MarWin software: sections in brackets, the points in the one called PROFILE_VALUES.
+
+No description by the maker is public. What is read here is what two independent programs agree on, one that writes
+such files for MarWin and one that reads them: a line is ``number=X Y Z C Lock`` with X, Y and Z in mm and decimal
+points, and the section PROFILE_HEADER has the number of points in NO_POINTS. The line runs along X, or along Y where X
+stands still.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+import numpy as np
+
+from nonhertz.io.traces.line import Line, Request
+
+_VALUES = "[PROFILE_VALUES]"
+_POINT = re.compile(r"\s*\d+\s*=\s*(.*)")
+_COUNT = re.compile(r"\s*NO_POINTS\s*=\s*(\d+)")
+
+
+def is_marwin(lines: Sequence[str]) -> bool:
+    """Return whether a text has the section of points."""
+    return any(line.strip().startswith(_VALUES) for line in lines)
+
+
+def read_marwin(lines: Sequence[str], request: Request) -> Line:
+    """Return the measured line in a text export of MarWin.
+
+    Raises
+    ------
+    InputError
+        If a line is no point, or there are fewer points than the file's head says.
+    """
+    request.refuse_choices("a MarWin export")
+    start = next(k for k, line in enumerate(lines) if line.strip().startswith(_VALUES))
+    rows = []
+    for number, line in enumerate(lines[start + 1 :], start=start + 2):
+        if line.strip().startswith("["):
+            break
+        if not line.strip() or line.strip().startswith("//"):
+            continue
+        rows.append(_point(line, number, request))
+    counts = [int(found[1]) for line in lines[:start] if (found := _COUNT.match(line))]
+    if counts and len(rows) != counts[0]:
+        condition = f"hold the {counts[0]} points that its head names (there are {len(rows)})"
+        raise request.refuse(condition, "export it again; this one is cut off")
+    if not rows:
+        raise request.refuse("hold points below [PROFILE_VALUES]", "export the profile again")
+    x, y, z = np.array(rows).T
+    along = "Y" if np.ptp(y) > np.ptp(x) else "X"
+    return Line(y if along == "Y" else x, z, (f"A MarWin export: positions are its {along}, heights its Z, in mm.",))
+
+
+def _point(line: str, number: int, request: Request) -> list[float]:
+    found = _POINT.fullmatch(line)
+    try:
+        return [float(cell) for cell in found[1].split()[:3]] if found and len(found[1].split()) >= 3 else _not(line)
+    except ValueError:
+        condition = f"hold a point X Y Z in line {number} (there is {line.strip()[:40]!r})"
+        raise request.refuse(condition, "export the profile again") from None
+
+
+def _not(line: str) -> list[float]:
+    raise ValueError(line)

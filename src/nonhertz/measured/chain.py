@@ -1,0 +1,319 @@
+"""A trace and the steps that make a profile of it; any of them can be taken back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from nonhertz.errors import InputError
+from nonhertz.measured.roughness import (
+    HALF_WIDTH,
+    PRESSURE,
+    STEEL_COMPLIANCE,
+    Roughness,
+    roughness_in,
+    strain_on_strips,
+)
+from nonhertz.measured.steps import (
+    CUTOFF,
+    THRESHOLD,
+    Align,
+    Level,
+    Outliers,
+    Smooth,
+    State,
+    Step,
+    Thin,
+    Trim,
+    enough_points,
+)
+from nonhertz.measured.trace import Array, Points, Trace
+from nonhertz.model.checks import one_of
+from nonhertz.model.profile import Profile, tabulated
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from nonhertz.measured.fit import Fit
+
+# Share of robust outliers that no surface has, but a wrong threshold or a scratched one.
+_MANY_OUTLIERS = 0.02
+
+
+@dataclass(frozen=True, eq=False)
+class Measured:
+    """A raw trace and an ordered list of steps that make a profile of it.
+
+    Methods return changed copies; the raw trace is never touched. A step that is there already is replaced in its
+    place, another one is added at the end.
+
+    Parameters
+    ----------
+    trace : Trace
+        The raw measurement.
+    steps : tuple of Step
+        What is done to it, in this order, each kind once.
+
+    Examples
+    --------
+    >>> y = np.linspace(0, 10, 1001)
+    >>> trace = Trace(y, 0.002 * y - (y - 5) ** 2 / 2000, name="tilted crown")
+    >>> measured = Measured(trace).levelled().aligned()
+    >>> [state.name for state in measured.states]
+    ['raw', 'level', 'align']
+    >>> round(measured.states[1].numbers["tilt"], 6), round(float(measured.profile().relief(5.0)), 6)
+    (0.002, 0.0125)
+    >>> measured.without("level").steps
+    (Align(by='ends', slope=0.05),)
+    """
+
+    trace: Trace
+    steps: tuple[Step, ...] = ()
+
+    def __post_init__(self) -> None:
+        names = [step.name for step in self.steps]
+        twice = [name for name in names if names.count(name) > 1]
+        if twice:
+            raise InputError("steps", twice[0], "be there once", "replace the step")
+
+    def levelled(self, slope: float | None = None) -> Measured:
+        """Return a copy with the tilt taken off; see `Level`."""
+        return self._with(Level() if slope is None else Level(slope))
+
+    def aligned(self, by: str = "ends") -> Measured:
+        """Return a copy with y = 0 in the middle of the body; see `Align`."""
+        return self._with(Align(by))
+
+    def trimmed(self, length: float | None = None, slope: float | None = None) -> Measured:
+        """Return a copy without chamfers; see `Trim`."""
+        return self._with(Trim(length) if slope is None else Trim(length, slope))
+
+    def without_outliers(self, threshold: float = THRESHOLD) -> Measured:
+        """Return a copy without points that are none of the surface; see `Outliers`."""
+        return self._with(Outliers(threshold))
+
+    def smoothed(self, cutoff: float = CUTOFF, method: str = "gaussian") -> Measured:
+        """Return a copy without roughness; see `Smooth`."""
+        return self._with(Smooth(cutoff, method))
+
+    def thinned(self, points: int | None = None) -> Measured:
+        """Return a copy of fewer points; None keeps eight for each cutoff. See `Thin`."""
+        if points is None:
+            cutoffs = [step.cutoff for step in self.steps if isinstance(step, Smooth)]
+            points = enough_points(self.points.span, cutoffs[0] if cutoffs else CUTOFF)
+        return self._with(Thin(points))
+
+    def without(self, name: str) -> Measured:
+        """Return a copy without one step; the others stay.
+
+        Parameters
+        ----------
+        name : str
+            ``"level"``, ``"align"``, ``"trim"``, ``"outliers"``, ``"smooth"`` or ``"thin"``.
+
+        Raises
+        ------
+        InputError
+            If there is no such step.
+        """
+        one_of("step", name, tuple(step.name for step in self.steps), "name a step that was made")
+        return replace(self, steps=tuple(step for step in self.steps if step.name != name))
+
+    @cached_property
+    def states(self) -> tuple[State, ...]:
+        """The raw points, and the points after every step with what the step did."""
+        words = f"{len(self.trace)} points from {self.trace.y[0]:.5g} to {self.trace.y[-1]:.5g} mm."
+        states = [State("raw", self.trace, words, {"points": float(len(self.trace))})]
+        for step in self.steps:
+            states.append(step.apply(states[-1].points))
+        return tuple(states)
+
+    @property
+    def points(self) -> Points:
+        """The points after the last step."""
+        return self.states[-1].points
+
+    @property
+    def relief(self) -> Array:
+        """Relief [mm] at the points after the last step: highest minus height."""
+        return np.asarray(self.points.height.max() - self.points.height)
+
+    def profile(self, interpolation: str | None = None) -> Profile:
+        """Return the profile to solve with, zero at its highest point.
+
+        Parameters
+        ----------
+        interpolation : str or None
+            The curve through the points, as in `nonhertz.profile.tabulated`. None takes ``"cubic"`` for a smoothed
+            line, which is dense enough to leave it nothing to overshoot, and ``"pchip"`` for any other.
+
+        Returns
+        -------
+        Profile
+            The profile, defined between the outermost points.
+        """
+        if interpolation is None:
+            interpolation = "cubic" if self._has("smooth") and not self.points.gaps else "pchip"
+        return tabulated(self.points.y.tolist(), self.relief.tolist(), interpolation)
+
+    @property
+    def roughness(self) -> Roughness:
+        """Roughness of what the filter took off, or of what it would take off at the default cutoff."""
+        return roughness_in(self._before("smooth", "thin"), self._cutoff)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What has to be known before solving with the profile, judged for a usual bearing contact of steel."""
+        return self.warnings_for()
+
+    def warnings_for(
+        self, half_width: float = HALF_WIDTH, pressure: float = PRESSURE, compliance: float = STEEL_COMPLIANCE
+    ) -> tuple[str, ...]:
+        """Return what has to be known before solving with the profile.
+
+        Parameters
+        ----------
+        half_width : float
+            Half-width of the contact [mm].
+        pressure : float
+            Its pressure [MPa].
+        compliance : float
+            Compliance of both bodies together [1/MPa], that of a body being (1 - nu^2) / (pi E).
+
+        Returns
+        -------
+        tuple of str
+            A sentence each; empty if nothing has to be said.
+        """
+        sentences = list(strain_on_strips(self.points, half_width, pressure, compliance, self._has("smooth")))
+        for low, high in self.points.gaps:
+            sentences.append(
+                f"Nothing was measured between y = {low:.5g} and {high:.5g} mm; the profile bridges it with a curve."
+            )
+        for state in self.states:
+            count = state.numbers.get("removed", 0.0)
+            if state.name == "outliers" and count > _MANY_OUTLIERS * (len(state.points) + count):
+                sentences.append(
+                    f"{count:.0f} points were taken out as outliers, more than {100 * _MANY_OUTLIERS:.0f} % of all; "
+                    "look whether they are a part of the surface."
+                )
+        return tuple(sentences)
+
+    def fit(self, kind: str, *, shift: bool = True, tilt: bool = False, **fixed: float) -> Fit:
+        """Return the profile of a kind of the catalogue that comes nearest; see `nonhertz.measured.fit.fit`."""
+        from nonhertz.measured.fit import fit  # noqa: PLC0415  (brings scipy.optimize along)
+
+        highest = float(self.points.height.max())
+        return fit(self._before("smooth", "thin"), kind, shift=shift, tilt=tilt, highest=highest, **fixed)
+
+    def fit_best(
+        self, kinds: Iterable[str] | None = None, *, shift: bool = True, tilt: bool = False
+    ) -> tuple[Fit, ...]:
+        """Return fits of several kinds, the best first; see `nonhertz.measured.fit.fit_best`."""
+        from nonhertz.measured.fit import fit_best  # noqa: PLC0415  (brings scipy.optimize along)
+
+        highest = float(self.points.height.max())
+        return fit_best(self._before("smooth", "thin"), kinds, shift=shift, tilt=tilt, highest=highest)
+
+    def _before(self, *names: str) -> Points:
+        """Return the points before the first of some steps, or after the last one if there is none of them."""
+        for state, step in zip(self.states, self.steps, strict=False):
+            if step.name in names:
+                return state.points
+        return self.points
+
+    @property
+    def _cutoff(self) -> float:
+        cutoffs = [step.cutoff for step in self.steps if isinstance(step, Smooth)]
+        return cutoffs[0] if cutoffs else min(CUTOFF, 0.2 * self._before("smooth", "thin").span)
+
+    def _has(self, name: str) -> bool:
+        return any(step.name == name for step in self.steps)
+
+    def _with(self, step: Step) -> Measured:
+        if self._has(step.name):
+            steps = tuple(step if old.name == step.name else old for old in self.steps)
+        else:
+            steps = (*self.steps, step)
+        return replace(self, steps=steps)
+
+
+def prepare(
+    trace: Trace,
+    *,
+    level: bool = True,
+    align: bool | str = True,
+    trim: float | str | bool = "auto",
+    outliers: float | bool = True,
+    smooth: str | bool = "gaussian",
+    cutoff: float = CUTOFF,
+    slope: float | None = None,
+    points: int | str | bool = "auto",
+) -> Measured:
+    """Return a trace with the usual steps: level, align, trim, outliers, smooth, thin.
+
+    Parameters
+    ----------
+    trace : Trace
+        The raw measurement.
+    level : bool
+        Whether to take the tilt off.
+    align : bool or str
+        How to find the middle of the body: ``"ends"`` (or True), ``"symmetry"``; False leaves y alone.
+    trim : str, float or False
+        ``"auto"`` finds the chamfers, a length [mm] is kept about y = 0, False keeps all.
+    outliers : bool or float
+        Robust standard deviations beyond which points are taken out, True for five; False keeps all.
+    smooth : str or False
+        ``"gaussian"``, ``"spline"``, or False to keep the roughness.
+    cutoff : float
+        Wavelength [mm] of the filter.
+    slope : float or None
+        Slope at which a chamfer begins; 0.05 if None.
+    points : str, int or False
+        How many points to keep: ``"auto"`` for eight per cutoff (all, if there is no filter), or a number; False keeps
+        all.
+
+    Returns
+    -------
+    Measured
+        The trace with its steps.
+
+    Raises
+    ------
+    InputError
+        If a value is out of range.
+    """
+    limit = Level().slope if slope is None else slope
+    steps: list[Step] = []
+    if level:
+        steps.append(Level(limit))
+    if align is not False:
+        steps.append(Align("ends" if align is True else align, limit))
+    if trim is not False:
+        steps.append(Trim(_length(trim), limit))
+    if outliers is not False:
+        steps.append(Outliers(THRESHOLD if outliers is True else outliers))
+    if smooth is not False:
+        steps.append(Smooth(cutoff, "gaussian" if smooth is True else smooth))
+    measured = Measured(trace, tuple(steps))
+    return _thinned(measured, points, smooth is not False)
+
+
+def _length(trim: float | str | bool) -> float | None:
+    if trim is True or trim == "auto":
+        return None
+    if isinstance(trim, str):
+        raise InputError("trim", trim, "be 'auto', a length or false", "give the length to keep in mm")
+    return trim
+
+
+def _thinned(measured: Measured, points: int | str | bool, smooth: bool) -> Measured:
+    if points is False or (not smooth and (points is True or points == "auto")):
+        return measured
+    if isinstance(points, str) and points != "auto":
+        raise InputError("points", points, "be 'auto', a number or false", "give a number of points to keep")
+    return measured.thinned(None if isinstance(points, bool | str) else points)

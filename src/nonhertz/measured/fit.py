@@ -1,0 +1,378 @@
+"""Least squares: which profile of the catalogue is nearest to a measured line, and how surely.
+
+The line is relief = profile(y - shift) + offset + tilt y. Starting values come from a grid over the lengths in a kind
+(where its straight middle ends, where its logarithm has its pole): with those given, all kinds are linear in the
+reciprocal radius, the amplitude or the taper, which one linear least-squares problem finds. The best of the grid is
+where `scipy.optimize.least_squares` begins.
+
+Neighbouring points of a measured line err together: waviness and what a kind cannot follow stretch over many. So the
+number of points that counts is n / tau, with tau the sum of the autocorrelation of the residual up to where it first
+vanishes. Standard errors and the comparison of kinds go by it.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.measured.trace import Array, Points
+from nonhertz.model.checks import one_of
+from nonhertz.model.profile import CATALOGUE, Profile
+
+_MOST_POINTS = 2000
+_FAR = 1.0  # mm, in place of the infinite relief beyond a pole
+# Between which positive parameters are looked for, in their units; at a bound, a parameter means nothing any more.
+_BOUNDS = {"radius": (1.0, 1e7), "end_radius": (1.0, 1e7), "amplitude": (1e-7, 10.0), "angle": (1e-7, 1.0)}
+_LENGTH_BOUNDS = (1e-3, 1e4)
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """The nearest profile of a kind.
+
+    Attributes
+    ----------
+    kind : str
+        Its name in the catalogue.
+    parameters : dict
+        Its parameters by name, in the units of the catalogue.
+    standard_errors : dict
+        Standard error of every parameter that was free, and of ``offset``, ``shift`` and ``tilt`` as far as they were;
+        infinite where a parameter went to the end of what it is looked for in, and the line says nothing about it.
+    offset, shift, tilt : float
+        What was added to the profile: a height [mm], a way along y [mm], a slope [rad].
+    rms, largest : float
+        Root mean square and largest of what is left [mm].
+    points : float
+        How many points that err independently the line amounts to.
+    penalised : float
+        Bayes' information criterion, by which kinds are ranked: the lower the better.
+    """
+
+    kind: str
+    parameters: Mapping[str, float]
+    standard_errors: Mapping[str, float]
+    offset: float
+    shift: float
+    tilt: float
+    rms: float
+    largest: float
+    points: float
+    penalised: float
+
+    @property
+    def profile(self) -> Profile:
+        """The profile, about y = 0: without offset, shift and tilt."""
+        return CATALOGUE[self.kind](**self.parameters)
+
+    def relief(self, y: Array) -> Array:
+        """Return the fitted relief [mm] at positions [mm], offset, shift and tilt included."""
+        y = np.asarray(y, dtype=float)
+        return self.profile.relief(y - self.shift) + self.offset + self.tilt * y
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """How a kind is fitted: bases that it is linear in once its lengths are given, and back to its parameters."""
+
+    lengths: Callable[[float], Iterable[tuple[float, ...]]]  # from the half-length to what is tried
+    bases: Callable[[Array, tuple[float, ...]], list[Array]]
+    parameters: Callable[[tuple[float, ...], Array], dict[str, float]]
+    signed: tuple[str, ...] = ()  # parameters that may be negative
+
+
+def fit(
+    points: Points, kind: str, *, shift: bool = True, tilt: bool = False, highest: float | None = None, **fixed: float
+) -> Fit:
+    """Return the profile of a kind that is nearest to a measured line.
+
+    Parameters
+    ----------
+    points : Points
+        The line.
+    kind : str
+        ``"crown"``, ``"partial-crown"``, ``"two-radius"``, ``"logarithmic"``, ``"tapered-ends"``, ``"conical"`` or
+        ``"straight"``.
+    shift, tilt : bool
+        Whether the profile may be moved along y and turned. The offset is always free.
+    highest : float or None
+        Height [mm] that has no relief; that of the highest point if None.
+    **fixed : float
+        Parameters of the kind that are known.
+
+    Returns
+    -------
+    Fit
+        Parameters, standard errors and what is left.
+
+    Raises
+    ------
+    InputError
+        If the kind or a parameter is not known, or if what is free cannot be told apart: the tilt and the shift of a
+        crown, the tilt and the angle of a cone.
+
+    Examples
+    --------
+    >>> y = np.linspace(-5, 5, 101)
+    >>> found = fit(Points(y, -(y**2) / 2000), "crown")
+    >>> round(found.parameters["radius"]), found.rms < 1e-6
+    (1000, True)
+    """
+    _check(kind, shift, tilt, fixed)
+    y, relief = _gathered(points, highest)
+    free = {name: value for name, value in _start(kind, y, relief, fixed).items() if name not in fixed}
+    return _solved(kind, y, relief, free, fixed, shift and kind not in _NO_SHIFT, tilt)
+
+
+def fit_best(
+    points: Points,
+    kinds: Iterable[str] | None = None,
+    *,
+    shift: bool = True,
+    tilt: bool = False,
+    highest: float | None = None,
+) -> tuple[Fit, ...]:
+    """Return fits of several kinds, the best first.
+
+    Kinds are ranked by Bayes' information criterion, n ln(mean square) + p ln(n): one parameter more must lower the
+    mean square by more than chance would. n is the number of points that err independently, by the residual of the
+    nearest kind, and the same for all.
+
+    Parameters
+    ----------
+    points : Points
+        The line.
+    kinds : iterable of str or None
+        Which kinds to try; None tries all, but with a free tilt neither ``"crown"`` nor ``"conical"``.
+    shift, tilt : bool
+        Whether the profile may be moved along y and turned.
+    highest : float or None
+        As of `fit`.
+
+    Returns
+    -------
+    tuple of Fit
+        One for each kind.
+
+    Raises
+    ------
+    InputError
+        As `fit`.
+    """
+    wanted = tuple(kinds) if kinds is not None else tuple(k for k in KINDS if not (tilt and k in _TURNED))
+    fits = [fit(points, kind, shift=shift, tilt=tilt, highest=highest) for kind in wanted]
+    nearest = min(fits, key=lambda each: each.rms)
+    judged = [_penalised(each, nearest.points) for each in fits]
+    return tuple(sorted(judged, key=lambda each: each.penalised))
+
+
+def _check(kind: str, shift: bool, tilt: bool, fixed: Mapping[str, float]) -> None:
+    one_of("kind", kind, KINDS, "name a kind that can be fitted")
+    known = _known(kind)
+    for name in fixed:
+        one_of("fixed", name, known, f"name a parameter of '{kind}'")
+    if tilt and (kind == "conical" or (kind == "crown" and shift)):
+        other = "angle" if kind == "conical" else "shift"
+        raise InputError("tilt", tilt, f"not be free beside the {other} of a {kind}", "no fit can tell them apart")
+
+
+def _gathered(points: Points, highest: float | None) -> tuple[Array, Array]:
+    """Return means over equal numbers of neighbouring points, of which a fit needs no more than two thousand."""
+    y, relief = points.y, (points.height.max() if highest is None else highest) - points.height
+    share = -(-len(y) // _MOST_POINTS)
+    count = len(y) // share * share
+    return _means(y[:count], share), _means(relief[:count], share)
+
+
+def _means(values: Array, share: int) -> Array:
+    return np.asarray(values.reshape(-1, share).mean(axis=1))
+
+
+def _start(kind: str, y: Array, relief: Array, fixed: Mapping[str, float]) -> dict[str, float]:
+    """Return the parameters of the best of a grid."""
+    middle = 0.5 * float(y[0] + y[-1])
+    how, best, found = _HOW[kind], np.inf, {}
+    for lengths in how.lengths(0.5 * float(y[-1] - y[0])):
+        bases = how.bases(np.abs(y - middle) if kind not in _NO_SHIFT else y, lengths)
+        columns = np.column_stack([*bases, np.ones_like(y)])
+        solution = np.linalg.lstsq(columns, relief, rcond=None)[0]
+        left = float(np.sum((columns @ solution - relief) ** 2))
+        factors = np.asarray(solution[:-1], dtype=np.float64)
+        if kind in _POSITIVE:
+            factors = np.maximum(factors, 1e-9)
+        if left < best:
+            best, found = left, how.parameters(lengths, factors)
+    return found | dict(fixed)
+
+
+def _solved(
+    kind: str, y: Array, relief: Array, free: dict[str, float], fixed: Mapping[str, float], shift: bool, tilt: bool
+) -> Fit:
+    from scipy.optimize import least_squares  # noqa: PLC0415  (slow to import)
+
+    names = [*free, "offset", *(["shift"] if shift else []), *(["tilt"] if tilt else [])]
+    if len(y) <= len(names):
+        condition = f"be more than the {len(names)} parameters of '{kind}' with what it is moved by"
+        raise InputError("points", len(y), condition, "measure more points, or fit a simpler kind")
+    logs = np.array([name in free and name not in _HOW[kind].signed for name in names])
+    make = CATALOGUE[kind]
+    scale = max(float(np.ptp(relief)), 1e-6)
+
+    def values(x: Array) -> dict[str, float]:
+        return dict(zip(names, np.where(logs, np.exp(np.where(logs, x, 0.0)), x).tolist(), strict=True))
+
+    def left(x: Array) -> Array:
+        found = values(x)
+        nuisance = {name: found.pop(name, 0.0) for name in ("offset", "shift", "tilt")}
+        try:
+            profile = make(**found, **fixed)
+        except InputError:  # outside of what the kind allows, such as a middle longer than its circle
+            return np.full(len(y), _FAR / scale)
+        drop = np.minimum(profile.relief(y - nuisance["shift"]), _FAR)
+        return np.asarray((drop + nuisance["offset"] + nuisance["tilt"] * y - relief) / scale)
+
+    first = [np.log(max(free[n], 1e-12)) if log else free.get(n, 0.0) for n, log in zip(names, logs, strict=True)]
+    if shift:
+        first[names.index("shift")] = 0.5 * (y[0] + y[-1])
+    low, high = _limits(names, logs)
+    x0 = np.clip(np.array(first), low, high)
+    x0[names.index("offset")] = -scale * float(np.mean(left(x0)))
+    sizes = {"offset": scale, "shift": 0.01 * float(np.ptp(y)), "radius": 0.1 * abs(free.get("radius", 1.0))}
+    steps = np.where(logs, 0.1, [sizes.get(n, 1e-4) for n in names])
+    # Parameters that move nothing make for divisions by zero on the way, and are told by their standard errors.
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        solution = least_squares(
+            left, x0, bounds=(low, high), x_scale=steps, xtol=1e-10, ftol=1e-10, gtol=1e-10, max_nfev=200
+        )
+    return _told(kind, values(solution.x), fixed, solution, logs, scale)
+
+
+def _limits(names: list[str], logs: NDArray[np.bool_]) -> tuple[Array, Array]:
+    pairs = [_BOUNDS.get(name, _LENGTH_BOUNDS) if log else (0.0, np.inf) for name, log in zip(names, logs, strict=True)]
+    bounds = np.array(pairs)
+    low = np.where(logs, np.log(np.where(logs, bounds[:, 0], 1.0)), -np.inf)
+    high = np.where(logs, np.log(np.where(logs, bounds[:, 1], 1.0)), np.inf)
+    # A starting value on a bound has no way to go.
+    return low - 1e-9, high + 1e-9
+
+
+def _told(
+    kind: str, found: dict[str, float], fixed: Mapping[str, float], solution: Any, logs: NDArray[np.bool_], scale: float
+) -> Fit:
+    residual = scale * solution.fun
+    count = len(residual) / _correlation_length(residual)
+    square = float(residual @ residual)
+    freedom = max(count - len(solution.x), 1.0)
+    # With count points in place of len(residual), the normal matrix has so much less weight.
+    normal = solution.jac.T @ solution.jac * scale**2 * count / len(residual)
+    variance = np.diag(np.linalg.pinv(normal)) * square * count / len(residual) / freedom
+    sigma = np.sqrt(np.maximum(variance, 0.0))
+    sigma[solution.active_mask != 0] = np.inf
+    names = list(found)
+    errors = {
+        name: float(each * (found[name] if log else 1.0)) for name, each, log in zip(names, sigma, logs, strict=True)
+    }
+    nuisance = {name: found.pop(name, 0.0) for name in ("offset", "shift", "tilt")}
+    fitted = Fit(
+        kind, found | dict(fixed), errors, **nuisance,
+        rms=float(np.sqrt(square / len(residual))), largest=float(np.max(np.abs(residual))), points=count,
+        penalised=0.0,
+    )  # fmt: skip
+    return _penalised(fitted, count)
+
+
+def _penalised(fitted: Fit, points: float) -> Fit:
+    # Nothing is measured better than a tenth of a nanometre; a perfect fit has a finite value too.
+    mean_square = fitted.rms**2 + 1e-14
+    value = points * np.log(mean_square) + len(fitted.standard_errors) * np.log(points)
+    return replace(fitted, penalised=float(value))
+
+
+def _correlation_length(residual: Array) -> float:
+    """Return over how many points a residual errs together: 1 for noise, all of them for one long wave."""
+    size = 2 * len(residual)
+    power = np.abs(np.fft.rfft(residual, size)) ** 2
+    covariance = np.fft.irfft(power, size)[: len(residual)]
+    if covariance[0] <= 0.0:
+        return 1.0
+    correlation = covariance / covariance[0]
+    ends = np.flatnonzero(correlation <= 0.0)
+    until = int(ends[0]) if len(ends) else len(correlation)
+    tau = 1.0 + 2.0 * float(np.sum(correlation[1:until]))
+    return min(tau, len(residual) / 4.0)
+
+
+def _known(kind: str) -> tuple[str, ...]:
+    parameters = inspect.signature(CATALOGUE[kind]).parameters.values()
+    return tuple(p.name for p in parameters if not isinstance(p.default, bool))
+
+
+def _junctions(half: float) -> list[tuple[float, ...]]:
+    """Return half-lengths of a straight middle or a middle arc."""
+    return [(half * float(share),) for share in np.arange(0.05, 0.96, 0.025)]
+
+
+def _poles(half: float) -> list[tuple[float, ...]]:
+    """Return half-lengths of a logarithm's curved part and of its straight middle."""
+    middles = [half * share for share in (0.0, 0.2, 0.4, 0.6, 0.8)]
+    return [((half - m) * beyond, m) for m in middles for beyond in (1.001, 1.01, 1.05, 1.2, 1.6, 3.0)]
+
+
+def _logarithm(y: Array, lengths: tuple[float, ...]) -> list[Array]:
+    reach, middle = lengths
+    share = np.minimum(np.maximum(y - middle, 0.0) / reach, 1.0 - 1e-9)
+    return [-np.log1p(-(share**2))]
+
+
+def _arcs(y: Array, lengths: tuple[float, ...]) -> list[Array]:
+    (junction,) = lengths
+    past = np.maximum(y - junction, 0.0)
+    return [0.5 * np.minimum(y, junction) ** 2 + past * junction, 0.5 * past**2]
+
+
+_HOW: dict[str, _Kind] = {
+    "straight": _Kind(lambda _: [()], lambda _y, _l: [], lambda _l, _f: {}),
+    "conical": _Kind(
+        lambda _: [()], lambda y, _: [y], lambda _, f: {"angle": float(np.arctan(f[0]))}, signed=("angle",)
+    ),
+    "crown": _Kind(
+        lambda _: [()], lambda y, _: [0.5 * y**2], lambda _, f: {"radius": _radius(f[0])}, signed=("radius",)
+    ),
+    "tapered-ends": _Kind(
+        _junctions,
+        lambda y, s: [np.maximum(y - s[0], 0.0)],
+        lambda s, f: {"straight": 2.0 * s[0], "angle": float(np.arctan(f[0]))},
+    ),
+    "partial-crown": _Kind(
+        _junctions,
+        lambda y, s: [0.5 * np.maximum(y - s[0], 0.0) ** 2],
+        lambda s, f: {"radius": _radius(f[0]), "straight": 2.0 * s[0]},
+    ),
+    "two-radius": _Kind(
+        _junctions,
+        _arcs,
+        lambda s, f: {"radius": _radius(f[0]), "end_radius": _radius(f[1]), "middle": 2.0 * s[0]},
+    ),
+    "logarithmic": _Kind(
+        _poles,
+        _logarithm,
+        lambda s, f: {"amplitude": float(f[0]), "length": 2.0 * s[0], "straight": 2.0 * s[1]},
+    ),
+}
+#: Kinds that can be fitted.
+KINDS = tuple(_HOW)
+_NO_SHIFT = frozenset({"straight", "conical"})
+_TURNED = frozenset({"crown", "conical"})
+_POSITIVE = frozenset({"tapered-ends", "partial-crown", "two-radius", "logarithmic"})
+
+
+def _radius(curvature: float) -> float:
+    # A line as flat as a radius of 1000 km is one of infinite radius to any machine.
+    size = max(abs(curvature), 1e-9)
+    return float(np.copysign(1.0 / size, curvature))

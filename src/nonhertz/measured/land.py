@@ -1,0 +1,142 @@
+"""Where the land of a body ends and its chamfers begin, and how a trace lies in the machine.
+
+A chamfer is steep, a profile is not: the steepest profiles of rollers fall by some hundredths of a millimetre in a
+millimetre, a chamfer by tenths. So the land is the longest stretch whose slope stays within a limit of the slope that
+the whole trace has in the machine. Slopes are those of short chords of heights that a running median of five points
+has rid of single spikes; a scratch does not end the land, because the surface goes on behind it at the same height.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
+
+#: Slope that no profile has and every chamfer, 3 degrees.
+CHAMFER_SLOPE = 0.05
+# Half of a chord, over the length of the trace. At an edge, so much of the land is lost at most.
+_CHORD = 0.0025
+_SPIKE = 5  # points
+
+
+def land(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, float]:
+    """Return the ends [mm] of the land.
+
+    Parameters
+    ----------
+    points : Points
+        The measured line, tilted as it may be.
+    slope : float
+        How much steeper than the whole line the land may be.
+
+    Returns
+    -------
+    tuple of float
+        From where to where; the outermost points if nothing is steeper.
+
+    Raises
+    ------
+    InputError
+        If hardly anything is less steep.
+    """
+    steepness = chord_slopes(points)
+    level = weighted_median(steepness, points.weights)
+    runs = _runs(np.abs(steepness - level) <= slope)
+    first, last = _extended(points, runs, level, slope) if runs else (0, 0)
+    if last - first + 1 < FEWEST_POINTS:
+        condition = f"leave {FEWEST_POINTS} neighbouring points that are less steep"
+        raise InputError("slope", slope, condition, "give a larger one, or leave out level, align and trim")
+    return float(points.y[first]), float(points.y[last])
+
+
+def chord_slopes(points: Points) -> Array:
+    """Return the slope of a short chord around every point, from one side at the outermost ones."""
+    from scipy.ndimage import median_filter  # noqa: PLC0415  (slow to import)
+
+    height = median_filter(points.height, _SPIKE, mode="nearest")
+    half = max(_CHORD * points.span, 2.0 * float(np.median(np.diff(points.y))))
+    low = np.maximum(points.y - half, points.y[0])
+    high = np.minimum(points.y + half, points.y[-1])
+    rise = np.interp(high, points.y, height) - np.interp(low, points.y, height)
+    return np.asarray(rise / (high - low))
+
+
+def tilt(points: Points, slope: float = CHAMFER_SLOPE) -> float:
+    """Return the slope at which a line lies in the machine, blind to the shape that the land has.
+
+    About the middle of the land the heights are taken apart into an even and an odd part. All of a symmetric shape,
+    crown or straight, is even; tilt is a straight line in the odd part. The line is that of least absolute, not
+    squared, deviations, a median of odd part over distance weighted by distance: what one end has lost more than the
+    other does not turn it, as long as it is less than half.
+
+    A circular arc that is tilted is the same arc moved sideways. What is tilt and what is a crown off the middle of
+    the land cannot be told apart by anyone; all of it counts as tilt.
+    """
+    low, high = land(points, slope)
+    middle = 0.5 * (low + high)
+    inside = (points.y > middle) & (points.y <= high)
+    distance = points.y[inside] - middle
+    mirrored = np.interp(middle - distance, points.y, points.height)
+    odd = 0.5 * (points.height[inside] - mirrored)
+    return weighted_median(odd / distance, distance * points.weights[inside])
+
+
+def symmetry(points: Points, slope: float = CHAMFER_SLOPE) -> float | None:
+    """Return the place [mm] about which the land is its own mirror image but for a tilt, or None if there is none.
+
+    Places up to a tenth of the land's length from its middle are tried on a grid. None is for a land that is as
+    symmetric at the end of the search as anywhere, such as an arc of one circle.
+    """
+    low, high = land(points, slope)
+    middle, reach = 0.5 * (low + high), 0.1 * (high - low)
+    distance = np.linspace(0.0, 0.5 * (high - low) - reach, 400)[1:]
+    places = middle + np.linspace(-reach, reach, 201)
+    unlike = np.array([_oddness(points, place, distance) for place in places])
+    best = int(np.argmin(unlike))
+    if not 0 < best < len(places) - 1 or unlike[best] > 0.25 * min(unlike[0], unlike[-1]):
+        return None
+    before, at, after = unlike[best - 1 : best + 2]
+    bend = before - 2.0 * at + after
+    step = places[1] - places[0]
+    return float(places[best] + (0.5 * step * (before - after) / bend if bend > 0.0 else 0.0))
+
+
+def weighted_median(values: Array, weights: Array) -> float:
+    """Return the value that has half of the weight on either side."""
+    order = np.argsort(values, kind="stable")
+    heaped = np.cumsum(weights[order])
+    return float(values[order][int(np.searchsorted(heaped, 0.5 * heaped[-1]))])
+
+
+def _oddness(points: Points, place: float, distance: Array) -> float:
+    """Return the mean square of the odd part about a place, less its best straight line."""
+    left, right = (np.interp(place + side * distance, points.y, points.height) for side in (-1.0, 1.0))
+    odd = 0.5 * (right - left)
+    slope = float(odd @ distance / (distance @ distance))
+    return float(np.mean((odd - slope * distance) ** 2))
+
+
+def _runs(inside: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Return first and last index of every stretch of True."""
+    turns = np.flatnonzero(np.diff(np.concatenate([[0], inside.astype(np.int8), [0]])))
+    return [(int(first), int(after) - 1) for first, after in turns.reshape(-1, 2)]
+
+
+def _extended(points: Points, runs: list[tuple[int, int]], level: float, slope: float) -> tuple[int, int]:
+    """Return the longest stretch with those beside it at which the surface is back at its height."""
+    longest = max(runs, key=lambda run: points.y[run[1]] - points.y[run[0]])
+    first, last = longest
+    for run in runs[runs.index(longest) + 1 :]:
+        if _goes_on(points, last, run[0], level, slope):
+            last = run[1]
+    for run in reversed(runs[: runs.index(longest)]):
+        if _goes_on(points, run[1], first, level, slope):
+            first = run[0]
+    return first, last
+
+
+def _goes_on(points: Points, before: int, after: int, level: float, slope: float) -> bool:
+    way = points.y[after] - points.y[before]
+    return bool(abs(points.height[after] - points.height[before] - level * way) <= slope * way)

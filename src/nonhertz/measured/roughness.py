@@ -1,0 +1,169 @@
+"""Roughness of a measured line, and what of it a strip can carry.
+
+A strip takes the pressure across the contact for one semi-ellipse of half-width b and lets it change along y from strip
+to strip. A wave of length l along y is felt as far as l / (2 pi) to the side and below. As long as that is more than b,
+the whole width of the contact feels the wave alike and one semi-ellipse bears it; a shorter wave, l < 2 pi b, changes
+the pressure where it is and not beside it, the contact falls apart into patches, and strips say nothing about it.
+
+What such waves would do if they were pressed flat is known. A wave of amplitude A on a half-space needs the pressure
+
+    p = pi E* A / l = E* / 2 times the amplitude of its slope
+
+(Westergaard 1939; Johnson 1985, section 13.2), so the root mean square of the pressure is E* / 2 times that of the
+slope of all short waves together, whatever their lengths. Where that is no longer small beside the pressure of the
+contact, solving with these waves gives a picture of the roughness and not of the contact: smooth first.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from nonhertz.measured.filters import gaussian
+from nonhertz.measured.trace import Array, Points
+from nonhertz.model.material import MATERIALS
+
+#: Of a usual roller bearing under load: half-width [mm] and pressure [MPa].
+HALF_WIDTH, PRESSURE = 0.1, 1500.0
+#: Of two bodies of steel [1/MPa].
+STEEL_COMPLIANCE = 2.0 * MATERIALS["steel"].compliance
+# Share of the contact's pressure that short waves may need.
+_RIPPLE = 0.1
+_OCTAVES = 6
+
+
+@dataclass(frozen=True)
+class Roughness:
+    """Height parameters of what a Gaussian filter takes off, ISO 21920-2.
+
+    Attributes
+    ----------
+    ra, rq : float
+        Mean of the absolute values and root mean square [mm].
+    rz : float
+        Height from lowest to highest [mm], the mean over sections of the length of the cutoff.
+    sections : int
+        How many sections that were; the standard has five.
+    cutoff : float
+        Cutoff of the filter [mm].
+    bands : tuple of (float, float, float)
+        Octaves of wavelengths, from and to [mm], and the root mean square of the waves in each [mm]; the first goes
+        down to the shortest waves.
+    """
+
+    ra: float
+    rq: float
+    rz: float
+    sections: int
+    cutoff: float
+    bands: tuple[tuple[float, float, float], ...]
+
+    @property
+    def main_band(self) -> tuple[float, float, float]:
+        """The octave with the highest waves."""
+        return max(self.bands, key=lambda band: band[2])
+
+
+def roughness_in(points: Points, cutoff: float) -> Roughness:
+    """Return the roughness of a line.
+
+    Parameters
+    ----------
+    points : Points
+        The line, chamfers cut off.
+    cutoff : float
+        Wavelength [mm] where roughness ends.
+
+    Returns
+    -------
+    Roughness
+        Height parameters and wavelengths.
+
+    Raises
+    ------
+    InputError
+        If the points cannot resolve the cutoff.
+
+    References
+    ----------
+    ISO 21920-2:2021, Geometrical product specifications - Surface texture: Profile - Terms, definitions and surface
+    texture parameters.
+    """
+    rough = points.height - gaussian(points, cutoff)
+    sections = max(int(points.span / cutoff + 1e-9), 1)
+    of = np.minimum(((points.y - points.y[0]) / points.span * sections).astype(int), sections - 1)
+    heights = [np.ptp(rough[of == k]) for k in range(sections) if np.any(of == k)]
+    return Roughness(
+        ra=float(np.average(np.abs(rough), weights=points.weights)),
+        rq=float(np.sqrt(np.average(rough**2, weights=points.weights))),
+        rz=float(np.mean(heights)),
+        sections=len(heights),
+        cutoff=cutoff,
+        bands=_bands(points.y, rough, cutoff),
+    )
+
+
+def short_wave_slope(points: Points, wavelength: float) -> float:
+    """Return the root mean square slope of all waves shorter than ``wavelength`` [mm]."""
+    if wavelength < 4.0 * float(np.median(np.diff(points.y))):
+        return 0.0
+    rough = points.height - gaussian(points, min(wavelength, points.span))
+    steps = np.diff(points.y)
+    return float(np.sqrt(np.average((np.diff(rough) / steps) ** 2, weights=steps)))
+
+
+def strain_on_strips(
+    points: Points, half_width: float, pressure: float, compliance: float, smoothed: bool
+) -> tuple[str, ...]:
+    """Return a sentence if a line holds waves that strips cannot carry.
+
+    Parameters
+    ----------
+    points : Points
+        The line that is to be solved with.
+    half_width : float
+        Half-width of the contact [mm].
+    pressure : float
+        Its pressure [MPa].
+    compliance : float
+        Compliance of both bodies together [1/MPa], that of a body being (1 - nu^2) / (pi E).
+    smoothed : bool
+        Whether there was a filter, to say what to do.
+
+    References
+    ----------
+    H. M. Westergaard, Bearing pressures and cracks, Journal of Applied Mechanics 6 (1939) A49-A53. K. L. Johnson,
+    Contact Mechanics, Cambridge University Press 1985, section 13.2.
+    """
+    shortest = 2.0 * np.pi * half_width
+    slope = short_wave_slope(points, shortest)
+    # Compliances here are (1 - nu^2) / (pi E), so that 1 / (pi compliance) is E*.
+    ripple = 0.5 * slope / (math.pi * compliance)
+    if ripple <= _RIPPLE * pressure:
+        return ()
+    remedy = "smooth with a longer cutoff" if smoothed else "smooth it first"
+    return (
+        f"Waves shorter than {shortest:.2g} mm, 2 pi half-widths of {half_width:.3g} mm, are left in the profile with "
+        f"a root mean square slope of {1e3 * slope:.3g} mrad: pressing them flat takes {ripple:.3g} MPa beside "
+        f"{pressure:.4g} MPa of the contact, and strips cannot carry what changes within the width of the contact; "
+        f"{remedy}.",
+    )
+
+
+def _bands(y: Array, rough: Array, cutoff: float) -> tuple[tuple[float, float, float], ...]:
+    """Return octaves of wavelengths below twice the cutoff and the root mean square of the waves in each."""
+    count = len(y)
+    even = np.interp(np.linspace(y[0], y[-1], count), y, rough)
+    window = np.hanning(count)
+    power = np.abs(np.fft.rfft(even * window)) ** 2
+    power *= np.mean(even**2) / max(float(np.sum(power)), 1e-300)
+    length = (y[-1] - y[0]) / np.maximum(np.arange(len(power)), 1e-9)
+    edges = 2.0 * cutoff * 0.5 ** np.arange(_OCTAVES + 1)
+    edges[-1] = 0.0
+    octaves = zip(edges[1:], edges[:-1], strict=True)
+    return tuple(
+        (float(low), float(high), float(np.sqrt(np.sum(power[(length > low) & (length <= high)]))))
+        for low, high in reversed(list(octaves))
+    )

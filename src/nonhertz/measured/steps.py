@@ -1,0 +1,353 @@
+"""The steps from a raw trace to a profile: each a value with its parameters, applied to points.
+
+A step takes points and returns `State`: the points after it, what it took away and a sentence on what it did. It
+changes nothing, so that a step can be left out or repeated with other parameters, and the raw points stay what they
+were.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import ClassVar, Protocol
+
+import numpy as np
+
+from nonhertz.errors import InputError
+from nonhertz.measured.filters import check_cutoff, gaussian, spline
+from nonhertz.measured.land import CHAMFER_SLOPE, land, symmetry, tilt
+from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
+from nonhertz.model.checks import finite, one_of, positive
+
+#: Wavelength [mm] above which roughness ends and form begins, of the standard values of ISO 21920-3 and ISO 4288 that
+#: for finely ground surfaces.
+CUTOFF = 0.8
+#: Robust standard deviations beyond which a point is none of the surface. Of ten thousand points of pure Gaussian
+#: roughness not one lies beyond.
+THRESHOLD = 5.0
+
+# Chords reach so far to either side, over the number of points, and over nine points at least.
+_MEDIAN_SHARE, _FEWEST_IN_MEDIAN, _CHORDS = 0.01, 9, 9
+# A median absolute deviation, in standard deviations of a normal distribution: 1 / (sqrt(2) erfinv(1/2)).
+_MAD_TO_SIGMA = 1.482602218505602
+# Machines resolve nanometres: deviations below one are no outliers, however smooth the rest is.
+_RESOLUTION = 1e-6  # mm
+_POINTS_PER_CUTOFF = 8
+_FEWEST_THINNED, _MOST_THINNED = 51, 1001
+
+
+@dataclass(frozen=True, eq=False)
+class State:
+    """The points after a step, and what the step did.
+
+    Attributes
+    ----------
+    name : str
+        The step's name; ``"raw"`` before all steps.
+    points : Points
+        What is left.
+    words : str
+        A sentence on what was done, with its numbers.
+    numbers : mapping of str to float
+        The numbers: ``tilt`` [rad], ``shift``, ``low``, ``high`` [mm], ``removed`` (a count) and so on.
+    removed : tuple of array or None
+        Positions and heights [mm] of points that were taken away.
+    removed_height : array or None
+        What was taken off the heights of the points that are left [mm].
+    """
+
+    name: str
+    points: Points
+    words: str
+    numbers: Mapping[str, float] = field(default_factory=dict)
+    removed: tuple[Array, Array] | None = None
+    removed_height: Array | None = None
+
+    @property
+    def y(self) -> Array:
+        """Positions [mm] of the points that are left."""
+        return self.points.y
+
+    @property
+    def height(self) -> Array:
+        """Heights [mm] of the points that are left."""
+        return self.points.height
+
+    @property
+    def gaps(self) -> tuple[tuple[float, float], ...]:
+        """Intervals [mm] without points in which something should have been measured."""
+        return self.points.gaps
+
+
+class Step(Protocol):
+    """What all steps have: a name to undo them by, and what they do to points."""
+
+    name: ClassVar[str]
+
+    def apply(self, points: Points) -> State:
+        """Return the points after the step and what it did."""
+
+
+@dataclass(frozen=True)
+class Level:
+    """Take off the tilt at which the body lay in the machine.
+
+    Chamfers are left out. About the middle of the land between them the heights have an even part, in which all of a
+    symmetric shape is, and an odd part, in which a tilt is a straight line. The line of least absolute deviations
+    through the odd part is taken off: a crown does not turn it, whatever its drop, and one end that has lost more than
+    the other hardly does.
+
+    Parameters
+    ----------
+    slope : float
+        Slope beyond which the land has ended and a chamfer begun.
+    """
+
+    name: ClassVar[str] = "level"
+    slope: float = CHAMFER_SLOPE
+
+    def __post_init__(self) -> None:
+        _check_slope(self.slope)
+
+    def apply(self, points: Points) -> State:
+        """Return the levelled points; the middle of the land keeps its height."""
+        low, high = land(points, self.slope)
+        lean = tilt(points, self.slope)
+        line = lean * (points.y - 0.5 * (low + high))
+        words = f"A tilt of {1e3 * lean:.4g} mrad was taken off, that of the land from {low:.4g} to {high:.4g} mm."
+        after = Points(points.y, points.height - line, points.gaps)
+        return State(self.name, after, words, {"tilt": lean, "low": low, "high": high}, removed_height=line)
+
+
+@dataclass(frozen=True)
+class Align:
+    """Move y = 0 to the middle of the body.
+
+    Parameters
+    ----------
+    by : str
+        How the middle is found: ``"ends"``, half-way between the places where the land ends and the chamfers begin (or
+        the trace, where there are none); ``"symmetry"``, where the land is most like its own mirror image.
+    slope : float
+        Slope beyond which the land has ended and a chamfer begun.
+
+    Raises
+    ------
+    InputError
+        On applying ``"symmetry"`` to a land without a place of symmetry, such as an arc of one circle.
+    """
+
+    name: ClassVar[str] = "align"
+    by: str = "ends"
+    slope: float = CHAMFER_SLOPE
+
+    def __post_init__(self) -> None:
+        one_of("align", self.by, ("ends", "symmetry"), "choose what the middle is found by")
+        _check_slope(self.slope)
+
+    def apply(self, points: Points) -> State:
+        """Return the points moved along y."""
+        low, high = land(points, self.slope)
+        if self.by == "ends":
+            middle: float | None = 0.5 * (low + high)
+        else:
+            middle = symmetry(points, self.slope)
+        if middle is None:
+            condition = "find a place about which the land is symmetric"
+            raise InputError("align", self.by, condition, "align by 'ends', or leave align out and shift the profile")
+        at_end = [end for end, last in ((low, points.y[0]), (high, points.y[-1])) if end == last]
+        words = f"The middle of the body, {middle:.5g} mm in the file, became y = 0; the land ends at {low:.5g} and "
+        words += f"{high:.5g} mm" + ("", ", one of which is an end of the trace", ", where the trace ends")[len(at_end)]
+        words += " and is symmetric about it." if self.by == "symmetry" else "."
+        gaps = tuple((a - middle, b - middle) for a, b in points.gaps)
+        after = Points(points.y - middle, points.height, gaps)
+        return State(self.name, after, words, {"shift": -middle, "low": low - middle, "high": high - middle})
+
+
+@dataclass(frozen=True)
+class Trim:
+    """Cut the chamfers off.
+
+    Parameters
+    ----------
+    length : float or None
+        Length [mm] to keep, half of it on either side of y = 0; None finds the ends of the land.
+    slope : float
+        Slope beyond which the land has ended and a chamfer begun.
+
+    Raises
+    ------
+    InputError
+        On applying a length that the points do not cover.
+    """
+
+    name: ClassVar[str] = "trim"
+    length: float | None = None
+    slope: float = CHAMFER_SLOPE
+
+    def __post_init__(self) -> None:
+        _check_slope(self.slope)
+        if self.length is not None:
+            positive("trim", self.length, "give the length to keep in mm, or 'auto'")
+
+    def apply(self, points: Points) -> State:
+        """Return the points of the land."""
+        low, high = land(points, self.slope) if self.length is None else (-0.5 * self.length, 0.5 * self.length)
+        if low < points.y[0] - 1e-9 or high > points.y[-1] + 1e-9:
+            condition = f"lie within the points, which go from {points.y[0]:.5g} to {points.y[-1]:.5g} mm"
+            raise InputError("trim", self.length, condition, "give a shorter length, and align before trimming")
+        inside = (points.y >= low - 1e-9) & (points.y <= high + 1e-9)
+        after = points.kept(inside)
+        cut = float(after.y[0] - points.y[0]), float(points.y[-1] - after.y[-1])
+        words = f"Kept from {after.y[0]:.5g} to {after.y[-1]:.5g} mm; " + (
+            f"cut off {cut[0]:.3g} and {cut[1]:.3g} mm." if any(cut) else "there was nothing to cut off."
+        )
+        numbers = {"low": float(after.y[0]), "high": float(after.y[-1]), "removed": float(np.sum(~inside))}
+        return State(self.name, after, words, numbers, (points.y[~inside], points.height[~inside]))
+
+
+@dataclass(frozen=True)
+class Outliers:
+    """Take out points that are none of the surface: dust, scratches, lost contact of the stylus.
+
+    Every point is compared with chords between points at equal distances on its two sides, by the median over nine
+    chords up to a hundredth of the line long on either side. What is left of the bend of the surface, a running median
+    of these distances, is taken off them. A point is taken out where its distance exceeds that bend by so many robust
+    standard deviations, 1.4826 times the median absolute deviation of all distances. Neither medians nor deviation heed
+    what few points do, which is the idea of the robust filter of ISO 16610-31.
+
+    Nothing is put in place of a point. What is wider than a hundredth of the line, a dent, is shape and stays.
+
+    Parameters
+    ----------
+    threshold : float
+        Robust standard deviations beyond which a point is taken out, positive.
+    """
+
+    name: ClassVar[str] = "outliers"
+    threshold: float = THRESHOLD
+
+    def __post_init__(self) -> None:
+        positive("outliers", self.threshold, "give a number of robust standard deviations, such as 5, or true")
+
+    def apply(self, points: Points) -> State:
+        """Return the points that are left."""
+        distance, bend = _from_chords(points)
+        sigma = max(_MAD_TO_SIGMA * float(np.median(np.abs(distance))), _RESOLUTION / self.threshold)
+        out = np.abs(distance) > self.threshold * sigma + np.abs(bend)
+        count = int(np.sum(out))
+        if len(points) - count < FEWEST_POINTS:
+            condition = f"leave {FEWEST_POINTS} points at least"
+            raise InputError("outliers", self.threshold, condition, "raise the number of standard deviations")
+        share = 100.0 * count / len(points)
+        words = (
+            f"{count} of {len(points)} points ({share:.2g} %) lay further than {1e3 * self.threshold * sigma:.3g} um "
+        )
+        words += "from their neighbours and were taken out."
+        after = points.kept(~out)
+        numbers = {"removed": float(count), "limit": self.threshold * sigma}
+        return State(self.name, after, words, numbers, (points.y[out], points.height[out]))
+
+
+@dataclass(frozen=True)
+class Smooth:
+    """Take off roughness, all waves shorter than a cutoff.
+
+    Parameters
+    ----------
+    cutoff : float
+        Wavelength [mm] of which half is let through.
+    method : str
+        ``"gaussian"``, the filter of ISO 16610-21, or ``"spline"``, that of ISO 16610-22, which lets less of shorter
+        and more of longer waves through. See `nonhertz.measured.filters` for what both do at the ends.
+
+    Raises
+    ------
+    InputError
+        On applying a cutoff below four points or above the length of the line.
+    """
+
+    name: ClassVar[str] = "smooth"
+    cutoff: float = CUTOFF
+    method: str = "gaussian"
+
+    def __post_init__(self) -> None:
+        one_of("smooth", self.method, ("gaussian", "spline"), "choose a filter")
+        positive("cutoff", self.cutoff, "give a wavelength in mm, such as 0.8")
+
+    def apply(self, points: Points) -> State:
+        """Return the smooth points."""
+        check_cutoff(points, self.cutoff)
+        height = (gaussian if self.method == "gaussian" else spline)(points, self.cutoff)
+        rough = points.height - height
+        rms = float(np.sqrt(np.mean(rough**2)))
+        words = f"Waves shorter than {self.cutoff:.4g} mm were taken off by the {self.method} filter: "
+        words += f"{1e3 * rms:.3g} um root mean square."
+        after = Points(points.y, height, points.gaps)
+        return State(self.name, after, words, {"cutoff": self.cutoff, "rms": rms}, removed_height=rough)
+
+
+@dataclass(frozen=True)
+class Thin:
+    """Keep as many points as a smooth line needs: the solver has some hundred strips, a machine takes ten thousand.
+
+    Heights at evenly spaced positions are read off straight lines between neighbouring points.
+
+    Parameters
+    ----------
+    count : int
+        How many points to keep, five at least. A line with fewer is left alone.
+    """
+
+    name: ClassVar[str] = "thin"
+    count: int = 201
+
+    def __post_init__(self) -> None:
+        finite("points", self.count, "give a whole number of points to keep, or 'auto'")
+        if self.count != int(self.count) or self.count < FEWEST_POINTS:
+            condition = f"be a whole number of {FEWEST_POINTS} at least"
+            raise InputError("points", self.count, condition, "give a number of points to keep, or 'auto'")
+
+    def apply(self, points: Points) -> State:
+        """Return the points that are kept."""
+        if len(points) <= self.count:
+            return State(self.name, points, f"All {len(points)} points were kept.", {"points": float(len(points))})
+        y = np.linspace(points.y[0], points.y[-1], int(self.count))
+        height = np.interp(y, points.y, points.height)
+        for low, high in points.gaps:
+            hollow = (y > low) & (y < high)
+            y, height = y[~hollow], height[~hollow]
+        after = Points(y, height, points.gaps)
+        lost = points.height - np.interp(points.y, y, height)
+        words = f"{len(after)} of {len(points)} points were kept, {1e3 * float(np.diff(y).mean()):.3g} um apart; "
+        words += f"straight lines between them miss {1e6 * float(np.max(np.abs(lost))):.2g} nm at most."
+        return State(self.name, after, words, {"points": float(len(after))})
+
+
+def enough_points(length: float, cutoff: float) -> int:
+    """Return how many points a line smoothed at a cutoff [mm] needs: eight for each wave that is left."""
+    wanted = math.ceil(_POINTS_PER_CUTOFF * length / cutoff) + 1
+    return min(max(wanted, _FEWEST_THINNED), _MOST_THINNED)
+
+
+def _from_chords(points: Points) -> tuple[Array, Array]:
+    """Return how far each point lies from chords over it, less the bend of the surface there, and that bend."""
+    from scipy.ndimage import median_filter  # noqa: PLC0415  (slow to import)
+
+    half = min(max(int(_MEDIAN_SHARE * len(points)), _FEWEST_IN_MEDIAN // 2), (len(points) - 1) // 2)
+    # Beyond the ends the line goes on as its own image turned by half a turn, which keeps its slope.
+    y, height = (np.pad(of, half, mode="reflect", reflect_type="odd") for of in (points.y, points.height))
+    chords = []
+    for reach in np.unique(np.linspace(1, half, _CHORDS).round().astype(int)):
+        before = slice(half - reach, len(y) - half - reach)
+        after = slice(half + reach, len(y) - half + reach)
+        share = (points.y - y[before]) / (y[after] - y[before])
+        chords.append(height[before] + share * (height[after] - height[before]))
+    distance = points.height - np.median(chords, axis=0)
+    bend = median_filter(distance, 2 * half + 1, mode="nearest")
+    return distance - bend, bend
+
+
+def _check_slope(slope: float) -> None:
+    positive("slope", slope, "give the slope at which a chamfer begins, 0.05 being 50 um in a millimetre")

@@ -1,0 +1,130 @@
+"""A measured line: positions, heights, and where nothing was measured."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.errors import InputError
+
+Array = NDArray[np.float64]
+
+FEWEST_POINTS = 5
+# Of an evenly spaced line: a step so many times the usual one has a hole in it.
+_HOLE = 2.5
+
+
+@dataclass(frozen=True, eq=False)
+class Points:
+    """Heights along a line, sorted by position.
+
+    Parameters
+    ----------
+    y : array_like, shape (n,)
+        Positions [mm], strictly ascending.
+    height : array_like, shape (n,)
+        Heights [mm], positive where there is material.
+    gaps : tuple of (float, float)
+        Intervals [mm] without points in which something should have been measured.
+
+    Raises
+    ------
+    InputError
+        If there are fewer than five points, their numbers are not finite or positions do not ascend.
+    """
+
+    y: Array
+    height: Array
+    gaps: tuple[tuple[float, float], ...] = ()
+
+    def __post_init__(self) -> None:
+        y, height = _read_only("y", self.y), _read_only("height", self.height)
+        if len(y) != len(height):
+            raise InputError("height", f"{len(height)} numbers", f"be as many as y, {len(y)}", "give one per position")
+        if len(y) < FEWEST_POINTS:
+            condition = f"be {FEWEST_POINTS} at least"
+            raise InputError("points", len(y), condition, "measure more of the line or cut less away")
+        if np.any(np.diff(y) <= 0.0):
+            place = float(y[int(np.argmax(np.diff(y) <= 0.0)) + 1])
+            raise InputError("y", place, "be greater than the position before it", "sort the points, each once")
+        object.__setattr__(self, "y", y)
+        object.__setattr__(self, "height", height)
+
+    def __len__(self) -> int:
+        return len(self.y)
+
+    @property
+    def span(self) -> float:
+        """Distance between the outermost points [mm]."""
+        return float(self.y[-1] - self.y[0])
+
+    @cached_property
+    def weights(self) -> Array:
+        """Length [mm] that each point stands for, half of the way to its neighbours; gaps belong to nobody."""
+        steps = np.diff(self.y)
+        for low, high in self.gaps:
+            steps[(self.y[:-1] < high) & (self.y[1:] > low)] = 0.0
+        weights = np.zeros(len(self.y))
+        weights[:-1] += 0.5 * steps
+        weights[1:] += 0.5 * steps
+        weights.setflags(write=False)
+        return weights
+
+    def kept(self, inside: NDArray[np.bool_]) -> Points:
+        """Return the points that a mask selects, with the gaps that still lie between them."""
+        y = self.y[inside]
+        gaps = tuple(gap for gap in self.gaps if len(y) and y[0] < gap[1] and y[-1] > gap[0])
+        return Points(y, self.height[inside], gaps)
+
+
+@dataclass(frozen=True, eq=False)
+class Trace(Points):
+    """A raw measurement, as the machine left it but for units, sign and order.
+
+    Parameters
+    ----------
+    y, height, gaps
+        As of `Points`.
+    name : str
+        What it is called, such as the file that it came from.
+    notes : tuple of str
+        What was done to have it in this form, a sentence each.
+
+    Raises
+    ------
+    InputError
+        As `Points`.
+
+    Examples
+    --------
+    >>> trace = Trace([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 0.01, 0.012, 0.01, 0.0], name="roller")
+    >>> len(trace), trace.span
+    (5, 4.0)
+    """
+
+    name: str = field(default="measured profile", kw_only=True)
+    notes: tuple[str, ...] = field(default=(), kw_only=True)
+
+
+def holes(y: Array) -> tuple[tuple[float, float], ...]:
+    """Return the gaps [mm] of a line that is evenly spaced elsewhere; none of one that is not evenly spaced.
+
+    A machine steps evenly. Nine steps in ten within a tenth of the usual one make a line even.
+    """
+    steps = np.diff(y)
+    usual = float(np.median(steps))
+    if np.mean(np.abs(steps - usual) <= 0.1 * usual) < 0.9:
+        return ()
+    return tuple((float(y[k]), float(y[k + 1])) for k in np.flatnonzero(steps > _HOLE * usual))
+
+
+def _read_only(name: str, values: ArrayLike) -> Array:
+    numbers = np.array(values, dtype=float)
+    if numbers.ndim != 1 or not np.all(np.isfinite(numbers)):
+        condition = "be a list of finite numbers"
+        raise InputError(name, f"an array of shape {numbers.shape}", condition, "leave out what was not measured")
+    numbers.setflags(write=False)
+    return numbers

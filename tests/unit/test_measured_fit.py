@@ -1,0 +1,104 @@
+"""Fits: parameters come back, kinds are told apart, and what nobody can tell is refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from nonhertz.errors import InputError
+from nonhertz.measured import Points, fit, fit_best
+from nonhertz.measured.fit import KINDS
+from nonhertz.model.profile import CATALOGUE
+
+Y = np.linspace(-5.0, 5.0, 1001)
+NOISE = 1e-4
+TRUE = {
+    "crown": {"radius": 1200.0},
+    "partial-crown": {"radius": 400.0, "straight": 4.0},
+    "two-radius": {"radius": 3000.0, "end_radius": 300.0, "middle": 5.0},
+    "logarithmic": {"amplitude": 0.008, "length": 8.5, "straight": 2.0},
+    "tapered-ends": {"straight": 5.0, "angle": 0.004},
+    "conical": {"angle": 8e-4},
+    "straight": {},
+}
+
+
+def line(kind: str, shift: float = 0.0, offset: float = 0.0, tilt: float = 0.0, noise: float = 0.0) -> Points:
+    relief = CATALOGUE[kind](**TRUE[kind]).relief(Y - shift) + offset + tilt * Y
+    return Points(Y, -relief + noise * np.random.default_rng(3).standard_normal(len(Y)))
+
+
+def test_every_kind_is_tried():
+    assert set(TRUE) == set(KINDS)
+
+
+@pytest.mark.parametrize("kind", TRUE)
+def test_parameters_come_back_of_a_clean_line(kind):
+    shift = 0.0 if kind in {"straight", "conical"} else 0.12
+    found = fit(line(kind, shift=shift), kind)
+    assert found.rms < 1e-7  # mm; a tenth of a nanometre
+    for name, value in TRUE[kind].items():
+        # Where two lengths can stand in for one another the last digits of a nanometre decide.
+        assert_allclose(found.parameters[name], value, rtol=1e-3, err_msg=name)
+    assert_allclose(found.shift, shift, atol=1e-3)
+
+
+@pytest.mark.parametrize("kind", ["partial-crown", "two-radius", "logarithmic", "tapered-ends"])
+def test_a_tilt_comes_back_beside_shift_and_offset(kind):
+    found = fit(line(kind, shift=-0.1, tilt=3e-4), kind, tilt=True)
+    assert_allclose([found.tilt, found.shift], [3e-4, -0.1], rtol=5e-3)
+
+
+@pytest.mark.parametrize("kind", ["crown", "partial-crown", "tapered-ends", "logarithmic"])
+def test_noise_moves_parameters_by_their_standard_errors(kind):
+    found = fit(line(kind, noise=NOISE), kind)
+    assert_allclose(found.rms, NOISE, rtol=0.1)  # of 1000 points, good to 2 %
+    for name, value in TRUE[kind].items():
+        # One draw of noise lies beyond four standard errors once in sixteen thousand.
+        assert abs(found.parameters[name] - value) < 4.0 * found.standard_errors[name], name
+
+
+@pytest.mark.parametrize("kind", ["crown", "partial-crown", "logarithmic", "tapered-ends", "straight"])
+def test_the_true_kind_is_ranked_first(kind):
+    """Kinds that hold the true one as a special case leave no less than chance: the penalty decides."""
+    best = fit_best(line(kind, noise=NOISE))
+    assert best[0].kind == kind
+    assert [each.penalised for each in best] == sorted(each.penalised for each in best)
+
+
+def test_what_is_known_is_not_fitted():
+    found = fit(line("partial-crown"), "partial-crown", straight=4.0)
+    assert "straight" not in found.standard_errors
+    assert_allclose(found.parameters["radius"], 400.0, rtol=1e-5)
+
+
+def test_a_parameter_that_the_line_says_nothing_about_has_no_standard_error():
+    found = fit(line("straight", noise=NOISE), "two-radius")
+    assert np.isinf(list(found.standard_errors.values())).any() or found.standard_errors["radius"] > 1e4
+
+
+def test_a_hollow_line_is_fitted_with_a_negative_radius():
+    assert_allclose(fit(Points(Y, Y**2 / 1600.0), "crown").parameters["radius"], -800.0, rtol=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("kind", "options", "sentence"),
+    [
+        ("crowned", {}, "kind = 'crowned' must be one of 'straight'"),
+        ("crown", {"tilt": True}, "tilt = True must not be free beside the shift of a crown"),
+        ("conical", {"tilt": True}, "tilt = True must not be free beside the angle of a conical"),
+        ("crown", {"radus": 3.0}, "fixed = 'radus' must be one of 'radius', 'centre'"),
+    ],
+    ids=range(4),
+)
+def test_what_cannot_be_fitted_is_refused(kind, options, sentence):
+    with pytest.raises(InputError, match=sentence):
+        fit(line("crown"), kind, **options)
+
+
+def test_the_relief_of_a_fit_is_what_was_fitted():
+    points = line("two-radius", shift=0.1, offset=0.002, tilt=1e-4)
+    found = fit(points, "two-radius", tilt=True)
+    relief = points.height.max() - points.height
+    assert_allclose(found.relief(points.y), relief, atol=4.0 * found.largest + 1e-9)

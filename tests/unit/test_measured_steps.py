@@ -1,0 +1,275 @@
+"""Measured profiles: each step does what it says, on lines whose truth is known."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from nonhertz.errors import InputError
+from nonhertz.measured import Measured, Points, Trace, prepare
+from nonhertz.measured.filters import ALPHA, gaussian, spline
+from nonhertz.measured.land import land, symmetry, tilt
+from nonhertz.measured.steps import Align, Level, Outliers, Smooth, Thin, Trim
+
+SEED = 20240501
+
+
+def roller(
+    radius: float = 1500.0,
+    lean: float = 0.0,
+    at: float = 0.0,
+    noise: float = 0.0,
+    chamfer: float = 0.5,
+    count: int = 6001,
+) -> Trace:
+    """Return a crowned roller of 12 mm in the machine: tilted, moved, rough, with chamfers of 45 degrees."""
+    y = np.linspace(-6.0, 6.0, count)
+    height = -(y**2) / (2.0 * radius)
+    height -= np.maximum(np.abs(y) - (6.0 - chamfer), 0.0)
+    height += noise * np.random.default_rng(SEED).standard_normal(count)
+    return Trace(y + at, height + lean * y, name="roller")
+
+
+def test_the_land_ends_where_the_chamfers_begin():
+    low, high = land(roller(lean=3e-3, at=4.0))
+    # A chord of half a per cent of the length sees a chamfer as soon as a twentieth of it is in it.
+    assert_allclose([low, high], [4.0 - 5.5, 4.0 + 5.5], atol=0.0025 * 12.0)
+    assert low > 4.0 - 5.5
+    assert high < 4.0 + 5.5
+
+
+def test_a_scratch_does_not_end_the_land():
+    trace = roller()
+    height = trace.height - 0.02 * ((trace.y > 2.0) & (trace.y < 2.1))
+    low, high = land(Points(trace.y, height))
+    assert_allclose([low, high], [-5.5, 5.5], atol=0.03)
+
+
+def test_a_line_that_is_steep_everywhere_has_no_land():
+    y = np.linspace(0.0, 1.0, 200)
+    with pytest.raises(InputError, match=r"slope = 0\.05 must leave 5 neighbouring points that are less steep"):
+        land(Points(y, np.sin(300.0 * y)))
+
+
+def test_a_land_without_chamfers_is_the_whole_line():
+    trace = roller(chamfer=0.0)
+    assert land(trace) == (trace.y[0], trace.y[-1])
+
+
+@pytest.mark.parametrize("lean", [0.0, 1e-3, -0.02])
+def test_level_takes_off_the_tilt_of_a_crown_exactly(lean):
+    """All of a crown is even: only the ends of the land, found to a step of 2 um, turn it, by 2 um / radius."""
+    assert_allclose(tilt(roller(lean=lean)), lean, atol=2e-3 / 1500.0 + 1e-12)
+
+
+def test_level_is_not_turned_by_one_end_that_has_lost_more():
+    """A straight middle with 3 mm of a drop on one side: least squares would be off by over 0.1 mrad."""
+    y = np.linspace(-5.0, 5.0, 5001)
+    drop = 0.004 * (np.maximum(y - 2.0, 0.0) / 3.0) ** 2
+    noise = 1e-4 * np.random.default_rng(SEED).standard_normal(len(y))
+    points = Points(y, 2e-3 * y - drop + noise)
+    by_squares = np.polyfit(points.y, points.height, 1)[0]
+    assert abs(by_squares - 2e-3) > 0.1e-3
+    # Weight goes with distance: what lies beyond 2 mm has 21/25 of it, more than the half that a median forgives, and
+    # the drop turns it by what it has gained at the median's distance, sqrt(12.5) mm.
+    distance = np.sqrt(12.5)
+    expected = 2e-3 - 0.5 * 0.004 * ((distance - 2.0) / 3.0) ** 2 / distance
+    assert_allclose(tilt(points), expected, atol=1e-5)
+
+
+def test_level_keeps_the_height_of_the_middle():
+    trace = roller(lean=5e-3, at=3.0)
+    state = Level().apply(trace)
+    middle = np.argmin(np.abs(trace.y - 3.0))
+    assert_allclose(state.height[middle], trace.height[middle], atol=1e-5)
+    assert_array_equal(state.height + state.removed_height, trace.height)
+
+
+def test_align_finds_the_middle_between_the_chamfers():
+    state = Align().apply(roller(at=7.3))
+    assert_allclose(state.numbers["shift"], -7.3, atol=2.1e-3)
+
+
+def test_level_and_align_undo_a_tilt_and_a_shift():
+    straight, moved = roller(), roller(lean=4e-3, at=-2.0)
+    measured = Measured(moved).levelled().aligned()
+    expected = np.interp(measured.points.y, straight.y, straight.height)
+    inside = np.abs(measured.points.y) < 5.4
+    found = measured.points.height - measured.points.height.max()
+    # The middle is found to one step of 2 um, which moves a crown by 2 um * 5.5 mm / 1500 mm at its end.
+    assert_allclose(found[inside], expected[inside], atol=1e-5)
+
+
+def test_symmetry_finds_the_middle_of_a_flat_with_two_drops():
+    y = np.linspace(0.0, 9.0, 3001)
+    height = -(np.maximum(np.abs(y - 4.2) - 2.0, 0.0) ** 2) / 600.0 + 1e-3 * y
+    found = symmetry(Points(y, height))
+    # The grid of places is 9 um fine; a parabola through three of them does better.
+    assert found == pytest.approx(4.2, abs=0.01)
+
+
+def test_no_symmetry_is_claimed_for_an_arc():
+    y = np.linspace(0.0, 9.0, 3001)
+    points = Points(y, -((y - 4.2) ** 2) / 1000.0)
+    assert symmetry(points) is None
+    with pytest.raises(InputError, match="align = 'symmetry' must find a place about which"):
+        Align("symmetry").apply(points)
+
+
+def test_trim_keeps_a_length_about_the_middle():
+    state = Trim(8.0).apply(roller())
+    assert_allclose(state.y[[0, -1]], [-4.0, 4.0], atol=2e-3)
+    assert state.numbers["removed"] == len(roller()) - len(state.points)
+
+
+def test_trim_refuses_a_length_that_was_not_measured():
+    with pytest.raises(InputError, match=r"trim = 14.0 must lie within the points, which go from -6 to 6 mm"):
+        Trim(14.0).apply(roller())
+
+
+def test_outliers_are_taken_out_and_counted_and_nothing_else():
+    trace = roller(noise=1e-4, chamfer=0.0)
+    height = np.array(trace.height)
+    spikes = np.array([100, 101, 2500, 4000, 5998])
+    height[spikes] += np.array([5e-3, 5e-3, -4e-3, 3e-3, 6e-3])
+    state = Outliers().apply(Points(trace.y, height))
+    assert state.removed is not None
+    # Five robust sigmas: 6001 points of noise have a chance of 0.3 % to lose one of themselves.
+    assert_array_equal(state.removed[0], trace.y[spikes])
+    assert state.numbers["removed"] == 5
+
+
+def test_a_line_without_noise_has_no_outliers():
+    """The shape itself is none, also where it turns and a running median cannot follow."""
+    y = np.linspace(-10.0, 10.0, 201)
+    for height in (-(y**2) / 200.0, 0.05 * np.cos(y), np.zeros(201), 0.001 * y):
+        assert Outliers().apply(Points(y, height)).numbers["removed"] == 0
+
+
+def test_a_scratch_is_an_outlier_and_a_dent_is_shape():
+    """Chords reach a hundredth of the line, 0.12 mm, to either side; a dent of 0.6 mm has them inside."""
+    trace = roller(noise=1e-5, chamfer=0.0, count=2001)
+    for half, core, kept in ((0.05, 0.05, False), (0.3, 0.15, True)):
+        state = Outliers().apply(Points(trace.y, trace.height - 0.02 * (np.abs(trace.y) < half)))
+        # At the walls of a dent chords reach out of it.
+        inside = np.isin(trace.y[np.abs(trace.y) < core], state.y)
+        assert np.all(inside == kept)
+
+
+@pytest.mark.parametrize("wavelength", [0.4, 0.8, 1.6, 3.2])
+def test_the_gaussian_filter_transmits_what_iso_16610_21_says(wavelength):
+    """Half of a wave of the cutoff, exp(-pi (alpha c / l)^2) of any other."""
+    y = np.linspace(0.0, 32.0, 16001)
+    wave = np.cos(2.0 * np.pi * y / wavelength)
+    smooth = gaussian(Points(y, wave), 0.8)
+    inside = (y > 3.2 - 1e-3) & (y < 28.8 - 1e-3)
+    found = 2.0 * np.mean((smooth * wave)[inside])
+    expected = math.exp(-math.pi * (ALPHA * 0.8 / wavelength) ** 2)
+    # The weight is cut at one cutoff, where 7e-7 of its peak are left, and the mean is over whole waves.
+    assert_allclose(found, expected, atol=1e-5)
+    if wavelength == 0.8:
+        assert_allclose(found, 0.5, atol=1e-5)
+
+
+@pytest.mark.parametrize("wavelength", [0.4, 0.8, 1.6])
+def test_the_spline_filter_transmits_what_iso_16610_22_says(wavelength):
+    y = np.linspace(0.0, 32.0, 16001)
+    wave = np.cos(2.0 * np.pi * y / wavelength)
+    smooth = spline(Points(y, wave), 0.8)
+    inside = (y > 4.8 - 1e-3) & (y < 27.2 - 1e-3)
+    found = 2.0 * np.mean((smooth * wave)[inside])
+    # It is fitted to means over a fortieth of the cutoff, sinc(1 / 20) = 0.996 of the shortest wave.
+    assert_allclose(found, 1.0 / (1.0 + (0.8 / wavelength) ** 4), rtol=5e-3)
+
+
+@pytest.mark.parametrize("smooth", [gaussian, spline], ids=["gaussian", "spline"])
+def test_filters_leave_a_straight_line_alone_up_to_its_ends(smooth):
+    y = np.linspace(0.0, 10.0, 5001)
+    line = 5.0 + 0.003 * y
+    # Rounding, of an FFT or of a smoothing spline's equations, over heights of 5 mm.
+    assert_allclose(smooth(Points(y, line), 0.8), line, atol=1e-9)
+
+
+def test_the_gaussian_filter_does_not_lift_the_ends_of_a_crown():
+    """By less than a fortieth of what a running mean does, which is the slope times the mean distance on one side."""
+    y = np.linspace(-5.0, 5.0, 5001)
+    crown = -(y**2) / 1000.0
+    sigma = ALPHA * 0.8 / math.sqrt(2.0 * math.pi)
+    running_mean = sigma * math.sqrt(2.0 / math.pi) * 5.0 / 500.0
+    error = gaussian(Points(y, crown), 0.8) - crown
+    # About the end a half of the normal distribution is left; its best line is off by 0.376 sigma^2 / R.
+    assert_allclose(error[-1], 0.376 * sigma**2 / 500.0, rtol=0.02)
+    assert abs(error[-1]) < running_mean / 40.0
+    # Inside, a mean over a crown is lower than the crown by the same everywhere, which no relief shows.
+    inside = np.abs(y) < 4.0
+    assert_allclose(error[inside], -0.5 * sigma**2 / 500.0, rtol=1e-3)
+
+
+def test_filters_take_unevenly_spaced_points():
+    rng = np.random.default_rng(SEED)
+    y = np.sort(rng.uniform(0.0, 20.0, 8000))
+    y = np.unique(np.concatenate([[0.0], y, [20.0]]))
+    form = 0.01 * np.cos(2.0 * np.pi * y / 10.0)
+    for smooth in (gaussian, spline):
+        found = smooth(Points(y, form + 1e-3 * np.cos(2.0 * np.pi * y / 0.1)), 0.8)
+        # Of the short wave a few per cent of its sampling noise are left, of the form 0.2 % are lost.
+        assert_allclose(found, form, atol=2e-4)
+
+
+def test_the_gaussian_filter_does_not_reach_across_a_gap():
+    """A step hidden in a gap wider than the filter stays as it is."""
+    y = np.concatenate([np.linspace(0.0, 4.0, 2001), np.linspace(6.0, 10.0, 2001)])
+    height = np.where(y < 5.0, 0.0, 0.01)
+    smooth = gaussian(Points(y, height, gaps=((4.0, 6.0),)), 0.8)
+    assert_allclose(smooth, height, atol=1e-9)
+
+
+@pytest.mark.parametrize("cutoff", [0.001, 20.0])
+def test_a_cutoff_that_means_nothing_is_refused(cutoff):
+    with pytest.raises(InputError, match=r"must lie between four points, 0.008 mm, and the length of the line, 12 mm"):
+        Smooth(cutoff).apply(roller())
+
+
+def test_thinning_keeps_the_ends_and_leaves_gaps_open():
+    y = np.concatenate([np.linspace(0.0, 4.0, 2001), np.linspace(6.0, 10.0, 2001)])
+    state = Thin(101).apply(Points(y, 0.001 * y, gaps=((4.0, 6.0),)))
+    assert_allclose(state.y[[0, -1]], [0.0, 10.0], rtol=0, atol=0)
+    assert not np.any((state.y > 4.0) & (state.y < 6.0))
+    assert len(Thin(101).apply(roller(count=51)).points) == 51
+
+
+@pytest.mark.parametrize(
+    ("make", "field"),
+    [
+        (lambda: Level(slope=0.0), "slope"),
+        (lambda: Align("middle"), "align"),
+        (lambda: Trim(-1.0), "trim"),
+        (lambda: Outliers(0.0), "outliers"),
+        (lambda: Smooth(-0.8), "cutoff"),
+        (lambda: Smooth(0.8, "median"), "smooth"),
+        (lambda: Thin(2), "points"),
+        (lambda: Thin(10.5), "points"),
+        (lambda: prepare(roller(), trim="some"), "trim"),
+        (lambda: prepare(roller(), points="many"), "points"),
+    ],
+    ids=range(10),
+)
+def test_a_parameter_that_is_out_of_range_is_refused(make, field):
+    with pytest.raises(InputError) as caught:
+        make()
+    assert caught.value.field == field
+
+
+@pytest.mark.parametrize(
+    ("y", "height", "field"),
+    [([0, 1, 2, 3], [0, 0, 0, 0], "points"), ([0, 1, 1, 2, 3], [0] * 5, "y"), ([0, 1, 2, 3, np.nan], [0] * 5, "y"),
+     ([0, 1, 2, 3, 4], [0] * 4, "height")],
+    ids=range(4),
+)  # fmt: skip
+def test_points_that_are_no_line_are_refused(y, height, field):
+    with pytest.raises(InputError) as caught:
+        Points(y, height)
+    assert caught.value.field == field

@@ -1,0 +1,144 @@
+"""Profiles of kind "measured" in a case file: options, mistakes, and the schema."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from nonhertz.errors import AccuracyWarning, CaseError, InputError
+from nonhertz.io.casefile import read_case
+from nonhertz.io.measured import KEYS, PREPARING, READING, checked, measured_schema, read_measured
+from nonhertz.io.mistakes import TableError
+from nonhertz.io.traces import read_trace
+from nonhertz.measured import prepare
+
+DOCS = Path(__file__).parents[2] / "docs"
+RADIUS = 900.0
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    y = np.linspace(0.0, 10.0, 2001)
+    height = -1e3 * ((y - 5.0) ** 2 / (2.0 * RADIUS) + np.maximum(np.abs(y - 5.0) - 4.5, 0.0)) + 1.5 * y
+    height += 0.1 * np.random.default_rng(1).standard_normal(len(y))
+    text = "\n".join(f"{position:.4f}\t{value:.4f}" for position, value in zip(y, height, strict=True))
+    (tmp_path / "roller.txt").write_text(text, encoding="utf-8")
+    return tmp_path
+
+
+def read(folder: Path, keys: str) -> Any:
+    path = folder / "case.toml"
+    table = '{ kind = "measured", file = "roller.txt"' + (", " + keys if keys else "") + " }"
+    body = f"[body.a]\ndiameter = 10\nlength = 10\nprofile = [{table}]\n[body.b]\n[load]\nload = 1000\n"
+    path.write_text(body, encoding="utf-8")
+    return read_case(path).contact.a.profile
+
+
+def test_the_file_is_prepared_as_from_python(folder):
+    profile = read(folder, 'height_unit = "um"')
+    expected = prepare(read_trace(folder / "roller.txt", height_unit="um")).profile()
+    assert profile == expected
+    # A noise of 0.1 um over the filter's width of some thirty points, and a chord at either end.
+    assert_allclose(profile.relief([-4.0, 4.0]), 8.0 / RADIUS, atol=1e-4)
+
+
+def test_every_step_can_be_set(folder):
+    keys = 'height_unit = "um", level = false, align = "ends", trim = "8 mm", outliers = 6, smooth = "spline", '
+    keys += 'cutoff = "250 um", slope = 0.1, points = 77, interpolation = "linear", shift = "1 mm", scale = 2'
+    profile = read(folder, keys)
+    trace = read_trace(folder / "roller.txt", height_unit="um")
+    options: dict[str, Any] = {"level": False, "align": "ends", "trim": 8.0, "outliers": 6, "smooth": "spline"}
+    expected = prepare(trace, **options, cutoff=0.25, slope=0.1, points=77).profile("linear")
+    y = np.linspace(-3.0, 3.0, 7)
+    assert_allclose(profile.relief(y + 1.0), 2.0 * expected.relief(y), rtol=1e-12)
+
+
+def test_roughness_that_is_left_in_is_warned_of(folder):
+    with pytest.warns(AccuracyWarning, match="strips cannot carry"):
+        read(folder, 'height_unit = "um", smooth = false')
+
+
+@pytest.mark.parametrize(
+    ("keys", "sentence"),
+    [
+        ("", "profile[1].file = 'roller.txt' must state the unit of its heights"),
+        ('heigth_unit = "um"', "'um' must be a known parameter of 'measured': the nearest is 'height_unit'"),
+        ('height_unit = "um", cutoff = "0.8"', "cutoff = '0.8' must have a unit"),
+        ('height_unit = "um", cutoff = 40', "cutoff = 40 must lie between four points"),
+        ('height_unit = "um", trim = "12 mm"', "trim = '12 mm' must lie within the points"),
+        ('height_unit = "um", smooth = "median"', "smooth = 'median' must be one of 'gaussian', 'spline'"),
+        ('height_unit = "um", align = "symmetry"', "align = 'symmetry' must find a place"),
+        ('height_unit = "um", level = 1', "level = 1 must be true or false"),
+        ('height_unit = "um", outliers = "5"', "outliers = '5' must be a number: take the quotes away"),
+        ('height_unit = "um", points = 3', "points = 3 must be a whole number of 5 at least"),
+        ("height_unit = true", "height_unit = True must not be true or false"),
+        ('height_unit = "um", slope = -1', "slope = -1 must be positive"),
+        ('height_unit = "um", interpolation = "spline"', "interpolation = 'spline' must be one of"),
+    ],
+    ids=range(13),
+)  # fmt: skip
+def test_a_mistake_is_told_at_its_key(folder, keys, sentence):
+    with pytest.raises(CaseError) as caught:
+        read(folder, keys)
+    (mistake,) = caught.value.mistakes
+    assert sentence in mistake
+    assert mistake.startswith("body.a.profile[1].")
+
+
+def test_all_mistakes_of_a_table_are_told_at_once(folder):
+    with pytest.raises(CaseError) as caught:
+        read(folder, 'level = 3, smooth = "x", cutof = 1')
+    assert len(caught.value.mistakes) == 3
+
+
+def test_a_table_without_a_file_says_so():
+    with pytest.raises(TableError) as caught:
+        read_measured({"kind": "measured"}, Path())
+    assert [mistake.sentence for mistake in caught.value.mistakes] == ["file must be given: name the measured file."]
+
+
+def test_no_file_is_read_where_none_may_be():
+    with pytest.raises(TableError) as caught:
+        read_measured({"kind": "measured", "file": "roller.txt"}, None)
+    (mistake,) = caught.value.mistakes
+    assert "file = 'roller.txt' must not be read here: give y and relief, or upload" in mistake.sentence
+
+
+def test_keys_are_those_of_the_functions():
+    """What the table takes, `read_trace` and `prepare` take, and the other way round."""
+    assert set(READING) == set(inspect.signature(read_trace).parameters) - {"source", "name"}
+    assert set(PREPARING) == set(inspect.signature(prepare).parameters) - {"trace"}
+    assert set(KEYS) == {*READING, *PREPARING, "file", "interpolation", "shift", "scale"}
+
+
+def test_the_schema_describes_every_key():
+    schema = measured_schema()
+    assert schema["additionalProperties"] is False
+    for key, entry in schema["properties"].items():
+        assert key == "kind" or entry["description"], key
+
+
+def test_the_reference_lists_every_key():
+    page = (DOCS / "reference" / "case-file.md").read_text(encoding="utf-8")
+    section = page.split("### Measured profiles")[1].split("\n## ")[0]
+    assert set(re.findall(r"^\| `(\w+)`", section, re.MULTILINE)) == set(KEYS) - {"shift", "scale"}
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "meant"),
+    [("cutoff", "250 um", 0.25), ("trim", "auto", "auto"), ("trim", 9, 9.0), ("points", 11, 11), ("level", True, True)],
+    ids=range(5),
+)
+def test_values_are_taken_as_meant(name, value, meant):
+    assert checked(name, value) == meant
+
+
+def test_an_unknown_key_is_refused():
+    with pytest.raises(InputError, match="the nearest is 'cutoff'"):
+        checked("cut_off", 1.0)

@@ -1,0 +1,325 @@
+"""Files of measuring machines: every dialect gives the same line, every damaged file one sentence."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import re
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+import x3pio
+from numpy.testing import assert_allclose
+
+from nonhertz.errors import InputError
+from nonhertz.io.traces import LARGEST_FILE, read_trace
+from nonhertz.io.traces.line import MOST_POINTS
+
+Y = np.array([0.0, 0.25, 0.5, 0.75, 1.0, 1.25])
+UM = np.array([-3.125, -1.5, 0.0, -0.25, -1.75, -4.0])
+PAIRS = list(zip(Y, UM, strict=True))
+
+
+def lines(form: str, head: str = "", end: str = "\n") -> bytes:
+    return (head + end.join(form.format(y, z) for y, z in PAIRS) + end).encode()
+
+
+def with_comma(data: bytes) -> bytes:
+    return data.replace(b".", b",")
+
+
+TEXTS = {
+    "blanks": lines("{:.2f}  {:.3f}"),
+    "tab": lines("{:.2f}\t{:.3f}"),
+    "comma": lines("{:.2f},{:.3f}"),
+    "comma and blank": lines("{:.2f}, {:.3f}"),
+    "semicolon": lines("{:.2f};{:.3f}"),
+    "bar": lines("{:.2f} | {:.3f}"),
+    "semicolon at the end": lines("{:.2f};{:.3f};"),
+    "decimal commas, semicolon": with_comma(lines("{:.2f};{:.3f}")),
+    "decimal commas, tab": with_comma(lines("{:.2f}\t{:.3f}")),
+    "decimal commas, blanks": with_comma(lines("{:.2f} {:.3f}")),
+    "exponents": lines("{:.4E}\t{:.4E}"),
+    "carriage returns": lines("{:.2f}\t{:.3f}", end="\r"),
+    "both line ends": lines("{:.2f}\t{:.3f}", end="\r\n"),
+    "hash comments": lines("{:.2f} {:.3f}  # point", "# made by hand\n"),
+    "other comments": lines("{:.2f} {:.3f}", "% one\n// two\n' three\n"),
+    "keys and values": lines("{:.2f}\t{:.3f}", "Instrument: MX 7\nPoints: 6\nOperator: N.N.\n\n"),
+    "names": lines("{:.2f};{:.3f}", "position;height\n"),
+    "UTF-8 with a mark": b"\xef\xbb\xbf" + lines("{:.2f};{:.3f}", "y;z\n"),
+    "UTF-16": "\n".join(f"{y};{z}" for y, z in PAIRS).encode("utf-16"),
+    "UTF-16 without a mark": "\n".join(f"{y};{z}" for y, z in PAIRS).encode("utf-16-le"),
+    "Latin-1": "Prüfer: Müller\n".encode("latin-1") + lines("{:.2f};{:.3f}"),
+    "end-of-file mark": lines("{:.2f} {:.3f}") + b"\x1a",
+}
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_all_dialects_of_columns_are_the_same_line(name):
+    trace = read_trace(TEXTS[name], "roller.txt", height_unit="um")
+    assert_allclose(trace.y, Y, rtol=1e-12)
+    assert_allclose(trace.height, 1e-3 * UM, rtol=1e-9)
+    assert trace.gaps == ()
+
+
+@pytest.mark.parametrize(
+    ("head", "position", "height"),
+    [
+        ("y [mm];z [um]", 1.0, 1e-3),
+        ("y (mm);z (µm)", 1.0, 1e-3),
+        ("y / um;z / nm", 1e-3, 1e-6),
+        ("y_mm;z_um", 1.0, 1e-3),
+        ("x in mm;z in μm", 1.0, 1e-3),
+        ("y;z\nmm;um", 1.0, 1e-3),
+        ("y [m];z [in]", 1e3, 25.4),
+        ("y [mm] z [um]", 1.0, 1e-3),
+        ("y_axis;z_axis [um]", 1.0, 1e-3),
+    ],
+)
+def test_units_are_taken_from_the_head(head, position, height):
+    trace = read_trace((head + "\n").encode() + lines("{};{}"))
+    assert_allclose(trace.y, position * Y, rtol=1e-12)
+    assert_allclose(trace.height, height * UM, rtol=1e-12)
+
+
+def test_stated_units_go_before_those_of_the_head():
+    trace = read_trace(b"y [mm];z [um]\n" + lines("{};{}"), height_unit="nm")
+    assert_allclose(trace.height, 1e-6 * UM, rtol=1e-12)
+
+
+def test_a_unit_that_is_taken_for_granted_is_noted():
+    flat = b"".join(b"%d 0.00%d\n" % (k, k % 3) for k in range(8))
+    assert any("taken for mm" in note for note in read_trace(flat).notes)
+    assert not any("taken for mm" in note for note in read_trace(flat, height_unit="mm").notes)
+
+
+def test_micrometres_without_a_unit_are_not_taken_for_millimetres():
+    with pytest.raises(
+        InputError, match=r"state the unit of its heights \(in mm they would differ by 4 on a length of"
+    ):
+        read_trace(lines("{} {}"), "roller.txt")
+
+
+def test_order_and_repetition_are_put_right_and_noted():
+    down = read_trace(b"\n".join(b"%g %g" % pair for pair in reversed(PAIRS)), height_unit="um")
+    assert_allclose(down.y, Y, rtol=1e-12)
+    assert "turned round" in " ".join(down.notes)
+    mixed = [PAIRS[k] for k in (2, 0, 1, 3, 5, 4)] + [(0.5, 1.0)]
+    sorted_ = read_trace(b"\n".join(b"%g %g" % pair for pair in mixed), height_unit="um")
+    assert_allclose(sorted_.y, Y, rtol=1e-12)
+    assert_allclose(sorted_.height[2], 0.5e-3, rtol=1e-12)
+    assert "sorted" in " ".join(sorted_.notes)
+    assert "averaged" in " ".join(sorted_.notes)
+
+
+@pytest.mark.parametrize("cell", ["", "NaN", "*****", "BAD", "-", "n/a"])
+def test_points_that_were_not_measured_are_gaps(cell):
+    rows = [f"{y};{z}" for y, z in PAIRS]
+    rows[2] = f"{PAIRS[2][0]};{cell}"
+    rows[3] = f"{cell};{PAIRS[3][1]}"
+    trace = read_trace("\n".join(rows).encode() + b"\n1.5;-5\n", height_unit="um")
+    assert trace.gaps == ((0.25, 1.0),)
+    assert "2 of 7 points hold no number" in " ".join(trace.notes)
+
+
+def test_columns_are_chosen_by_number_or_name():
+    text = b"n;y [mm];raw;z [um]\n" + b"".join(b"%d;%g;0;%g\n" % (k, *pair) for k, pair in enumerate(PAIRS))
+    for chosen in ((2, 4), ("2", "4"), ("y", "z"), ("Y [MM]", "z")):
+        trace = read_trace(text, position_column=chosen[0], height_column=chosen[1])
+        assert_allclose(trace.height, 1e-3 * UM, rtol=1e-12)
+    two = read_trace(lines("{1};{0}"), height_column=1, height_unit="um")
+    assert_allclose(two.height, 1e-3 * UM, rtol=1e-12)
+
+
+def test_material_taken_away_turns_the_sign():
+    drop = read_trace(lines("{};{}"), height_unit="um", sense="drop")
+    assert_allclose(drop.height, -1e-3 * UM, rtol=1e-12)
+    named = read_trace(b"y [mm];relief [um]\n" + lines("{};{}"))
+    assert_allclose(named.height, -1e-3 * UM, rtol=1e-12)
+    told = read_trace(b"y [mm];relief [um]\n" + lines("{};{}"), sense="height")
+    assert_allclose(told.height, 1e-3 * UM, rtol=1e-12)
+
+
+def smd(count: int = 6, heights: str = "\r\n".join(str(z) for z in UM), kind: str = "I") -> bytes:
+    head = f"ISO 5436-2:2012\0roller\0\r\nPRF\0 1 ISO5436\0\r\nCX\0 {kind}\0 {count} mm\0 1.0e0 D\0 2.50000e-001 \r\n"
+    head += f"CZ\0 A\0 {count} um\0 1.0e0 D\0\r\n\x03\r\nDATE: 01-May-2024\0\r\nCOMMENT /* no */\0\r\n\x03\r\n"
+    return (head + heights + "\r\n\x03\r\n12345\r\n\x03\r\n\x1a").encode("latin-1")
+
+
+def prf(count: int = 6, spacing: str = "SPACING CX 2.5e-001\r\n") -> bytes:
+    head = f"1 2\r\nSG2004 0.0e+000 PRF\r\nCX M {count}.0e+000 MM 1.000000e+000 D\r\n"
+    head += f"CZ M {count}.0e+000 MM 1.000000e-009 L\r\nEOR\r\nSTYLUS_RADIUS 0.0 MM\r\n{spacing}EOR\r\n"
+    return (head + "\r\n".join(f"{1e6 * z:.0f}" for z in UM) + "\r\nEOR\r\nEOF\r\n").encode()
+
+
+def marwin(count: int = 6, along: str = "{0:.9f} 0.0 {1:.9f}") -> bytes:
+    rows = [f"{k}=" + along.format(y, 1e-3 * z) + " 0.000000000 0" for k, (y, z) in enumerate(PAIRS)]
+    head = f"[PROFILE_HEADER]\nNAME=a\nNO_POINTS={count}\n[PROFILE_HISTORY]\nProductName=e\n[PROFILE_VALUES]\n"
+    return (head + "// X,Y,Z,C,Lock\n" + "\n".join(rows) + "\n").encode()
+
+
+def x3p(**changes: object) -> bytes:
+    held = x3pio.Profile.from_array(1e-6 * UM, x_scale=0.25e-3, **changes)
+    stream = io.BytesIO()
+    held.save(stream)
+    return stream.getvalue()
+
+
+FORMATS = {
+    "smd": smd(),
+    "prf": prf(),
+    "marwin": marwin(),
+    "marwin along Y": marwin(along="7.5 {0:.9f} {1:.9f}"),
+    "x3p": x3p(),
+}
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_formats_that_state_their_units_are_the_same_line(name):
+    trace = read_trace(FORMATS[name], "roller")
+    assert_allclose(trace.y, Y, atol=1e-12)
+    assert_allclose(trace.height, 1e-3 * UM, atol=1e-9)
+
+
+@pytest.mark.parametrize("name", ["smd", "marwin", "x3p"])
+def test_units_beside_a_file_that_states_them_are_refused(name):
+    with pytest.raises(InputError, match="height_unit = 'um' must not be given for"):
+        read_trace(FORMATS[name], height_unit="um")
+
+
+def test_invalid_points_of_x3p_are_a_gap():
+    heights = np.array(UM) * 1e-6
+    heights[3] = np.nan
+    stream = io.BytesIO()
+    x3pio.Profile.from_array(heights, x_scale=0.25e-3).save(stream)
+    assert_allclose(read_trace(stream.getvalue()).gaps, [(0.5, 1.0)], rtol=1e-9)
+
+
+def test_invalid_points_of_smd_are_a_gap():
+    trace = read_trace(smd(heights="\r\n".join(["-3", "-1", "BAD", "0", "-1", "-4"])))
+    assert trace.gaps == ((0.25, 0.75),)
+
+
+def altered(data: bytes, name: str, change: bytes | None = None) -> bytes:
+    """Return a zip archive with one member changed."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(data)) as old, zipfile.ZipFile(stream, "w") as new:
+        for member in old.infolist():
+            content = old.read(member)
+            if member.filename.endswith(name):
+                content = bytes([content[0] ^ 1]) + content[1:] if change is None else change
+            new.writestr(member.filename, content)
+    return stream.getvalue()
+
+
+def surface() -> bytes:
+    stream = io.BytesIO()
+    x3pio.write(stream, np.zeros((3, 4)), x_scale=1e-6, y_scale=1e-6)
+    return stream.getvalue()
+
+
+def with_entities() -> bytes:
+    """Return an X3P whose description would unfold to a billion letters, with a checksum that fits it."""
+    bomb = b'<?xml version="1.0"?><!DOCTYPE b [<!ENTITY a "aaaaaaaaaa">' + b"".join(
+        b'<!ENTITY a%d "%s">' % (k, (b"&a%d;" % (k - 1) if k else b"&a;") * 10) for k in range(9)
+    )
+    bomb += b"]><b>&a8;</b>"
+    data = altered(x3p(), "main.xml", bomb)
+    return altered(data, "md5checksum.hex", hashlib.md5(bomb).hexdigest().encode() + b" *main.xml")
+
+
+DAMAGED = {
+    "empty": (b"", r"must hold something \(it is empty\)"),
+    "blank": (b" \r\n\t\n", r"must hold something"),
+    "only a head": (b"y [mm];z [um]\n", r"must hold two columns of numbers \(no line has them\)"),
+    "one point": (b"0 1\n", r"must hold 5 positions at least \(there is one position\)"),
+    "text in a cell": (lines("{} {}") + b"1.5 x7\n", r"must hold a number in line 7, column 2 \(there is 'x7'\)"),
+    "text behind": (lines("{} {}") + b"end of data\n", r"must hold 2 columns in line 7 as above \(there are 3"),
+    "three columns": (lines("{0};{1};0"), r"must hold two columns, or have two of its 3 chosen \(column 1"),
+    "one column": (b"1\n2\n3\n4\n5\n6\n", r"must hold two columns of numbers \(there is one number in a line\)"),
+    "nothing measured": (b"nan nan\n" * 9, r"must hold two columns of numbers"),
+    "no height measured": (b"".join(b"%d nan\n" % k for k in range(9)), r"must hold measured points"),
+    "one position": (b"1 2\n1 3\n1 4\n1 5\n1 6\n", r"must hold 5 positions at least \(there is one position\)"),
+    "binary": (bytes(range(256)) * 4, r"must be text in columns, a MarWin text export, .smd, .prf or .x3p"),
+    "unit of time": (b"y [mm];z [s]\n" + lines("{};{}"), r"must state a unit of length for each column"),
+    "no unit": (b"y [mm];z [apples]\n" + lines("{};{}"), r"must state a unit of length for each column"),
+    "commas of both kinds": (b"0,001,-13,5\n0,002,-13,6\n" * 4, r"must tell decimal commas from commas between"),
+    "digits behind a comma": (b"0,001\n0,002\n0,003\n", r"must tell decimal commas from commas between columns"),
+    "smd cut off": (smd(count=8), r"must hold the 8 heights that its head names \(there are 6\)"),
+    "prf cut off": (prf(count=9), r"must hold the 9 heights that its head names \(there are 6\)"),
+    "prf without a step": (prf(spacing=""), r"must state the step of its points \(SPACING CX is missing\)"),
+    "smd of positions": (smd(kind="A"), r"must have evenly spaced points \(its axis CX is of kind A\)"),
+    "smd with text": (smd(heights="\r\n".join("123x56")), r"must hold a height in line 12 \(there is 'x'\)"),
+    "marwin cut off": (marwin(count=7), r"must hold the 7 points that its head names \(there are 6\)"),
+    "marwin with text": (marwin(along="x y z"), r"must hold a point X Y Z in line 8"),
+    "zip cut off": (x3p()[:-60], r"must be a sound X3P file"),
+    "zip of something": (altered(x3p(), "main.xml", b"<a/>"), r"must be a sound X3P file"),
+    "checksum of points": (altered(x3p(), "data.bin"), r"must be what its checksum says"),
+    "checksum of the description": (
+        altered(x3p(), "md5checksum.hex", b"0" * 32 + b" *main.xml"), r"must be what its checksum says"
+    ),
+    "an area": (surface(), r"must hold a profile \(feature type PRF\), not an area: extract one line"),
+    "xml that unfolds": (with_entities(), r"must be a sound X3P file"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", DAMAGED)
+def test_a_damaged_file_ends_in_one_sentence(name):
+    data, sentence = DAMAGED[name]
+    with pytest.raises(InputError, match=r"file = 'roller\.dat' " + sentence) as caught:
+        read_trace(data, "roller.dat")
+    assert "\n" not in str(caught.value)
+    assert str(caught.value).count(". ") == 0
+
+
+def test_a_zip_that_unpacks_to_too_much_is_refused(monkeypatch: pytest.MonkeyPatch):
+    """By what it declares, so that nothing is unpacked to find out."""
+    monkeypatch.setattr("nonhertz.io.traces.x3p._LARGEST_UNPACKED", 2_000_000)
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("main.xml", b"0" * 2_000_001)
+    assert len(stream.getvalue()) < 10_000
+    with pytest.raises(InputError, match="must unpack to no more than 2 MB"):
+        read_trace(stream.getvalue())
+
+
+def test_a_binary_profile_of_mahr_is_told_by_its_name():
+    with pytest.raises(InputError, match=r"Mahr's .pcd is binary"):
+        read_trace(bytes(range(256)), "P000_123.PCD")
+
+
+def test_what_is_no_file_is_refused(tmp_path: Path):
+    for path in (tmp_path / "none.txt", tmp_path, Path("a\0b")):
+        with pytest.raises(InputError, match="must be a file that can be read"):
+            read_trace(path)
+
+
+def test_a_file_is_called_by_its_name(tmp_path: Path):
+    path = tmp_path / "roller 7.txt"
+    path.write_bytes(lines("{} {}"))
+    assert read_trace(path, height_unit="um").name == "roller 7.txt"
+    assert read_trace(str(path), "mine", height_unit="um").name == "mine"
+
+
+def test_large_files_are_refused():
+    with pytest.raises(InputError, match="must be no larger than 50 MB"):
+        read_trace(b"0" * (LARGEST_FILE + 1))
+    with pytest.raises(InputError, match=re.escape(f"must hold no more than {MOST_POINTS:,} points")):
+        read_trace(b"0 0\n" * (MOST_POINTS + 1001))
+
+
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        ({"height_unit": "furlong per day"}, "height_unit = 'furlong per day' must be a unit of length"),
+        ({"position_column": 3}, "position_column = 3 must be a column from 1 to 2"),
+        ({"height_column": "roughness"}, "height_column = 'roughness' must be the name of a column"),
+        ({"sense": "down"}, "sense = 'down' must be one of 'height', 'drop'"),
+    ],
+    ids=range(4),
+)
+def test_an_option_that_means_nothing_is_refused(options, sentence):
+    with pytest.raises(InputError, match=sentence):
+        read_trace(lines("{};{}"), **options)
