@@ -44,11 +44,7 @@ def profile(solution: Solution, ax: Axes) -> Axes:
         ``ax``.
     """
     span = axial_range(solution)
-    undeformed = -MICROMETRES * solution.interference
-    # An infinite relief has no place on paper; matplotlib leaves a line out where it is not a number.
-    drawn = np.isfinite(undeformed) & np.isfinite(solution.gap)
-    before = np.where(drawn, undeformed, np.nan)
-    after = np.where(drawn, MICROMETRES * solution.gap, np.nan)
+    before, after = distances(solution)
 
     for count, (low, high) in enumerate(solution.contact_y):
         label = "in contact" if count == 0 else None
@@ -61,7 +57,7 @@ def profile(solution: Solution, ax: Axes) -> Axes:
     label = "elastic displacement"
     ax.fill_between(solution.y, before, after, facecolor=FIRST, alpha=0.16, linewidth=0.0, label=label)
 
-    bottom, top = _limits(before, after)
+    bottom, top = drawn_range(before, after)
     ax.locator_params(axis="x", steps=[1, 2, 5, 10])
     ax.set_xlim(span)
     ax.set_ylim(bottom, top)
@@ -70,7 +66,7 @@ def profile(solution: Solution, ax: Axes) -> Axes:
     for side in ("top", "right"):
         ax.spines[side].set_visible(False)
     inside = (solution.y >= span[0]) & (solution.y <= span[1])
-    largest = float(undeformed[inside].max())
+    largest = float((-MICROMETRES * solution.interference)[inside].max())
     handles, labels = ax.get_legend_handles_labels()
     order = [1, 2, 3, 0] if solution.contact_y else [0, 1, 2]
     remark = _cut(largest) if largest > top else ""
@@ -84,7 +80,19 @@ def _cut(largest: float) -> str:
     return f"axis cut, the undeformed distance reaches {number(largest, 3)} µm"
 
 
-def _limits(before: Array, after: Array) -> tuple[float, float]:
+def distances(solution: Solution) -> tuple[Array, Array]:
+    """Return the surfaces' distance on the centre line [micrometre], undeformed and deformed, at each strip.
+
+    The undeformed one is negative where the bodies would overlap. An infinite relief has no place on paper: both are
+    not a number there, and a line is left out.
+    """
+    before = -MICROMETRES * solution.interference
+    after = MICROMETRES * solution.gap
+    drawn = np.isfinite(before) & np.isfinite(after)
+    return np.where(drawn, before, np.nan), np.where(drawn, after, np.nan)
+
+
+def drawn_range(before: Array, after: Array) -> tuple[float, float]:
     """Return the range of distances [micrometre] to draw, so that what happens in contact fills it."""
     depth = max(-float(np.nanmin(before)), 0.0)
     clearance = float(np.nanmax(np.maximum(before, after)))

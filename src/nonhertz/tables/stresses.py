@@ -8,7 +8,8 @@ from nonhertz.subsurface import Extreme, Extremes
 from nonhertz.tables.summary import digits
 
 COLUMNS = ("", "largest [MPa]", "of p0 there", "x [mm]", "y [mm]", "z [mm]")
-_NAMES = {"von_mises": "von Mises", "shear": "maximum shear", "orthogonal_shear": "orthogonal shear"}
+#: Of the quantities, as tables have them.
+NAMES = {"von_mises": "von Mises", "shear": "maximum shear", "orthogonal_shear": "orthogonal shear"}
 
 
 def stress_rows(solution: Solution, overall: Extremes, section: Extremes) -> list[tuple[str, ...]]:
@@ -17,7 +18,7 @@ def stress_rows(solution: Solution, overall: Extremes, section: Extremes) -> lis
     rows = []
     for where, found in places.items():
         rows.append((where, *[""] * (len(COLUMNS) - 1)))
-        rows += [_row(solution, f"  {name}", getattr(found, key)) for key, name in _NAMES.items()]
+        rows += [_row(solution, f"  {name}", getattr(found, key)) for key, name in NAMES.items()]
     return rows
 
 

@@ -1,0 +1,84 @@
+"""Take the pictures of the page that the documents show: docs/figures/page*.png, from the page as it runs.
+
+Needs Chromium or Chrome, and playwright (the dependency group "browser"). Run from the repository:
+
+    python docs/screenshots.py
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from playwright.sync_api import sync_playwright
+
+FIGURES = Path(__file__).parent / "figures"
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+WIDE, NARROW = {"width": 1400, "height": 1000}, {"width": 390, "height": 844}
+
+
+@contextmanager
+def page_served() -> Iterator[str]:
+    """Serve the page as the command line does, and yield its address."""
+    command = [sys.executable, "-m", "nonhertz", "serve", "--port", "0", "--no-browser"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        try:
+            lines = (re.search(r"http://127\.0\.0\.1:\d+/", line) for line in process.stdout)
+            yield next(found[0] for found in lines if found)
+        finally:
+            process.terminate()
+
+
+@contextmanager
+def browser_started() -> Iterator[Any]:
+    """Start a browser without a window."""
+    path = os.environ.get("NONHERTZ_CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
+    with sync_playwright() as playwright:
+        started = playwright.chromium.launch(executable_path=path, args=["--no-sandbox", "--disable-gpu"])
+        yield started
+        started.close()
+
+
+def opened(browser: Any, address: str, viewport: dict[str, int], theme: str = "light") -> Any:
+    """Open the page and wait until the starting case is drawn."""
+    page = browser.new_page(viewport=viewport, color_scheme=theme)
+    page.goto(address)
+    settle(page)
+    return page
+
+
+def settle(page: Any) -> None:
+    """Wait until what was edited last has been answered and drawn."""
+    page.wait_for_timeout(300)  # until the edit before has begun to be answered
+    page.locator("html[data-state=settled]").wait_for(state="attached")
+
+
+def main() -> None:
+    """Take all pictures."""
+    with page_served() as address, browser_started() as browser:
+        page = opened(browser, address, WIDE)
+        page.locator("#pin").click()
+        page.locator('[name="load.load"]:not([data-base])').fill("26000")
+        settle(page)
+        page.screenshot(path=FIGURES / "page.png")
+        page.locator(".stress").screenshot(path=FIGURES / "page-stress.png")
+
+        page.locator('[name="load.load"]:not([data-base])').fill("26 furlong")
+        page.locator('[name="body.a.diameter"]').fill("-20")
+        settle(page)
+        page.screenshot(path=FIGURES / "page-mistakes.png")
+
+        opened(browser, address, WIDE, "dark").screenshot(path=FIGURES / "page-dark.png")
+        opened(browser, address, NARROW).screenshot(path=FIGURES / "page-narrow.png")
+
+
+if __name__ == "__main__":
+    main()

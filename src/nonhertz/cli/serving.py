@@ -1,0 +1,35 @@
+"""What the page of ``nonhertz serve`` begins with."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from nonhertz.io.casefile import parsed, read_case, starting_case
+
+
+def starting_document(path: Path | None) -> tuple[dict[str, Any], tuple[str, ...]]:
+    """Return the document that the page begins with, and sentences on the files that it named.
+
+    Parameters
+    ----------
+    path : Path or None
+        A case file; None for the one that 'nonhertz new' writes.
+
+    Raises
+    ------
+    CaseError
+        If there are mistakes in the file, or more in it than the page takes.
+    """
+    if path is None:
+        return parsed(starting_case(), "case.toml"), ()
+    from nonhertz.io.mistakes import case_error  # noqa: PLC0415  (pydantic is slow to import)
+    from nonhertz.web.inlining import inlined  # noqa: PLC0415
+    from nonhertz.web.limits import slow, unfit  # noqa: PLC0415
+
+    title = read_case(path).title
+    document, notes = inlined(parsed(path.read_text(encoding="utf-8-sig"), str(path)), path.parent)
+    too_much = unfit(document) + slow(document)
+    if too_much:
+        raise case_error(too_much)
+    return {"title": title} | document, notes

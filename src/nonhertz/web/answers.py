@@ -1,0 +1,145 @@
+"""A solution as the plain numbers that the page draws."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.io.casefile import Case
+from nonhertz.io.document import BodyTable
+from nonhertz.io.results import plain
+from nonhertz.model.body import Body
+from nonhertz.plot.axial import regular
+from nonhertz.plot.contact_area import outlines
+from nonhertz.plot.surfaces import distances, drawn_range
+from nonhertz.singular import singular_ends
+from nonhertz.solution import Solution
+from nonhertz.tables.summary import summary_rows
+from nonhertz.web.replies import numbers
+
+Array = NDArray[np.float64]
+
+RELIEF_POINTS: Final = 161
+FAR: Final = 10.0
+"""mm, either side of the middle, over which the profile of a body without ends is drawn."""
+
+
+def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
+    """Return what the page shows of a solution, stress below the surface apart.
+
+    Parameters
+    ----------
+    case : Case
+        What was solved.
+    solution : Solution
+        Its solution, or the state that the solver stopped in.
+    complaint : str
+        Why it stopped there; empty if it converged.
+    """
+    return {
+        "ok": True,
+        "title": case.title,
+        "status": solution.status.label,
+        "complaint": complaint,
+        "key": _key_numbers(solution),
+        "summary": [list(row) for row in summary_rows(solution)],
+        "warnings": list(solution.warnings),
+        "line": _line(solution),
+        "footprint": _footprint(solution),
+        "gap": _gap(solution),
+        "profiles": profiles({"a": case.contact.a, "b": case.contact.b}),
+        "interval": plain(case.contact.interval),
+        "contact": plain(solution.contact_y),
+        "singular": [
+            {"y": edge.y, "exponent": edge.exponent, "strength": plain(edge.strength)}
+            for edge in singular_ends(solution)
+        ],
+        "scale": {
+            "pressure": plain(solution.peak_pressure[regular(solution)].max(initial=0.0)),
+            "half_width": plain(solution.half_width.max()),
+        },
+    }
+
+
+def _key_numbers(solution: Solution) -> dict[str, Any]:
+    """Return the numbers that cases are compared by, with all their digits."""
+    names = ("approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y")
+    return {name: plain(getattr(solution, name)) for name in names} | {
+        "half_width": plain(solution.half_width.max()),
+        "has_limit": not singular_ends(solution),
+        "strips": solution.strips,
+        "ends": [
+            {
+                "y": plain(edge.y),
+                "kind": edge.kind.label,
+                "pressure": plain(edge.pressure),
+                "strip_width": plain(edge.strip_width),
+                "exponent": plain(edge.exponent),
+                "strength": plain(edge.strength),
+            }
+            for edge in solution.edge_pressure
+        ],
+    }
+
+
+def profiles(bodies: dict[str, Body]) -> dict[str, Any]:
+    """Return the relief of bodies by name, over the length on which each can touch."""
+    return {name: _relief(body) for name, body in bodies.items()}
+
+
+def _relief(body: Body) -> dict[str, Any]:
+    low, high = body.interval
+    low = low if math.isfinite(low) else min(body.position, high) - FAR
+    high = high if math.isfinite(high) else max(body.position, low) + FAR
+    # Close together at the ends, where profiles are steep.
+    spread = np.sin(np.linspace(-0.5 * np.pi, 0.5 * np.pi, RELIEF_POINTS))
+    y = np.clip(0.5 * (low + high) + 0.5 * (high - low) * spread, low, high)
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore")
+        relief = 1e3 * body.relief(y)
+    return {"y": numbers(y), "relief_um": numbers(relief)}
+
+
+def _line(solution: Solution) -> dict[str, Any]:
+    """Return the lines along the contact through the centres of strips, with zeros where strips are cut off."""
+    y = np.concatenate([solution.edges[[0, 0]], solution.y, solution.edges[[-1, -1]]])
+    names = {"pressure": "peak_pressure", "half_width": "half_width", "line_load": "line_load"}
+    return {"y": numbers(y)} | {name: numbers(_ended(getattr(solution, of))) for name, of in names.items()}
+
+
+def _ended(values: Array) -> Array:
+    return np.concatenate([[0.0, values[0]], values, [values[-1], 0.0]])
+
+
+def _footprint(solution: Solution) -> dict[str, Any]:
+    """Return the outline of the contact's upper half; a null parts pieces from each other."""
+    pieces = outlines(solution)
+    columns: dict[str, list[float | None]] = {"y": [], "half_width": [], "pressure": []}
+    for piece in pieces:
+        for name, column in columns.items():
+            column += [*([None] if column else []), *numbers(getattr(piece, name))]
+    return columns
+
+
+def _gap(solution: Solution) -> dict[str, Any]:
+    before, after = distances(solution)
+    drawn = np.isfinite(before).any()
+    limits = drawn_range(before, after) if drawn else None
+    return {"y": numbers(solution.y), "before": numbers(before), "after": numbers(after), "range": plain(limits)}
+
+
+def drawable(bodies: Any) -> dict[str, Any]:
+    """Return the reliefs of those bodies of a document that can be made, for a case that cannot be solved."""
+    made = {}
+    for name in ("a", "b"):
+        try:
+            table = BodyTable.model_validate(bodies.get(name), context={"folder": None})
+            made[name] = _relief(table.body())
+        except (AttributeError, InputError, ValueError):
+            continue
+    return made

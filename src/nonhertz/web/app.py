@@ -1,0 +1,287 @@
+"""The routes of the page: what is asked, handed to who knows, and the answer."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+from collections.abc import AsyncIterator
+from importlib import resources
+from typing import Any, Final
+
+import anyio
+import jinja2
+from markupsafe import Markup
+from starlette.applications import Starlette
+from starlette.exceptions import HTTPException
+from starlette.requests import Request
+from starlette.responses import HTMLResponse, Response
+from starlette.routing import Route
+
+from nonhertz import __version__
+from nonhertz.errors import CaseError
+from nonhertz.io.casefile import parsed
+from nonhertz.web import jobs
+from nonhertz.web.form import form
+from nonhertz.web.guard import Guard
+from nonhertz.web.intake import RefusedError, content, json_object
+from nonhertz.web.limits import (
+    DOCUMENT_BYTES,
+    LIVE_SECONDS,
+    PATIENT_SECONDS,
+    STRIPS,
+    UPLOAD_BYTES,
+    UPLOAD_SECONDS,
+    oversizes,
+)
+from nonhertz.web.replies import broken, excess, misfit, refusal, reply
+from nonhertz.web.workers import FailedError, TooSlowError, Workers
+
+_TYPES: Final = {".css": "text/css", ".js": "text/javascript", ".svg": "image/svg+xml", ".html": "text/html"}
+_DOWNLOADS: Final = {
+    "case.toml": "application/toml",
+    "table.csv": "text/csv",
+    "result.json": "application/json",
+    "report.html": "text/html",
+}
+_SENTENCES: Final = {
+    404: "There is nothing under this address.",
+    405: "This address is not asked in this way.",
+}
+
+
+class Page:
+    """What the routes share: the workers, the templates, and the case that the page begins with.
+
+    Parameters
+    ----------
+    document : dict
+        The case to begin with.
+    workers : Workers
+        Who computes.
+    """
+
+    def __init__(self, document: dict[str, Any], workers: Workers) -> None:
+        self.document = document
+        self.workers = workers
+        loader = jinja2.PackageLoader("nonhertz.web")
+        self.templates = jinja2.Environment(loader=loader, autoescape=True, undefined=jinja2.StrictUndefined)
+        self.files = _static_files()
+
+    async def page(self, request: Request) -> Response:
+        """Answer with the page."""
+        start = {
+            "document": self.document,
+            "version": __version__,
+            "limits": {"upload_bytes": UPLOAD_BYTES, "document_bytes": DOCUMENT_BYTES, "strips": STRIPS},
+        }
+        text = self.templates.get_template("page.html").render(
+            start=Markup(_in_script(start)),
+            version=__version__,
+            title=str(self.document.get("title", "")),
+            form=Markup(self._form_text(self.document)),
+        )
+        return HTMLResponse(text)
+
+    async def form(self, request: Request) -> Response:
+        """Answer with the form of a document."""
+        document = _document(await self._asked(request))
+        too_large = oversizes(document)
+        if too_large:
+            return reply(excess(too_large), 422)
+        text = await anyio.to_thread.run_sync(self._form_text, document)
+        return HTMLResponse(text)
+
+    def _form_text(self, document: dict[str, Any]) -> str:
+        return self.templates.get_template("form.html").render(form=form(document))
+
+    async def solve(self, request: Request) -> Response:
+        """Answer with the solution of a document, or with what is wrong with it."""
+        asked = await self._asked(request)
+        document, stress, body = _document(asked), asked.get("stress", False), asked.get("body", "a")
+        if not isinstance(stress, bool) or body not in ("a", "b"):
+            raise RefusedError(400, "stress must be true or false, and body 'a' or 'b'.")
+        if await request.is_disconnected():
+            return Response(status_code=204)
+        text = await self.workers.run(jobs.solve, document, stress, body, seconds=LIVE_SECONDS)
+        return Response(text, media_type="application/json")
+
+    async def open(self, request: Request) -> Response:
+        """Answer with the document in the text of a case file."""
+        text = await content(request, "application/toml", DOCUMENT_BYTES)
+        try:
+            document = parsed(text.decode("utf-8-sig"), "The file")
+        except UnicodeDecodeError:
+            return reply(broken([("", "The file must be text in UTF-8: save it with that encoding.")]))
+        except CaseError as error:
+            return reply(misfit(error))
+        document = as_json_has_it(document)
+        too_large = oversizes(document)
+        return reply(excess(too_large) if too_large else {"ok": True, "document": document})
+
+    async def download(self, request: Request) -> Response:
+        """Answer with a file made of a document."""
+        name = request.path_params["name"]
+        if name not in _DOWNLOADS:
+            raise HTTPException(404)
+        document = _document(await self._asked(request))
+        if name == "report.html":
+            made = await self.workers.run_apart(jobs.report, document, seconds=PATIENT_SECONDS)
+        elif name == "case.toml":
+            made = await self.workers.run(jobs.case_file, document, seconds=LIVE_SECONDS)
+        else:
+            made = await self.workers.run(
+                jobs.table if name == "table.csv" else jobs.result, document, seconds=LIVE_SECONDS
+            )
+        if isinstance(made, dict):
+            return reply(made, 422)
+        return Response(made, headers=_as_attachment(name, document), media_type=_DOWNLOADS[name])
+
+    async def upload(self, request: Request) -> Response:
+        """Answer with the profile in a measured file."""
+        file = await content(request, "application/octet-stream", UPLOAD_BYTES)
+        options = dict(request.query_params)
+        name = options.pop("name", "")[:200] or "the file"
+        text = await self.workers.run(jobs.upload, file, name, options, seconds=UPLOAD_SECONDS)
+        return Response(text, media_type="application/json")
+
+    async def status(self, request: Request) -> Response:
+        """Answer whether cases are solved at once, or the solver is still being compiled."""
+        return reply({"ready": self.workers.ready.is_set()})
+
+    async def static(self, request: Request) -> Response:
+        """Answer with one of the page's own files."""
+        found = self.files.get(request.path_params["name"])
+        if found is None:
+            raise HTTPException(404)
+        content, media_type = found
+        return Response(content, media_type=media_type, headers={"Cache-Control": "no-cache"})
+
+    async def _asked(self, request: Request) -> dict[str, Any]:
+        return json_object(await content(request, "application/json", DOCUMENT_BYTES))
+
+    def routes(self) -> list[Route]:
+        """Return all routes."""
+        return [
+            Route("/", self.page),
+            Route("/status", self.status),
+            Route("/static/{name:path}", self.static),
+            Route("/form", self.form, methods=["POST"]),
+            Route("/solve", self.solve, methods=["POST"]),
+            Route("/open", self.open, methods=["POST"]),
+            Route("/upload", self.upload, methods=["POST"]),
+            Route("/download/{name}", self.download, methods=["POST"]),
+        ]
+
+
+def application(document: dict[str, Any], port: int, workers: int = 2) -> Guard:
+    """Return the page as an ASGI application.
+
+    Parameters
+    ----------
+    document : dict
+        The case that it begins with.
+    port : int
+        Where it will be reached; it answers under no other address.
+    workers : int
+        How many processes solve.
+    """
+    crew = Workers(workers, jobs.warm_up)
+
+    @contextlib.asynccontextmanager
+    async def lifespan(app: Starlette) -> AsyncIterator[None]:
+        async with anyio.create_task_group() as tasks:
+            crew.start(tasks)
+            try:
+                yield
+            finally:
+                tasks.cancel_scope.cancel()
+                crew.end()
+
+    app = Starlette(
+        routes=Page(document, crew).routes(),
+        lifespan=lifespan,
+        exception_handlers={
+            RefusedError: _refused,
+            HTTPException: _unrouted,
+            TooSlowError: _too_slow,
+            FailedError: _failed,
+            Exception: _failed,
+        },
+    )
+    app.router.redirect_slashes = False
+    # Around everything, what answers for our own errors included.
+    return Guard(app, port)
+
+
+def as_json_has_it(value: Any) -> Any:
+    """Return what TOML has and JSON has not, dates and numbers that are not finite, as text."""
+    if isinstance(value, dict):
+        return {name: as_json_has_it(entry) for name, entry in value.items()}
+    if isinstance(value, list):
+        return [as_json_has_it(entry) for entry in value]
+    if isinstance(value, float) and value - value != 0.0:
+        return str(value)
+    return value if isinstance(value, str | int | float | bool) else str(value)
+
+
+def _document(asked: dict[str, Any]) -> dict[str, Any]:
+    document = asked.get("document")
+    if not isinstance(document, dict):
+        raise RefusedError(400, "The request must have a document, a table as a case file is one.")
+    return document
+
+
+def _in_script(value: Any) -> str:
+    """Return JSON that can stand in a script element: nothing in it ends that."""
+    text = json.dumps(value, allow_nan=False)
+    for character in "<>&\u2028\u2029":
+        text = text.replace(character, f"\\u{ord(character):04x}")
+    return text
+
+
+def _as_attachment(name: str, document: dict[str, Any]) -> dict[str, str]:
+    """Return the header that has a browser save a file, named after the case as far as that is plain letters."""
+    title = str(document.get("title", ""))[:200].lower()
+    words = "".join(c if c.isascii() and c.isalnum() else " " for c in title).split()
+    stem, _, ending = name.partition(".")
+    stem = "-".join(words)[:60].strip("-") or stem
+    return {"Content-Disposition": f'attachment; filename="{stem}.{ending}"'}
+
+
+def _static_files() -> dict[str, tuple[bytes, str]]:
+    """Return the page's own files by their names; nothing else is ever sent."""
+    found: dict[str, tuple[bytes, str]] = {}
+
+    def gather(folder: Any, within: str) -> None:
+        for entry in folder.iterdir():
+            if entry.is_dir():
+                gather(entry, f"{within}{entry.name}/")
+                continue
+            ending = entry.name[entry.name.rfind(".") :]
+            if ending in _TYPES:
+                found[within + entry.name] = entry.read_bytes(), _TYPES[ending]
+
+    folder = resources.files("nonhertz.web").joinpath("static")
+    if folder.is_dir():
+        gather(folder, "")
+    return found
+
+
+async def _refused(request: Request, error: Exception) -> Response:
+    assert isinstance(error, RefusedError)
+    return refusal(error.status, error.sentence)
+
+
+async def _unrouted(request: Request, error: Exception) -> Response:
+    assert isinstance(error, HTTPException)
+    return refusal(error.status_code, _SENTENCES.get(error.status_code, "The request cannot be answered."))
+
+
+async def _too_slow(request: Request, error: Exception) -> Response:
+    return reply(broken([("", "This case takes longer than the page waits: solve it with the command line.")]))
+
+
+async def _failed(request: Request, error: Exception) -> Response:
+    what = str(error).replace("\n", " ").rstrip(".")[:300]
+    sentence = f"This is an error in nonhertz ({what}): please report it together with your case file."
+    return reply(broken([("", sentence)]) | {"internal": True}, 500)

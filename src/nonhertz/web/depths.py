@@ -1,0 +1,138 @@
+"""Stress below the surface on nets that are just fine enough to draw while somebody moves a slider."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.singular import away_from_ends
+from nonhertz.solution import Solution
+from nonhertz.subsurface import Extreme, Field, axial_plane, cross_section
+from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
+from nonhertz.subsurface.inside import Inside
+from nonhertz.subsurface.rolling import QUANTITIES
+from nonhertz.tables.stresses import NAMES
+from nonhertz.tables.summary import digits
+from nonhertz.web.replies import numbers
+
+Array = NDArray[np.float64]
+
+# Levels are close to one another near the surface, where the stress changes most.
+ALONG: Final = 41
+ACROSS: Final = 15
+LEVELS: Final = 15
+CLOSE: Final = 5
+CROWDING: Final = 1.5
+
+MOST_WORK: Final = 5000
+"""Strips times the pressure and its images in the body; one takes 0.1 ms on the nets above."""
+
+_NO_NUMBERS = "There is no stress below the surface to show: what presses it is too large or too small for numbers."
+_TOO_MUCH = (
+    "The stress below the surface takes longer than the page waits with so many strips and images: take fewer, or use "
+    "'nonhertz stress'."
+)
+
+
+def stress_answer(solution: Solution, body: str) -> dict[str, Any]:
+    """Return the von Mises stress along the contact and across it where the pressure is largest, or why there is none.
+
+    Parameters
+    ----------
+    solution : Solution
+        A solved contact with something in contact.
+    body : str
+        ``"a"`` or ``"b"``.
+    """
+    work = solution.strips * Inside.of(solution, body).terms.shape[0]
+    if work > MOST_WORK:
+        return {"stress_note": _TOO_MUCH}
+    try:
+        with ThreadPoolExecutor(1) as beside:
+            axial = beside.submit(_axial, solution, body)
+            section, largest = _section(solution, _station(solution), body)
+            return {"section": section, "axial": axial.result(), "stress": largest}
+    except (InputError, ArithmeticError):
+        return {"stress_note": _NO_NUMBERS}
+
+
+def _station(solution: Solution) -> float:
+    """Return where the pressure is largest [mm], away from sharp ends if there is such a place."""
+    away = away_from_ends(solution)
+    counted = np.where(away if away.any() else solution.line_load > 0.0, solution.peak_pressure, 0.0)
+    return float(solution.y[counted.argmax()])
+
+
+def _axial(solution: Solution, body: str) -> dict[str, Any]:
+    along = axial_range(solution, body)
+    y = np.linspace(along[0], along[-1], ALONG)
+    z = _levels(float(solution.half_width.max()))
+    field = _with_numbers(axial_plane(solution, y, z, body=body, threads=1))
+    return {"y": numbers(field.y[:, 0]), "z": numbers(field.z[0]), "von_mises": numbers(_short(field.von_mises.T))}
+
+
+def _section(solution: Solution, station: float, body: str) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return the plane across the contact, and the largest von Mises stress in it."""
+    half_width = float(across_at(solution, np.array([station]))[1][0])
+    x = WIDEST * half_width * np.linspace(0.0, 1.0, ACROSS)
+    field = _with_numbers(cross_section(solution, station, x, _levels(half_width), body=body, threads=1))
+    # The field of strips is symmetric about x = 0.
+    both = np.concatenate([field.von_mises[:0:-1], field.von_mises])
+    largest = _largest(solution, field, body)
+    section = {
+        "y": station,
+        "x": numbers(np.concatenate([-x[:0:-1], x])),
+        "z": numbers(field.z[0]),
+        "von_mises": numbers(_short(both.T)),
+        "largest": [_row(words, largest[name]) for name, words in NAMES.items()],
+    }
+    worst = largest["von_mises"]
+    return section, {"body": body, "von_mises": {"value": worst.max, "x": worst.x, "y": worst.y, "z": worst.z}}
+
+
+def _with_numbers(field: Field) -> Field:
+    """Return a field whose stresses are numbers everywhere, or raise ArithmeticError."""
+    if not np.isfinite(field.von_mises).all():
+        raise ArithmeticError("stresses overflow")
+    return field
+
+
+def _levels(half_width: float) -> Array:
+    return DEEPEST * half_width * np.linspace(0.0, 1.0, LEVELS) ** CROWDING
+
+
+def _short(values: Array) -> Array:
+    """Return numbers to a fifth digit of the largest, which is more than a drawing shows."""
+    largest = float(np.abs(values).max())
+    step = 10.0 ** (np.floor(np.log10(largest)) - 4.0) if largest > 0.0 else 1.0
+    return np.round(values / step) * step
+
+
+def _largest(solution: Solution, field: Field, body: str) -> dict[str, Extreme]:
+    """Return the largest stresses of a cross-section: the best places of its net, looked at closely."""
+    x, z, station = field.x[:, 0], field.z[0], float(field.y[0, 0])
+    found = {}
+    for name, quantity in QUANTITIES.items():
+        values = quantity(field.stress)
+        row, column = np.unravel_index(int(values.argmax()), values.shape)
+        near_x, near_z = _close_to(x, int(row)), _close_to(z, int(column))
+        close = _with_numbers(cross_section(solution, station, near_x, near_z, body=body, threads=1))
+        values = quantity(close.stress)
+        at = np.unravel_index(int(values.argmax()), values.shape)
+        found[name] = Extreme(float(values[at]), float(close.x[at]), station, float(close.z[at]))
+    return found
+
+
+def _close_to(places: Array, at: int) -> Array:
+    """Return places between the neighbours of one of a row."""
+    low, high = places[max(at - 1, 0)], places[min(at + 1, places.size - 1)]
+    return np.linspace(low, high, CLOSE)
+
+
+def _row(name: str, found: Extreme) -> list[str]:
+    side = f"x = +-{digits(found.x, 3)}" if found.x > 0.0 else "x = 0"
+    return [name, f"{digits(found.max, 4)} MPa", f"{side}, z = {digits(found.z, 3)} mm"]

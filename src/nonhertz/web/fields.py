@@ -1,0 +1,172 @@
+"""What a form is made of: fields with their texts, and groups of them."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any, Final
+
+from nonhertz.web.ranges import Range
+
+Edits = list[tuple[str, Any]]
+
+_LONGEST_WHOLE: Final = 1e9
+_PLAIN_NUMBER: Final = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
+
+
+@dataclass(frozen=True)
+class Slider:
+    """What moves a number: a range, where it stands now, and the unit that the number is written in."""
+
+    range: Range
+    position: int
+    factor: float = 1.0
+    written: str = ""
+
+
+@dataclass(frozen=True)
+class Option:
+    """A choice: its word, and what else changes in the document when it is taken."""
+
+    value: str
+    label: str
+    edits: Edits = field(default_factory=list)
+
+    @property
+    def edits_text(self) -> str:
+        """The edits as JSON; empty where the word alone is set."""
+        return json.dumps(self.edits) if self.edits else ""
+
+
+@dataclass(frozen=True)
+class Field:
+    """One input.
+
+    Attributes
+    ----------
+    path : str
+        The key, such as ``"body.a.profile[1].radius"``.
+    label, help, unit : str
+        What stands beside it.
+    kind : str
+        How text and value belong together: ``"quantity"`` and ``"integer-or-word"`` (a plain number, else text),
+        ``"list"`` (such, with blanks between, or JSON), ``"text"``, ``"choice"``, ``"boolean"``, ``"json"`` (JSON if it
+        is, else text), ``"hidden-json"``. Without text there is no key.
+    value : str
+        The text in it.
+    default : str
+        What leaving it empty means.
+    options : tuple of Option
+        Choices, or words to suggest.
+    slider : Slider or None
+        For numbers.
+    structural : bool
+        Whether the form changes with it.
+    removable : bool
+        Whether it can only be taken away, being unknown.
+    """
+
+    path: str
+    label: str
+    kind: str
+    value: str
+    help: str = ""
+    unit: str = ""
+    default: str = ""
+    options: tuple[Option, ...] = ()
+    slider: Slider | None = None
+    structural: bool = False
+    removable: bool = False
+
+    @property
+    def count(self) -> int:
+        """How many numbers a long list has."""
+        return len(json.loads(self.value))
+
+    @property
+    def id(self) -> str:
+        """A name for the page, the same whenever the form is made."""
+        return "field-" + "".join(c if c.isascii() and c.isalnum() else f"-{ord(c):x}" for c in self.path)
+
+
+@dataclass(frozen=True)
+class Group:
+    """Fields that belong together: a table of the document, or a list of tables.
+
+    Attributes
+    ----------
+    path, legend, help : str
+        As of a `Field`.
+    members : tuple
+        Fields and groups.
+    folded : tuple
+        More of them, shown on demand.
+    base : str
+        The empty table or list that is there in the document, whatever is in it; empty if it is not.
+    removable : bool
+        Whether it is an entry of a list, which can be taken away.
+    additions : tuple of Option
+        What can be added to it.
+    """
+
+    path: str
+    legend: str
+    members: tuple[Field | Group, ...]
+    help: str = ""
+    folded: tuple[Field | Group, ...] = ()
+    base: str = ""
+    removable: bool = False
+    additions: tuple[Option, ...] = ()
+
+    @property
+    def label(self) -> str:
+        """The legend."""
+        return self.legend
+
+    @property
+    def fields(self) -> Iterator[Field]:
+        """All fields, at any depth."""
+        for member in (*self.members, *self.folded):
+            if isinstance(member, Field):
+                yield member
+            else:
+                yield from member.fields
+
+
+def text_of(kind: str, value: Any) -> str | None:
+    """Return what a person reads and writes for a value; None if this kind of input cannot hold it."""
+    match kind:
+        case "quantity" | "integer-or-word":
+            return number_or_words(value)
+        case "list":
+            return _listed(value)
+        case "boolean":
+            return json.dumps(value) if isinstance(value, bool) else None
+        case "json":
+            return json.dumps(value)
+    return value if isinstance(value, str) and value and value == value.strip() and "\n" not in value else None
+
+
+def number_or_words(value: Any) -> str | None:
+    """Return the text of a number or of words that no number could be; None for anything else."""
+    if isinstance(value, bool):
+        return None
+    if isinstance(value, int | float):
+        if not math.isfinite(value):
+            return None
+        return str(int(value)) if value == int(value) and abs(value) < _LONGEST_WHOLE else json.dumps(value)
+    fits = isinstance(value, str) and value and value == value.strip() and "\n" not in value
+    return value if fits and not _PLAIN_NUMBER.fullmatch(value) else None
+
+
+def _listed(value: Any) -> str | None:
+    """Return entries with blanks between them, or as JSON where they have blanks of their own."""
+    if not isinstance(value, list):
+        return None
+    texts = [number_or_words(entry) for entry in value]
+    if not value or any(text is None or " " in text or text.startswith("[") for text in texts):
+        return json.dumps(value)
+    return " ".join(str(text) for text in texts)

@@ -1,0 +1,101 @@
+"""Who may ask, and what goes out with every answer.
+
+The server listens on this machine alone, but every page in the browser can reach it there. So a request must name this
+server as its host, which one that comes through a name of somebody else's does not, and must not come from another
+site's page.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from nonhertz.web.limits import HEADER_BYTES
+from nonhertz.web.replies import refusal
+
+NAMES: Final = ("127.0.0.1", "localhost")
+_OWN_SITES: Final = ("same-origin", "none")
+_POLICY: Final = "; ".join(
+    [
+        "default-src 'none'",
+        "script-src 'self'",
+        "style-src 'self' 'unsafe-inline'",
+        "img-src 'self' data: blob:",
+        "connect-src 'self'",
+        "form-action 'none'",
+        "base-uri 'none'",
+        "frame-ancestors 'none'",
+    ]
+)
+HEADERS: Final = {
+    "Content-Security-Policy": _POLICY,
+    "X-Content-Type-Options": "nosniff",
+    "X-Frame-Options": "DENY",
+    "Referrer-Policy": "no-referrer",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
+    "Cache-Control": "no-store",
+}
+
+
+class Guard:
+    """Turns away who must not ask, and puts the headers on every answer.
+
+    Parameters
+    ----------
+    app : ASGI application
+        What answers the others.
+    port : int
+        The port that the server listens on.
+    """
+
+    def __init__(self, app: ASGIApp, port: int) -> None:
+        self.app = app
+        self.hosts = {f"{name}:{port}" for name in NAMES} | (set(NAMES) if port == 80 else set())
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer one request."""
+        if scope["type"] == "websocket":
+            await send({"type": "websocket.close", "code": 1008})
+            return
+        if scope["type"] != "http":
+            await self.app(scope, receive, send)
+            return
+        reason = self.reason(scope)
+        app = self.app if reason is None else refusal(403, reason)
+        if sum(len(name) + len(value) for name, value in scope["headers"]) > HEADER_BYTES:
+            app = refusal(431, "The headers of the request are too long.")
+        await app(scope, receive, _with_headers(send))
+
+    def reason(self, scope: Scope) -> str | None:
+        """Return why a request is refused, None if it is not."""
+        headers = Headers(scope=scope)
+        if headers.getlist("host") != [headers.get("host")] or headers["host"].lower() not in self.hosts:
+            return "The page answers under its own address only: use the one that 'nonhertz serve' printed."
+        origins = headers.getlist("origin")
+        if any(origin.removeprefix("http://").lower() not in self.hosts for origin in origins):
+            return "The page answers no requests of other pages."
+        site = headers.get("sec-fetch-site", "none")
+        if site not in _OWN_SITES and not _opens_the_page(scope, headers):
+            return "The page answers no requests of other pages."
+        return None
+
+
+def _opens_the_page(scope: Scope, headers: Headers) -> bool:
+    """Return whether somebody followed a link to the page, which is no more than typing its address."""
+    navigates = headers.get("sec-fetch-mode") == "navigate" and headers.get("sec-fetch-dest") == "document"
+    return bool(scope["method"] == "GET" and scope["path"] == "/" and navigates)
+
+
+def _with_headers(send: Send) -> Send:
+    async def send_with_headers(message: Message) -> None:
+        if message["type"] == "http.response.start":
+            headers = MutableHeaders(scope=message)
+            for name, value in HEADERS.items():
+                headers.setdefault(name, value)
+        await send(message)
+
+    return send_with_headers

@@ -1,0 +1,61 @@
+"""Files that a case names, made points of: the page reads none."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from nonhertz.io.mistakes import path_of
+from nonhertz.io.profiles import read_profile
+from nonhertz.model.profile import Tabulated
+from nonhertz.web.limits import POINTS
+
+
+def inlined(document: dict[str, Any], folder: Path) -> tuple[dict[str, Any], tuple[str, ...]]:
+    """Return a sound document with points in place of the files that its profiles name, and what was done.
+
+    Parameters
+    ----------
+    document : dict
+        A document without mistakes.
+    folder : Path
+        What names of files are relative to.
+
+    Returns
+    -------
+    document : dict
+        The same, with the profile of each body as a list.
+    notes : tuple of str
+        A sentence for each file.
+    """
+    notes: list[str] = []
+    bodies = {}
+    for name, body in document["body"].items():
+        profile = body.get("profile", [])
+        tables = [profile] if isinstance(profile, dict) else profile
+        made = [
+            _points(table, folder, path_of(("body", name, "profile", number)), notes) if "file" in table else table
+            for number, table in enumerate(tables, start=1)
+        ]
+        bodies[name] = body | ({"profile": made} if "profile" in body else {})
+    return document | {"body": bodies}, tuple(notes)
+
+
+def _points(table: dict[str, Any], folder: Path, path: str, notes: list[str]) -> dict[str, Any]:
+    moved = {name: table[name] for name in ("shift", "scale") if name in table}
+    profile = read_profile({name: value for name, value in table.items() if name not in moved}, {}, folder)
+    assert isinstance(profile, Tabulated)
+    every = -(-len(profile.y) // POINTS)
+    kept = sorted({*range(0, len(profile.y), every), len(profile.y) - 1})
+    thinned = f", of which every {_ordinal(every)} is kept" if every > 1 else ""
+    notes.append(f"{path}: the page holds the {len(profile.y)} points of {table['file']} itself{thinned}.")
+    return {
+        "kind": "tabulated",
+        "y": [profile.y[point] for point in kept],
+        "relief": [profile.values[point] for point in kept],
+        "interpolation": profile.interpolation,
+    } | moved
+
+
+def _ordinal(number: int) -> str:
+    return f"{number}{ {2: 'nd', 3: 'rd'}.get(number, 'th') }"

@@ -1,0 +1,120 @@
+"""What comes in: bodies read no further than their limit, JSON taken at its word and no further."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from typing import Any
+
+from starlette.requests import ClientDisconnect, Request
+
+from nonhertz.web.limits import NESTING
+
+
+class RefusedError(Exception):
+    """A request that is not answered, with the status code and one sentence that says why.
+
+    Parameters
+    ----------
+    status : int
+        HTTP status code.
+    sentence : str
+        For whoever reads the page.
+    """
+
+    def __init__(self, status: int, sentence: str) -> None:
+        self.status = status
+        self.sentence = sentence
+        super().__init__(status, sentence)
+
+
+async def content(request: Request, kind: str, most: int) -> bytes:
+    """Return the body of a request.
+
+    Parameters
+    ----------
+    request : Request
+        The request.
+    kind : str
+        The content type that it must have.
+    most : int
+        Bytes, at most. What is longer is not read to its end; what the request says of its length is not believed.
+
+    Raises
+    ------
+    RefusedError
+        If it is of another type, longer, or ends before it should.
+    """
+    given = request.headers.get("content-type", "").partition(";")[0].strip().lower()
+    if given != kind:
+        raise RefusedError(415, f"The content type must be {kind}.")
+    read = bytearray()
+    try:
+        async for chunk in request.stream():
+            read += chunk
+            if len(read) > most:
+                raise RefusedError(413, f"This is more than the {most // 1024} kB that the page takes.")
+    except ClientDisconnect:
+        raise RefusedError(400, "The request ended before it was complete.") from None
+    return bytes(read)
+
+
+def json_object(text: bytes) -> dict[str, Any]:
+    """Return the object in a JSON text.
+
+    Raises
+    ------
+    RefusedError
+        If it is no JSON, no object, has a key twice, a number that is none, or is nested too deeply.
+    """
+    try:
+        value = json.loads(text.decode("utf-8"), parse_constant=_no_number, object_pairs_hook=_no_key_twice)
+    except RecursionError:
+        raise RefusedError(400, "The JSON is nested too deeply.") from None
+    except ValueError as error:  # no UTF-8, no JSON, or a number of thousands of digits
+        raise RefusedError(400, f"The request must be JSON ({_first_line(error)}).") from None
+    if not isinstance(value, dict):
+        raise RefusedError(400, "The request must be a JSON object.")
+    _refuse_nested(value)
+    _refuse_half_characters(value)
+    return value
+
+
+def _first_line(error: ValueError) -> str:
+    return str(error).partition("\n")[0][:120].rstrip(".")
+
+
+def _no_number(name: str) -> Any:
+    raise ValueError(f"{name} is no number")
+
+
+def _no_key_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    table = dict(pairs)
+    if len(table) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in table if names.count(name) > 1)
+        raise ValueError(f"the key {twice[:40]!r} stands there twice")
+    return table
+
+
+def _refuse_nested(value: Any) -> None:
+    level: Iterable[Any] = (value,)
+    for _ in range(NESTING):
+        level = [inner for outer in level for inner in _entries(outer)]
+        if not level:
+            return
+    raise RefusedError(400, "The JSON is nested too deeply.")
+
+
+def _refuse_half_characters(value: Any) -> None:
+    """Refuse what JSON can escape and no text can hold: one half of a character of two."""
+    try:
+        json.dumps(value, ensure_ascii=False).encode()
+    except UnicodeEncodeError:
+        raise RefusedError(400, "The request must hold whole characters only.") from None
+
+
+def _entries(value: Any) -> Iterable[Any]:
+    if isinstance(value, dict):
+        return value.values()
+    return value if isinstance(value, list) else ()

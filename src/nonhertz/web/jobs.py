@@ -1,0 +1,150 @@
+"""What the workers do: a document in, an answer out, ready to send."""
+
+from __future__ import annotations
+
+import time
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nonhertz.casework import solved
+from nonhertz.errors import CaseError, ConvergenceError
+from nonhertz.io.casefile import Case, as_toml, case_in, parsed, starting_case
+from nonhertz.io.mistakes import Mistake, case_error
+from nonhertz.io.results import as_json, as_table
+from nonhertz.solution import Solution
+from nonhertz.web.answers import answer, drawable
+from nonhertz.web.depths import stress_answer
+from nonhertz.web.limits import slow, unfit
+from nonhertz.web.replies import as_bytes, misfit
+from nonhertz.web.uploads import answer_to_file
+
+PATH = Path("case.toml")
+
+
+def solve(document: dict[str, Any], stress: bool, body: str) -> bytes:
+    """Return the answer to a case as JSON: what the page shows of it, or what is wrong with it where.
+
+    Parameters
+    ----------
+    document : dict
+        The case.
+    stress : bool
+        Whether the stress below the surface is wanted too.
+    body : str
+        In which body, ``"a"`` or ``"b"``.
+    """
+    begun = time.perf_counter()
+    with _calmly():
+        try:
+            case, solution, complaint = worked_out(document)
+        except CaseError as error:
+            return as_bytes(misfit(error) | {"profiles": _profiles(document)})
+        found = answer(case, solution, complaint)
+        if stress and not complaint and solution.contact_y:
+            found |= stress_answer(solution, body)
+    found["ms"] = round(1e3 * (time.perf_counter() - begun), 1)
+    return as_bytes(found)
+
+
+def worked_out(document: dict[str, Any]) -> tuple[Case, Solution, str]:
+    """Return the case in a document, its solution, and why the solver stopped short of it, if it did.
+
+    Raises
+    ------
+    CaseError
+        If there is none, with every mistake at its place.
+    """
+    case = sound(document)
+    try:
+        return case, solved(case), ""
+    except ConvergenceError as error:
+        return case, error.solution, str(error)
+
+
+def case_file(document: dict[str, Any]) -> bytes | dict[str, Any]:
+    """Return a document as the text of a case file, or what is wrong with it; it need not be fit to be solved."""
+    try:
+        _refuse(unfit(document))
+    except CaseError as error:
+        return misfit(error)
+    return as_toml(document).encode()
+
+
+def table(document: dict[str, Any]) -> bytes | dict[str, Any]:
+    """Return the numbers along the contact as comma-separated values, or what is wrong with a document."""
+    return _made(document, lambda case, solution: as_table(solution))
+
+
+def result(document: dict[str, Any]) -> bytes | dict[str, Any]:
+    """Return all numbers of a solution as JSON, or what is wrong with a document."""
+    return _made(document, lambda case, solution: as_json(solution, case.title) + "\n")
+
+
+def _made(document: dict[str, Any], make: Callable[[Case, Solution], str]) -> bytes | dict[str, Any]:
+    with _calmly():
+        try:
+            case, solution, _ = worked_out(document)
+        except CaseError as error:
+            return misfit(error)
+        return make(case, solution).encode()
+
+
+def report(document: dict[str, Any]) -> bytes | dict[str, Any]:
+    """Return the report on a document, or what is wrong with it."""
+    from nonhertz.report import Subject, compose  # noqa: PLC0415  (brings drawing along)
+
+    with _calmly():
+        try:
+            case = sound(document)
+            return compose([Subject(case, as_toml(document), PATH.name)]).encode()
+        except CaseError as error:
+            return misfit(error)
+
+
+def upload(content: bytes, name: str, options: dict[str, str]) -> bytes:
+    """Return the answer to a measured file; see `nonhertz.web.uploads.answer_to_file`."""
+    with _calmly():
+        return answer_to_file(content, name, options)
+
+
+def sound(document: dict[str, Any]) -> Case:
+    """Return the case in a document.
+
+    Raises
+    ------
+    CaseError
+        If there is none, or it is more than the page takes on.
+    """
+    _refuse(unfit(document))
+    # The command line's own words come first: what it refuses too is told as it tells it.
+    case = case_in(document, PATH, files=False)
+    _refuse(slow(document))
+    return case
+
+
+def _refuse(mistakes: list[Mistake]) -> None:
+    if mistakes:
+        raise case_error(mistakes)
+
+
+def _profiles(document: dict[str, Any]) -> dict[str, Any]:
+    return {} if unfit(document) else drawable(document.get("body"))
+
+
+def warm_up() -> None:
+    """Solve the starting case with its stresses, so that everything is loaded and compiled."""
+    # With a unit, for which a library is loaded that takes a second.
+    solve(parsed(starting_case(), PATH.name) | {"load": {"load": "20 kN"}}, True, "a")
+
+
+@contextmanager
+def _calmly() -> Iterator[None]:
+    """Say nothing on the terminal of numbers that overflow: what comes of them is in the answer."""
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore")
+        yield

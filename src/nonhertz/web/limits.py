@@ -1,0 +1,98 @@
+"""How much the page takes on at once, so that an answer never takes long, and how that is said."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, Final
+
+from nonhertz.errors import InputError
+from nonhertz.io.mistakes import Mistake, Place
+
+DOCUMENT_BYTES: Final = 256 * 1024
+UPLOAD_BYTES: Final = 5 * 1024 * 1024
+HEADER_BYTES: Final = 32 * 1024
+NESTING: Final = 16
+"""Brackets within brackets; a case file has six at most."""
+
+STRIPS: Final = 300
+IMAGES: Final = 20
+"""With the two above at once a case takes half a second; the time grows with strips cubed and with images."""
+PROFILES: Final = 20
+SPECTRUM: Final = 30
+POINTS: Final = 2000
+KEYS: Final = 40
+
+LIVE_SECONDS: Final = 1.3
+"""How long a case may take."""
+UPLOAD_SECONDS: Final = 10.0
+PATIENT_SECONDS: Final = 120.0
+WAITING_SECONDS: Final = 0.5
+WAITING_REQUESTS: Final = 8
+
+_ELSEWHERE = "use the command line for more"
+
+
+def unfit(document: dict[str, Any]) -> list[Mistake]:
+    """Return where a document has more entries than the page holds, or what no case file can have."""
+    return [*oversizes(document), *_absent(document, ())]
+
+
+def slow(document: dict[str, Any]) -> list[Mistake]:
+    """Return where a sound document asks for more work than the page does while somebody waits."""
+    bounds = {("solver", "strips"): STRIPS, ("body", "a", "images"): IMAGES, ("body", "b", "images"): IMAGES}
+    found = []
+    for place, most in bounds.items():
+        value = _at(document, *place)
+        if isinstance(value, int | float) and value > most:
+            found.append(Mistake(place, InputError("", value, f"be at most {most} on the page", _ELSEWHERE)))
+    return found
+
+
+def oversizes(document: dict[str, Any]) -> list[Mistake]:
+    """Return where a document has more entries than a form can show."""
+    found = [*_long_tables(document, ())]
+    lists = {("body", body, "profile"): (PROFILES, "profiles") for body in ("a", "b")}
+    lists["life", "spectrum", ""] = (SPECTRUM, "rows")
+    for names, (most, what) in lists.items():
+        place = tuple(filter(None, names))
+        entries = _at(document, *place)
+        if isinstance(entries, list) and most < len(entries) <= POINTS:
+            found.append(_too_long(place, entries, most, what))
+    return found
+
+
+def _long_tables(value: Any, place: Place) -> Iterator[Mistake]:
+    if isinstance(value, dict):
+        if len(value) > KEYS:
+            yield _too_long(place, value, KEYS, "keys")
+            return
+        for name, entry in value.items():
+            yield from _long_tables(entry, (*place, name))
+    elif isinstance(value, list):
+        if len(value) > POINTS:
+            yield _too_long(place, value, POINTS, "entries")
+            return
+        for number, entry in enumerate(value, start=1):
+            yield from _long_tables(entry, (*place, number))
+
+
+def _absent(value: Any, place: Place) -> Iterator[Mistake]:
+    """Yield a mistake for each null, which JSON has and a case file has not."""
+    if value is None:
+        yield Mistake(place, InputError("", None, "be a number, text or a table", "leave the key out"))
+    elif isinstance(value, dict):
+        for name, entry in value.items():
+            yield from _absent(entry, (*place, name))
+    elif isinstance(value, list):
+        for number, entry in enumerate(value, start=1):
+            yield from _absent(entry, (*place, number))
+
+
+def _at(value: Any, *names: str) -> Any:
+    for name in names:
+        value = value.get(name) if isinstance(value, dict) else None
+    return value
+
+
+def _too_long(place: Place, value: Any, most: int, what: str) -> Mistake:
+    return Mistake(place, InputError("", value, f"have at most {most} {what} on the page", _ELSEWHERE))

@@ -1,0 +1,61 @@
+"""Answers as the page reads them: JSON with a flag, and sentences placed at their fields."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from starlette.responses import Response
+
+from nonhertz.errors import CaseError
+from nonhertz.io.mistakes import Mistake, path_of
+from nonhertz.io.results import plain
+
+_UNHEARD = (403, 413, 415, 431)
+#: Of complaints about both bodies, where a form shows them.
+_FIELDS = {"profile": "body.a.profile"}
+
+
+def as_bytes(value: Any) -> bytes:
+    """Return JSON without blanks; a number that is not finite is a mistake of ours and raises."""
+    return json.dumps(value, allow_nan=False, separators=(",", ":")).encode()
+
+
+def numbers(values: NDArray[np.float64]) -> Any:
+    """Return an array as lists, with null for what is not finite: `nonhertz.io.results.plain`, for large ones."""
+    return values.tolist() if np.isfinite(values).all() else plain(values)
+
+
+def reply(value: Any, status: int = 200, headers: dict[str, str] | None = None) -> Response:
+    """Return a JSON answer."""
+    return Response(as_bytes(value), status, headers, "application/json")
+
+
+def refusal(status: int, sentence: str) -> Response:
+    """Return an answer of one sentence that is about no field.
+
+    One that may be asked again says when. One that was given before all was heard ends the connection: what else is
+    sent on it is not read.
+    """
+    headers = {"Retry-After": "1"} if status == 503 else {"Connection": "close"} if status in _UNHEARD else None
+    return reply(broken([("", sentence)]), status, headers)
+
+
+def broken(mistakes: Iterable[tuple[str, str]]) -> dict[str, Any]:
+    """Return what says that a case cannot be solved: pairs of a field's path and a sentence."""
+    return {"ok": False, "mistakes": [{"path": path, "sentence": sentence} for path, sentence in mistakes]}
+
+
+def misfit(error: CaseError) -> dict[str, Any]:
+    """Return what is wrong with a case, each sentence at its field."""
+    return broken(
+        (_FIELDS.get(place, place), sentence) for place, sentence in zip(error.places, error.mistakes, strict=True)
+    )
+
+
+def excess(mistakes: Iterable[Mistake]) -> dict[str, Any]:
+    """Return what is more than the page takes on, each sentence at its field."""
+    return broken((path_of(mistake.place), mistake.sentence) for mistake in mistakes)

@@ -1,0 +1,102 @@
+"""The server of the page: a socket on this machine, uvicorn, a browser."""
+
+from __future__ import annotations
+
+import os
+import socket
+import threading
+import webbrowser
+from collections.abc import Callable
+from typing import Any, Final
+
+import uvicorn
+
+from nonhertz.errors import InputError
+from nonhertz.web.app import application
+from nonhertz.web.guard import Guard
+from nonhertz.web.limits import HEADER_BYTES
+
+HOST: Final = "127.0.0.1"
+CONNECTIONS: Final = 64
+
+
+def listening(port: int) -> socket.socket:
+    """Return a socket that listens on this machine alone.
+
+    Parameters
+    ----------
+    port : int
+        The port; 0 for a free one.
+
+    Raises
+    ------
+    InputError
+        If there is no such port, or another program has it.
+    """
+    if not 0 <= port <= 65535:
+        raise InputError("--port", port, "lie between 0 and 65535", "choose another, or 0 for a free one")
+    # Only with the protocol named does asyncio send at once what is written, without waiting 40 ms for more.
+    made = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
+    made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        made.bind((HOST, port))
+        made.listen(128)
+    except OSError as error:
+        made.close()
+        reason = (error.strerror or str(error)).lower()
+        remedy = "choose another with --port, or --port 0 for a free one"
+        raise InputError("--port", port, f"be free ({reason})", remedy) from None
+    return made
+
+
+def serve(document: dict[str, Any], port: int, *, browser: bool, announce: Callable[[str], None]) -> None:
+    """Serve the page until it is interrupted.
+
+    Parameters
+    ----------
+    document : dict
+        The case to begin with.
+    port : int
+        Where; 0 for a free port.
+    browser : bool
+        Whether to open the page.
+    announce : callable
+        Is told the address.
+
+    Raises
+    ------
+    InputError
+        If the port cannot be had.
+    KeyboardInterrupt
+        When it is interrupted.
+    """
+    with listening(port) as bound:
+        number = bound.getsockname()[1]
+        server = server_of(application(document, number))
+        address = f"http://{HOST}:{number}/"
+        announce(address)
+        if browser:
+            threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()
+        server.run([bound])
+
+
+def server_of(app: Guard) -> uvicorn.Server:
+    """Return what speaks HTTP for the page."""
+    settings = uvicorn.Config(
+        app,
+        http="h11",
+        ws="none",
+        lifespan="on",
+        log_config=None,
+        # Whatever is sent amiss is answered, and no news to whoever has the terminal.
+        log_level="error" if os.environ.get("NONHERTZ_DEBUG", "0") not in {"", "0"} else "critical",
+        access_log=False,
+        server_header=False,
+        date_header=False,
+        proxy_headers=False,
+        limit_concurrency=CONNECTIONS,
+        timeout_keep_alive=30,
+        timeout_graceful_shutdown=2,
+        h11_max_incomplete_event_size=HEADER_BYTES,
+    )
+    return uvicorn.Server(settings)

@@ -1,0 +1,158 @@
+// What all figures share: room, axes, marks that come again, and the words for those who do not see them.
+
+export const INK = "currentColor";
+export const FIRST = "var(--first)";
+export const SECOND = "var(--second)";
+export const PINNED = "var(--pinned)";
+export const FAINT = "var(--faint)";
+
+// The same room on both sides of all figures along y, so that what stands above one another belongs together.
+export const MARGINS = { marginLeft: 58, marginRight: 16, marginTop: 14, marginBottom: 24 };
+export const NAMED = 38; // the room below where the axis has its name as well
+
+/** 2000, and not 2,000, which half of the world reads as 2. @param {number} value */
+export const PLAIN = (value) => String(Number(value.toPrecision(4))).replace("-", "\u2212");
+
+// How wide the drawings are. Asking the browser after each of them would have it lay the page out six times over.
+/** @type {WeakMap<Element, number>} */
+const widths = new WeakMap();
+/** @type {() => void} */
+let resized = () => {};
+const observer = new ResizeObserver((entries) => {
+  const changed = entries.filter(
+    ({ target, contentRect }) => contentRect.width > 0 && widths.get(target) !== Math.floor(contentRect.width),
+  );
+  for (const { target, contentRect } of changed) widths.set(target, Math.floor(contentRect.width));
+  if (changed.length) resized();
+});
+
+/** Say what is to be done when drawings have another width. @param {() => void} redraw */
+export function whenResized(redraw) {
+  resized = redraw;
+}
+
+/** The width of a figure's drawing in pixels. @param {HTMLElement} host */
+export function widthOf(host) {
+  const room = /** @type {HTMLElement} */ (host.querySelector(".drawing"));
+  const known = widths.get(room);
+  if (known) return known;
+  if (room.clientWidth) widths.set(room, room.clientWidth);
+  observer.observe(room);
+  return Math.max(200, room.clientWidth);
+}
+
+/** The same without the margins. @param {HTMLElement} host */
+export function innerWidthOf(host) {
+  return widthOf(host) - MARGINS.marginLeft - MARGINS.marginRight;
+}
+
+/** @param {string} name @returns {HTMLElement} */
+export function figure(name) {
+  return /** @type {HTMLElement} */ (document.querySelector(`[data-figure="${name}"]`));
+}
+
+/**
+ * Draw into a figure, with a text alternative for the drawing and a key beside its heading.
+ * @param {HTMLElement} host
+ * @param {any} options for Plot, without the width
+ * @param {string} words
+ */
+export function draw(host, options, words) {
+  const room = /** @type {HTMLElement} */ (host.querySelector(".drawing"));
+  const chart = Plot.plot({ ...options, width: widthOf(host), style: { fontSize: "11px", overflow: "visible" } });
+  // To those who listen a drawing is its words; the names that Plot gives to groups of shapes would not be read.
+  for (const group of chart.querySelectorAll("g[aria-label]")) group.removeAttribute("aria-label");
+  chart.setAttribute("role", "img");
+  chart.setAttribute("aria-label", words);
+  room.replaceChildren(chart);
+}
+
+/**
+ * Write the heading of a figure and the key of its lines.
+ * @param {HTMLElement} host
+ * @param {string} heading
+ * @param {[string, string][]} key class of the swatch, words
+ * @param {string} [remark]
+ */
+export function head(host, heading, key, remark = "") {
+  const caption = /** @type {HTMLElement} */ (host.querySelector("figcaption"));
+  const text = `${heading}|${key.join()}|${remark}`;
+  if (caption.dataset.text === text) return;
+  caption.dataset.text = text;
+  const title = document.createElement("span");
+  title.className = "heading";
+  title.textContent = heading;
+  const entries = key.map(([style, words]) => {
+    const entry = document.createElement("span");
+    entry.className = "entry";
+    const swatch = document.createElement("span");
+    swatch.className = `swatch ${style}`;
+    entry.append(swatch, words);
+    return entry;
+  });
+  const note = document.createElement("span");
+  note.className = "remark";
+  note.textContent = remark;
+  caption.replaceChildren(title, ...entries, ...(remark ? [note] : []));
+}
+
+/** The axis along the contact. @param {[number, number]} span @param {boolean} [named] */
+export function alongAxis(span, named = true) {
+  return { domain: span, label: named ? "y [mm]" : null, labelAnchor: "center", labelArrow: "none", tickFormat: PLAIN };
+}
+
+/** The upright axis. @param {[number, number]} domain @param {string} label @param {object} [more] */
+export function uprightAxis(domain, label, more = {}) {
+  return { domain, label, labelAnchor: "center", labelArrow: "none", ticks: 5, tickFormat: PLAIN, grid: true, ...more };
+}
+
+/** Thin lines where a body ends, and where there is no load. @param {number[]} places */
+export function ends(places) {
+  return Plot.ruleX(places, { stroke: FAINT, strokeDasharray: "7 2 1.5 2", strokeWidth: 0.8 });
+}
+
+/** A line through points. @param {(number|null)[]} x @param {(number|null)[]} y @param {object} options */
+export function line(x, y, options) {
+  return Plot.line(x, { x, y, strokeWidth: 1.6, ...options });
+}
+
+/**
+ * What the pointer reads off: a hair line and a box of words.
+ * @param {(number|null)[]} x
+ * @param {(number|null)[]} y
+ * @param {(position: number) => string} words
+ */
+export function reading(x, y, words) {
+  const at = Plot.pointerX({ x, y, maxRadius: 60 });
+  return [
+    Plot.ruleX(x, Plot.pointerX({ x, maxRadius: 60, stroke: FAINT, strokeWidth: 0.7 })),
+    Plot.tip(x, { ...at, title: (_, position) => words(position), fill: "var(--surface)", stroke: "var(--rule)" }),
+  ];
+}
+
+/** The range of numbers, without those that are not. @param {(number|null)[]} values */
+export function extent(values) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const value of values) {
+    if (value === null || !Number.isFinite(value)) continue;
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return /** @type {[number, number]} */ (low <= high ? [low, high] : [0, 1]);
+}
+
+/** From zero to a little above the largest of several rows of numbers. @param {(number|null)[][]} rows */
+export function fromZero(rows, room = 1.12) {
+  const top = Math.max(...rows.filter((row) => row.length).map((row) => extent(row)[1]), 0);
+  return /** @type {[number, number]} */ ([0, top > 0 ? room * top : 1]);
+}
+
+/** What the key says of a pinned case. @param {object | null} pinned @returns {[string, string][]} */
+export function pinnedKey(pinned) {
+  return pinned ? [["pinned", "pinned"]] : [];
+}
+
+/** The line of a pinned case, if there is one. */
+export function pinnedLine(y, values) {
+  return y && values ? [line(y, values, { stroke: PINNED, strokeDasharray: "2 3", strokeWidth: 1.8, clip: true })] : [];
+}

@@ -1,0 +1,30 @@
+// Making and finding elements.
+
+/**
+ * Return the element with an identifier, which the page must have.
+ * @param {string} id
+ * @returns {any}
+ */
+export function byId(id) {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`the page has no #${id}`);
+  return found;
+}
+
+/**
+ * Return a new element. Text goes in as text: what files and people write is never read as HTML.
+ * @param {string} name
+ * @param {Record<string, string | boolean | ((event: any) => void)>} attributes a function is what to do on that event
+ * @param {(Node | string)[]} [children]
+ * @returns {any}
+ */
+export function element(name, attributes, children = []) {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) {
+    if (typeof value === "function") made.addEventListener(key, value);
+    else if (typeof value === "boolean") made.toggleAttribute(key, value);
+    else made.setAttribute(key, value);
+  }
+  made.append(...children);
+  return made;
+}

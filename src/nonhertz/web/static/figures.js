@@ -1,0 +1,172 @@
+// The figures along the contact. Pressure and half-width are drawn here.
+
+import {
+  FIRST,
+  INK,
+  MARGINS,
+  SECOND,
+  alongAxis,
+  draw,
+  ends,
+  extent,
+  figure,
+  fromZero,
+  head,
+  line,
+  pinnedKey,
+  pinnedLine,
+  reading,
+  uprightAxis,
+} from "./chart.js";
+import { drawFootprint } from "./footprint.js";
+import { drawGap } from "./gap.js";
+import { digits } from "./numbers.js";
+
+// Where the pressure has no limit the axis ends so many times above the largest pressure away from sharp ends.
+const BEYOND = 1.6;
+
+/** @typedef {import("./types.js").Answer} Answer */
+
+/**
+ * Draw all of them.
+ * @param {Answer} answer
+ * @param {Answer | null} pinned
+ */
+export function drawFigures(answer, pinned) {
+  const span = drawnSpan(answer);
+  drawPressure(answer, pinned, span);
+  drawHalfWidth(answer, pinned, span);
+  drawFootprint(answer, span);
+  drawGap(answer, pinned, span);
+}
+
+/** @param {Answer} answer @returns {[number, number]} */
+export function drawnSpan(answer) {
+  const [low, high] = answer.interval;
+  const [first, last] = extent(answer.line.y);
+  return [low ?? first, high ?? last];
+}
+
+/**
+ * A line along the contact: through the centres of the strips that touch, and zero where the surfaces part. A strip
+ * beyond that has its own zero at its centre, up to half a strip away.
+ * @param {Answer} answer
+ * @param {"pressure" | "half_width"} name
+ */
+function along(answer, name) {
+  const [y, values] = [/** @type {(number | null)[]} */ ([]), /** @type {(number | null)[]} */ ([])];
+  for (const [low, high] of answer.contact) {
+    const inside = answer.line.y
+      .map((place, index) => ({ place, value: answer.line[name][index] }))
+      .filter(({ place, value }) => low <= place && place <= high && value !== 0);
+    y.push(null, low, ...inside.map(({ place }) => place), high);
+    values.push(null, 0, ...inside.map(({ value }) => value), 0);
+  }
+  return { y: y.slice(1), values: values.slice(1) };
+}
+
+function drawPressure(answer, pinned, span) {
+  const { y, values: pressure } = along(answer, "pressure");
+  const before = pinned && along(pinned, "pressure");
+  const host = figure("pressure");
+  const cut = answer.key.has_limit ? undefined : BEYOND * answer.scale.pressure;
+  const top = cut ? /** @type {[number, number]} */ ([0, cut]) : fromZero([pressure, before?.values ?? []], 1.18);
+  const clamped = (values) => values.map((value) => (value === null ? null : Math.min(value, 2 * top[1])));
+  head(
+    host,
+    "Pressure on the centre line",
+    [["first", "p₀"], ...pinnedKey(pinned)],
+    cut ? "axis cut: no limit at a sharp end" : "",
+  );
+  draw(
+    host,
+    {
+      ...MARGINS,
+      height: 236,
+      x: alongAxis(span, false),
+      y: uprightAxis(top, "p₀ [MPa]", { clamp: false }),
+      marks: [
+        Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 }),
+        ends(span),
+        Plot.areaY(y, { x: y, y: clamped(pressure), fill: FIRST, fillOpacity: 0.12, clip: true }),
+        ...pinnedLine(before?.y, before && clamped(before.values)),
+        line(y, clamped(pressure), { stroke: FIRST, clip: true }),
+        ...largestMark(answer, top[1]),
+        ...sharpMarks(answer, top[1], span),
+        ...reading(y, clamped(pressure), (place) => `y  ${digits(y[place])} mm\np₀ ${digits(pressure[place])} MPa`),
+      ],
+    },
+    pressureWords(answer),
+  );
+}
+
+function largestMark(answer, top) {
+  if (!answer.key.has_limit) return [];
+  const place = [[answer.key.max_pressure_y, answer.key.max_pressure]];
+  return [
+    Plot.dot(place, { r: 3, fill: FIRST }),
+    Plot.text(place, {
+      text: [`${digits(place[0][1])} MPa`],
+      dy: -10,
+      fontWeight: 600,
+      fill: INK,
+      stroke: "var(--surface)",
+      strokeWidth: 4,
+    }),
+  ];
+}
+
+function sharpMarks(answer, top, span) {
+  const sharp = answer.singular;
+  const middle = (span[0] + span[1]) / 2;
+  return sharp.map((end) =>
+    Plot.text([end], {
+      x: "y",
+      y: () => top,
+      dy: 12,
+      dx: end.y < middle ? 12 : -12,
+      textAnchor: end.y < middle ? "start" : "end",
+      text: () =>
+        [
+          `no limit, as 1/s^${digits(end.exponent, 2)}`,
+          ...(end.strength === null ? [] : [`K = ${digits(end.strength)}`]),
+        ].join("\n"),
+      fill: INK,
+      stroke: "var(--surface)",
+      strokeWidth: 4,
+      lineAnchor: "top",
+    }),
+  );
+}
+
+function drawHalfWidth(answer, pinned, span) {
+  const { y, values: halfWidth } = along(answer, "half_width");
+  const before = pinned && along(pinned, "half_width");
+  const host = figure("half-width");
+  head(host, "Half-width", [["second", "b"], ...pinnedKey(pinned)]);
+  draw(
+    host,
+    {
+      ...MARGINS,
+      height: 112,
+      x: alongAxis(span, false),
+      y: uprightAxis(fromZero([halfWidth, before?.values ?? []]), "b [mm]", { ticks: 3 }),
+      marks: [
+        Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 }),
+        ends(span),
+        ...pinnedLine(before?.y, before?.values),
+        line(y, halfWidth, { stroke: SECOND }),
+        ...reading(y, halfWidth, (place) => `y ${digits(y[place])} mm\nb ${digits(halfWidth[place])} mm`),
+      ],
+    },
+    `Half-width along y: at most ${digits(answer.key.half_width, 3)} mm.`,
+  );
+}
+
+function pressureWords(answer) {
+  const { key } = answer;
+  const largest = key.has_limit
+    ? `largest ${digits(key.max_pressure)} MPa at y = ${digits(key.max_pressure_y)} mm`
+    : "no limit at a sharp end";
+  return `Pressure on the centre line along y: ${largest}.`;
+}

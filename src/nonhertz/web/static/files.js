@@ -1,0 +1,47 @@
+// Files: opening a case file, saving what the program writes.
+
+import { element } from "./elements.js";
+import { post } from "./live.js";
+
+/** @typedef {import("./types.js").Mistake} Mistake */
+
+/**
+ * Return the case in a case file, or what is wrong with the file.
+ * @param {File} file
+ * @param {number} most bytes
+ * @returns {Promise<{document: object | null, mistakes: Mistake[]}>}
+ */
+export async function opened(file, most) {
+  if (file.size > most) {
+    const sentence = `${file.name} must be a case file of at most ${Math.floor(most / 1024)} kB: choose another file.`;
+    return { document: null, mistakes: [{ path: "", sentence }] };
+  }
+  const response = await fetch("open", {
+    method: "POST",
+    headers: { "Content-Type": "application/toml" },
+    body: await file.arrayBuffer(),
+  });
+  const answer = await response.json();
+  return { document: answer.ok ? answer.document : null, mistakes: answer.mistakes ?? [] };
+}
+
+/**
+ * Save what the program makes of a case; returns what is wrong if it makes nothing.
+ * @param {string} name such as "case.toml"
+ * @param {object} document
+ * @returns {Promise<Mistake[]>}
+ */
+export async function saved(name, document) {
+  const response = await post(`download/${name}`, { document });
+  if (!response.ok) return (await response.json()).mistakes;
+  const address = URL.createObjectURL(await response.blob());
+  const link = element("a", { href: address, download: nameIn(response.headers.get("Content-Disposition")) ?? name });
+  link.click();
+  window.setTimeout(() => URL.revokeObjectURL(address), 60_000);
+  return [];
+}
+
+/** @param {string | null} disposition */
+function nameIn(disposition) {
+  return disposition?.match(/filename="([^"]+)"/)?.[1];
+}

@@ -1,0 +1,140 @@
+// The form and the case it stands for. The program writes the form; here its fields are read, and a fresh form is
+// asked for when an edit changes which fields there are.
+
+import { byId } from "./elements.js";
+import { follow, said, slid, sliderOf } from "./fields.js";
+import { outer, valueAt, withValue } from "./paths.js";
+
+/** @typedef {import("./fields.js").Control} Control */
+
+export class Form {
+  /**
+   * @param {object} document
+   * @param {{
+   *   edited: (document: object, since: number) => void,
+   *   fresh: (document: object) => Promise<string | null>,
+   *   drawn: () => void,
+   * }} listener
+   */
+  constructor(document, listener) {
+    this.document = document;
+    this.listener = listener;
+    this.asked = 0;
+    this.form = /** @type {HTMLFormElement} */ (byId("case"));
+    this.form.addEventListener("submit", (event) => event.preventDefault());
+    this.form.addEventListener("input", (event) => this.input(event));
+    this.form.addEventListener("click", (event) => this.click(event));
+    this.wire();
+  }
+
+  /** @param {Event} event */
+  input(event) {
+    const target = /** @type {Control} */ (event.target);
+    if (target instanceof HTMLInputElement && target.type === "range") {
+      const control = /** @type {Control} */ (document.getElementById(target.dataset.for ?? ""));
+      control.value = slid(target, control);
+      follow(target, control);
+      this.take(control, event.timeStamp);
+    } else if (target instanceof HTMLSelectElement && target.dataset.structure !== undefined) {
+      void this.open(restructured(this.document, target), event.timeStamp);
+    } else if (target.dataset.kind !== undefined) {
+      const slider = sliderOf(target);
+      if (slider) follow(slider, target);
+      this.take(target, event.timeStamp);
+    }
+  }
+
+  /** @param {Control} control @param {number} since */
+  take(control, since) {
+    this.document = withValue(this.document, control.name, said(control));
+    this.listener.edited(this.document, since);
+  }
+
+  /** @param {MouseEvent} event */
+  click(event) {
+    const button = /** @type {HTMLElement} */ (event.target).closest("button[data-action]");
+    if (!(button instanceof HTMLButtonElement)) return;
+    const path = button.dataset.path ?? "";
+    if (button.dataset.action === "remove") void this.open(withValue(this.document, path, undefined), event.timeStamp);
+    if (button.dataset.action === "add")
+      void this.open(lengthened(this.document, path, addition(button)), event.timeStamp);
+  }
+
+  /** Show another case, or this one with other fields. @param {object} other */
+  async open(other, since = performance.now()) {
+    const number = (this.asked += 1);
+    const html = await this.listener.fresh(other);
+    if (html === null || number !== this.asked) return false; // the latest wins
+    this.put(other, html);
+    this.listener.edited(this.document, since);
+    return true;
+  }
+
+  /** Put a form in place of this one, with the same things open and the focus where it was. */
+  put(document, html) {
+    const [unfolded, focus] = [this.unfolded(), focused(this.form)];
+    this.document = document;
+    this.form.innerHTML = html; // written by the program, which escapes whatever came from a case
+    for (const [place, details] of this.form.querySelectorAll("details").entries()) {
+      if (unfolded.has(foldName(details, place))) details.open = true;
+    }
+    this.wire();
+    const again = focus.map((selector) => this.form.querySelector(selector)).find((found) => found);
+    if (again instanceof HTMLElement) again.focus({ preventScroll: true });
+  }
+
+  unfolded() {
+    const all = [...this.form.querySelectorAll("details")];
+    return new Set(all.map((details, place) => (details.open ? foldName(details, place) : "")));
+  }
+
+  wire() {
+    for (const slider of /** @type {NodeListOf<HTMLInputElement>} */ (
+      this.form.querySelectorAll('input[type="range"]')
+    )) {
+      slider.tabIndex = 0;
+      const control = document.getElementById(slider.dataset.for ?? "");
+      if (control) follow(slider, /** @type {Control} */ (control));
+    }
+    this.listener.drawn();
+  }
+}
+
+/** The case after a choice that changes which keys there are: the choice says what else changes with it. */
+function restructured(document, select) {
+  const option = select.selectedOptions[0];
+  const edits = option.dataset.edits ? JSON.parse(option.dataset.edits) : [[select.name, said(select) ?? null]];
+  return edits.reduce((changed, [path, value]) => withValue(changed, path, value ?? undefined), document);
+}
+
+/** The case with one more entry in a list; a table that stands for a list of one becomes its first entry. */
+function lengthened(document, path, entry) {
+  const present = valueAt(document, path);
+  const list = present === undefined ? [] : Array.isArray(present) ? present : [present];
+  return withValue(document, path, [...list, entry]);
+}
+
+/** What a button adds: its own value, or that of the choice beside it. */
+function addition(button) {
+  const choice = button.parentElement?.querySelector("select[data-additions]");
+  return JSON.parse(button.dataset.value ?? choice?.selectedOptions[0].dataset.value ?? "{}");
+}
+
+/** A fold is known by the group it is in and its words: its place changes with the form. */
+function foldName(details, place) {
+  const group = details.closest("[data-group]")?.getAttribute("data-group") ?? String(place);
+  return `${group}: ${details.querySelector("summary")?.textContent ?? place}`;
+}
+
+/** Selectors, best first, that find the focused control again in another form; none if nothing here has the focus. */
+function focused(form) {
+  const active = document.activeElement;
+  if (!(active instanceof HTMLElement) || !form.contains(active)) return [];
+  if (active.id) return [`#${CSS.escape(active.id)}`];
+  if (active.dataset.for) return [`[data-for="${CSS.escape(active.dataset.for)}"]`];
+  const { action, path } = active.dataset;
+  if (!action || !path) return [];
+  // What was removed is gone with its button: what could be added in its place is next to it.
+  const button = (what, place) => `[data-action="${what}"][data-path="${CSS.escape(place)}"]`;
+  return [button(action, path), button("add", outer(path))];
+}

@@ -1,0 +1,64 @@
+// The distance of the surfaces on the centre line, before and after loading.
+
+import {
+  FIRST,
+  INK,
+  MARGINS,
+  NAMED,
+  SECOND,
+  alongAxis,
+  draw,
+  ends,
+  extent,
+  figure,
+  head,
+  line,
+  pinnedKey,
+  pinnedLine,
+  reading,
+  uprightAxis,
+} from "./chart.js";
+import { digits } from "./numbers.js";
+
+/** @typedef {import("./types.js").Answer} Answer */
+
+/** @param {Answer} answer @param {Answer | null} pinned @param {[number, number]} span along the contact */
+export function drawGap(answer, pinned, span) {
+  const { y, before, after } = answer.gap;
+  const host = figure("gap");
+  const limits = answer.gap.range ?? [0, 1];
+  const inside = (values) =>
+    values.map((value) => (value === null ? null : Math.max(-9e9, Math.min(value, 3 * limits[1] + 1))));
+  const beyond = extent(before)[1] > limits[1];
+  head(
+    host,
+    "Distance of the surfaces",
+    [["second dashed", "before"], ["first", "after loading"], ...pinnedKey(pinned)],
+    beyond ? `axis cut: before loading up to ${digits(extent(before)[1], 3)} µm` : "",
+  );
+  draw(
+    host,
+    {
+      ...MARGINS,
+      marginBottom: NAMED,
+      height: 240,
+      x: alongAxis(span),
+      y: uprightAxis(limits, "distance [µm]"),
+      marks: [
+        Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 }),
+        ends(span),
+        Plot.areaY(y, { x: y, y1: inside(before), y2: inside(after), fill: FIRST, fillOpacity: 0.12, clip: true }),
+        ...pinnedLine(pinned?.gap.y, pinned && inside(pinned.gap.before)),
+        ...pinnedLine(pinned?.gap.y, pinned && inside(pinned.gap.after)),
+        line(y, inside(before), { stroke: SECOND, strokeDasharray: "6 3", clip: true }),
+        line(y, inside(after), { stroke: FIRST, clip: true }),
+        ...reading(
+          y,
+          inside(before),
+          (place) => `y ${digits(y[place])} mm\nbefore ${digits(before[place])} µm\nafter ${digits(after[place])} µm`,
+        ),
+      ],
+    },
+    `Distance of the surfaces along y: before loading they would overlap by up to ${digits(Math.max(0, -extent(before)[0]), 3)} micrometres; after loading it is zero in contact.`,
+  );
+}

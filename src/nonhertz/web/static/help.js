@@ -1,0 +1,18 @@
+// What the keys mean: the words of the field that is being looked at, in one place. Under every field they would
+// make the form four times as long; shown on demand there, they would move what the pointer is about to press.
+
+import { byId } from "./elements.js";
+
+/** Show the meaning of the field under the pointer, or else of the one with the focus. */
+export function watchHelp() {
+  const strip = byId("help");
+  const form = byId("case");
+  const tell = (target) => {
+    const words =
+      target instanceof Element ? target.closest(".field")?.querySelector(".help")?.textContent?.trim() : "";
+    if (words) strip.textContent = words;
+  };
+  form.addEventListener("focusin", (event) => tell(event.target));
+  form.addEventListener("pointerover", (event) => tell(event.target));
+  form.addEventListener("pointerleave", () => tell(document.activeElement));
+}

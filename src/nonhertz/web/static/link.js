@@ -1,0 +1,69 @@
+// The link that holds a case: everything is in the fragment, which browsers never send to a server.
+
+const LARGEST = 1_000_000; // characters of an unpacked case, as the program takes it
+const LONGEST = 2_000_000; // characters of a fragment that is looked at
+
+/** @typedef {{document: object, pinned: object | null}} Shared */
+
+/**
+ * Return the fragment for a case, "#c=..." with "&p=..." for a pinned one.
+ * @param {object} document
+ * @param {object | null} pinned
+ */
+export async function fragment(document, pinned) {
+  const of = async (name, value) => `${name}=${await packed(JSON.stringify(value))}`;
+  return `#${[await of("c", document), ...(pinned ? [await of("p", pinned)] : [])].join("&")}`;
+}
+
+/**
+ * Return the case and the pinned case in a fragment, null if it holds none.
+ * @param {string} hash
+ * @returns {Promise<Shared | null>}
+ */
+export async function shared(hash) {
+  if (hash.length > LONGEST) throw new Error("The link must hold a case of at most 1 MB: copy it again.");
+  const fields = new URLSearchParams(hash.replace(/^#/, ""));
+  const [document, pinned] = [fields.get("c"), fields.get("p")];
+  if (!document) return null;
+  return { document: await unpackedCase(document), pinned: pinned ? await unpackedCase(pinned) : null };
+}
+
+async function unpackedCase(text) {
+  let value;
+  try {
+    value = JSON.parse(await unpacked(text));
+  } catch {
+    throw new Error("The link must be complete, and this one was cut or changed on its way: copy it again.");
+  }
+  if (typeof value !== "object" || value === null || Array.isArray(value)) {
+    throw new Error("The link must hold a case, and this one holds something else: copy it again.");
+  }
+  return value;
+}
+
+/** Deflate a text and write it with the letters that links may hold. @param {string} text */
+export async function packed(text) {
+  const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate-raw"));
+  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+  let letters = "";
+  for (const byte of bytes) letters += String.fromCharCode(byte);
+  return btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+}
+
+/** The text again; what unpacks to more than a case may be is refused before it fills the memory. @param {string} text */
+export async function unpacked(text) {
+  const letters = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
+  const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
+  const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw")).getReader();
+  const decoder = new TextDecoder("utf-8", { fatal: true });
+  let whole = "";
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) return whole + decoder.decode();
+    whole += decoder.decode(value, { stream: true });
+    if (whole.length > LARGEST) {
+      await reader.cancel();
+      throw new Error("too large");
+    }
+  }
+}

@@ -1,0 +1,201 @@
+// The page: what happens when something is edited, answered, pinned, opened or shared.
+
+import { Address } from "./address.js";
+import { Edits } from "./edits.js";
+import { byId } from "./elements.js";
+import { opened, saved } from "./files.js";
+import { Form } from "./form.js";
+import { watchHelp } from "./help.js";
+import { watchKeys } from "./keys.js";
+import { shared } from "./link.js";
+import { AWAY, Live, post } from "./live.js";
+import { Measured } from "./measured.js";
+import { showMistakes } from "./mistakes.js";
+import { notice } from "./notices.js";
+import { drawProfiles, placeProfiles } from "./profiles.js";
+import { watchProgram } from "./program.js";
+import { roundTrip } from "./timing.js";
+import { View } from "./view.js";
+
+const start = JSON.parse(byId("start").textContent);
+const view = new View();
+const address = new Address();
+
+const live = new Live({
+  answered(answer, { document, since }, stress) {
+    const begun = performance.now();
+    if (answer.ok) view.show(document, answer);
+    else view.refuse(answer);
+    if (stress) showStress(answer);
+    roundTrip(since, begun, answer);
+  },
+  stressed(answer) {
+    showStress(answer);
+    document.documentElement.dataset.state = "settled";
+  },
+  waiting() {
+    document.documentElement.dataset.state = "solving";
+    byId("stress-figures").classList.add("stale");
+  },
+  rested(complete) {
+    if (complete || !view.shownBody() || !live.latest) document.documentElement.dataset.state = "settled";
+  },
+  trouble: (sentence) => notice("program", sentence),
+  stress: () => view.shownBody(),
+});
+
+function showStress(answer) {
+  byId("stress-figures").classList.remove("stale");
+  if (answer.ok) view.stress(answer);
+}
+
+const form = new Form(start.document, {
+  edited(document, since) {
+    notice("link", "");
+    edits.note(document);
+    address.keep(document, view.pinned?.document ?? null);
+    live.want(document, since);
+  },
+  fresh: freshForm,
+  drawn() {
+    placeProfiles((body) => measured.open(body));
+    drawProfiles(view.profiles, view.pinned?.answer.profiles);
+  },
+});
+
+const edits = new Edits(start.document, () => {
+  byId("undo").disabled = !edits.can(-1);
+  byId("redo").disabled = !edits.can(1);
+});
+
+const measured = new Measured({
+  most: start.limits.upload_bytes,
+  use(body, table) {
+    const changed = structuredClone(form.document);
+    changed.body[body].profile = [table];
+    void form.open(changed);
+  },
+});
+
+/** Ask for the form of a case. */
+async function freshForm(document) {
+  try {
+    const response = await post("form", { document });
+    if (response.ok) return await response.text();
+    showMistakes((await response.json()).mistakes);
+  } catch {
+    notice("program", AWAY);
+  }
+  return null;
+}
+
+async function step(by) {
+  const document = edits.step(by);
+  if (document) await form.open(document);
+}
+
+/** Solve a case that is to be pinned, which came with a link. */
+async function pinShared(document) {
+  const response = await post("solve", { document, stress: Boolean(view.shownBody()), body: view.shownBody() ?? "a" });
+  const answer = await response.json();
+  if (answer.ok) view.pin({ document, answer, stressed: answer.section ? answer : null });
+}
+
+function togglePin() {
+  view.pin(view.pinned || !view.latest ? null : view.latest);
+  address.keep(form.document, view.pinned?.document ?? null);
+}
+
+async function copyLink() {
+  const link = await address.put(form.document, view.pinned?.document ?? null);
+  const button = byId("share");
+  try {
+    await navigator.clipboard.writeText(link);
+    button.textContent = "Copied";
+  } catch {
+    button.textContent = "It is in the address bar"; // where the clipboard is refused
+  }
+  window.setTimeout(() => (button.textContent = "Copy link"), 2000);
+}
+
+async function download(name) {
+  byId("downloads").open = false;
+  notice("download", `${name} is being written …`);
+  try {
+    const mistakes = await saved(name, form.document);
+    if (mistakes.length) showMistakes(mistakes);
+    notice("download", "");
+  } catch {
+    notice("download", AWAY);
+  }
+}
+
+async function openFile(file) {
+  const { document, mistakes } = await opened(file, start.limits.document_bytes);
+  if (!document) showMistakes(mistakes);
+  else await form.open(document);
+}
+
+function wire() {
+  /** @type {HTMLElement} */ (document.querySelector(".skip")).addEventListener("click", (event) => {
+    event.preventDefault(); // the fragment of the address holds the case
+    byId("results").focus();
+  });
+  byId("undo").addEventListener("click", () => void step(-1));
+  byId("redo").addEventListener("click", () => void step(1));
+  byId("pin").addEventListener("click", togglePin);
+  byId("show-pinned").addEventListener("click", () => view.pinned && void form.open(view.pinned.document));
+  byId("share").addEventListener("click", () => void copyLink());
+  byId("open").addEventListener("click", () => byId("open-file").click());
+  byId("open-file").addEventListener("change", ({ target }) => {
+    if (target.files[0]) void openFile(target.files[0]);
+    target.value = ""; // the same file may be opened again
+  });
+  for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-download]"))) {
+    button.addEventListener("click", () => void download(button.dataset.download ?? ""));
+  }
+  for (const choice of document.querySelectorAll("[name=stress-unit]"))
+    choice.addEventListener("change", () => view.drawStress());
+  for (const choice of document.querySelectorAll("[name=stress-body], #stress-on")) {
+    choice.addEventListener("change", () => {
+      view.redraw();
+      live.wantStress();
+    });
+  }
+  watchKeys((by) => void step(by));
+  document.addEventListener("dragover", (event) => event.preventDefault());
+  document.addEventListener("drop", dropped);
+  window.addEventListener("hashchange", () => void fromLink());
+}
+
+/** A file dropped on a body is a measured profile, one dropped elsewhere a case. @param {DragEvent} event */
+function dropped(event) {
+  if (event.defaultPrevented) return;
+  event.preventDefault(); // a browser would leave the page for the file
+  const file = event.dataTransfer?.files[0];
+  const body = /** @type {HTMLElement} */ (event.target)
+    .closest?.("[data-group^='body.']")
+    ?.getAttribute("data-group")?.[5];
+  if (file && (body === "a" || body === "b")) measured.dropped(event, body);
+  else if (file) void openFile(file);
+}
+
+/** Show the case in the address, if it holds one. */
+async function fromLink() {
+  try {
+    const found = await shared(window.location.hash);
+    if (!found) return false;
+    if (found.pinned) void pinShared(found.pinned);
+    return await form.open(found.document);
+  } catch (error) {
+    notice("link", /** @type {Error} */ (error).message);
+    return false;
+  }
+}
+
+wire();
+if (window.matchMedia("(max-width: 900px)").matches) byId("editor").open = false;
+watchHelp();
+void watchProgram((sentence) => notice("compiling", sentence));
+if (await fromLink()) edits.restart(form.document);
+else live.want(start.document);

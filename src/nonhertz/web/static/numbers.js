@@ -1,0 +1,68 @@
+// Numbers as people read and write them.
+
+const PLAIN = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+const MINUS = "\u2212";
+
+/**
+ * Return what a text field says: a number if it is one, else the text as it stands ("20 kN").
+ * Empty means that the key is left out.
+ * @param {string} text
+ * @returns {number | string | undefined}
+ */
+export function quantity(text) {
+  const trimmed = text.trim();
+  if (trimmed === "") return undefined;
+  return PLAIN.test(trimmed) && Number.isFinite(Number(trimmed)) ? Number(trimmed) : trimmed;
+}
+
+/**
+ * Return a list: items separated by blanks, or by commas or semicolons where they hold blanks themselves ("8 mm, 9 mm").
+ * @param {string} text
+ * @returns {(number | string)[] | undefined}
+ */
+export function list(text) {
+  const items = text.split(/[,;]/.test(text) ? /\s*[,;]\s*/ : /\s+/);
+  const values = items.map(quantity).filter((value) => value !== undefined);
+  return values.length ? values : undefined;
+}
+
+/**
+ * Return a number with so many significant digits, without an exponent where that can be read.
+ * @param {number | null | undefined} value
+ * @param {number} [significant]
+ */
+export function digits(value, significant = 4) {
+  if (value === null || value === undefined || !Number.isFinite(value)) return "none";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  const text =
+    size >= 10 ** significant && size < 1e7
+      ? size.toFixed(0)
+      : size < 1e-4 || size >= 1e7
+        ? size.toExponential(significant - 1)
+        : size.toPrecision(significant);
+  return (value < 0 ? MINUS : "") + text;
+}
+
+/**
+ * Return the difference of a number from an earlier one in per cent, with its sign.
+ * @param {number | null | undefined} value
+ * @param {number | null | undefined} before
+ */
+export function difference(value, before) {
+  if (!Number.isFinite(value) || !Number.isFinite(before) || !before) return "";
+  const share = (100 * (Number(value) - Number(before))) / Math.abs(Number(before));
+  if (Math.abs(share) < 0.005) return "same";
+  const text = Math.abs(share).toFixed(Math.abs(share) < 10 ? 2 : Math.abs(share) < 100 ? 1 : 0);
+  return `${share < 0 ? MINUS : "+"}${text} %`;
+}
+
+/**
+ * Return a number as a field is to show it after a slider was moved: short, and read back as the same number.
+ * @param {number} value
+ * @param {number} step resolution of the slider there
+ */
+export function rounded(value, step) {
+  const decimals = Math.max(0, Math.min(12, -Math.floor(Math.log10(Math.abs(step) || 1))));
+  return String(Number(value.toFixed(decimals)));
+}

@@ -1,0 +1,100 @@
+// The small drawing of each body's profile, above the list of profiles in the form.
+
+import { FIRST, INK, PINNED, PLAIN, draw, extent, figure, line, reading, widthOf } from "./chart.js";
+import { element } from "./elements.js";
+import { digits } from "./numbers.js";
+
+/** @typedef {import("./types.js").Profiles} Profiles */
+
+/** @type {WeakMap<Element, string>} what a drawing shows */
+const drawn = new WeakMap();
+const BODIES = /** @type {("a" | "b")[]} */ (["a", "b"]);
+
+/**
+ * Put an empty drawing and a button for measured profiles above each list of profiles.
+ * @param {(body: "a" | "b") => void} measured asks for a measured profile
+ */
+export function placeProfiles(measured) {
+  for (const body of BODIES) {
+    const list = document.querySelector(`#case fieldset[data-group="body.${body}.profile"]`);
+    if (!list || list.querySelector("figure")) continue;
+    const legend = /** @type {HTMLElement} */ (list.querySelector("legend"));
+    legend.after(
+      element("figure", { "data-figure": `profile-${body}`, class: "profile-figure" }, [
+        element("figcaption", { class: "unseen" }, [`Profile of body ${body}`]),
+        element("div", { class: "drawing" }),
+      ]),
+    );
+    const button = element(
+      "button",
+      { type: "button", class: "measured", "data-measured": body, click: () => measured(body) },
+      ["Measured…"],
+    );
+    (list.querySelector(":scope > .add") ?? list).append(button);
+  }
+}
+
+/**
+ * Draw the profiles that there are; relief goes down, as material is taken away.
+ * @param {Profiles | undefined} profiles
+ * @param {Profiles | undefined} pinned
+ */
+export function drawProfiles(profiles, pinned) {
+  for (const body of BODIES) {
+    const host = figure(`profile-${body}`);
+    if (!host) continue;
+    const profile = profiles?.[body];
+    host.classList.toggle("outdated", !profile); // of a body that is mistaken the last drawing stays, faint
+    if (!profile) continue;
+    // A load that is dragged changes no profile.
+    const numbers = `${widthOf(host)} ${profile.y} ${profile.relief_um} ${pinned?.[body]?.relief_um}`;
+    if (drawn.get(host) !== numbers) drawProfile(host, body, profile, pinned?.[body]);
+    drawn.set(host, numbers);
+  }
+}
+
+function drawProfile(host, body, { y, relief_um: relief }, pinned) {
+  const [low, high] = reach([relief, pinned?.relief_um ?? []]);
+  const cut = relief.map((value) => (value === null ? null : Math.min(value, 2 * high)));
+  draw(
+    host,
+    {
+      height: 96,
+      marginLeft: 44,
+      marginRight: 10,
+      marginTop: 10,
+      marginBottom: 22,
+      x: { label: null, domain: extent(y), ticks: 5 },
+      y: { label: null, domain: [high, low], ticks: 3, tickFormat: PLAIN, grid: true },
+      marks: [
+        Plot.areaY(y, { x: y, y1: cut, y2: () => 2 * high, fill: INK, fillOpacity: 0.07, clip: true }),
+        ...(pinned ? [line(pinned.y, pinned.relief_um, { stroke: PINNED, strokeDasharray: "2 3", clip: true })] : []),
+        line(y, cut, { stroke: FIRST, clip: true }),
+        Plot.text([[low, high]], {
+          frameAnchor: "bottom-right",
+          text: ["relief [µm] along y [mm]"],
+          dx: -4,
+          dy: -4,
+          fill: INK,
+          fillOpacity: 0.7,
+          fontSize: 10,
+        }),
+        ...reading(y, cut, (place) => `y ${digits(y[place])} mm\n${digits(relief[place])} µm`),
+      ],
+    },
+    `Profile of body ${body}: relief up to ${digits(extent(relief)[1], 3)} micrometres.`,
+  );
+}
+
+/** Room for the relief; a logarithm at an end, which drops for ever, is cut at what the inner 96 % need. */
+function reach(rows) {
+  const values = rows
+    .flat()
+    .filter((value) => value !== null && Number.isFinite(value))
+    .sort((one, other) => one - other);
+  if (!values.length) return [0, 1];
+  const [low, inner, high] = [values[0], values[Math.floor(0.96 * (values.length - 1))], values[values.length - 1]];
+  const top = high > 6 * Math.max(inner, 1e-9) && inner > 0 ? 2 * inner : high;
+  const room = 0.08 * (top - low) || 1;
+  return [low - room, top + room];
+}

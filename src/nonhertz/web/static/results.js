@@ -1,0 +1,136 @@
+// Key numbers, warnings and the summary: what stands in words beside the figures.
+
+import { byId, element } from "./elements.js";
+import { difference, digits } from "./numbers.js";
+
+/** @typedef {import("./types.js").Answer} Answer */
+/** @typedef {{name: string, value: string, unit: string, where: string, number: number | null}} KeyNumber */
+
+let speaking = 0;
+
+/**
+ * The numbers that stand on top.
+ * @param {Answer} answer
+ * @param {Answer["stress"]} stress the largest where the pressure is largest; missing if stresses are not shown
+ * @returns {KeyNumber[]}
+ */
+export function keyNumbers(answer, stress) {
+  const { key } = answer;
+  return [
+    pressureNumber(answer),
+    {
+      name: "Approach",
+      value: digits(1e3 * key.approach),
+      unit: "µm",
+      where: `tilt ${digits(1e3 * key.tilt, 3)} mrad`,
+      number: key.approach,
+    },
+    { name: "Load", ...load(key.load), where: `moment ${digits(moment(answer) / 1e3, 3)} N m`, number: key.load },
+    { name: "Half-width", value: digits(key.half_width), unit: "mm", where: "largest", number: key.half_width },
+    stress
+      ? {
+          name: "von Mises stress",
+          value: digits(stress.von_mises.value),
+          unit: "MPa",
+          where: `body ${stress.body}, ${digits(stress.von_mises.z, 3)} mm deep`,
+          number: stress.von_mises.value,
+        }
+      : { name: "von Mises stress", value: "–", unit: "", where: "not asked for", number: null },
+  ];
+}
+
+function load(newtons) {
+  return Math.abs(newtons) < 1e3 ? { value: digits(newtons), unit: "N" } : { value: digits(newtons / 1e3), unit: "kN" };
+}
+
+/** The moment, zero where it is but the rounding of load times length. */
+function moment({ key, line }) {
+  const reach = Math.max(...line.y.map(Math.abs));
+  return Math.abs(key.moment) < 1e-9 * Math.abs(key.load) * reach ? 0 : key.moment;
+}
+
+function pressureNumber({ key, singular }) {
+  const name = "Largest pressure";
+  if (key.has_limit) {
+    return {
+      name,
+      value: digits(key.max_pressure),
+      unit: "MPa",
+      where: `at y = ${digits(key.max_pressure_y, 3)} mm`,
+      number: key.max_pressure,
+    };
+  }
+  const strongest = singular.reduce(
+    (best, end) => ((end.strength ?? 0) > (best?.strength ?? 0) ? end : best),
+    singular[0],
+  );
+  const strength = strongest?.strength
+    ? `K = ${digits(strongest.strength)} MPa mm^${digits(strongest.exponent, 2)} at y = ${digits(strongest.y, 3)} mm`
+    : "sharp end";
+  return { name, value: "no limit", unit: "", where: strength, number: strongest?.strength ?? null };
+}
+
+/**
+ * Write the key numbers, beside those of the pinned case.
+ * @param {KeyNumber[]} numbers
+ * @param {KeyNumber[] | null} pinned
+ */
+export function writeKeyNumbers(numbers, pinned) {
+  byId("key-numbers").replaceChildren(
+    ...numbers.map((each, place) => {
+      const before = pinned?.[place];
+      return element("div", { class: "key-number", "data-key": each.name, "data-number": String(each.number) }, [
+        element("dt", {}, [each.name]),
+        element("dd", {}, [
+          element("span", { class: "value" }, [each.value]),
+          element("span", { class: "unit" }, [each.unit]),
+          element("span", { class: "where" }, [each.where]),
+          ...(before ? [pinnedNumber(each, before)] : []),
+        ]),
+      ]);
+    }),
+  );
+}
+
+function pinnedNumber(each, before) {
+  const comparable = (each.value === "no limit") === (before.value === "no limit");
+  return element("span", { class: "pinned-number" }, [
+    `pinned ${before.value} ${before.unit} `,
+    element("b", {}, [comparable ? difference(each.number, before.number) : ""]),
+  ]);
+}
+
+/**
+ * Write warnings, the summary, and say aloud what came out.
+ * @param {Answer} answer
+ */
+export function writeWords(answer) {
+  const warnings = [...(answer.complaint ? [answer.complaint] : []), ...answer.warnings];
+  byId("warnings").hidden = warnings.length === 0;
+  byId("warnings").replaceChildren(...warnings.map((sentence) => element("li", {}, [sentence])));
+  const rows = answer.summary.map(([name, value, remark]) =>
+    element("tr", {}, [
+      name ? element("th", { scope: "row" }, [name]) : element("td", {}),
+      element("td", {}, [value]),
+      element("td", {}, [remark]),
+    ]),
+  );
+  /** @type {HTMLElement} */ (byId("summary").querySelector("tbody")).replaceChildren(...rows);
+  sayLater(spoken(answer));
+}
+
+function spoken({ key, warnings }) {
+  const pressure = key.has_limit
+    ? `largest pressure ${digits(key.max_pressure)} MPa`
+    : "pressure without a limit at a sharp end";
+  const warned = warnings.length ? `, ${warnings.length} warning${warnings.length > 1 ? "s" : ""}` : "";
+  return `${pressure}, approach ${digits(1e3 * key.approach)} micrometres, half-width ${digits(key.half_width)} mm${warned}`;
+}
+
+/** Say something once the hand rests: every answer of a drag would be a babble. @param {string} words */
+export function sayLater(words) {
+  window.clearTimeout(speaking);
+  speaking = window.setTimeout(() => {
+    byId("spoken").textContent = words;
+  }, 700);
+}

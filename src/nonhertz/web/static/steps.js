@@ -1,0 +1,40 @@
+// What each step did to a measured profile: small drawings, before in grey and after in colour.
+
+import { FIRST, PINNED, draw, extent, line } from "./chart.js";
+import { element } from "./elements.js";
+
+/**
+ * Draw the steps into their place.
+ * @param {HTMLElement} host
+ * @param {{name: string, sentence: string, before: {y: number[], height_um: number[]}, after: {y: number[], height_um: number[]}}[]} steps
+ */
+export function drawSteps(host, steps) {
+  const figures = steps.map((step) =>
+    element("figure", { class: "step", "data-step": step.name }, [
+      element("figcaption", {}, [element("b", {}, [step.name]), ` ${step.sentence}`]),
+      element("div", { class: "drawing" }),
+    ]),
+  );
+  host.replaceChildren(...figures);
+  for (const [place, step] of steps.entries()) drawStep(figures[place], step);
+}
+
+function drawStep(host, { name, sentence, before, after }) {
+  draw(
+    host,
+    {
+      height: 130,
+      marginLeft: 46,
+      marginRight: 8,
+      marginTop: 8,
+      marginBottom: 30,
+      x: { label: "y [mm]", labelAnchor: "center", labelArrow: "none", ticks: 5 },
+      y: { label: null, domain: extent([...before.height_um, ...after.height_um]), nice: true, ticks: 3, grid: true },
+      marks: [
+        line(before.y, before.height_um, { stroke: PINNED, strokeWidth: 1 }),
+        line(after.y, after.height_um, { stroke: FIRST, strokeWidth: 1.4 }),
+      ],
+    },
+    `Heights in micrometres before and after the step ${name}. ${sentence}`,
+  );
+}

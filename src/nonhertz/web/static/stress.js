@@ -1,0 +1,168 @@
+// The von Mises stress below the surface, in the plane under the centre line and in a cross-section.
+
+import { INK, MARGINS, NAMED, PLAIN, draw, figure, head, innerWidthOf } from "./chart.js";
+import { proportions } from "./footprint.js";
+import { digits } from "./numbers.js";
+
+const BANDS = 10;
+const COLUMNS = 96;
+const ROWS = 40;
+const HEIGHT = 270; // pixels of the planes
+
+/** @typedef {import("./types.js").Answer} Answer */
+
+/**
+ * Draw both planes.
+ * @param {Answer} answer with stresses
+ * @param {"MPa" | "p0"} unit
+ */
+export function drawStress(answer, unit) {
+  if (!answer.axial || !answer.section || !answer.stress) return;
+  const scale = unit === "p0" ? 1 / (answer.scale.pressure || 1) : 1;
+  const label = unit === "p0" ? "von Mises stress / largest p₀" : "von Mises stress [MPa]";
+  // One scale for both, up to the largest stress that has a limit.
+  const top = scale * Math.max(largestAlong(answer).value, answer.stress.von_mises.value) || 1;
+  const shared = { label, scale, top };
+  drawAlong(answer, shared);
+  drawAcross(answer, shared);
+}
+
+function drawAlong(answer, { label, scale, top }) {
+  const host = figure("axial");
+  const { y, z, von_mises: values } = answer.axial;
+  const found = largestAlong(answer);
+  const stretch = (HEIGHT * (last(y) - y[0])) / (innerWidthOf(host) * (last(z) - z[0]));
+  head(host, `Along the contact, body ${answer.body}, x = 0`, [], proportions(stretch, ["z", "y"]));
+  drawPlane(
+    host,
+    resampled(y, z, values, scale),
+    { top, label, height: HEIGHT, axis: "y [mm]", place: [found.y, found.z] },
+    `Von Mises stress along the contact in body ${answer.body}: largest ${digits(found.value)} MPa at y = ${digits(found.y)} mm, ${digits(found.z)} mm deep${away(answer)}.`,
+  );
+}
+
+function drawAcross(answer, { label, scale, top }) {
+  const host = figure("section");
+  const { x, y, z, von_mises: values } = answer.section;
+  const found = answer.stress.von_mises;
+  const natural = (innerWidthOf(host) * (last(z) - z[0])) / (last(x) - x[0]);
+  const height = Math.min(natural, HEIGHT);
+  head(host, `Across, body ${answer.body}, y = ${digits(y, 3)} mm`, [], proportions(height / natural, ["z", "x"]));
+  drawPlane(
+    host,
+    resampled(x, z, values, scale),
+    { top, label, height, axis: "x [mm]", place: [found.x, found.z] },
+    `Von Mises stress across the contact in body ${answer.body} at y = ${digits(y)} mm: largest ${digits(found.value)} MPa, ${digits(found.z)} mm deep.`,
+  );
+}
+
+/**
+ * The largest stress on the net along the contact, more than a half-width away from ends where it has no limit.
+ * @param {any} answer an Answer with stresses
+ */
+function largestAlong({ axial, singular, scale }) {
+  const counted = (column) => singular.every((end) => Math.abs(axial.y[column] - end.y) > scale.half_width);
+  const { value, row, column } = largestOf(axial.von_mises, counted);
+  return { value, x: 0, y: axial.y[column], z: axial.z[row] };
+}
+
+function largestOf(values, counted) {
+  const best = { value: 0, row: 0, column: 0 };
+  for (const [row, line] of values.entries()) {
+    for (const [column, value] of line.entries()) {
+      if ((value ?? 0) > best.value && counted(column)) Object.assign(best, { value, row, column });
+    }
+  }
+  return best;
+}
+
+function away(answer) {
+  return answer.singular.length ? ", away from sharp ends" : "";
+}
+
+function last(values) {
+  return values[values.length - 1];
+}
+
+function drawPlane(host, plane, { top, label, height, axis, place }, words) {
+  draw(
+    host,
+    {
+      ...MARGINS,
+      marginBottom: NAMED,
+      height: height + MARGINS.marginTop + NAMED,
+      x: { label: axis, domain: [plane.x1, plane.x2], labelAnchor: "center", labelArrow: "none", tickFormat: PLAIN },
+      y: {
+        ticks: 4,
+        domain: [plane.y2, plane.y1],
+        label: "depth z [mm]",
+        labelAnchor: "center",
+        labelArrow: "none",
+        tickFormat: PLAIN,
+      },
+      color: {
+        type: "linear",
+        domain: [0, top],
+        clamp: true,
+        interpolate: d3.interpolateCividis,
+        label,
+        legend: true,
+        width: 220,
+        height: 52,
+        ticks: 4,
+        marginLeft: 8,
+        tickFormat: PLAIN,
+      },
+      marks: [
+        Plot.contour(plane.values, {
+          width: COLUMNS,
+          height: ROWS,
+          x1: plane.x1,
+          x2: plane.x2,
+          y1: plane.y1,
+          y2: plane.y2,
+          fill: (value) => value,
+          stroke: "#ffffff66",
+          strokeWidth: 0.5,
+          thresholds: d3.range(0, top, top / BANDS),
+        }),
+        Plot.dot([place], { symbol: "plus", r: 5, stroke: "white", strokeWidth: 3 }),
+        Plot.dot([place], { symbol: "plus", r: 5, stroke: "black", strokeWidth: 1.4 }),
+        Plot.ruleY([plane.y1], { stroke: INK }),
+      ],
+    },
+    words,
+  );
+}
+
+/**
+ * Values on an even grid, as contours need them, from a grid with uneven spacing; rows go down.
+ * @param {number[]} along
+ * @param {number[]} depths
+ * @param {(number | null)[][]} values one row for each depth
+ * @param {number} scale
+ */
+export function resampled(along, depths, values, scale) {
+  const columns = shares(along, COLUMNS);
+  const rows = shares(depths, ROWS);
+  const even = new Float64Array(COLUMNS * ROWS);
+  for (const [row, [upper, down]] of rows.entries()) {
+    for (const [column, [left, right]] of columns.entries()) {
+      const at = (j, i) => values[j][i] ?? 0;
+      const above = at(upper, left) * (1 - right) + at(upper, left + 1) * right;
+      const below = at(upper + 1, left) * (1 - right) + at(upper + 1, left + 1) * right;
+      even[row * COLUMNS + column] = scale * (above * (1 - down) + below * down);
+    }
+  }
+  return { values: even, x1: along[0], x2: last(along), y1: depths[0], y2: last(depths) };
+}
+
+/** For the middle of each even cell: the interval of the places that it is in, and how far into it. */
+function shares(places, count) {
+  const length = last(places) - places[0];
+  return d3.range(count).map((cell) => {
+    const place = places[0] + (length * (cell + 0.5)) / count;
+    const left = Math.max(0, Math.min(places.length - 2, d3.bisectRight(places, place) - 1));
+    return /** @type {[number, number]} */ ([left, (place - places[left]) / (places[left + 1] - places[left])]);
+  });
+}

@@ -1,0 +1,35 @@
+// Light or dark, before anything is drawn: a plain script, because modules wait for the page.
+// Without a choice of its own the page follows the system; storage may be refused, and then nothing is remembered.
+"use strict";
+(() => {
+  const root = document.documentElement;
+  const system = window.matchMedia("(prefers-color-scheme: dark)");
+  const kept = () => {
+    try {
+      return localStorage.getItem("nonhertz-theme");
+    } catch {
+      return null;
+    }
+  };
+  const show = (theme) => {
+    root.dataset.theme = theme;
+    const button = document.getElementById("theme");
+    if (button) button.textContent = theme === "dark" ? "Light" : "Dark";
+    if (button) button.setAttribute("aria-label", theme === "dark" ? "Light colours" : "Dark colours");
+  };
+  const current = () => kept() ?? (system.matches ? "dark" : "light");
+  show(current());
+  system.addEventListener("change", () => show(current()));
+  document.addEventListener("DOMContentLoaded", () => {
+    show(current());
+    document.getElementById("theme")?.addEventListener("click", () => {
+      const other = root.dataset.theme === "dark" ? "light" : "dark";
+      try {
+        localStorage.setItem("nonhertz-theme", other);
+      } catch {
+        // A browser that keeps nothing: the choice lasts as long as the page.
+      }
+      show(other);
+    });
+  });
+})();

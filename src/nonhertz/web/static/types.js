@@ -1,0 +1,29 @@
+// What the program answers, for editors and for the type checker; nothing is run here.
+
+/**
+ * @typedef {{y: number, strength: number | null, exponent: number}} Sharp
+ * @typedef {{path: string, sentence: string}} Mistake
+ * @typedef {{y: number[], relief_um: (number | null)[]}} Relief
+ * @typedef {{a?: Relief, b?: Relief}} Profiles
+ * @typedef {{
+ *   max_pressure: number, max_pressure_y: number, has_limit: boolean,
+ *   approach: number, load: number, tilt: number, moment: number, half_width: number, strips: number,
+ * }} Key
+ * @typedef {{
+ *   ok: true, title: string, ms: number, status: string, complaint: string, warnings: string[],
+ *   summary: [string, string, string][], key: Key, profiles: Profiles, interval: [number | null, number | null],
+ *   line: {y: number[], pressure: (number | null)[], half_width: (number | null)[], line_load: (number | null)[]},
+ *   footprint: {y: (number | null)[], half_width: (number | null)[], pressure: (number | null)[]},
+ *   gap: {y: number[], before: (number | null)[], after: (number | null)[], range: [number, number] | null},
+ *   contact: [number, number][], singular: Sharp[], scale: {pressure: number, half_width: number},
+ *   stress_note?: string,
+ *   body?: "a" | "b",
+ *   axial?: {y: number[], z: number[], von_mises: (number | null)[][]},
+ *   section?: {y: number, x: number[], z: number[], von_mises: (number | null)[][]},
+ *   stress?: {body: string, von_mises: {value: number, x: number, y: number, z: number}},
+ * }} Answer
+ * @typedef {{ok: false, mistakes: Mistake[], profiles?: Profiles}} Refusal
+ * @typedef {{document: object, answer: Answer}} Pinned
+ */
+
+export {};

@@ -1,0 +1,103 @@
+// What the page shows: the latest good result, the pinned one, and what is wrong now.
+
+import { whenResized } from "./chart.js";
+import { byId } from "./elements.js";
+import { drawFigures } from "./figures.js";
+import { showMistakes } from "./mistakes.js";
+import { drawProfiles } from "./profiles.js";
+import { keyNumbers, sayLater, writeKeyNumbers, writeWords } from "./results.js";
+import { drawStress } from "./stress.js";
+
+/** @typedef {import("./types.js").Answer} Answer */
+/** @typedef {{document: object, answer: Answer, stressed: Answer | null}} Result a case with what came of it */
+
+export class View {
+  constructor() {
+    /** @type {Result | null} */
+    this.latest = null;
+    /** @type {Result | null} */
+    this.pinned = null;
+    /** @type {import("./types.js").Profiles | undefined} */
+    this.profiles = undefined;
+    this.results = byId("results");
+    whenResized(() => this.redraw());
+  }
+
+  /** Show a good result. @param {object} document @param {Answer} answer */
+  show(document, answer) {
+    showMistakes([]);
+    this.results.classList.remove("outdated");
+    this.profiles = answer.profiles;
+    // Stresses of the case before stay, dimmed, until those of this one are there.
+    this.latest = { document, answer, stressed: this.latest?.stressed ?? null };
+    byId("case-title").textContent = answer.title;
+    byId("case-title").title = answer.title;
+    window.document.title = `${answer.title} – nonhertz`;
+    this.drawResult();
+    writeWords(answer);
+  }
+
+  /** Show what is wrong; the last good result stays, dimmed. @param {import("./types.js").Refusal} refusal */
+  refuse(refusal) {
+    showMistakes(refusal.mistakes);
+    this.results.classList.add("outdated");
+    byId("state").textContent = this.latest ? "last good result" : "no result yet";
+    byId("round-trip").textContent = "";
+    this.profiles = refusal.profiles;
+    drawProfiles(this.profiles, this.pinned?.answer.profiles);
+    sayLater(
+      `${refusal.mistakes.length === 1 ? "1 mistake" : `${refusal.mistakes.length} mistakes`}: ${refusal.mistakes[0]?.sentence ?? ""}`,
+    );
+  }
+
+  /** Show the stresses of the latest result. @param {Answer} answer */
+  stress(answer) {
+    if (!this.latest) return;
+    this.latest.stressed = answer.section ? answer : null; // none without contact, or where the solver stopped short
+    byId("stress-note").textContent = answer.stress_note ?? "";
+    this.drawStress();
+    this.writeKeys();
+  }
+
+  /** Pin the latest result, or take the pin away. @param {Result | null} result */
+  pin(result) {
+    this.pinned = result;
+    const button = byId("pin");
+    button.setAttribute("aria-pressed", String(Boolean(result)));
+    button.textContent = result ? "Unpin" : "Pin this case";
+    byId("pinned-note").hidden = !result;
+    byId("pinned-title").textContent = result?.answer.title ?? "";
+    this.redraw();
+  }
+
+  drawResult() {
+    if (!this.latest) return;
+    drawFigures(this.latest.answer, this.pinned?.answer ?? null);
+    drawProfiles(this.profiles, this.pinned?.answer.profiles);
+    this.writeKeys();
+  }
+
+  drawStress() {
+    const unit = /** @type {HTMLInputElement} */ (document.querySelector("[name=stress-unit]:checked")).value;
+    const stressed = this.latest?.stressed;
+    byId("stress-figures").hidden = !this.shownBody() || !stressed;
+    if (stressed && this.shownBody()) drawStress(stressed, /** @type {"MPa" | "p0"} */ (unit));
+  }
+
+  redraw() {
+    this.drawResult();
+    this.drawStress();
+  }
+
+  /** The body whose stress is shown, null if none is. @returns {"a" | "b" | null} */
+  shownBody() {
+    const body = /** @type {HTMLInputElement} */ (document.querySelector("[name=stress-body]:checked")).value;
+    return byId("stress-on").checked ? /** @type {"a" | "b"} */ (body) : null;
+  }
+
+  writeKeys() {
+    if (!this.latest) return;
+    const numbers = ({ answer, stressed }) => keyNumbers(answer, this.shownBody() ? stressed?.stress : undefined);
+    writeKeyNumbers(numbers(this.latest), this.pinned && numbers(this.pinned));
+  }
+}

@@ -1,0 +1,128 @@
+"""A measured file to points for a profile, with what each step has done to it."""
+
+from __future__ import annotations
+
+import itertools
+import json
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.io.measured import checked, measured_from, trace_from
+from nonhertz.measured import Measured
+from nonhertz.model.profile import Tabulated
+from nonhertz.tables.summary import digits
+from nonhertz.web.replies import as_bytes, broken
+
+Array = NDArray[np.float64]
+
+MOST_POINTS: Final = 300
+"""Of the profile; more would show in no result, and the whole case travels with every request."""
+DRAWN_POINTS: Final = 600
+_NANOMETRES: Final = 6  # decimals of a mm
+_STARTED: Final = {"kind": "tabulated"}
+
+
+def answer_to_file(content: bytes, name: str, options: dict[str, str]) -> bytes:
+    """Return the answer to a measured file as JSON: points, steps, roughness, warnings; or what is wrong with it.
+
+    Parameters
+    ----------
+    content : bytes
+        The file.
+    name : str
+        What it is called.
+    options : dict
+        Keys of a profile of kind "measured", as text.
+    """
+    values, mistakes = _read_options(options)
+    if mistakes:
+        return as_bytes(broken(mistakes))
+    try:
+        measured = measured_from(trace_from(content, values, name), values)
+        return as_bytes(_answer(measured, values.get("interpolation")))
+    except InputError as error:
+        return as_bytes(broken([(_path(error.field), str(error))]))
+
+
+def _read_options(options: dict[str, str]) -> tuple[dict[str, Any], list[tuple[str, str]]]:
+    values, mistakes = {}, []
+    for name, text in options.items():
+        try:
+            values[name] = checked(name, _value(text))
+        except InputError as error:
+            mistakes.append((_path(name), str(error)))
+    return values, mistakes
+
+
+def _value(text: str) -> Any:
+    """Return what a text of the address stands for: true, false, a number, or itself."""
+    try:
+        value = json.loads(text)
+    except (ValueError, RecursionError):
+        return text
+    return value if isinstance(value, bool | int | float) else text
+
+
+def _path(field: str) -> str:
+    return f"upload.{field}" if field.isidentifier() and field != "file" else "upload"
+
+
+def _answer(measured: Measured, interpolation: str | None) -> dict[str, Any]:
+    states = measured.states
+    profile = _short(measured).profile(interpolation)
+    assert isinstance(profile, Tabulated)
+    return {
+        "ok": True,
+        "name": measured.trace.name,
+        "table": _table(profile),
+        "steps": [
+            {
+                "name": after.name,
+                "sentence": after.words,
+                "before": _drawn(before.y, before.height),
+                "after": _drawn(after.y, after.height),
+            }
+            for before, after in itertools.pairwise(states)
+        ],
+        "notes": list(measured.trace.notes),
+        "roughness": _roughness_rows(measured),
+        "warnings": list(measured.warnings),
+    }
+
+
+def _short(measured: Measured) -> Measured:
+    """Return a measured profile of no more points than are sent."""
+    if measured.points.y.size <= MOST_POINTS:
+        return measured
+    thinned = measured.states[-1].name == "thin"
+    return (measured.without("thin") if thinned else measured).thinned(MOST_POINTS)
+
+
+def _table(profile: Tabulated) -> dict[str, Any]:
+    points = {
+        "y": [round(y, _NANOMETRES) for y in profile.y],
+        "relief": [round(relief, _NANOMETRES + 2) for relief in profile.values],
+    }
+    return _STARTED | points | {"interpolation": profile.interpolation}
+
+
+def _drawn(y: Array, height: Array) -> dict[str, Any]:
+    """Return points for a drawing: the lowest and the highest of each of many short stretches."""
+    if y.size > DRAWN_POINTS:
+        stretches = np.array_split(np.arange(y.size), DRAWN_POINTS // 2)
+        kept = [{part[height[part].argmin()], part[height[part].argmax()]} for part in stretches]
+        chosen = np.array(sorted(set().union(*kept)))
+        y, height = y[chosen], height[chosen]
+    return {"y": np.round(y, _NANOMETRES).tolist(), "height_um": np.round(1e3 * height, 4).tolist()}
+
+
+def _roughness_rows(measured: Measured) -> list[list[str]]:
+    found = measured.roughness
+    rows = {"Ra": found.ra, "Rq": found.rq, "Rz": found.rz}
+    return [
+        *([name, f"{digits(1e3 * value, 3)} um", ""] for name, value in rows.items()),
+        ["cutoff", f"{digits(found.cutoff, 3)} mm", f"{found.sections} sections"],
+    ]

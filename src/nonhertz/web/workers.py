@@ -1,0 +1,242 @@
+"""Processes that compute, and are ended when they take too long.
+
+A compiled loop cannot be interrupted from another thread, and no bound on the input alone can promise how long Newton's
+method takes. So whatever computes does so in a process of its own: past its deadline that is killed and another takes
+its place, and the server answers in time whatever it was asked.
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import pickle
+import signal
+import time
+from collections import deque
+from collections.abc import Callable
+from multiprocessing.connection import Connection
+from typing import Any, Final
+
+import anyio
+import anyio.to_thread
+from anyio.abc import TaskGroup
+
+from nonhertz.web.intake import RefusedError
+from nonhertz.web.limits import WAITING_REQUESTS, WAITING_SECONDS
+
+WARM_UP_SECONDS: Final = 300.0
+"""For a machine on which everything has to be compiled first."""
+
+_STEP = 0.05  # s, between looks at whether to stop waiting
+_BUSY = "The page is busy with other cases: it will ask again."
+
+Job = Callable[..., Any]
+
+
+class TooSlowError(Exception):
+    """A job was not done in time; its process has been ended."""
+
+
+class FailedError(Exception):
+    """A job raised what it should not have; its process goes on."""
+
+
+class EndedError(FailedError):
+    """A process ended by itself, such as for want of memory."""
+
+
+class Worker:
+    """One process, doing one job after another.
+
+    Parameters
+    ----------
+    warm_up : callable or None
+        What it does first, a function that a module has.
+    """
+
+    def __init__(self, warm_up: Job | None = None) -> None:
+        # Spawned and not forked: this process has threads.
+        context = multiprocessing.get_context("spawn")
+        self._connection, its_own = context.Pipe()
+        self._process = context.Process(target=_work, args=(its_own, warm_up), daemon=True)
+        self._process.start()
+        its_own.close()
+
+    def wait(self, seconds: float) -> Any:
+        """Return what the process sends next.
+
+        Raises
+        ------
+        TooSlowError
+            If it takes longer.
+        FailedError, EndedError
+            If the job raises, or the process ends.
+        """
+        end = time.monotonic() + seconds
+        try:
+            while not self._connection.poll(min(_STEP, max(end - time.monotonic(), 0.0))):
+                if time.monotonic() >= end:
+                    raise TooSlowError
+            fine, value = pickle.loads(self._connection.recv_bytes())
+        except (EOFError, OSError):
+            raise EndedError("its process ended") from None
+        if not fine:
+            raise FailedError(value)
+        return value
+
+    def do(self, job: Job, arguments: tuple[Any, ...], seconds: float) -> Any:
+        """Return what a job returns; raises as `wait` does."""
+        try:
+            self._connection.send_bytes(pickle.dumps((job, arguments)))
+        except OSError:
+            raise EndedError("its process ended") from None
+        return self.wait(seconds)
+
+    def end(self) -> None:
+        """End the process, whatever it is doing."""
+        self._process.kill()
+        self._connection.close()
+        self._process.join()
+        self._process.close()
+
+
+class Workers:
+    """Several processes for short jobs, and one at a time for a long one.
+
+    Parameters
+    ----------
+    count : int
+        How many for short jobs.
+    warm_up : callable or None
+        What each does before it is used.
+    """
+
+    def __init__(self, count: int = 2, warm_up: Job | None = None) -> None:
+        self.ready = anyio.Event()
+        self._count, self._warm_up = count, warm_up
+        self._idle: deque[Worker] = deque()
+        self._count_idle = anyio.Semaphore(0)
+        self._limiter = anyio.CapacityLimiter(2 * count + 1)
+        self._long = anyio.CapacityLimiter(1)
+        self._living: set[Worker] = set()
+        self._waiting = 0
+        self._tasks: TaskGroup | None = None
+
+    def start(self, tasks: TaskGroup) -> None:
+        """Start the processes, one after the other: the first compiles for all."""
+        self._tasks = tasks
+        tasks.start_soon(self._add, self._count)
+
+    def end(self) -> None:
+        """End all processes."""
+        for worker in tuple(self._living):
+            self._end(worker)
+
+    async def run(self, job: Job, *arguments: Any, seconds: float) -> Any:
+        """Return what a short job returns.
+
+        Raises
+        ------
+        RefusedError
+            If too much is to be done already.
+        TooSlowError, FailedError, EndedError
+            As `Worker.wait` does.
+        """
+        worker = await self._free()
+        try:
+            value = await self._in_thread(worker.do, job, arguments, seconds)
+        except BaseException as error:
+            if isinstance(error, FailedError) and not isinstance(error, EndedError):
+                self._put_back(worker)
+            else:  # what it sends next would be the answer to another question
+                self._replace(worker)
+            raise
+        self._put_back(worker)
+        return value
+
+    async def run_apart(self, job: Job, *arguments: Any, seconds: float) -> Any:
+        """Return what a long job returns, done in a process that is started for it; raises as `run` does."""
+        try:
+            self._long.acquire_on_behalf_of_nowait(job)
+        except (anyio.WouldBlock, RuntimeError):
+            raise RefusedError(503, "Another report is being made: ask again when it is done.") from None
+        try:
+            worker = await self._in_thread(Worker)
+            self._living.add(worker)
+            try:
+                return await self._in_thread(worker.do, job, arguments, seconds)
+            finally:
+                self._end(worker)
+        finally:
+            self._long.release_on_behalf_of(job)
+
+    async def _free(self) -> Worker:
+        """Return a process that has nothing to do."""
+        if self._waiting >= WAITING_REQUESTS:
+            raise RefusedError(503, _BUSY)
+        self._waiting += 1
+        try:
+            if not self.ready.is_set():
+                with anyio.fail_after(WARM_UP_SECONDS):
+                    await self.ready.wait()
+            with anyio.fail_after(WAITING_SECONDS):
+                await self._count_idle.acquire()
+                return self._idle.popleft()
+        except TimeoutError:
+            raise RefusedError(503, _BUSY) from None
+        finally:
+            self._waiting -= 1
+
+    def _put_back(self, worker: Worker) -> None:
+        self._idle.append(worker)
+        self._count_idle.release()
+
+    def _replace(self, worker: Worker) -> None:
+        self._end(worker)
+        assert self._tasks is not None
+        self._tasks.start_soon(self._add, 1)
+
+    async def _add(self, count: int) -> None:
+        for _ in range(count):
+            worker = await self._in_thread(Worker, self._warm_up)
+            self._living.add(worker)
+            try:
+                if self._warm_up is not None:
+                    await self._in_thread(worker.wait, WARM_UP_SECONDS)
+            except (TooSlowError, FailedError):
+                self._end(worker)
+                continue
+            self._put_back(worker)
+            self.ready.set()
+
+    async def _in_thread(self, function: Callable[..., Any], *arguments: Any) -> Any:
+        return await anyio.to_thread.run_sync(function, *arguments, abandon_on_cancel=True, limiter=self._limiter)
+
+    def _end(self, worker: Worker) -> None:
+        if worker in self._living:
+            self._living.discard(worker)
+            worker.end()
+
+
+def _work(connection: Connection, warm_up: Job | None) -> None:
+    """Do what comes through a connection, until its other end is closed."""
+    # An interrupt at the terminal reaches the whole group; it is the server that ends us.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if warm_up is not None:
+        _answer(connection, warm_up, ())
+    while True:
+        try:
+            job, arguments = pickle.loads(connection.recv_bytes())
+        except (EOFError, OSError):
+            return
+        _answer(connection, job, arguments)
+
+
+def _answer(connection: Connection, job: Job, arguments: tuple[Any, ...]) -> None:
+    try:
+        sent = True, job(*arguments)
+    except Exception as error:  # noqa: BLE001  (the border: the server tells it in a sentence)
+        sent = False, f"{type(error).__name__}: {error}"
+    try:
+        connection.send_bytes(pickle.dumps(sent))
+    except OSError:
+        return

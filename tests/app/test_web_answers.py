@@ -1,0 +1,261 @@
+"""What the page is told of a case: the numbers of the solver, the sentences of the command line."""
+
+import copy
+import json
+import math
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from test_bad_input import MISTAKES
+
+import nonhertz as nh
+from nonhertz.cli import main
+from nonhertz.io.casefile import case_in, starting_case
+from nonhertz.subsurface import extremes
+from nonhertz.web import jobs, limits
+from nonhertz.web.app import as_json_has_it
+
+STARTING = tomllib.loads(starting_case())
+
+
+def answer(document, stress=False, body="a"):
+    return json.loads(jobs.solve(document, stress, body))
+
+
+def changed(**tables):
+    document = copy.deepcopy(STARTING)
+    for names, value in tables.items():
+        *way, last = names.split("__")
+        table = document
+        for name in way:
+            table = table.setdefault(name, {})
+        if value is None:
+            del table[last]
+        else:
+            table[last] = value
+    return document
+
+
+def solution_of(document):
+    case = case_in(document, jobs.PATH)
+    return nh.solve(case.contact, **case.prescribed, **case.solver)
+
+
+def test_numbers_are_those_of_the_solver():
+    found, solution = answer(STARTING), solution_of(STARTING)
+    assert found["ok"]
+    assert found["title"] == STARTING["title"]
+    assert (found["status"], found["complaint"]) == ("converged", "")
+    # The same solver on the same machine: all digits.
+    assert found["key"]["approach"] == solution.approach
+    assert found["key"]["max_pressure"] == solution.max_pressure
+    assert found["line"]["pressure"][2:-2] == solution.peak_pressure.tolist()
+    assert found["line"]["y"][2:-2] == solution.y.tolist()
+    assert found["interval"] == [-10.0, 10.0]
+    assert found["contact"] == [list(each) for each in solution.contact_y]
+    assert "section" not in found
+
+
+def test_lines_end_at_zero():
+    sharp = changed(body__a__profile=[])
+    for document in (STARTING, sharp):
+        line = answer(document)["line"]
+        for name in ("pressure", "half_width", "line_load"):
+            assert (line[name][0], line[name][-1]) == (0.0, 0.0)
+            assert len(line[name]) == len(line["y"])
+        assert line["y"] == sorted(line["y"])
+    assert line["pressure"][1] > 0.0, "a sharp end is cut off upright"
+
+
+def test_the_gap_closes_where_the_bodies_touch():
+    found, solution = answer(STARTING), solution_of(STARTING)
+    touching = solution.line_load > 0.0
+    # The solver is content with a residual of 1e-11 of the approach, here 30 um.
+    assert_allclose(np.array(found["gap"]["after"])[touching], 0.0, atol=1e-9)
+    # -(approach + tilt y - separation), in um; two roundings.
+    y = solution.y
+    before = 1e3 * (solution.contact.separation(y) - solution.approach - solution.tilt * y)
+    assert_allclose(found["gap"]["before"], before, rtol=1e-9)
+    low, high = found["gap"]["range"]
+    assert low < before.min() < 0.0 < high
+
+
+def test_the_profile_is_the_relief_of_each_body():
+    found = answer(changed(body__b__position=3.0))
+    a, b = found["profiles"]["a"], found["profiles"]["b"]
+    relief = nh.profile.logarithmic(amplitude=0.005, length=20.0, fraction=0.9999).relief(np.array(a["y"]))
+    # um and mm, one rounding.
+    assert_allclose(a["relief_um"], 1e3 * relief, rtol=1e-12)
+    assert (a["y"][0], a["y"][-1]) == (-10.0, 10.0)
+    assert (b["y"][0], b["y"][-1]) == (-7.0, 13.0), "a body without ends is drawn about its middle"
+    assert set(b["relief_um"]) == {0.0}
+
+
+def test_relief_without_end_is_null():
+    found = answer(changed(body__a__profile=[{"kind": "logarithmic", "amplitude": 0.005, "fraction": 1.0}]))
+    relief = found["profiles"]["a"]["relief_um"]
+    assert relief[0] is relief[-1] is None
+    assert None not in relief[1:-1]
+
+
+@pytest.mark.parametrize("body", ["a", "b"])
+def test_stress_is_that_of_the_search(body):
+    found, solution = answer(STARTING, True, body), solution_of(STARTING)
+    section, axial = found["section"], found["axial"]
+    assert np.shape(section["von_mises"]) == (len(section["z"]), len(section["x"]))
+    assert np.shape(axial["von_mises"]) == (len(axial["z"]), len(axial["y"]))
+    assert section["y"] == solution.max_pressure_y
+    searched = extremes(solution, section["y"], body=body).von_mises
+    told = found["stress"]["von_mises"]
+    # A net of five between neighbours: a quarter of a mesh off a maximum that is flat.
+    assert_allclose(told["value"], searched.max, rtol=2e-3)
+    assert_allclose(told["z"], searched.z, rtol=0.1)
+    # A drawing is rounded to a hundred-thousandth of the largest, and its net misses the largest by a hundredth.
+    assert_allclose(np.max(section["von_mises"]), searched.max, rtol=1e-2)
+    assert [row[0] for row in section["largest"]] == ["von Mises", "maximum shear", "orthogonal shear"]
+
+
+def test_stress_that_takes_too_long_is_left_out_with_a_sentence():
+    document = changed(body__a__images=limits.IMAGES, solver__strips=200)
+    found = answer(document, True)
+    assert found["ok"]
+    assert "section" not in found
+    assert "nonhertz stress" in found["stress_note"]
+
+
+def test_singular_ends_are_told_and_scale_without_them():
+    found = answer(changed(body__a__profile=[], body__a__side_faces="none", load__tilt=0.0))
+    assert [end["y"] for end in found["singular"]] == [-10.0, 10.0]
+    assert not found["key"]["has_limit"]
+    assert 0.0 < found["scale"]["pressure"] < found["key"]["max_pressure"]
+
+
+def test_pieces_of_the_contact_are_parted():
+    hollow = [{"kind": "tabulated", "y": [-10, -5, 0, 5, 10], "relief": [0.02, 0.0, 0.02, 0.0, 0.02]}]
+    found = answer(changed(body__a__profile=hollow, load__load=2000.0, load__tilt=0.0))
+    assert len(found["contact"]) == 2
+    assert found["footprint"]["y"].count(None) == 1
+    assert found["footprint"]["y"].index(None) == found["footprint"]["pressure"].index(None)
+
+
+def test_an_unconverged_solve_is_shown_with_its_complaint():
+    found = answer(changed(load__load=1e-300), True)
+    assert found["ok"]
+    assert found["status"] != "converged"
+    assert found["complaint"].startswith("The iterations")
+    assert "section" not in found
+    assert found["line"]["y"]
+
+
+def jsonable(text):
+    """Return whether JSON can carry a case file: it has no infinity and no dates, and the page reads no files."""
+    try:
+        document = tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, ValueError, RecursionError):
+        return False
+    return as_json_has_it(document) == document and "file" not in text
+
+
+@pytest.mark.parametrize("name", [name for name, (text, *_) in MISTAKES.items() if jsonable(text)])
+def test_mistakes_are_those_of_the_command_line(name, tmp_path, capsys):
+    text = MISTAKES[name][0]
+    path = tmp_path / "case.toml"
+    path.write_text(text, encoding="utf-8")
+    assert main(["check", str(path)]) == 2
+    printed = [line.partition(". ")[2] for line in capsys.readouterr().out.splitlines()]
+    found = answer(tomllib.loads(text))
+    assert not found["ok"]
+    assert [mistake["sentence"] for mistake in found["mistakes"]] == printed
+
+
+def test_mistakes_stand_at_their_fields():
+    document = changed(
+        body__a__profile=[{"kind": "crown", "radius": "4 kN"}],
+        body__b__side_faces=["mirror", "glass"],
+        load__load=-1.0,
+        life={"models": ["weibul"]},
+    )
+    paths = [mistake["path"] for mistake in answer(document)["mistakes"]]
+    assert paths == ["body.a.profile[1].radius", "body.b.side_faces[2]", "load.load", "life.models[1]"]
+
+
+def test_what_the_solver_refuses_stands_at_its_field():
+    found = answer(changed(load__load=None, load__approach=-0.01))
+    assert [mistake["path"] for mistake in found["mistakes"]] == ["load.approach"]
+    found = answer(changed(body__a__depth=0.01))
+    assert [mistake["path"] for mistake in found["mistakes"]] == ["body.a.depth"]
+    found = answer(changed(body__a__profile=[{"kind": "crown", "radius": 1e-9}]))
+    assert [mistake["path"] for mistake in found["mistakes"]] == ["body.a.profile"]
+
+
+def test_the_sound_body_of_a_broken_case_is_drawn():
+    found = answer(changed(load__load="heavy", body__b__diameter="round"))
+    assert set(found["profiles"]) == {"a"}
+
+
+@pytest.mark.parametrize("document", [{}, {"body": 3}, {"body": {"a": []}}, {"": {}}, {"load": {"load": True}}])
+def test_what_is_hardly_a_case_is_answered(document):
+    found = answer(document, True)
+    assert not found["ok"]
+    assert found["mistakes"]
+
+
+def test_files_are_not_read(tmp_path):
+    path = tmp_path / "points.csv"
+    path.write_text("-10, 0\n10, 0\n")
+    for kind in ("tabulated", "measured"):
+        for table in ([{"kind": kind, "file": str(path)}], {"kind": kind, "file": str(path)}):
+            found = answer(changed(body__a__profile=table))
+            assert [mistake["path"].rpartition(".")[2] for mistake in found["mistakes"]] == ["file"]
+            assert "not be read here" in found["mistakes"][0]["sentence"]
+
+
+EXCESSES = {
+    "solver.strips": (changed(solver__strips=2000), "solver.strips = 2000 must be at most 300 on the page: "),
+    "body.b.images": (changed(body__b__images=100), "body.b.images = 100 must be at most 20 on the page: "),
+    "body.a.profile": (changed(body__a__profile=[{"kind": "straight"}] * 21), "must have at most 20 profiles"),
+    "life.spectrum": (changed(life={"spectrum": [{"load": 1, "share": 1}] * 31}), "must have at most 30 rows"),
+    "body.a.profile[1].y": (
+        changed(body__a__profile=[{"kind": "tabulated", "y": list(range(2001)), "relief": [0, 1]}]),
+        "must have at most 2000 entries",
+    ),
+    "load": (changed(load={f"k{n}": n for n in range(41)}), "must have at most 40 keys"),
+    "load.tilt": (changed(load={"load": 1.0, "tilt": None}), "load.tilt = None must be a number"),
+    "life.models[2]": (changed(life={"models": ["weibull", None]}), "life.models[2] = None must be a number"),
+}
+
+
+@pytest.mark.parametrize("path", EXCESSES)
+def test_what_is_more_than_the_page_takes_is_refused_at_its_field(path):
+    document, words = EXCESSES[path]
+    found = answer(document)
+    assert [mistake["path"] for mistake in found["mistakes"]] == [path]
+    assert words in found["mistakes"][0]["sentence"]
+
+
+def test_all_numbers_are_json():
+    for document in (STARTING, changed(body__a__profile=[]), changed(load__load=1e-300), changed(body__a__length=None)):
+        text = jobs.solve(document, True, "a").decode()
+        assert all(math.isfinite(number) for number in numbers_in(json.loads(text, parse_constant=pytest.fail)))
+
+
+def numbers_in(value):
+    if isinstance(value, dict):
+        value = list(value.values())
+    if isinstance(value, list):
+        for entry in value:
+            yield from numbers_in(entry)
+    elif isinstance(value, float):
+        yield value
+
+
+def test_the_how_to_tells_the_limits():
+    text = Path(__file__).parents[2].joinpath("docs", "how-to", "page.md").read_text(encoding="utf-8")
+    assert (
+        f"at most {limits.STRIPS} strips, {limits.IMAGES} images per face, {limits.PROFILES} profiles per body, "
+        f"{limits.POINTS} points per list"
+    ) in text
+    assert f"a case that takes longer than {limits.LIVE_SECONDS} s is given up" in text

@@ -1,0 +1,279 @@
+"""The page's form: all of a case file is in it, and what is in it is the case file again."""
+
+import copy
+import json
+import random
+import tomllib
+from functools import cache
+from typing import Any
+
+import jinja2
+import pytest
+from form_reading import Inputs, document_in, parts_of, set_at
+
+from nonhertz.io.casefile import schema, starting_case
+from nonhertz.io.mistakes import path_of
+from nonhertz.life import MODELS, iso_16281
+from nonhertz.model.material import MATERIALS
+from nonhertz.strip.element import ELEMENTS
+from nonhertz.web import jobs
+from nonhertz.web.form import form
+from nonhertz.web.ranges import RANGES, Range
+
+TEMPLATES = jinja2.Environment(
+    loader=jinja2.PackageLoader("nonhertz.web"), autoescape=True, undefined=jinja2.StrictUndefined
+)
+STARTING = tomllib.loads(starting_case())
+
+
+@cache
+def kinds() -> dict[str, dict[str, Any]]:
+    """Return the schema of each kind of profile."""
+    tables = schema()["$defs"]["BodyTable"]["properties"]["profile"]["anyOf"][0]["anyOf"]
+    return {table["properties"]["kind"]["const"]: table for table in tables}
+
+
+def form_of(document: dict[str, Any]) -> str:
+    return TEMPLATES.get_template("form.html").render(form=form(document))
+
+
+def as_text(document: Any) -> str:
+    """Return a document so that equal text means equal values: 1, 1.0 and true are three things in a case file."""
+    if isinstance(document, dict):
+        return "{" + ", ".join(f"{json.dumps(key)}: {as_text(document[key])}" for key in sorted(document)) + "}"
+    if isinstance(document, list):
+        return "[" + ", ".join(map(as_text, document)) + "]"
+    whole = isinstance(document, float) and document == int(document)
+    return json.dumps(int(document) if whole else document)
+
+
+def with_life() -> dict[str, Any]:
+    document = copy.deepcopy(STARTING)
+    document["life"] = {
+        "rollers": 14,
+        "models": ["lundberg-palmgren", "iso-16281"],
+        "slope": 1.1,
+        "fatigue_limit": "300 MPa",
+        "laminae": 60,
+        "edge_stress": "standard",
+        "line_loads": "solution",
+        "spectrum": [{"load": "20 kN", "tilt": "0.5 mrad", "share": 0.2}, {"load": 8000.0, "share": 0.8}],
+    }
+    return document
+
+
+def every_kind() -> dict[str, Any]:
+    """Return a document with a profile of each kind, each with all of its keys."""
+    document = copy.deepcopy(STARTING)
+    document["body"]["a"]["profile"] = [
+        {name: kind if name == "kind" else some_value(part) for name, part in table["properties"].items()}
+        for kind, table in kinds().items()
+    ]
+    return document
+
+
+def some_value(part: dict[str, Any]) -> Any:
+    """Return a value that a key may hold."""
+    if part.get("type") == "array":
+        return [1.5, 2.5, "3 mm"]
+    if part.get("type") == "boolean":
+        return False
+    if part.get("type") == "string":
+        return "some text"
+    return part["enum"][0] if "enum" in part else 1.5
+
+
+DOCUMENTS = {
+    "starting case": STARTING,
+    "life": with_life(),
+    "every kind of profile": every_kind(),
+    "nothing": {},
+    "empty tables": {"body": {"a": {}, "b": {"profile": []}}, "load": {}, "life": {"spectrum": [{}]}},
+    "one table for a profile": {"body": {"a": {"profile": {"kind": "crown", "radius": "4 m"}}}},
+    "tables for values": {
+        "body": {
+            "a": {
+                "diameter": {"y": [-10.0, 10.0], "diameter": [20.0, "21 mm"]},
+                "material": {"modulus": "207 GPa", "poisson": 0.3},
+                "side_faces": ["mirror", 1.6],
+                "images": "series",
+                "depth": "8 mm",
+            },
+            "b": {"side_faces": 1.2, "images": 3, "depth": 8.0, "position": "1 cm"},
+        },
+        "load": {"approach": 0.02, "moment": -5e4},
+        "solver": {"strips": 40, "element": "parabolic"},
+    },
+    "many points": {
+        "body": {
+            "a": {"profile": [{"kind": "tabulated", "y": [0.1 * n for n in range(99)], "relief": [1e-3 / 7] * 99}]}
+        }
+    },
+    "keys that nobody knows": {
+        "body": {"a": {"radus": 3, "odd key": "x", 'a "quoted".key[1]': [1, {"b": []}]}},
+        "loads": {"load": 1},
+        "life": {"spectrum": [{"laod": 1.0}]},
+    },
+    "kinds that nobody knows": {"body": {"a": {"kind": "rolle", "profile": [{"kind": "crow", "radius": 3}, {}, 5]}}},
+    "wrong types": {
+        "title": 3,
+        "body": {
+            "a": {"diameter": "20", "length": True, "kind": 1, "profile": "crown", "material": ["steel"]},
+            "b": {"position": {"y": 1}, "side_faces": ["mirror", "none", 3], "images": [], "depth": {}, "diameter": ""},
+        },
+        "load": [1, 2],
+        "solver": "auto",
+        "life": {"spectrum": {"load": 1}, "models": "weibull", "rollers": "a dozen", "slope": " 1.1 "},
+    },
+    "both of a pair": {"load": {"load": 1.0, "approach": 1.0, "tilt": "x", "moment": False}},
+    "text that looks like something else": {
+        "title": "<script>alert('&amp;')</script> \u2028 ü",
+        "body": {"a": {"diameter": "1e5", "length": "[1]", "kind": "true", "material": "{}"}},
+        "life": {"models": ["a b", "[", "3"]},
+    },
+    "large and small numbers": {"load": {"load": 1e300, "tilt": -1e-300, "moment": 123456789012345.0}},
+}
+
+
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_a_form_is_the_document_again(name):
+    document = DOCUMENTS[name]
+    assert as_text(document_in(form_of(document))) == as_text(document)
+
+
+def test_a_form_is_the_document_again_whatever_is_changed():
+    picked = random.Random(11)
+    junk = [0, -1.5, "", "5 um", "x y", "7", [], ["1 mm", 2], {}, {"kind": "crown"}, True, 1e300, [[1]], "[", "{}"]
+    for number in range(25):
+        document = copy.deepcopy(picked.choice([with_life(), DOCUMENTS["tables for values"]]))
+        paths = [field.path for field in form(document).fields if field.path]
+        for _ in range(4):
+            value = picked.choice(junk)
+            try:
+                set_at(document, picked.choice(paths), copy.deepcopy(value))
+            except (KeyError, TypeError, IndexError):
+                continue  # something on the way is no table any more
+        assert as_text(document_in(form_of(document))) == as_text(document), number
+
+
+def test_every_key_of_the_schema_is_in_the_form():
+    document = every_kind() | {"life": with_life()["life"], "solver": {}}
+    document["body"]["b"] |= {"diameter": {"y": [], "diameter": []}, "side_faces": ["mirror", "none"]}
+    document["body"]["b"]["profile"] = document["body"]["a"]["profile"]
+    documents = [document, DOCUMENTS["tables for values"]]
+    shown = {each["name"] for each in documents for each in Inputs(form_of(each)).fields}
+    assert set(keys_of(schema(), schema()["$defs"], ())) - {plain_path(name) for name in shown} == set()
+
+
+def plain_path(path: str) -> tuple[str, ...]:
+    return tuple("" if isinstance(part, int) else part for part in parts_of(path))
+
+
+def keys_of(part, definitions, place):
+    """Yield the places of all keys of a schema; entries of lists are one place. Profiles are told apart by kind."""
+    if "$ref" in part:
+        part = definitions[part["$ref"].rpartition("/")[2]]
+    for name, inner in part.get("properties", {}).items():
+        yield (*place, name)
+        yield from keys_of(inner, definitions, (*place, name))
+    for inner in part.get("anyOf", ()):
+        if place[-1:] != ("profile",) or inner.get("type") == "array":
+            yield from keys_of(inner, definitions, place)
+    if part.get("items", {}).get("type") != "number" and part.get("type") == "array":
+        yield from keys_of(part["items"], definitions, (*place, ""))
+
+
+@pytest.mark.parametrize("kind", kinds())
+def test_a_profile_has_the_fields_of_its_kind(kind):
+    document = {"body": {"a": {"profile": [{"kind": kind}]}}}
+    shown = {each["name"] for each in Inputs(form_of(document)).fields}
+    wanted = {path_of(("body", "a", "profile", 1, name)) for name in kinds()[kind]["properties"]}
+    assert wanted <= shown
+    assert {name for name in shown if name.startswith("body.a.profile[1].")} == wanted
+
+
+def test_words_to_choose_from_are_those_that_the_solver_knows():
+    words = {field.path: [option.value for option in field.options] for field in form(with_life()).fields}
+    assert words["solver.element"] == list(ELEMENTS)
+    assert words["body.a.material"] == list(MATERIALS)
+    assert words["life.models"] == list(MODELS)
+    assert words["body.a.kind"] == ["roller", "ring", "plate"]
+    for name in ("edge_stress", "line_loads"):
+        for word in words[f"life.{name}"]:
+            iso_16281(**{name: word})  # refuses what it does not know
+        assert len(words[f"life.{name}"]) > 1
+
+
+@pytest.mark.parametrize("number", range(3))
+def test_every_choice_that_changes_the_form_leads_to_a_case_that_can_be_solved(number):
+    """Nobody is to be met with a mistake that the page has made."""
+    documents = [STARTING, DOCUMENTS["tables for values"] | {"title": "t"}, with_life()]
+    document = copy.deepcopy(documents[number])
+    if number == 1:
+        document["body"]["a"] |= {"length": 20.0}
+        document["body"]["b"] = {}
+        document["load"] = {"load": 5000.0}
+    options = [
+        option for option in Inputs(form_of(document)).options if "data-edits" in option and "selected" not in option
+    ]
+    assert len(options) > 10
+    for option in options:
+        changed = copy.deepcopy(document)
+        for path, value in json.loads(option["data-edits"]):
+            if value is not None or path_exists(changed, path):
+                set_at(changed, path, value)
+        assert as_text(document_in(form_of(changed))) == as_text(changed)
+        if option["value"] not in {"plate", "ring"}:  # the other body has to have a diameter then
+            answer = json.loads(jobs.solve(changed, False, "a"))
+            assert answer["ok"], (option["value"], answer["mistakes"])
+
+
+def path_exists(document: Any, path: str) -> bool:
+    for part in parts_of(path):
+        if isinstance(document, dict) and part not in document:
+            return False
+        document = document[part]
+    return True
+
+
+def test_what_is_added_can_be_solved():
+    found = Inputs(form_of(STARTING))
+    additions = [option for option in found.options if "data-additions" in option["select"]]
+    assert {json.loads(option["data-value"])["kind"] for option in additions} == set(kinds()) - {"measured"}
+    for option in additions:
+        document = copy.deepcopy(STARTING)
+        document["body"]["b"]["profile"] = [json.loads(option["data-value"])]
+        if option["value"].startswith("iso-"):
+            continue  # they ask for a length and a diameter, which a plate has not
+        answer = json.loads(jobs.solve(document, False, "a"))
+        asks = [mistake["path"] for mistake in answer.get("mistakes", [])]
+        assert answer["ok"] or asks == ["body.b.profile[1].length"], (option["value"], answer["mistakes"])
+
+
+def test_inputs_have_names_of_their_own():
+    found = Inputs(form_of(every_kind() | {"life": with_life()["life"]}))
+    ids = [each["id"] for each in found.found if "id" in each]
+    assert len(ids) == len(set(ids)) > 100
+    for each in found.found:
+        if "slider" in (each.get("class") or ""):
+            assert each["data-for"] in ids
+
+
+def test_sliders_stand_where_the_value_is():
+    fields = {field.path: field for field in form(with_life()).fields}
+    slider = fields["life.spectrum[1].load"].slider
+    assert (slider.written, slider.factor) == ("kN", 1000.0)
+    assert slider.position == RANGES["load"].position(20000.0)
+    assert RANGES["load"].position(1e-9) == 0
+    assert RANGES["load"].position(1e9) == 1000
+    concave = {field.path: field for field in form({"body": {"a": {"diameter": -200.0}}}).fields}["body.a.diameter"]
+    assert (concave.slider.range.low, concave.slider.range.high) == (-1.0, -2000.0)
+    assert Range(-5.0, 5.0, "linear", 0.0).position(0.0) == 500
+
+
+def test_text_cannot_leave_its_place():
+    evil = '"><script>alert(1)</script>'
+    document = {"title": evil, "body": {"a": {evil: evil, "kind": evil, "profile": [{"kind": evil, evil: 1}]}}}
+    html = form_of(document)
+    assert "<script" not in html
+    assert as_text(document_in(html)) == as_text(document)

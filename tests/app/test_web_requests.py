@@ -1,0 +1,441 @@
+"""The page's server: what it answers, and whom it does not."""
+
+import contextlib
+import json
+import re
+import threading
+import tomllib
+from importlib import resources
+
+import httpx
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from serving import raw, running
+
+import nonhertz as nh
+from nonhertz.io.casefile import read_case, starting_case
+from nonhertz.web import app, jobs, limits
+from nonhertz.web.guard import HEADERS
+
+STARTING = tomllib.loads(starting_case())
+JSON = {"content-type": "application/json"}
+BINARY = {"content-type": "application/octet-stream"}
+
+
+@pytest.fixture(scope="module")
+def client():
+    with running(STARTING) as port, httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=60.0) as made:
+        yield made
+
+
+def refused(response, status):
+    """Return the sentence of a refusal."""
+    assert response.status_code == status, response.text
+    body = response.json()
+    assert body["ok"] is False
+    (mistake,) = body["mistakes"]
+    assert mistake["path"] == ""
+    assert mistake["sentence"].endswith(".")
+    assert "Traceback" not in response.text
+    return mistake["sentence"]
+
+
+def test_the_page_has_its_case_and_form(client):
+    response = client.get("/")
+    assert response.status_code == 200
+    start = json.loads(re.search(r'<script type="application/json" id="start">(.*?)</script>', response.text, re.S)[1])
+    assert start["document"] == STARTING
+    assert start["version"] == nh.__version__
+    assert start["limits"] == {
+        "upload_bytes": limits.UPLOAD_BYTES,
+        "document_bytes": limits.DOCUMENT_BYTES,
+        "strips": limits.STRIPS,
+    }
+    assert 'name="body.a.diameter"' in response.text
+
+
+def test_a_case_cannot_leave_the_script_that_it_starts_in():
+    evil = {"title": "</script><script>alert(1)</script><!--"}
+    with running(evil, workers=0) as port:
+        text = httpx.get(f"http://127.0.0.1:{port}/").text
+    assert "<script>alert" not in text
+    assert "<!--" not in text[text.index('id="start"') : text.index("</head>")]
+
+
+def test_all_answers_have_the_headers(client):
+    for response in (
+        client.get("/"),
+        client.get("/nothing"),
+        client.post("/solve"),
+        client.get("/", headers={"host": "x"}),
+    ):
+        for name, value in HEADERS.items():
+            if name != "Cache-Control":
+                assert response.headers[name] == value
+        assert "server" not in response.headers
+        assert not [name for name in response.headers if name.startswith("access-control")]
+    assert "script-src 'self'" in HEADERS["Content-Security-Policy"]
+    assert "unsafe-eval" not in HEADERS["Content-Security-Policy"]
+
+
+def test_solving(client):
+    response = client.post("/solve", json={"document": STARTING, "stress": True, "body": "b"})
+    assert response.status_code == 200
+    case = tomllib.loads(starting_case())
+    alone = json.loads(jobs.solve(case, True, "b"))
+    found = response.json()
+    assert found.pop("ms") > 0.0
+    del alone["ms"]
+    # Another process, but the same machine and the same compiled code.
+    assert found == alone
+
+
+def test_a_mistaken_case_is_answered_and_shown(client):
+    document = STARTING | {"load": {"load": "20 kg"}}
+    response = client.post("/solve", json={"document": document})
+    assert response.status_code == 200
+    assert [mistake["path"] for mistake in response.json()["mistakes"]] == ["load.load"]
+    form = client.post("/form", json={"document": document})
+    assert form.status_code == 200
+    assert form.headers["content-type"] == "text/html; charset=utf-8"
+    assert 'value="20 kg"' in form.text
+
+
+def test_a_form_has_an_end(client):
+    document = {"body": {"a": {"profile": [{"kind": "crown"}] * 21}}}
+    response = client.post("/form", json={"document": document})
+    assert response.status_code == 422
+    assert response.json()["mistakes"][0]["path"] == "body.a.profile"
+
+
+def test_opening_a_case_file(client):
+    response = client.post("/open", content=starting_case(), headers={"content-type": "application/toml"})
+    assert response.json() == {"ok": True, "document": STARTING}
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("title = ", "The file must be valid TOML: invalid value (at end of document)."),
+        (b"title = '\xff'", "The file must be text in UTF-8: save it with that encoding."),
+        ("a = " + "[" * 5000, "The file must be valid TOML: lists or tables are nested too deeply."),
+        ("a = " + "9" * 5000, "The file must be valid TOML: a number has thousands of digits."),
+    ],
+)
+def test_opening_what_is_no_case_file(client, text, words):
+    response = client.post("/open", content=text, headers={"content-type": "application/toml"})
+    assert response.status_code == 200
+    assert response.json()["mistakes"] == [{"path": "", "sentence": words}]
+
+
+def test_opening_what_json_has_not(client):
+    text = "title = 2026-01-01\n[load]\nload = inf\ntilt = nan\n"
+    response = client.post("/open", content=text, headers={"content-type": "application/toml"})
+    assert response.json()["document"] == {"title": "2026-01-01", "load": {"load": "inf", "tilt": "nan"}}
+
+
+def test_downloads(client, tmp_path):
+    def download(name):
+        response = client.post(f"/download/{name}", json={"document": STARTING})
+        assert response.status_code == 200, response.text
+        stem = "logarithmic-roller-20-x-20-on-a-plate"
+        ending = name.partition(".")[2]
+        assert response.headers["content-disposition"] == f'attachment; filename="{stem}.{ending}"'
+        return response.content
+
+    path = tmp_path / "case.toml"
+    path.write_bytes(download("case.toml"))
+    assert tomllib.loads(path.read_text()) == STARTING
+    case = read_case(path)
+    solution = nh.solve(case.contact, **case.prescribed)
+    assert json.loads(download("result.json"))["approach"] == solution.approach
+    table = np.loadtxt(download("table.csv").decode().splitlines(), delimiter=",", skiprows=1)
+    # Written with all digits.
+    assert_allclose(table[:, 3], solution.peak_pressure, rtol=1e-15)
+
+
+def test_downloads_of_a_mistaken_case(client):
+    document = STARTING | {"load": {}}
+    for name in ("table.csv", "result.json"):
+        response = client.post(f"/download/{name}", json={"document": document})
+        assert response.status_code == 422
+        assert response.json()["mistakes"][0]["path"] == "load.load"
+    kept = client.post("/download/case.toml", json={"document": document})
+    assert tomllib.loads(kept.text) == document, "what is mistaken can be kept for later all the same"
+    without = client.post("/download/case.toml", json={"document": {"title": None}})
+    assert without.status_code == 422
+
+
+def test_names_of_downloads_are_plain(client):
+    evil = 'a"; filename=../../etc/passwd\r\nX: y\u202e.exe'
+    response = client.post("/download/case.toml", json={"document": {"title": evil}})
+    assert response.headers["content-disposition"] == 'attachment; filename="a-filename-etc-passwd-x-y-exe.toml"'
+    assert "x" not in response.headers
+    nameless = client.post("/download/case.toml", json={"document": {"title": "..//\u00fc"}})
+    assert nameless.headers["content-disposition"] == 'attachment; filename="case.toml"'
+
+
+@pytest.mark.parametrize("kind", ["crown", "flat"])
+def test_uploading_a_measured_profile(client, kind):
+    y = np.linspace(0.0, 20.0, 2001)
+    height = -((y - 10.0) ** 2) / 2.0 / 4000.0 if kind == "crown" else 0.0 * y
+    noise = 2e-5 * np.random.default_rng(1).standard_normal(y.size)
+    text = "\n".join(f"{a:.4f} {1e3 * b:.5f}" for a, b in zip(y, height + noise, strict=True))
+    query = {"name": "roller.txt", "height_unit": "um", "smooth": "gaussian", "cutoff": "0.8"}
+    response = client.post("/upload", params=query, content=text.encode(), headers=BINARY)
+    found = response.json()
+    assert found["ok"], found
+    assert found["name"] == "roller.txt"
+    assert len(found["table"]["y"]) == len(found["table"]["relief"]) <= 300
+    names = [step["name"] for step in found["steps"]]
+    assert names[0] == "level"
+    assert "smooth" in names
+    for before, after in zip(found["steps"], found["steps"][1:], strict=False):
+        assert before["after"] == after["before"]
+    assert [row[0] for row in found["roughness"]] == ["Ra", "Rq", "Rz", "cutoff"]
+    profile = [found["table"]]
+    answer = client.post(
+        "/solve", json={"document": STARTING | {"body": STARTING["body"] | {"b": {"profile": profile}}}}
+    )
+    assert answer.json()["ok"], answer.text
+    # A step is taken back by asking without it.
+    rough = client.post("/upload", params=query | {"smooth": "false"}, content=text.encode(), headers=BINARY).json()
+    assert "smooth" not in [step["name"] for step in rough["steps"]]
+
+
+@pytest.mark.parametrize(
+    ("query", "path"),
+    [({"cutoff": "wide"}, "upload.cutoff"), ({"colour": "1"}, "upload.colour"), ({"sense": "up"}, "upload.sense")],
+)
+def test_uploading_with_mistaken_options(client, query, path):
+    response = client.post("/upload", params=query, content=b"1 2\n3 4\n", headers=BINARY)
+    assert [mistake["path"] for mistake in response.json()["mistakes"]] == [path]
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"\x00" * 1000, b"PK\x03\x04" + b"x" * 100, b"hello\n", b"1 2\n", b"\xff\xfe"]
+)
+def test_uploading_what_is_no_profile(client, content):
+    found = client.post("/upload", params={"name": "x"}, content=content, headers=BINARY).json()
+    assert not found["ok"]
+    assert found["mistakes"][0]["path"].partition(".")[0] == "upload"
+
+
+def test_static_files_are_those_of_the_package(client):
+    folder = resources.files("nonhertz.web").joinpath("static")
+    for entry in folder.iterdir():
+        if entry.is_file():
+            response = client.get(f"/static/{entry.name}")
+            assert response.content == entry.read_bytes()
+            assert response.headers["content-type"].partition(";")[0] in {
+                "text/css",
+                "text/javascript",
+                "image/svg+xml",
+            }
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/static/",
+        "/static/../app.py",
+        "/static/..%2fapp.py",
+        "/static/%2e%2e/app.py",
+        "/static/%2e%2e%2fapp.py",
+        "/static/..%5capp.py",
+        "/static//etc/passwd",
+        "/static/%2fetc%2fpasswd",
+        "/static/vendor/../../app.py",
+        "/static/page.css%00.js",
+        "/static/.",
+        "/static/icon.svg/",
+        "/templates/page.html",
+        "/download/..%2fcase.toml",
+    ],
+)
+def test_no_other_file_is_sent(client, path):
+    port = client.base_url.port
+    status, body = raw(port, "GET", path, {"host": f"127.0.0.1:{port}"})
+    assert status == 404
+    assert json.loads(body)["ok"] is False
+
+
+HOSTS = ["evil.example", "127.0.0.1", "localhost", "{0}1", "evil.example:{0}", "127.0.0.1.evil:{0}", "[::1]:{0}", ""]
+
+
+@pytest.mark.parametrize("host", HOSTS)
+def test_other_hosts_are_refused(client, host):
+    port = client.base_url.port
+    status, body = raw(port, "GET", "/", {"host": host.format(port)})
+    assert status == 403
+    assert json.loads(body)["ok"] is False
+
+
+def test_two_hosts_and_none_are_refused(client):
+    port = client.base_url.port
+    assert raw(port, "GET", "/", {})[0] == 400  # by the HTTP library
+    own = f"127.0.0.1:{port}"
+    assert raw(port, "GET", "/", {"host": own, "Host": own})[0] in {400, 403}
+
+
+def test_own_hosts(client):
+    port = client.base_url.port
+    for host in (f"127.0.0.1:{port}", f"localhost:{port}", f"LOCALHOST:{port}"):
+        assert client.get("/status", headers={"host": host}).status_code == 200
+
+
+@pytest.mark.parametrize(
+    "origin", ["http://evil.example", "null", "https://127.0.0.1:{0}", "http://127.0.0.1", "file://"]
+)
+def test_other_origins_are_refused(client, origin):
+    headers = {"origin": origin.format(client.base_url.port)}
+    refused(client.post("/solve", json={"document": STARTING}, headers=headers), 403)
+
+
+def test_own_origin(client):
+    origin = str(client.base_url).rstrip("/")
+    assert client.post("/form", json={"document": STARTING}, headers={"origin": origin}).status_code == 200
+
+
+def test_requests_of_other_sites_are_refused(client):
+    for site in ("cross-site", "same-site", "anything"):
+        refused(client.post("/solve", json={"document": STARTING}, headers={"sec-fetch-site": site}), 403)
+        refused(client.get("/static/icon.svg", headers={"sec-fetch-site": site}), 403)
+        refused(client.get("/", headers={"sec-fetch-site": site, "sec-fetch-mode": "no-cors"}), 403)
+        framed = {"sec-fetch-site": site, "sec-fetch-mode": "navigate", "sec-fetch-dest": "iframe"}
+        refused(client.get("/", headers=framed), 403)
+    link = {"sec-fetch-site": "cross-site", "sec-fetch-mode": "navigate", "sec-fetch-dest": "document"}
+    assert client.get("/", headers=link).status_code == 200
+    refused(client.get("/status", headers=link), 403)
+
+
+POSTS = ["/solve", "/form", "/download/case.toml"]
+
+
+@pytest.mark.parametrize("kind", ["text/plain", "application/x-www-form-urlencoded", "multipart/form-data", ""])
+def test_what_a_foreign_form_could_send_is_refused(client, kind):
+    for path in (*POSTS, "/open", "/upload"):
+        refused(client.post(path, content=b"{}", headers={"content-type": kind}), 415)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "{",
+        "null",
+        "[]",
+        "3",
+        "[" * 100_000,
+        '{"document": ' + "[" * 30 + "]" * 30 + "}",
+        '{"document": {"a": NaN}}',
+        '{"document": {"a": Infinity}}',
+        '{"document": {"a": 1, "a": 2}}',
+        '{"document": {}, "document": {}}',
+        '{"document": {"a": ' + "9" * 5000 + "}}",
+        '{"document": {"a": "\ud800"}}'.encode("utf-8", "surrogatepass"),
+        b"\xff\xfe",
+        "{}",
+        '{"document": null}',
+        '{"document": []}',
+        '{"document": {}, "x": "' + "\x00" + '"}',
+        '{"document": {"title": "\\ud800"}}',
+        '{"document": {"\\udfff": 1}}',
+    ],
+    ids=range(20),
+)
+def test_malformed_requests(client, text):
+    for path in POSTS:
+        refused(client.post(path, content=text, headers=JSON), 400)
+
+
+@pytest.mark.parametrize("more", [{"stress": 1}, {"stress": None}, {"body": "c"}, {"body": ["a"]}, {"body": 1}])
+def test_malformed_wishes(client, more):
+    refused(client.post("/solve", json={"document": STARTING} | more), 400)
+
+
+def test_numbers_beyond_all_numbers(client):
+    text = '{"document": {"load": {"load": 1e999, "tilt": -1e999}}}'
+    for path in POSTS:
+        assert client.post(path, content=text, headers=JSON).status_code in {200, 400, 422}
+
+
+def test_too_much_is_refused(client):
+    for path in POSTS:
+        refused(client.post(path, content=b" " * (limits.DOCUMENT_BYTES + 1), headers=JSON), 413)
+    refused(client.post("/upload", content=b" " * (limits.UPLOAD_BYTES + 1), headers=BINARY), 413)
+    toml = {"content-type": "application/toml"}
+    refused(client.post("/open", content=b" " * (limits.DOCUMENT_BYTES + 1), headers=toml), 413)
+
+
+def test_a_body_is_not_read_to_its_end(client):
+    """What a request says of its length is not believed, and one that never ends is cut off."""
+    sent = 0
+
+    def endless():
+        nonlocal sent
+        while True:
+            sent += 1
+            yield b" " * 65536
+
+    with contextlib.suppress(httpx.TransportError):  # the server may have gone before its answer is read
+        refused(client.post("/form", content=endless(), headers=JSON), 413)
+    assert sent * 65536 < 100 * limits.DOCUMENT_BYTES
+
+
+def test_long_headers_are_refused(client):
+    response = client.get("/", headers={"x": "y" * 100_000})
+    assert response.status_code == 431
+
+
+def test_methods_and_addresses(client):
+    for path in ("/solve", "/form", "/open", "/upload", "/download/case.toml"):
+        refused(client.get(path), 405)
+        refused(client.put(path, content=b"{}", headers=JSON), 405)
+    refused(client.post("/", content=b"{}", headers=JSON), 405)
+    refused(client.get("/solve/"), 404)
+    refused(client.post("/download/passwd", json={"document": {}}), 404)
+    assert client.options("/solve").status_code == 405
+
+
+def test_more_than_can_wait_is_told_to_come_again(client):
+    document = STARTING | {"solver": {"strips": limits.STRIPS}}
+    document["body"] = {
+        name: body | {"length": 20.0, "images": limits.IMAGES} for name, body in STARTING["body"].items()
+    }
+    found = []
+
+    def ask():
+        found.append(httpx.post(client.base_url.join("/solve"), json={"document": document}, timeout=60.0))
+
+    threads = [threading.Thread(target=ask) for _ in range(2 * limits.WAITING_REQUESTS)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert {response.status_code for response in found} == {200, 503}
+    assert {response.headers["retry-after"] for response in found if response.status_code == 503} == {"1"}
+    assert client.post("/solve", json={"document": STARTING}).json()["ok"], "and then it goes on"
+
+
+def test_a_case_that_takes_too_long_is_given_up(client, monkeypatch):
+    monkeypatch.setattr(app, "LIVE_SECONDS", 0.0)
+    response = client.post("/solve", json={"document": STARTING})
+    assert response.status_code == 200
+    sentence = "This case takes longer than the page waits: solve it with the command line."
+    assert response.json() == {"ok": False, "mistakes": [{"path": "", "sentence": sentence}]}
+    monkeypatch.undo()
+    while (response := client.post("/solve", json={"document": STARTING})).status_code == 503:
+        pass  # until another process is ready
+    assert response.json()["ok"]
+
+
+def test_an_error_of_ours_is_told_without_a_traceback(client, monkeypatch):
+    monkeypatch.setattr(app, "LIVE_SECONDS", "no number")
+    response = client.post("/solve", json={"document": STARTING})
+    assert response.status_code == 500
+    assert response.json()["internal"]
+    assert "error in nonhertz" in response.json()["mistakes"][0]["sentence"]
+    assert "Traceback" not in response.text
+    assert response.headers["x-content-type-options"] == "nosniff"

@@ -1,0 +1,118 @@
+"""The processes that compute for the page: ended when they take too long, replaced when they end."""
+
+import contextlib
+import os
+import time
+
+import anyio
+import pytest
+
+from nonhertz.web.intake import RefusedError
+from nonhertz.web.workers import EndedError, FailedError, TooSlowError, Workers
+
+DEADLINE = 0.3
+PATIENT = 60.0
+
+
+def doubled(value):
+    return 2 * value
+
+
+def own_number():
+    return os.getpid()
+
+
+def never_done():
+    while True:
+        time.sleep(0.01)
+
+
+def dying():
+    os._exit(1)
+
+
+def raising():
+    raise ZeroDivisionError("by zero")
+
+
+def with_workers(count, use):
+    """Run ``use(workers)`` with so many processes."""
+
+    async def run():
+        workers = Workers(count)
+        async with anyio.create_task_group() as tasks:
+            workers.start(tasks)
+            try:
+                return await use(workers)
+            finally:
+                tasks.cancel_scope.cancel()
+                workers.end()
+
+    return anyio.run(run)
+
+
+def test_a_process_does_one_job_after_another():
+    async def use(workers):
+        return [await workers.run(own_number, seconds=PATIENT), await workers.run(own_number, seconds=PATIENT)]
+
+    first, second = with_workers(1, use)
+    assert first == second != os.getpid()
+
+
+@pytest.mark.parametrize(("job", "error"), [(never_done, TooSlowError), (dying, EndedError)])
+def test_a_process_that_takes_too_long_or_ends_is_replaced(job, error):
+    async def use(workers):
+        first = await workers.run(own_number, seconds=PATIENT)
+        with pytest.raises(error):
+            await workers.run(job, seconds=DEADLINE if job is never_done else PATIENT)
+        while True:
+            with contextlib.suppress(RefusedError):  # until there is another
+                return first, await workers.run(own_number, seconds=PATIENT)
+
+    first, second = with_workers(1, use)
+    assert first != second
+    with pytest.raises(ProcessLookupError):
+        os.kill(first, 0)
+
+
+def test_a_job_that_fails_is_told_and_its_process_goes_on():
+    async def use(workers):
+        first = await workers.run(own_number, seconds=PATIENT)
+        with pytest.raises(FailedError, match="ZeroDivisionError: by zero"):
+            await workers.run(raising, seconds=PATIENT)
+        return first, await workers.run(own_number, seconds=PATIENT)
+
+    first, second = with_workers(1, use)
+    assert first == second
+
+
+def test_a_long_job_has_a_process_of_its_own_and_the_next_is_refused():
+    async def use(workers):
+        outcomes = []
+
+        async def ask():
+            try:
+                outcomes.append(await workers.run_apart(own_number, seconds=PATIENT))
+            except RefusedError as refusal:
+                outcomes.append(refusal.status)
+
+        async with anyio.create_task_group() as tasks:
+            tasks.start_soon(ask)
+            tasks.start_soon(ask)
+        live = await workers.run(own_number, seconds=PATIENT)
+        again = await workers.run_apart(doubled, 21, seconds=PATIENT)
+        return outcomes, live, again
+
+    outcomes, live, again = with_workers(1, use)
+    assert outcomes[0] == 503
+    assert outcomes[1] not in {live, os.getpid()}
+    assert again == 42
+
+
+def test_all_processes_end_with_the_server():
+    async def use(workers):
+        return await workers.run(own_number, seconds=PATIENT)
+
+    number = with_workers(1, use)
+    with pytest.raises(ProcessLookupError):
+        os.kill(number, 0)

@@ -1,0 +1,112 @@
+"""The page in a real browser: one server and one browser for all tests, a fresh page for each."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from desk import Desk
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+QUIET = [
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--no-first-run",
+]
+STARTING = 120.0  # s, on a machine where everything has to be compiled first
+SCREENSHOTS = Path(__file__).parents[2] / "out" / "screenshots"
+
+
+def executable() -> str | None:
+    return os.environ.get("NONHERTZ_CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Any]:
+    """A headless browser; tests are skipped where there is none, unless NONHERTZ_BROWSER is "required"."""
+    path = executable()
+    try:
+        from playwright.sync_api import sync_playwright  # noqa: PLC0415
+    except ModuleNotFoundError:
+        path = None
+    if path is None:
+        reason = "no Chromium or Chrome (set NONHERTZ_CHROMIUM), or no playwright"
+        if os.environ.get("NONHERTZ_BROWSER") == "required":
+            pytest.fail(reason)
+        pytest.skip(reason)
+    with sync_playwright() as playwright:
+        started = playwright.chromium.launch(executable_path=path, args=QUIET)
+        yield started
+        started.close()
+
+
+@pytest.fixture(scope="session")
+def address() -> Iterator[str]:
+    """The address of a page that the command line serves."""
+    command = [sys.executable, "-m", "nonhertz", "serve", "--port", "0", "--no-browser"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    assert process.stdout is not None
+    guard = threading.Timer(STARTING, process.kill)
+    guard.start()
+    said = ""
+    for line in process.stdout:
+        said += line
+        found = re.search(r"http://127\.0\.0\.1:\d+/", line)
+        if found:
+            guard.cancel()
+            drain = threading.Thread(target=process.stdout.read, daemon=True)
+            drain.start()
+            yield found[0]
+            break
+    else:
+        pytest.fail(f"nonhertz serve ended without an address: {said}")
+    process.terminate()
+    process.wait(10.0)
+    drain.join(10.0)
+    process.stdout.close()
+
+
+@pytest.fixture
+def open_desk(browser: Any, address: str) -> Iterator[Any]:
+    """Open pages that must make no complaint in the console and ask no other machine for anything."""
+    opened: list[tuple[Any, Desk]] = []
+
+    def opening(fragment: str = "", **options: Any) -> Desk:
+        settings = {"viewport": {"width": 1400, "height": 1000}, "reduced_motion": "reduce"} | options
+        context = browser.new_context(**settings)
+        context.set_default_timeout(20_000)
+        page = context.new_page()
+        desk = Desk(page, SCREENSHOTS)
+        complain = desk.complaints.append
+        page.on("console", lambda message: complain(message.text) if message.type == "error" else None)
+        page.on("pageerror", lambda error: complain(str(error)))
+        page.on("request", lambda request: complain(request.url) if is_foreign(request.url, address) else None)
+        opened.append((context, desk))
+        page.goto(address + fragment)
+        desk.settle()
+        return desk
+
+    yield opening
+    for context, desk in opened:
+        context.close()
+        assert desk.complaints == []
+
+
+@pytest.fixture
+def desk(open_desk: Any) -> Desk:
+    return open_desk()
+
+
+def is_foreign(url: str, address: str) -> bool:
+    return not url.startswith((address, "data:", "blob:" + address))

@@ -1,0 +1,154 @@
+"""Typing, dragging, choosing: the result follows, and is what `nonhertz.solve` gives."""
+
+from __future__ import annotations
+
+import statistics
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+from desk import Desk
+from numpy.testing import assert_allclose
+
+import nonhertz as nh
+from nonhertz.io.casefile import case_in, starting_case
+
+pytestmark = pytest.mark.browser
+
+SAME = 1e-9  # the same solve of the same numbers, through JSON, which keeps all digits
+
+
+def solution_of(**changes: Any) -> nh.Solution:
+    document = tomllib.loads(starting_case())
+    document["load"] |= changes
+    case = case_in(document, Path("case.toml"))
+    return nh.solve(case.contact, **case.prescribed, **case.solver)
+
+
+def assert_shows(desk: Desk, solution: nh.Solution) -> None:
+    shown = desk.numbers
+    assert_allclose(shown["Largest pressure"], solution.max_pressure, rtol=SAME)
+    assert_allclose(shown["Approach"], solution.approach, rtol=SAME)
+    assert_allclose(shown["Load"], solution.load, rtol=SAME)
+    assert_allclose(shown["Half-width"], solution.half_width.max(), rtol=SAME)
+
+
+def test_a_number_that_is_typed_changes_the_result(desk: Desk) -> None:
+    assert_shows(desk, solution_of())
+    before = desk.page.locator('[data-figure="pressure"] svg').inner_html()
+    desk.write("load.load", "26500")
+    assert_shows(desk, solution_of(load=26500.0))
+    assert desk.page.locator('[data-figure="pressure"] svg').inner_html() != before
+    desk.write("load.load", "26.5 kN")
+    assert_shows(desk, solution_of(load=26500.0))
+    spoken = desk.page.locator("#spoken")
+    desk.page.locator("#spoken", has_text="largest pressure").wait_for(state="attached")
+    assert "approach" in spoken.inner_text()
+
+
+def test_dragging_a_slider_shows_results_on_the_way_and_ends_with_the_last(desk: Desk) -> None:
+    slider = desk.slider("load.load")
+    box = slider.bounding_box()
+    before, trips = desk.answers, len(desk.round_trips())
+    mouse, y = desk.page.mouse, box["y"] + box["height"] / 2
+    mouse.move(box["x"] + 0.5 * box["width"], y)
+    mouse.down()
+    for step in range(40):
+        mouse.move(box["x"] + (0.5 + 0.003 * step) * box["width"], y)
+        desk.page.wait_for_timeout(15)
+    mouse.up()
+    desk.settle()
+    measured = desk.round_trips()[trips:]
+    print(f"\nround trip while dragging: median {statistics.median(measured):.0f} ms of {len(measured)} answers")
+    assert desk.answers - before >= 3
+    assert_shows(desk, solution_of(load=float(desk.field("load.load").input_value())))
+
+
+def test_arrow_keys_move_a_slider(desk: Desk) -> None:
+    slider = desk.slider("load.tilt")
+    slider.focus()
+    before = desk.answers
+    slider.press("ArrowLeft")
+    desk.wait_for_answer(before)
+    tilt = float(desk.field("load.tilt").input_value())
+    assert 0.0 < tilt < 0.0005
+    assert_shows(desk, solution_of(tilt=tilt))
+
+
+def test_a_slider_keeps_the_unit_that_its_field_is_written_in(desk: Desk) -> None:
+    desk.write("load.load", "20 kN")
+    desk.press("#undo")  # a form made anew knows the unit
+    desk.press("#redo")
+    before = desk.answers
+    desk.slider("load.load").press("ArrowRight")
+    desk.wait_for_answer(before)
+    text = desk.field("load.load").input_value()
+    assert text.endswith(" kN")
+    assert_allclose(
+        float(text.removesuffix(" kN")), 20.0, rtol=0.03
+    )  # a step of the slider is a thousandth of five decades
+
+
+def test_profiles_are_added_removed_and_changed(desk: Desk) -> None:
+    profiles = desk.page.locator('fieldset[data-group^="body.a.profile["]')
+    pressure = desk.numbers["Largest pressure"]
+    desk.page.locator('[data-additions="body.a.profile"]').select_option("crown")
+    desk.press('button[data-action="add"][data-path="body.a.profile"]')
+    assert profiles.count() == 2
+    assert desk.field("body.a.profile[2].radius").input_value()
+    crowned = desk.numbers["Largest pressure"]
+    assert crowned > pressure  # a crown on top takes the ends' share of the load to the middle
+
+    before = desk.answers
+    desk.field("body.a.profile[2].kind").select_option("conical")
+    desk.wait_for_answer(before)
+    assert desk.field("body.a.profile[2].angle").count() == 1
+    assert desk.field("body.a.profile[2].radius").count() == 0
+
+    desk.press('button[data-action="remove"][data-path="body.a.profile[2]"]')
+    assert profiles.count() == 1
+    assert_allclose(desk.numbers["Largest pressure"], pressure, rtol=SAME)
+
+
+def test_approach_in_place_of_load(desk: Desk) -> None:
+    before = desk.answers
+    desk.page.locator("#case .field.switch select", has=desk.page.locator('option[value="approach"]')).select_option(
+        "approach"
+    )
+    desk.wait_for_answer(before)
+    desk.write("load.approach", "0.02")
+    assert_allclose(desk.numbers["Approach"], 0.02, rtol=SAME)
+    assert desk.field("load.load").count() == 0
+
+
+def test_undo_and_redo(desk: Desk) -> None:
+    first = desk.numbers["Largest pressure"]
+    desk.write("load.load", "30000")
+    desk.page.locator("#undo:enabled").wait_for()
+    second = desk.numbers["Largest pressure"]
+    desk.press("#undo")
+    assert_allclose(desk.numbers["Largest pressure"], first, rtol=SAME)
+    before = desk.answers
+    desk.page.locator("#stress-on").focus()
+    desk.page.keyboard.press("Control+Shift+Z")
+    desk.wait_for_answer(before)
+    assert_allclose(desk.numbers["Largest pressure"], second, rtol=SAME)
+
+
+def test_stress_of_either_body_or_none(desk: Desk) -> None:
+    of_a = desk.numbers["von Mises stress"]
+    section = desk.page.locator('[data-figure="section"]')
+    assert (
+        section.locator("[role=img]")
+        .get_attribute("aria-label")
+        .startswith("Von Mises stress across the contact in body a")
+    )
+    desk.page.get_by_label("body b", exact=True).check()
+    desk.page.locator('[data-figure="section"] [aria-label*="body b"]').wait_for()
+    desk.settle()
+    # Both bodies have one steel and the same pressure; only the side faces of the roller tell them apart.
+    assert_allclose(desk.numbers["von Mises stress"], of_a, rtol=0.05)
+    desk.page.locator("#stress-on").uncheck()
+    assert not section.is_visible()
+    assert desk.page.locator('[data-key="von Mises stress"] .value').inner_text() == "–"

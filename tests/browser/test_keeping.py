@@ -1,0 +1,123 @@
+"""Pinning, links, files: what is on the page can be kept, compared and carried elsewhere."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+from desk import Desk, packed, unpacked
+from numpy.testing import assert_allclose
+
+from nonhertz.io.casefile import starting_case
+
+pytestmark = pytest.mark.browser
+
+SAME = 1e-9  # the same solve of the same numbers, through JSON or TOML, which keep all digits
+
+
+def test_a_pinned_case_stays_beside_the_next(desk: Desk) -> None:
+    pinned = desk.numbers
+    desk.page.locator("#pin").click()
+    assert desk.page.locator("#pin").get_attribute("aria-pressed") == "true"
+    desk.write("load.load", "26000")
+    words = desk.page.locator('[data-key="Load"] .pinned-number').inner_text()
+    assert "20.00 kN" in words
+    assert "+30.0 %" in words
+    now = desk.numbers
+    change = 100.0 * (now["Largest pressure"] / pinned["Largest pressure"] - 1.0)
+    words = desk.page.locator('[data-key="Largest pressure"] .pinned-number b').inner_text()
+    assert_allclose(float(words.removesuffix(" %")), change, atol=0.051)  # written with one decimal, or two
+    for figure in ("pressure", "half-width", "gap"):
+        caption = desk.page.locator(f'[data-figure="{figure}"] figcaption')
+        assert "pinned" in caption.inner_text()
+    desk.photograph("pinned")
+    desk.page.locator("#pin").click()
+    assert desk.page.locator(".pinned-number").count() == 0
+
+
+def test_the_pinned_case_can_be_gone_back_to(desk: Desk) -> None:
+    first = desk.numbers
+    desk.page.locator("#pin").click()
+    desk.write("load.load", "26000")
+    desk.press("#show-pinned")
+    assert desk.numbers == first
+    assert desk.field("load.load").input_value() == "20000"
+
+
+def test_a_link_brings_the_case_and_the_pinned_one(desk: Desk, open_desk: Any) -> None:
+    desk.page.locator("#pin").click()
+    desk.write("load.load", "31000")
+    desk.write("body.a.profile[1].amplitude", "6 um")
+    desk.page.locator("#share").click()
+    desk.page.locator("#share", has_not_text="Copy link").wait_for()
+    fragment = desk.page.evaluate("() => location.hash")
+    other = open_desk(fragment)
+    other.page.locator(".pinned-number").first.wait_for()
+    assert other.numbers == desk.numbers
+    assert other.field("body.a.profile[1].amplitude").input_value() == "6 um"
+    assert "20.00 kN" in other.page.locator('[data-key="Load"] .pinned-number').inner_text()
+    document = unpacked(fragment.removeprefix("#c=").partition("&")[0])
+    assert document["load"]["load"] == 31000
+    assert document["body"]["b"] == tomllib.loads(starting_case())["body"]["b"]
+
+
+def test_going_back_loses_no_work(desk: Desk) -> None:
+    desk.write("load.load", "31000")
+    desk.page.wait_for_url(lambda url: "#c=" in url)
+    before = desk.numbers
+    desk.page.reload()
+    desk.settle()
+    assert desk.numbers == before
+
+
+@pytest.mark.parametrize(
+    "fragment", ["#c=%%%", "#c=AAAA", "#c=" + packed({"title": "x" * 2_000_000}), "#c=" + "A" * 5000]
+)
+def test_a_link_that_was_cut_says_so_and_the_page_goes_on(open_desk: Any, fragment: str) -> None:
+    desk = open_desk(fragment)
+    assert_allclose(desk.numbers["Load"], 20000.0, rtol=SAME)
+    assert "copy it again" in desk.page.locator("#notice").inner_text()
+
+
+def test_the_downloaded_case_solves_to_what_the_page_shows(desk: Desk, tmp_path: Path) -> None:
+    desk.write("load.load", "23.5 kN")
+    desk.write("body.a.profile[1].amplitude", "0.004")
+    path = tmp_path / "case.toml"
+    path.write_bytes(desk.download("case.toml"))
+    command = [sys.executable, "-m", "nonhertz", "solve", str(path), "--json"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120.0)
+    found, shown = json.loads(done.stdout), desk.numbers
+    assert_allclose(shown["Largest pressure"], found["max_pressure"], rtol=SAME)
+    assert_allclose(shown["Approach"], found["approach"], rtol=SAME)
+    assert_allclose(shown["Half-width"], max(found["half_width"]), rtol=SAME)
+    assert_allclose(json.loads(desk.download("result.json"))["peak_pressure"], found["peak_pressure"], rtol=SAME)
+
+
+def test_table_and_report_are_downloaded(desk: Desk) -> None:
+    rows = list(csv.reader(io.StringIO(desk.download("table.csv").decode())))
+    assert len(rows) > 50
+    report = desk.download("report.html").decode()
+    assert report.lstrip().lower().startswith("<!doctype html>")
+    assert "Logarithmic roller 20 x 20 on a plate" in report
+
+
+def test_a_case_file_is_opened_or_dropped(desk: Desk, tmp_path: Path) -> None:
+    text = starting_case().replace("load = 20000.0", 'load = "12 kN"')
+    path = tmp_path / "another.toml"
+    path.write_text(text, encoding="utf-8")
+    before = desk.answers
+    desk.page.locator("#open-file").set_input_files(path)
+    desk.wait_for_answer(before)
+    assert_allclose(desk.numbers["Load"], 12000.0, rtol=SAME)
+    assert desk.field("load.load").input_value() == "12 kN"
+    before = desk.answers
+    desk.drop("#results", "third.toml", text.replace("12 kN", "13 kN"))
+    desk.wait_for_answer(before)
+    assert_allclose(desk.numbers["Load"], 13000.0, rtol=SAME)

@@ -1,0 +1,151 @@
+"""The page's own pure functions, run where they are at home."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from importlib import resources
+from typing import Any
+
+import pytest
+from desk import Desk, packed, unpacked
+
+pytestmark = pytest.mark.browser
+
+
+def calling(desk: Desk, module: str, name: str, *arguments: Any) -> Any:
+    """Return what a function of one of the page's modules returns; undefined is None."""
+    return desk.page.evaluate(
+        "async ([module, name, given]) => (await import(`/static/${module}.js`))[name](...given) ?? null",
+        [module, name, list(arguments)],
+    )
+
+
+@pytest.fixture(scope="module")
+def anywhere(browser: Any, address: str, tmp_path_factory: pytest.TempPathFactory) -> Any:
+    page = browser.new_page()
+    page.goto(address)
+    yield Desk(page, tmp_path_factory.mktemp("pictures"))
+    page.close()
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("20", 20), (" -1.5e-3 ", -0.0015), (".5", 0.5), ("20 kN", "20 kN"), ("0,5", "0,5"), ("", None), ("   ", None),
+        ("0x10", "0x10"), ("Infinity", "Infinity"), ("1e999", "1e999"), ("NaN", "NaN"), ("auto", "auto"),
+    ],
+)  # fmt: skip
+def test_quantity(anywhere: Desk, text: str, value: Any) -> None:
+    assert calling(anywhere, "numbers", "quantity", text) == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1 2 3", [1, 2, 3]),
+        ("8 mm, 9 mm", ["8 mm", "9 mm"]),
+        ("1; 2", [1, 2]),
+        ("zaretsky weibull", ["zaretsky", "weibull"]),
+        ("", None),
+    ],
+)
+def test_list(anywhere: Desk, text: str, value: Any) -> None:
+    assert calling(anywhere, "numbers", "list", text) == value
+
+
+@pytest.mark.parametrize(
+    ("number", "text"),
+    [
+        (2086.34, "2086"),
+        (0.029063, "0.02906"),
+        (-5.0, "\u22125.000"),
+        (0, "0"),
+        (None, "none"),
+        (123456.7, "123457"),
+        (3e-7, "3.000e-7"),
+    ],
+)
+def test_digits(anywhere: Desk, number: float | None, text: str) -> None:
+    assert calling(anywhere, "numbers", "digits", number) == text
+
+
+@pytest.mark.parametrize(
+    ("value", "before", "text"),
+    [
+        (2337, 2086, "+12.0 %"),
+        (99, 100, "\u22121.00 %"),
+        (100, 100, "same"),
+        (1, 0, ""),
+        (None, 2, ""),
+        (-2, -1, "\u2212100 %"),
+    ],
+)
+def test_difference(anywhere: Desk, value: float | None, before: float, text: str) -> None:
+    assert calling(anywhere, "numbers", "difference", value, before) == text
+
+
+@pytest.mark.parametrize(
+    ("path", "parts"),
+    [
+        ("load.load", ["load", "load"]),
+        ("body.a.profile[2].radius", ["body", "a", "profile", 1, "radius"]),
+        ('body.a."odd key"[1]', ["body", "a", "odd key", 0]),
+        ('"a.b".c', ["a.b", "c"]),
+    ],
+)
+def test_parts_of_a_path(anywhere: Desk, path: str, parts: list[Any]) -> None:
+    assert calling(anywhere, "paths", "parts", path) == parts
+
+
+def test_values_are_set_and_taken_away_in_a_copy(anywhere: Desk) -> None:
+    document = {"body": {"a": {"material": "steel", "profile": [{"kind": "crown"}, {"kind": "straight"}]}}}
+    changed = calling(anywhere, "paths", "withValue", document, "body.a.material.modulus", 1.0)
+    assert changed["body"]["a"]["material"] == {"modulus": 1.0}
+    changed = calling(anywhere, "paths", "withValue", document, "life.spectrum[1].share", 1)
+    assert changed["life"] == {"spectrum": [{"share": 1}]}
+    calls = "async document => (await import('/static/paths.js')).withValue(document, 'body.a.profile[1]', undefined)"
+    assert anywhere.page.evaluate(calls, document)["body"]["a"]["profile"] == [{"kind": "straight"}]
+
+
+@pytest.mark.parametrize(("path", "around"), [("a.b[2]", "a.b"), ("a.b", "a"), ("a", ""), ('a."x.y"', "a")])
+def test_the_path_around_another(anywhere: Desk, path: str, around: str) -> None:
+    assert calling(anywhere, "paths", "outer", path) == around
+
+
+def test_links_are_deflated_json(anywhere: Desk) -> None:
+    document = {"title": "Käfig µm \u2028 💡", "load": {"load": 20000.0}}
+    fragment = calling(anywhere, "link", "fragment", document, None)
+    assert unpacked(fragment.removeprefix("#c=")) == document
+    found = calling(anywhere, "link", "shared", f"#c={packed(document)}&p={packed({'title': 'b'})}")
+    assert found == {"document": document, "pinned": {"title": "b"}}
+    assert calling(anywhere, "link", "shared", "#results") is None
+
+
+def test_uneven_grids_are_made_even(anywhere: Desk) -> None:
+    # Linear values are reproduced exactly between the points, up to the rounding of their weights.
+    y, z = [-1.0, 0.2, 3.0], [0.0, 0.1, 0.5, 2.0]
+    rows = [[10.0 + 2.0 * along - 3.0 * down for along in y] for down in z]
+    plane = anywhere.page.evaluate(
+        """async ([y, z, rows]) => {
+          const plane = (await import("/static/stress.js")).resampled(y, z, rows, 2);
+          return { ...plane, values: [...plane.values] };
+        }""",
+        [y, z, rows],
+    )
+    columns = 96
+    count = len(plane["values"]) // columns
+    for row, column in [(0, 0), (7, 50), (count - 1, columns - 1)]:
+        along, down = -1.0 + 4.0 * (column + 0.5) / columns, 2.0 * (row + 0.5) / count
+        assert plane["values"][row * columns + column] == pytest.approx(
+            2.0 * (10.0 + 2.0 * along - 3.0 * down), rel=1e-12
+        )
+
+
+def test_libraries_are_those_that_their_readme_names() -> None:
+    folder = resources.files("nonhertz.web").joinpath("static", "vendor")
+    named = dict(
+        re.findall(r"^\| `([^`]+\.js)` .*`([0-9a-f]{64})` \|$", folder.joinpath("README.md").read_text(), re.MULTILINE)
+    )
+    found = {each.name: each.read_bytes() for each in folder.iterdir() if each.name.endswith(".js")}
+    assert {name: hashlib.sha256(content).hexdigest() for name, content in found.items()} == named

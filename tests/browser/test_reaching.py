@@ -1,0 +1,143 @@
+"""By keyboard alone, on a narrow screen, in the dark: everything is within reach."""
+
+from __future__ import annotations
+
+import tomllib
+from typing import Any
+
+import pytest
+from desk import Desk, packed
+from numpy.testing import assert_allclose
+
+from nonhertz.io.casefile import starting_case
+
+pytestmark = pytest.mark.browser
+
+SAME = 1e-9  # a prescribed load is met to the rounding of a sum over strips
+
+WALK = """() => {
+  const active = document.activeElement;
+  const box = active.getBoundingClientRect();
+  const style = getComputedStyle(active);
+  return {
+    name: active.name || active.id || active.dataset.for || active.dataset.action || active.tagName,
+    seen: box.width > 0 && box.height > 0,
+    outlined: active === document.body || style.outlineStyle !== "none",
+  };
+}"""
+
+
+def test_everything_is_reached_with_tab_in_the_order_of_the_page(desk: Desk) -> None:
+    walked = []
+    for _ in range(120):
+        desk.page.keyboard.press("Tab")
+        walked.append(desk.page.evaluate(WALK))
+        if walked[-1]["name"] == "BODY":
+            break
+    names = [each["name"] for each in walked]
+    assert names[0] == "A"  # the link that skips to the results
+    wanted = ["open", "share", "pin", "theme", "title", "load.load", "body.a.diameter", "body.b.kind", "stress-on"]
+    places = [names.index(each) for each in wanted]
+    assert places == sorted(places)
+    assert names.index("field-load-2eload") > names.index("load.load")  # its slider
+    assert all(each["seen"] for each in walked[:-1])
+    assert all(each["outlined"] for each in walked)
+
+
+def test_the_first_link_skips_to_the_results(desk: Desk) -> None:
+    desk.page.keyboard.press("Tab")
+    desk.page.keyboard.press("Enter")
+    assert desk.page.evaluate("() => document.activeElement.id") == "results"
+    assert_allclose(desk.numbers["Load"], 20000.0, rtol=SAME)
+
+
+def test_menus_and_dialogs_are_left_with_escape(desk: Desk) -> None:
+    desk.page.locator("#downloads summary").focus()
+    desk.page.keyboard.press("Enter")
+    assert desk.page.locator('[data-download="case.toml"]').is_visible()
+    desk.page.keyboard.press("Escape")
+    assert not desk.page.locator('[data-download="case.toml"]').is_visible()
+    desk.page.locator('[data-measured="a"]').focus()
+    desk.page.keyboard.press("Enter")
+    assert desk.page.locator("#measured").is_visible()
+    desk.page.keyboard.press("Escape")
+    assert desk.page.evaluate("() => document.activeElement.dataset.measured") == "a"
+
+
+def test_the_focus_stays_where_the_form_is_made_anew(desk: Desk) -> None:
+    where = "() => document.activeElement.name || document.activeElement.dataset.action"
+    kind = desk.field("body.a.profile[1].kind")
+    kind.focus()
+    before = desk.answers
+    kind.select_option("crown")
+    desk.wait_for_answer(before)
+    assert desk.page.evaluate(where) == "body.a.profile[1].kind"
+    remove = desk.page.locator('button[data-action="remove"][data-path="body.a.profile[1]"]')
+    remove.focus()
+    before = desk.answers
+    desk.page.keyboard.press("Enter")
+    desk.wait_for_answer(before)
+    assert desk.page.evaluate(where) == "add"
+
+
+def test_every_input_has_a_name_and_every_figure_words(desk: Desk) -> None:
+    nameless = desk.page.locator("input:not([type=hidden]):not([hidden]), select").evaluate_all(
+        "all => all.filter(each => !each.labels.length && !each.getAttribute('aria-label')).map(each => each.outerHTML)"
+    )
+    assert nameless == []
+    labels = desk.page.locator("main [role=img]").evaluate_all(
+        "all => all.map(each => each.getAttribute('aria-label'))"
+    )
+    assert len(labels) == 8  # four figures along the contact, two of stress, two profiles
+    assert all(label.endswith(".") for label in labels)
+    identifiers = desk.page.locator("[id]").evaluate_all("all => all.map(each => each.id)")
+    assert len(set(identifiers)) == len(identifiers)
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_pictures_of_a_wide_screen(open_desk: Any, theme: str) -> None:
+    desk = open_desk(color_scheme=theme)
+    assert desk.page.locator("html").get_attribute("data-theme") == theme
+    desk.photograph(f"wide-{theme}")
+    desk.page.locator("#theme").click()
+    other = "dark" if theme == "light" else "light"
+    assert desk.page.locator("html").get_attribute("data-theme") == other
+    desk.page.reload()
+    desk.settle()
+    assert desk.page.locator("html").get_attribute("data-theme") == other  # remembered
+
+
+def test_a_narrow_screen_shows_results_first_and_the_form_on_demand(open_desk: Any) -> None:
+    desk = open_desk(viewport={"width": 390, "height": 844})
+    assert desk.page.evaluate("() => document.documentElement.scrollWidth") <= 390
+    assert not desk.field("load.load").is_visible()
+    assert desk.page.locator('[data-figure="pressure"]').bounding_box()["y"] < 844
+    desk.photograph("narrow", whole=True)
+    desk.page.locator("#editor > summary").click()
+    desk.write("load.load", "25000")
+    assert_allclose(desk.numbers["Load"], 25000.0, rtol=SAME)
+    assert desk.page.evaluate("() => document.documentElement.scrollWidth") <= 390
+    desk.photograph("narrow-form")
+
+
+def test_a_sharp_end_has_no_limit(open_desk: Any) -> None:
+    document = tomllib.loads(starting_case())
+    document["body"]["a"]["profile"] = []
+    document["body"]["a"]["side_faces"] = "none"
+    document["title"] = (
+        "A roller with sharp ends and a title that is much longer than the room that there is for it " * 2
+    )
+    desk = open_desk(f"#c={packed(document)}")
+    shown = desk.page.locator('[data-key="Largest pressure"]').inner_text()
+    assert "no limit" in shown
+    assert "K = " in shown
+    assert "no limit" in desk.page.locator('[data-figure="pressure"] [role=img]').get_attribute("aria-label")
+    assert desk.page.locator("#warnings li").count() == 2
+    desk.photograph("sharp-end")
+
+
+def test_a_point_contact(open_desk: Any) -> None:
+    bodies = {"a": {"diameter": 30.0, "profile": [{"kind": "crown", "radius": 40.0}]}, "b": {"kind": "plate"}}
+    desk = open_desk(f"#c={packed({'title': 'Point contact', 'body': bodies, 'load': {'load': 500.0}})}")
+    assert "true proportions" in desk.page.locator('[data-figure="footprint"] figcaption').inner_text()
+    desk.photograph("point-contact")
