@@ -13,7 +13,6 @@ import pytest
 
 import nonhertz as nh
 import nonhertz.casework
-import nonhertz.cli.commands
 import nonhertz.plot
 from nonhertz.cli import main
 from nonhertz.io.casefile import read_case
@@ -241,7 +240,7 @@ def test_no_damage_is_said_in_words(case: str, capsys: pytest.CaptureFixture[str
 def test_what_cannot_be_is_refused_before_anything_is_solved(
     case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, words: list[str], sentence: str
 ) -> None:
-    monkeypatch.setattr(nonhertz.cli.commands, "_solved", never)
+    monkeypatch.setattr(nonhertz.casework, "solved", never)
     error = refused([case, *words], capsys)
     assert error.startswith(sentence)
     assert len(error.splitlines()) == 1

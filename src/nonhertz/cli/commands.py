@@ -7,25 +7,16 @@ from __future__ import annotations
 
 import contextlib
 import sys
-import threading
 import warnings
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from cyclopts import App, CycloptsError, Parameter
 
 from nonhertz import __version__
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED, NOT_VERIFIED
 from nonhertz.errors import CaseError, ConvergenceError, InputError
-
-if TYPE_CHECKING:
-    from nonhertz.casework import Spectrum
-    from nonhertz.comparison import Comparison
-    from nonhertz.io.casefile import Case
-    from nonhertz.io.lives import Assessment
-    from nonhertz.solution import Solution
-    from nonhertz.subsurface import Extremes
 
 app = App(
     name="nonhertz",
@@ -37,11 +28,6 @@ app = App(
     suppress_keyboard_interrupt=False,
     result_action="return_value",
 )
-
-
-_METHODS = 3  # of a comparison
-_SEARCHES = 2  # for the largest stresses: in the whole body and in a cross-section
-_SILENCE = 2.0  # s, before whoever waits is told why
 
 
 def run(words: Sequence[str]) -> int:
@@ -82,12 +68,13 @@ def solve(
     as_json : bool
         Print one JSON object with all numbers in place of the summary.
     """
+    from nonhertz.cli.solving import results_written, solved_or_not  # noqa: PLC0415
     from nonhertz.io.casefile import read_case  # noqa: PLC0415
     from nonhertz.io.results import as_json as json_text  # noqa: PLC0415
 
     problem = read_case(case)
-    solution, complaint = _solved(problem)
-    written = _written(out, solution, problem.title) if out is not None else ()
+    solution, complaint = solved_or_not(problem)
+    written = results_written(out, solution, problem.title) if out is not None else ()
     if as_json:
         print(json_text(solution, problem.title))
     else:
@@ -127,6 +114,7 @@ def compare(
     as_json : bool
         Print one JSON object with all numbers in place of the table.
     """
+    from nonhertz.cli.comparing import compared, comparison_written, print_comparison  # noqa: PLC0415
     from nonhertz.io.casefile import read_case  # noqa: PLC0415
     from nonhertz.io.comparisons import as_json as json_text  # noqa: PLC0415
     from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
@@ -135,16 +123,14 @@ def compare(
     if out is not None:
         refuse_unwritable(out)
     try:
-        found = _compared(problem, cells)
+        found = compared(problem, cells)
     except ConvergenceError as error:
         print(error, file=sys.stderr)
         return NOT_CONVERGED
-    written = _comparison_written(out, found, problem.title) if out is not None else ()
+    written = comparison_written(out, found, problem.title) if out is not None else ()
     if as_json:
         print(json_text(found, problem.title))
         return FINE
-    from nonhertz.cli.comparing import print_comparison  # noqa: PLC0415
-
     print_comparison(found, problem.title)
     for path in written:
         print(f"wrote {path}")
@@ -179,7 +165,8 @@ def stress(
     as_json : bool
         Print one JSON object in place of the table.
     """
-    from nonhertz.cli.stressing import check_request  # noqa: PLC0415
+    from nonhertz.cli.solving import solved_or_not  # noqa: PLC0415
+    from nonhertz.cli.stressing import check_request, tell_stresses  # noqa: PLC0415
     from nonhertz.io.casefile import read_case  # noqa: PLC0415
     from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
 
@@ -187,11 +174,11 @@ def stress(
     problem = read_case(case)
     if out is not None:
         refuse_unwritable(out)
-    solution, complaint = _solved(problem)
+    solution, complaint = solved_or_not(problem)
     if complaint:
         print(complaint, file=sys.stderr)
         return NOT_CONVERGED
-    _tell_stresses(solution, problem.title, station, body, out, as_json)
+    tell_stresses(solution, problem.title, station, body, out, as_json)
     return FINE
 
 
@@ -224,7 +211,7 @@ def life(
     as_json : bool
         Print one JSON object in place of the table.
     """
-    from nonhertz.cli.living import check_models  # noqa: PLC0415
+    from nonhertz.cli.living import check_models, tell_lives  # noqa: PLC0415
     from nonhertz.io.casefile import named, read_case  # noqa: PLC0415
     from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
 
@@ -235,7 +222,7 @@ def life(
             problems.append(read_case(compared))
     if out is not None:
         refuse_unwritable(out)
-    return _tell_lives(problems, model, out, as_json)
+    return tell_lives(problems, model, out, as_json)
 
 
 @app.command
@@ -263,6 +250,7 @@ def report(
         Look below the surface.
     """
     from nonhertz.cli.reporting import made, read_subjects, target, write  # noqa: PLC0415
+    from nonhertz.cli.solving import patience  # noqa: PLC0415
     from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
 
     if not cases:
@@ -270,7 +258,7 @@ def report(
     path = target(out, cases)
     subjects = read_subjects(cases)
     refuse_unwritable(path.parent)
-    text, found = made(subjects, life, stress, _patience())
+    text, found = made(subjects, life, stress, patience())
     write(path, text)
     print(f"wrote {path}")
     complaints = [f"{each.label}: {each.complaint}" for each in found if each.complaint]
@@ -373,12 +361,13 @@ def check(case: Path, /) -> int:
     case : Path
         The case file.
     """
+    from nonhertz.cli.solving import solved_or_not  # noqa: PLC0415
     from nonhertz.io.casefile import read_case  # noqa: PLC0415
 
     try:
         problem = read_case(case)
         # What only the solver can see, such as a contact that nothing ends. It takes milliseconds.
-        _solved(problem)
+        solved_or_not(problem)
     except CaseError as error:
         for number, mistake in enumerate(error.mistakes, start=1):
             print(f"{number}. {mistake}")
@@ -493,163 +482,3 @@ def verify(
             print(f"wrote {path}")
         print(summary(found))
     return NOT_VERIFIED if tally(found)["FAIL"] else FINE
-
-
-@contextlib.contextmanager
-def _patience() -> Iterator[None]:
-    """Tell whoever waits at a terminal why: the first solve on a machine compiles the solver."""
-    text = "The first solve on a machine compiles the solver, which takes about half a minute."
-    notice = threading.Timer(_SILENCE, print, [text], {"file": sys.stderr, "flush": True})
-    notice.daemon = True
-    if sys.stderr.isatty():
-        notice.start()
-    try:
-        yield
-    finally:
-        notice.cancel()
-
-
-def _solved(case: Case) -> tuple[Solution, str]:
-    """Return the solution and, if it has not converged, what to say about that."""
-    from nonhertz.casework import solved  # noqa: PLC0415
-
-    with _patience():
-        try:
-            return solved(case), ""
-        except ConvergenceError as error:
-            return error.solution, str(error)
-
-
-def _compared(case: Case, cells: tuple[int, int] | None) -> Comparison:
-    from nonhertz.cli.verification import Progress  # noqa: PLC0415
-    from nonhertz.comparison import compare as compare_methods  # noqa: PLC0415
-    from nonhertz.io.casefile import placed  # noqa: PLC0415
-
-    progress = Progress(_METHODS)
-    try:
-        with _patience():
-            return compare_methods(
-                case.contact, **case.prescribed, strips=case.solver["strips"], cells=cells, announce=progress.announce
-            )
-    except InputError as error:
-        if error.field == "cells":
-            raise InputError("--cells", error.value, error.condition, "give two whole numbers such as 64 256") from None
-        raise placed(error) from None
-    finally:
-        progress.wipe()
-
-
-def _comparison_written(directory: Path, found: Comparison, title: str) -> tuple[Path, ...]:
-    from nonhertz.io.comparisons import write_comparison  # noqa: PLC0415
-    from nonhertz.plot import comparison, save  # noqa: PLC0415
-
-    return write_comparison(
-        directory, found, title, lambda folder: save(comparison(found, title), folder / "comparison")
-    )
-
-
-def _tell_stresses(
-    solution: Solution, title: str, station: float | None, body: str, out: Path | None, as_json: bool
-) -> None:
-    """Find the largest stresses, write them if there is where to, and print them."""
-    from nonhertz.cli.stressing import print_stresses, searched  # noqa: PLC0415
-    from nonhertz.cli.verification import Progress  # noqa: PLC0415
-    from nonhertz.io.stresses import as_json as json_text  # noqa: PLC0415
-
-    progress = Progress(_SEARCHES if out is None else _SEARCHES + 1)
-    try:
-        overall, section = searched(solution, station, body, progress)
-        text = json_text(solution, overall, section, title)
-        written: tuple[Path, ...] = ()
-        if out is not None:
-            progress.announce("planes and figures")
-            written = _stresses_written(out, solution, (overall, section), text, title)
-    finally:
-        progress.wipe()
-    if as_json:
-        print(text)
-        return
-    print_stresses(solution, overall, section, title)
-    for path in written:
-        print(f"wrote {path}")
-
-
-def _stresses_written(
-    directory: Path, solution: Solution, found: tuple[Extremes, Extremes], text: str, title: str
-) -> tuple[Path, ...]:
-    from nonhertz.io.stresses import write_stresses  # noqa: PLC0415
-    from nonhertz.plot import save, stress_figures, stress_planes  # noqa: PLC0415
-
-    planes = stress_planes(solution, found[1])
-
-    def draw(folder: Path) -> None:
-        for name, figure in stress_figures(solution, *found, title, planes).items():
-            save(figure, folder / name)
-
-    return write_stresses(directory, text, planes, draw)
-
-
-def _spectrum_solved(case: Case) -> tuple[Spectrum, str]:
-    """Return the solutions of all loads with their shares, or what to say about why there are none."""
-    from nonhertz.casework import spectrum_solved  # noqa: PLC0415
-
-    with _patience():
-        try:
-            return spectrum_solved(case), ""
-        except ConvergenceError as error:
-            return (), str(error)
-
-
-def _tell_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_json: bool) -> int:
-    """Solve one or two cases, assess their lives, write them if there is where to, and print them."""
-    from nonhertz.casework import assessed, models_for  # noqa: PLC0415
-    from nonhertz.cli.living import print_lives  # noqa: PLC0415
-    from nonhertz.cli.verification import Progress  # noqa: PLC0415
-    from nonhertz.io.casefile import named  # noqa: PLC0415
-    from nonhertz.io.lives import as_json as json_text  # noqa: PLC0415
-
-    models, notes = models_for(cases[0], names, cases[1:])
-    progress = Progress(sum(2 * max(1, len(case.life.spectrum)) for case in cases))
-    found: list[Assessment] = []
-    try:
-        for case in cases:
-            with named(case.path) if found else contextlib.nullcontext():
-                spectrum, complaint = _spectrum_solved(case)
-                if complaint:
-                    progress.wipe()
-                    print(f"{case.path}: {complaint}" if found else complaint, file=sys.stderr)
-                    return NOT_CONVERGED
-                found.append(assessed(case, spectrum, models, notes, progress.announce))
-    finally:
-        progress.wipe()
-    assessment, other = found[0], found[1] if len(found) > 1 else None
-    written = _lives_written(out, assessment, other) if out is not None else ()
-    if as_json:
-        print(json_text(assessment, other))
-        return FINE
-    print_lives(assessment, other)
-    for path in written:
-        print(f"wrote {path}")
-    return FINE
-
-
-def _lives_written(directory: Path, found: Assessment, other: Assessment | None) -> tuple[Path, ...]:
-    from nonhertz.io.lives import write_lives  # noqa: PLC0415
-    from nonhertz.plot import life_figure, save  # noqa: PLC0415
-
-    def draw(folder: Path) -> None:
-        compared = None if other is None else other.lives
-        save(life_figure(found.spectrum, found.lives, found.title, compared), folder / "life-density")
-
-    return write_lives(directory, found, other, draw)
-
-
-def _written(directory: Path, solution: Solution, title: str) -> tuple[Path, ...]:
-    from nonhertz.io.results import write_results  # noqa: PLC0415
-    from nonhertz.plot import figures, save  # noqa: PLC0415
-
-    def draw(folder: Path) -> None:
-        for name, figure in figures(solution, title).items():
-            save(figure, folder / name)
-
-    return write_results(directory, solution, title, draw)

@@ -1,19 +1,57 @@
-"""What ``nonhertz compare`` prints for people."""
+"""What ``nonhertz compare`` does, writes, and prints for people."""
 
 from __future__ import annotations
 
 import math
 import sys
+from pathlib import Path
 
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from nonhertz import comparison as methods
+from nonhertz.cli.solving import patience
+from nonhertz.cli.verification import Progress
 from nonhertz.comparison import Comparison, Quantity, Stretch
+from nonhertz.errors import InputError
+from nonhertz.io.casefile import Case, placed
 from nonhertz.tables.summary import digits
 
+_METHODS = 3
 WIDTH = 100  # of what is piped
 _COLUMNS = ("", "plane grid", "semi-elliptic", "difference", "parabolic", "difference")
+
+
+def compared(case: Case, cells: tuple[int, int] | None) -> Comparison:
+    """Return strips of both elements and the plane grid on a case.
+
+    Raises
+    ------
+    CaseError, ConvergenceError
+    """
+    progress = Progress(_METHODS)
+    try:
+        with patience():
+            return methods.compare(
+                case.contact, **case.prescribed, strips=case.solver["strips"], cells=cells, announce=progress.announce
+            )
+    except InputError as error:
+        if error.field == "cells":
+            raise InputError("--cells", error.value, error.condition, "give two whole numbers such as 64 256") from None
+        raise placed(error) from None
+    finally:
+        progress.wipe()
+
+
+def comparison_written(directory: Path, found: Comparison, title: str) -> tuple[Path, ...]:
+    """Write a comparison with its figure, and return the files."""
+    from nonhertz.io.comparisons import write_comparison  # noqa: PLC0415
+    from nonhertz.plot import comparison, save  # noqa: PLC0415
+
+    return write_comparison(
+        directory, found, title, lambda folder: save(comparison(found, title), folder / "comparison")
+    )
 
 
 def print_comparison(found: Comparison, title: str) -> None:

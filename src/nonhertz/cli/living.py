@@ -1,16 +1,24 @@
-"""What ``nonhertz life`` prints for people."""
+"""What ``nonhertz life`` assesses, writes, and prints for people."""
 
 from __future__ import annotations
 
+import contextlib
 import sys
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from nonhertz.casework import assessed, models_for
+from nonhertz.cli import FINE, NOT_CONVERGED
+from nonhertz.cli.solving import spectrum_or_not
+from nonhertz.cli.verification import Progress
 from nonhertz.errors import InputError
+from nonhertz.io.casefile import Case, named
 from nonhertz.io.lives import Assessment
+from nonhertz.io.lives import as_json as as_json_text
 from nonhertz.life import MODELS
 from nonhertz.tables.lives import RATIO, REVOLUTIONS, life_rows, ratio_rows, sentences, spectrum_rows, without_ratio
 
@@ -27,6 +35,44 @@ def check_models(names: Iterable[str]) -> None:
     for name in names:
         if name not in MODELS:
             raise InputError("--model", name, "be a fatigue model", f"choose from {', '.join(MODELS)}")
+
+
+def tell_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_json: bool) -> int:
+    """Solve one or two cases, assess their lives, write them if there is where to, print them; return the exit code."""
+    models, notes = models_for(cases[0], names, cases[1:])
+    progress = Progress(sum(2 * max(1, len(case.life.spectrum)) for case in cases))
+    found: list[Assessment] = []
+    try:
+        for case in cases:
+            with named(case.path) if found else contextlib.nullcontext():
+                spectrum, complaint = spectrum_or_not(case)
+                if complaint:
+                    progress.wipe()
+                    print(f"{case.path}: {complaint}" if found else complaint, file=sys.stderr)
+                    return NOT_CONVERGED
+                found.append(assessed(case, spectrum, models, notes, progress.announce))
+    finally:
+        progress.wipe()
+    assessment, other = found[0], found[1] if len(found) > 1 else None
+    written = _lives_written(out, assessment, other) if out is not None else ()
+    if as_json:
+        print(as_json_text(assessment, other))
+        return FINE
+    print_lives(assessment, other)
+    for path in written:
+        print(f"wrote {path}")
+    return FINE
+
+
+def _lives_written(directory: Path, found: Assessment, other: Assessment | None) -> tuple[Path, ...]:
+    from nonhertz.io.lives import write_lives  # noqa: PLC0415
+    from nonhertz.plot import life_figure, save  # noqa: PLC0415
+
+    def draw(folder: Path) -> None:
+        compared = None if other is None else other.lives
+        save(life_figure(found.spectrum, found.lives, found.title, compared), folder / "life-density")
+
+    return write_lives(directory, found, other, draw)
 
 
 def print_lives(found: Assessment, other: Assessment | None) -> None:

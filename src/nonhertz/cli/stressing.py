@@ -1,9 +1,10 @@
-"""What ``nonhertz stress`` evaluates, and what it prints for people."""
+"""What ``nonhertz stress`` evaluates, writes, and prints for people."""
 
 from __future__ import annotations
 
 import math
 import sys
+from pathlib import Path
 
 from rich.console import Console
 from rich.table import Table
@@ -17,6 +18,7 @@ from nonhertz.solution import Solution
 from nonhertz.subsurface import Extremes
 from nonhertz.tables.stresses import COLUMNS, sentences, stress_rows
 
+_SEARCHES = 2  # for the largest stresses: in the whole body and in a cross-section
 WIDTH = 100  # of what is piped
 _STATION_REMEDY = "choose a place in the body, or leave it out for the cross-section of the largest von Mises stress"
 
@@ -45,6 +47,45 @@ def searched(solution: Solution, station: float | None, body: str, progress: Pro
     if station is not None:
         _check_station(solution, station, body)
     return largest_stresses(solution, station, body, progress.announce)
+
+
+def tell_stresses(
+    solution: Solution, title: str, station: float | None, body: str, out: Path | None, as_json: bool
+) -> None:
+    """Find the largest stresses, write them if there is where to, and print them."""
+    from nonhertz.io.stresses import as_json as json_text  # noqa: PLC0415
+
+    progress = Progress(_SEARCHES if out is None else _SEARCHES + 1)
+    try:
+        overall, section = searched(solution, station, body, progress)
+        text = json_text(solution, overall, section, title)
+        written: tuple[Path, ...] = ()
+        if out is not None:
+            progress.announce("planes and figures")
+            written = _stresses_written(out, solution, (overall, section), text, title)
+    finally:
+        progress.wipe()
+    if as_json:
+        print(text)
+        return
+    print_stresses(solution, overall, section, title)
+    for path in written:
+        print(f"wrote {path}")
+
+
+def _stresses_written(
+    directory: Path, solution: Solution, found: tuple[Extremes, Extremes], text: str, title: str
+) -> tuple[Path, ...]:
+    from nonhertz.io.stresses import write_stresses  # noqa: PLC0415
+    from nonhertz.plot import save, stress_figures, stress_planes  # noqa: PLC0415
+
+    planes = stress_planes(solution, found[1])
+
+    def draw(folder: Path) -> None:
+        for name, figure in stress_figures(solution, *found, title, planes).items():
+            save(figure, folder / name)
+
+    return write_stresses(directory, text, planes, draw)
 
 
 def print_stresses(solution: Solution, overall: Extremes, section: Extremes, title: str) -> None:
