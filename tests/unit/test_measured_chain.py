@@ -34,11 +34,11 @@ def measured() -> Measured:
 def test_a_crown_comes_back_out_of_tilt_noise_chamfers_and_dust(measured):
     """Its curvature c = 1/R is that of a least-squares parabola, of which n points of noise s on a length L leave
 
-    a standard deviation of s sqrt(720 / n) / L^2 in c / 2 (the variance of the third Legendre coefficient).
+    a standard deviation of s sqrt(720 / n) / L^2 in c (the variance of the third Legendre coefficient).
     """
     found = measured.fit("crown")
     points, length = 5500, 11.0
-    sigma = 2.0 * NOISE * math.sqrt(180.0 / points) / length**2 * 2.0
+    sigma = NOISE * math.sqrt(720.0 / points) / length**2
     assert_allclose(1.0 / found.parameters["radius"], 1.0 / RADIUS, atol=4.0 * sigma)
     # The dust is gone and the profile's own drop is that of the crown: at its end, 11 mm less a chord at either side,
     # within three standard deviations of a mean over the filter's width, 150 um of points 2 um apart.

@@ -78,6 +78,15 @@ def test_a_parameter_that_the_line_says_nothing_about_has_no_standard_error():
     assert np.isinf(list(found.standard_errors.values())).any() or found.standard_errors["radius"] > 1e4
 
 
+def test_a_radius_that_a_flat_line_does_not_tell_has_a_large_standard_error():
+    """Heights of 0.1 um on 10 mm say no more of a crown than that its curvature is below some 1e-5 per mm."""
+    found = fit(line("straight", noise=NOISE), "crown")
+    # The curvature has the standard deviation s sqrt(720 / n) / L^2 of a parabola through noise; 1 / R that of R / R^2.
+    curvature = NOISE * np.sqrt(720.0 / len(Y)) / 10.0**2
+    told = found.standard_errors["radius"] / found.parameters["radius"] ** 2
+    assert_allclose(told, curvature, rtol=0.15)
+
+
 def test_a_hollow_line_is_fitted_with_a_negative_radius():
     assert_allclose(fit(Points(Y, Y**2 / 1600.0), "crown").parameters["radius"], -800.0, rtol=1e-3)
 

@@ -149,6 +149,35 @@ def test_a_line_without_noise_has_no_outliers():
         assert Outliers().apply(Points(y, height)).numbers["removed"] == 0
 
 
+@pytest.mark.parametrize("grain", [slice(-1, None), slice(0, 1), slice(-4, None)], ids=["last", "first", "last four"])
+def test_dust_on_an_end_goes_and_what_lies_beside_it_stays(grain):
+    trace = roller(noise=1e-4, chamfer=0.0)
+    height = np.array(trace.height)
+    height[grain] += 5e-3
+    state = Outliers().apply(Points(trace.y, height))
+    assert state.removed is not None
+    assert_array_equal(state.removed[0], trace.y[grain])
+
+
+def test_heights_that_were_rounded_off_are_no_outliers():
+    """Of stairs most points lie on their chords and the median deviation is nothing; a tenth of a micrometre stays."""
+    trace = roller(chamfer=0.0)
+    rounded = np.round(trace.height, 4)
+    assert Outliers().apply(Points(trace.y, rounded)).numbers["removed"] == 0
+    rounded[3000] += 0.005
+    state = Outliers().apply(Points(trace.y, rounded))
+    assert state.removed is not None
+    assert_array_equal(state.removed[0], trace.y[[3000]])
+
+
+@pytest.mark.parametrize("wavelength", [0.1, 0.25])
+def test_chatter_on_a_part_of_the_line_is_surface(wavelength):
+    """A fifth of the line has waves of 0.5 um, the rest a roughness of 10 nm."""
+    trace = roller(noise=1e-5, chamfer=0.0)
+    chatter = 5e-4 * np.sin(2.0 * np.pi * trace.y / wavelength) * (np.abs(trace.y) < 1.2)
+    assert Outliers().apply(Points(trace.y, trace.height + chatter)).numbers["removed"] == 0
+
+
 def test_a_scratch_is_an_outlier_and_a_dent_is_shape():
     """Chords reach a hundredth of the line, 0.12 mm, to either side; a dent of 0.6 mm has them inside."""
     trace = roller(noise=1e-5, chamfer=0.0, count=2001)

@@ -80,8 +80,14 @@ def test_roughness_that_is_left_in_is_warned_of(folder):
         ("height_unit = true", "height_unit = True must not be true or false"),
         ('height_unit = "um", slope = -1', "slope = -1 must be positive"),
         ('height_unit = "um", interpolation = "spline"', "interpolation = 'spline' must be one of"),
+        ('height_unit = "um", scale = nan', "scale = nan must be a finite number"),
+        ('height_unit = "um", shift = inf', "shift = inf must be a finite number"),
+        ('height_unit = "um", trim = [8]', "trim = [8] must be true or false, 'auto' or a length"),
+        ('height_unit = "um", points = "all"', "points = 'all' must be true or false, 'auto' or a whole number"),
+        ('height_unit = "um", height_column = 1.5', "height_column = 1.5 must be the name of a column"),
+        ('position_column = 1, height_column = 1', "height_column = 1 must be another column"),
     ],
-    ids=range(13),
+    ids=range(19),
 )  # fmt: skip
 def test_a_mistake_is_told_at_its_key(folder, keys, sentence):
     with pytest.raises(CaseError) as caught:

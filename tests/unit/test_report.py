@@ -9,6 +9,7 @@ from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 
+import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
@@ -222,6 +223,21 @@ def test_inputs_have_value_unit_meaning_and_say_what_is_a_default() -> None:
     }
     assert "ISO/TS 16281:2008" in logarithmic.source
     assert [(entry.value, entry.unit) for entry in conical.entries if entry.key == "angle"] == [("0.1 mrad", "")]
+
+
+def test_steps_of_a_measured_profile_are_told_though_the_case_file_leaves_them_out(tmp_path: Path) -> None:
+    rows = (f"{y:.3f} {-(y**2) / 1000.0:.7f}" for y in np.linspace(-5.0, 5.0, 401))
+    (tmp_path / "roller.txt").write_text("\n".join(rows), encoding="utf-8")
+    case = '[body.a]\ndiameter = 10\nprofile = { kind = "measured", file = "roller.txt", trim = "9 mm" }\n[body.b]\n'
+    (tmp_path / "case.toml").write_text(case + "[load]\nload = 100\n", encoding="utf-8")
+    (profile,) = inputs(read_subject(tmp_path / "case.toml"))[0].profiles
+    told = {entry.key: (f"{entry.value} {entry.unit}".strip(), entry.default) for entry in profile.entries}
+    assert told["trim"] == ("9 mm", False)
+    assert told["cutoff"] == ("0.8 mm", True)
+    assert told["smooth"] == ("gaussian", True)
+    assert told["level"] == ("yes", True)
+    assert told["points"] == ("auto", True)
+    assert "height_unit" not in told
 
 
 STRAINED = {

@@ -53,6 +53,9 @@ TEXTS = {
     "UTF-16 without a mark": "\n".join(f"{y};{z}" for y, z in PAIRS).encode("utf-16-le"),
     "Latin-1": "Prüfer: Müller\n".encode("latin-1") + lines("{:.2f};{:.3f}"),
     "end-of-file mark": lines("{:.2f} {:.3f}") + b"\x1a",
+    "quotes": lines('"{:.2f}","{:.3f}"', '"y","z"\n'),
+    "decimal commas below a head with points": b"Date;1.2.2024\nNo.;7.3\n" + with_comma(lines("{:.2f};{:.3f}")),
+    "decimal commas and blanks below a head": b"Day 1.2.\nRun 7\nRun 8\n" + with_comma(lines("{:.2f} {:.3f}")),
 }
 
 
@@ -76,6 +79,9 @@ def test_all_dialects_of_columns_are_the_same_line(name):
         ("y [m];z [in]", 1e3, 25.4),
         ("y [mm] z [um]", 1.0, 1e-3),
         ("y_axis;z_axis [um]", 1.0, 1e-3),
+        ("X [MM];Z [UM]", 1.0, 1e-3),
+        ("# y [mm] z [um]", 1.0, 1e-3),
+        ("# measured with care [twice]\n# y [mm]; z [um]\n#", 1.0, 1e-3),
     ],
 )
 def test_units_are_taken_from_the_head(head, position, height):
@@ -100,6 +106,23 @@ def test_micrometres_without_a_unit_are_not_taken_for_millimetres():
         InputError, match=r"state the unit of its heights \(in mm they would differ by 4 on a length of"
     ):
         read_trace(lines("{} {}"), "roller.txt")
+
+
+def test_a_flat_line_in_micrometres_is_given_away_by_its_roughness():
+    """In mm it would have half a millimetre on ten, which a body may have, but from one point to the next."""
+    y = np.linspace(0.0, 10.0, 1001)
+    height = 0.1 * np.random.default_rng(1).standard_normal(1001)
+    text = "\n".join(f"{a:.3f} {b:.4f}" for a, b in zip(y, height, strict=True)).encode()
+    assert np.ptp(height) < 1.0
+    with pytest.raises(InputError, match=r"in mm they would rise and fall by .* in a mm from point to point"):
+        read_trace(text)
+
+
+def test_columns_that_are_swapped_are_refused_until_they_are_chosen():
+    swapped = lines("{1};{0}", "z [um];y [mm]\n")
+    with pytest.raises(InputError, match=r"in the first column \(it goes back in 2 places and the second one in"):
+        read_trace(swapped)
+    assert_allclose(read_trace(swapped, position_column=2).height, 1e-3 * UM, rtol=1e-12)
 
 
 def test_order_and_repetition_are_put_right_and_noted():
@@ -140,6 +163,10 @@ def test_material_taken_away_turns_the_sign():
     assert_allclose(named.height, -1e-3 * UM, rtol=1e-12)
     told = read_trace(b"y [mm];relief [um]\n" + lines("{};{}"), sense="height")
     assert_allclose(told.height, 1e-3 * UM, rtol=1e-12)
+    remarked = read_trace(b"# y,relief\n" + lines("{},{}"), height_unit="um")
+    assert_allclose(remarked.height, -1e-3 * UM, rtol=1e-12)
+    depth = read_trace(b"y [mm];depth [um]\n" + lines("{};{}"), sense="drop")
+    assert_allclose(depth.height, -1e-3 * UM, rtol=1e-12)
 
 
 def smd(count: int = 6, heights: str = "\r\n".join(str(z) for z in UM), kind: str = "I") -> bytes:
@@ -233,26 +260,46 @@ def with_entities() -> bytes:
 DAMAGED = {
     "empty": (b"", r"must hold something \(it is empty\)"),
     "blank": (b" \r\n\t\n", r"must hold something"),
-    "only a head": (b"y [mm];z [um]\n", r"must hold two columns of numbers \(no line has them\)"),
+    "only a head": (b"y [mm];z [um]\n", r"must hold two columns of numbers \(no line has any\)"),
     "one point": (b"0 1\n", r"must hold 5 positions at least \(there is one position\)"),
     "text in a cell": (lines("{} {}") + b"1.5 x7\n", r"must hold a number in line 7, column 2 \(there is 'x7'\)"),
     "text behind": (lines("{} {}") + b"end of data\n", r"must hold 2 columns in line 7 as above \(there are 3"),
-    "three columns": (lines("{0};{1};0"), r"must hold two columns, or have two of its 3 chosen \(column 1"),
+    "three columns": (lines("{0};{1};0"), r"must hold two columns, or have two of its 3 chosen: give"),
     "one column": (b"1\n2\n3\n4\n5\n6\n", r"must hold two columns of numbers \(there is one number in a line\)"),
     "nothing measured": (b"nan nan\n" * 9, r"must hold two columns of numbers"),
     "no height measured": (b"".join(b"%d nan\n" % k for k in range(9)), r"must hold measured points"),
     "one position": (b"1 2\n1 3\n1 4\n1 5\n1 6\n", r"must hold 5 positions at least \(there is one position\)"),
+    "a number for nothing": (lines("{} {}") + b"1.5 3.4e38\n", r"must hold .* within a kilometre \(there is one of 3"),
+    "no length": (b"".join(b"%de-9 0.%d\n" % (k, k) for k in range(7)), r"must hold positions that are further apart"),
     "binary": (bytes(range(256)) * 4, r"must be text in columns, a MarWin text export, .smd, .prf or .x3p"),
     "unit of time": (b"y [mm];z [s]\n" + lines("{};{}"), r"must state a unit of length for each column"),
     "no unit": (b"y [mm];z [apples]\n" + lines("{};{}"), r"must state a unit of length for each column"),
     "commas of both kinds": (b"0,001,-13,5\n0,002,-13,6\n" * 4, r"must tell decimal commas from commas between"),
     "digits behind a comma": (b"0,001\n0,002\n0,003\n", r"must tell decimal commas from commas between columns"),
+    "commas between thousands": (
+        b"0;1\n500;2\n1,000;3\n1,500;2\n2,000;1\n2,500;0\n",
+        r"must tell decimal commas from commas between thousands \(line 3",
+    ),
+    "minus signs of print": (
+        lines("{} {}").replace(b"-", "\u2212".encode()),
+        r"must hold a number in line 4, column 2 \(there is '\u22120\.25'\)",
+    ),
+    "a web page": (b"<td>1</td>", r"must hold two columns of numbers \(line 1 is '<td>1</td>'\)"),
+    "hundreds of columns": (
+        b";".join(b"c%d" % k for k in range(300)) + b"\n" + b";".join([b"1"] * 300),
+        r"must hold two columns, or have two of its 300 chosen \('c0', 'c1', 'c2', .*, \.\.\.\): give",
+    ),
+    "sign not known": (b"y [mm];depth [um]\n" + lines("{};{}"), r"must say which way its column 'depth \[um\]' counts"),
+    "smd of a negative factor": (
+        smd().replace(b"um\0 1.0e0", b"um\0 -1.0e0"), r"must state a positive factor for its axis CZ \(it is -1"
+    ),
     "smd cut off": (smd(count=8), r"must hold the 8 heights that its head names \(there are 6\)"),
     "prf cut off": (prf(count=9), r"must hold the 9 heights that its head names \(there are 6\)"),
     "prf without a step": (prf(spacing=""), r"must state the step of its points \(SPACING CX is missing\)"),
     "smd of positions": (smd(kind="A"), r"must have evenly spaced points \(its axis CX is of kind A\)"),
     "smd with text": (smd(heights="\r\n".join("123x56")), r"must hold a height in line 12 \(there is 'x'\)"),
     "marwin cut off": (marwin(count=7), r"must hold the 7 points that its head names \(there are 6\)"),
+    "marwin of too many": (marwin(count=10**30), r"must hold the 10000000000000000000 points"),
     "marwin with text": (marwin(along="x y z"), r"must hold a point X Y Z in line 8"),
     "zip cut off": (x3p()[:-60], r"must be a sound X3P file"),
     "zip of something": (altered(x3p(), "main.xml", b"<a/>"), r"must be a sound X3P file"),
@@ -272,6 +319,7 @@ def test_a_damaged_file_ends_in_one_sentence(name):
         read_trace(data, "roller.dat")
     assert "\n" not in str(caught.value)
     assert str(caught.value).count(". ") == 0
+    assert len(str(caught.value)) < 400
 
 
 def test_a_zip_that_unpacks_to_too_much_is_refused(monkeypatch: pytest.MonkeyPatch):
@@ -296,6 +344,16 @@ def test_what_is_no_file_is_refused(tmp_path: Path):
             read_trace(path)
 
 
+def test_an_empty_or_too_large_file_is_refused_in_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr("nonhertz.io.traces.LARGEST_FILE", 10)
+    for content, reason in ((b"", "hold something (it is empty)"), (b"0 1\n" * 3, "be no larger than 0 MB")):
+        path = tmp_path / "roller.txt"
+        path.write_bytes(content)
+        with pytest.raises(InputError) as caught:
+            read_trace(path)
+        assert str(caught.value).startswith(f"file = 'roller.txt' must {reason}: ")
+
+
 def test_a_file_is_called_by_its_name(tmp_path: Path):
     path = tmp_path / "roller 7.txt"
     path.write_bytes(lines("{} {}"))
@@ -317,8 +375,14 @@ def test_large_files_are_refused():
         ({"position_column": 3}, "position_column = 3 must be a column from 1 to 2"),
         ({"height_column": "roughness"}, "height_column = 'roughness' must be the name of a column"),
         ({"sense": "down"}, "sense = 'down' must be one of 'height', 'drop'"),
+        ({"position_column": "\u00b2"}, "position_column = '\u00b2' must be the name of a column"),
+        ({"position_column": 1.5}, r"position_column = 1\.5 must be the name of a column"),
+        ({"height_column": 0}, "height_column = 0 must be a column from 1 to 2"),
+        ({"height_column": -1}, "height_column = -1 must be a column from 1 to 2"),
+        ({"height_column": "9" * 5000}, "must be a column from 1 to 2"),
+        ({"position_column": 2, "height_column": 2}, "height_column = 2 must be another column than that of the"),
     ],
-    ids=range(4),
+    ids=range(10),
 )
 def test_an_option_that_means_nothing_is_refused(options, sentence):
     with pytest.raises(InputError, match=sentence):

@@ -30,6 +30,7 @@ _NUMBER: dict[str, Any] = {"type": "number"}
 _SWITCH: dict[str, Any] = {"type": "boolean"}
 _LENGTH: dict[str, Any] = {"anyOf": [_NUMBER, _TEXT], "unit": "mm"}
 _COLUMN: dict[str, Any] = {"anyOf": [{"type": "integer", "minimum": 1}, _TEXT]}
+_IN_WORDS = {"string": "text", "number": "a number", "boolean": "true or false", "integer": "a whole number"}
 
 #: JSON schema of each key, with what it means.
 KEYS: dict[str, dict[str, Any]] = {
@@ -140,8 +141,7 @@ def checked(name: str, value: Any) -> Any:
     if isinstance(value, str):
         return _checked_text(name, value)
     if not isinstance(value, int | float) or not _takes_numbers(name):
-        wanted = "true or false" if _choices(name) == [_SWITCH] else "text"
-        raise InputError(name, value, f"be {wanted}", _meaning(name))
+        raise InputError(name, value, f"be {_wanted(name)}", _meaning(name))
     return float(value) if name in _LENGTHS else value
 
 
@@ -186,6 +186,19 @@ def _choices(name: str) -> list[dict[str, Any]]:
     ]
 
 
+def _wanted(name: str) -> str:
+    """Return in words what a key takes."""
+    words: list[str] = []
+    for choice in _choices(name):
+        if "enum" in choice or "const" in choice:
+            words += map(repr, choice.get("enum") or [choice["const"]])
+        elif "anyOf" in choice:
+            words.append("a length")
+        else:
+            words.append(_IN_WORDS[choice["type"]])
+    return ", ".join(words[:-1]) + (" or " if words[1:] else "") + words[-1]
+
+
 def _takes_numbers(name: str) -> bool:
     return any("number" in str(each) or "integer" in str(each) for each in _choices(name))
 
@@ -199,7 +212,8 @@ def _checked_text(name: str, value: str) -> Any:
     if _TEXT in _choices(name):
         return value
     if words:
-        raise InputError(name, value, "be one of " + ", ".join(map(repr, words)), _meaning(name))
+        condition = f"be {_wanted(name)}" if _takes_numbers(name) else "be one of " + ", ".join(map(repr, words))
+        raise InputError(name, value, condition, _meaning(name))
     raise InputError(name, value, "be a number" if _takes_numbers(name) else "be true or false", "take the quotes away")
 
 
@@ -213,9 +227,13 @@ def _made(values: Mapping[str, Any], folder: Path) -> Profile:
     for sentence in measured.warnings:
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
     profile = measured.profile(values.get("interpolation"))
-    if "scale" in values:
-        profile = profile.scaled(values["scale"])
-    return profile.shifted(values["shift"]) if "shift" in values else profile
+    for name, change in (("scale", Profile.scaled), ("shift", Profile.shifted)):
+        if name in values:
+            try:
+                profile = change(profile, values[name])
+            except InputError as error:
+                raise InputError(name, error.value, error.condition, error.remedy) from None
+    return profile
 
 
 def _placed(error: InputError, table: Mapping[str, Any]) -> Mistake:

@@ -104,7 +104,7 @@ def check_cutoff(points: Points, cutoff: float) -> None:
     shortest = 4.0 * float(np.median(np.diff(points.y)))
     if not shortest <= cutoff <= points.span:
         condition = f"lie between four points, {shortest:.3g} mm, and the length of the line, {points.span:.4g} mm"
-        raise InputError("cutoff", cutoff, condition, "give a wavelength in mm, such as 0.8 or 0.25")
+        raise InputError("cutoff", cutoff, condition, "give a wavelength in mm between them, or leave smooth out")
 
 
 def _grid(points: Points, cutoff: float) -> tuple[Array, float]:

@@ -30,6 +30,7 @@ _FAR = 1.0  # mm, in place of the infinite relief beyond a pole
 # Between which positive parameters are looked for, in their units; at a bound, a parameter means nothing any more.
 _BOUNDS = {"radius": (1.0, 1e7), "end_radius": (1.0, 1e7), "amplitude": (1e-7, 10.0), "angle": (1e-7, 1.0)}
 _LENGTH_BOUNDS = (1e-3, 1e4)
+_DERIVATIVES = 1e-7  # of the largest: what differences say of derivatives
 
 
 @dataclass(frozen=True, eq=False)
@@ -269,10 +270,8 @@ def _told(
     count = len(residual) / _correlation_length(residual)
     square = float(residual @ residual)
     freedom = max(count - len(solution.x), 1.0)
-    # With count points in place of len(residual), the normal matrix has so much less weight.
-    normal = solution.jac.T @ solution.jac * scale**2 * count / len(residual)
-    variance = np.diag(np.linalg.pinv(normal)) * square * count / len(residual) / freedom
-    sigma = np.sqrt(np.maximum(variance, 0.0))
+    # The mean square, over the points that count less the parameters; the normal matrix has so much less weight too.
+    sigma = np.sqrt(square / freedom) * _sensitivity(scale * solution.jac)
     sigma[solution.active_mask != 0] = np.inf
     names = list(found)
     errors = {
@@ -285,6 +284,24 @@ def _told(
         penalised=0.0,
     )  # fmt: skip
     return _penalised(fitted, count)
+
+
+def _sensitivity(jacobian: Array) -> Array:
+    """Return the roots of the diagonal of (J^T J)^-1, infinite for parameters that the line does not tell apart.
+
+    The columns of J are scaled first: a radius of a hundred metres moves heights so little for each of its millimetres
+    that beside an offset its column would pass for zero.
+    """
+    lengths = np.linalg.norm(jacobian, axis=0)
+    told = lengths > 0.0
+    sensitivity = np.full(len(lengths), np.inf)
+    _, singular, turned = np.linalg.svd(jacobian[:, told] / lengths[told], full_matrices=False)
+    # The derivatives are differences over 1e-8 of a parameter and good to about as much.
+    known = singular > _DERIVATIVES * singular[0]
+    unknown = np.any(np.abs(turned[~known]) > np.sqrt(_DERIVATIVES), axis=0)
+    found = np.sqrt(np.sum((turned[known] / singular[known, None]) ** 2, axis=0)) / lengths[told]
+    sensitivity[told] = np.where(unknown, np.inf, found)
+    return sensitivity
 
 
 def _penalised(fitted: Fit, points: float) -> Fit:

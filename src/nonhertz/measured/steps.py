@@ -29,8 +29,9 @@ THRESHOLD = 5.0
 
 # Chords reach so far to either side, over the number of points, and over nine points at least.
 _MEDIAN_SHARE, _FEWEST_IN_MEDIAN, _CHORDS = 0.01, 9, 9
-# A median absolute deviation, in standard deviations of a normal distribution: 1 / (sqrt(2) erfinv(1/2)).
-_MAD_TO_SIGMA = 1.482602218505602
+# The median of absolute deviations, and what nine in ten of them do not exceed, in standard deviations of a normal
+# distribution: 1 / (sqrt(2) erfinv(1/2)) and 1 / (sqrt(2) erfinv(9/10)).
+_MAD_TO_SIGMA, _NINE_TENTHS_TO_SIGMA = 1.482602218505602, 0.6079568319117692
 # Machines resolve nanometres: deviations below one are no outliers, however smooth the rest is.
 _RESOLUTION = 1e-6  # mm
 _POINTS_PER_CUTOFF = 8
@@ -214,8 +215,10 @@ class Outliers:
     Every point is compared with chords between points at equal distances on its two sides, by the median over nine
     chords up to a hundredth of the line long on either side. What is left of the bend of the surface, a running median
     of these distances, is taken off them. A point is taken out where its distance exceeds that bend by so many robust
-    standard deviations, 1.4826 times the median absolute deviation of all distances. Neither medians nor deviation heed
-    what few points do, which is the idea of the robust filter of ISO 16610-31.
+    standard deviations, 1.4826 times the median absolute deviation of all distances, or 0.608 times what nine in ten of
+    them do not exceed, if that is more: heights that were rounded off, or chatter on a part of the line, have a median
+    of nearly nothing, and what one point in ten does is the surface. Neither heeds what fewer points do, which is the
+    idea of the robust filter of ISO 16610-31.
 
     Nothing is put in place of a point. What is wider than a hundredth of the line, a dent, is shape and stays.
 
@@ -234,7 +237,8 @@ class Outliers:
     def apply(self, points: Points) -> State:
         """Return the points that are left."""
         distance, bend = _from_chords(points)
-        sigma = max(_MAD_TO_SIGMA * float(np.median(np.abs(distance))), _RESOLUTION / self.threshold)
+        median, most = np.quantile(np.abs(distance), (0.5, 0.9))
+        sigma = max(_MAD_TO_SIGMA * float(median), _NINE_TENTHS_TO_SIGMA * float(most), _RESOLUTION / self.threshold)
         out = np.abs(distance) > self.threshold * sigma + np.abs(bend)
         count = int(np.sum(out))
         if len(points) - count < FEWEST_POINTS:
@@ -338,6 +342,8 @@ def _from_chords(points: Points) -> tuple[Array, Array]:
     half = min(max(int(_MEDIAN_SHARE * len(points)), _FEWEST_IN_MEDIAN // 2), (len(points) - 1) // 2)
     # Beyond the ends the line goes on as its own image turned by half a turn, which keeps its slope.
     y, height = (np.pad(of, half, mode="reflect", reflect_type="odd") for of in (points.y, points.height))
+    height[:half] += 2.0 * _dust_at_end(points.y[::-1], points.height[::-1])
+    height[len(height) - half :] += 2.0 * _dust_at_end(points.y, points.height)
     chords = []
     for reach in np.unique(np.linspace(1, half, _CHORDS).round().astype(int)):
         before = slice(half - reach, len(y) - half - reach)
@@ -345,8 +351,24 @@ def _from_chords(points: Points) -> tuple[Array, Array]:
         share = (points.y - y[before]) / (y[after] - y[before])
         chords.append(height[before] + share * (height[after] - height[before]))
     distance = points.height - np.median(chords, axis=0)
-    bend = median_filter(distance, 2 * half + 1, mode="nearest")
+    bend = median_filter(distance, 2 * half + 1, mode="mirror")
     return distance - bend, bend
+
+
+def _dust_at_end(y: Array, height: Array) -> float:
+    """Return how much the last point must be raised to lie on the line of those before it; 0 if it may be one of them.
+
+    A grain on the last point would turn the image of the line about itself, and have the good points beside it go.
+    """
+    count = _FEWEST_IN_MEDIAN
+    if len(y) < 2 * count:
+        return 0.0
+    last, before = slice(-count, None), slice(-2 * count, -count)
+    slope = np.median((height[last] - height[before]) / (y[last] - y[before]))
+    expected = height[last] + slope * (y[-1] - y[last])
+    lack = float(np.median(expected) - height[-1])
+    scatter = _MAD_TO_SIGMA * float(np.median(np.abs(expected - np.median(expected))))
+    return lack if abs(lack) > THRESHOLD * scatter else 0.0
 
 
 def _check_slope(slope: float) -> None:

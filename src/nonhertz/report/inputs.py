@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from nonhertz.io.casefile import schema
+from nonhertz.io.measured import KIND as MEASURED
+from nonhertz.measured import prepare
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.material import MATERIALS, Material
 from nonhertz.model.profile import CATALOGUE
@@ -143,13 +145,14 @@ def _life_entries(table: Mapping[str, Any]) -> Iterator[Entry]:
 def _profile_input(place: str, table: Mapping[str, Any], *, default: bool = False) -> ProfileInput:
     kind = table["kind"]
     described = _profile_kinds().get(kind, {})
-    function = CATALOGUE.get(kind)
+    function = prepare if kind == MEASURED else CATALOGUE.get(kind)
     entries = [Entry(f"{place}.kind", kind, "", "relief along the axis", default)]
     for name, property_ in described.get("properties", {}).items():
         value, is_default = _parameter(name, table, function)
         if name != "kind" and value is not None:
             meaning = property_.get("description", "").replace("`", "").rstrip(".")
-            unit = _unit(property_) if not isinstance(table.get(name), str) or "unit" not in property_ else ""
+            # Text has its unit in itself, and a word such as "auto" has none.
+            unit = _unit(property_) if _has_digit(value) and not isinstance(table.get(name), str) else ""
             entries.append(Entry(f"{place}.{name}", value, unit, meaning, is_default))
     what = described.get("description", kind).rstrip(".")
     return ProfileInput(what[:1].upper() + what[1:], formula(function), source(function), tuple(entries))
@@ -197,7 +200,11 @@ def _material(material: Material) -> str:
 def _written(table: Mapping[str, Any], name: str) -> str:
     """Return a quantity as the case file has it if that is text with a unit, which begins with a digit."""
     value = table.get(name)
-    return value if isinstance(value, str) and any(letter.isdigit() for letter in value) else ""
+    return value if isinstance(value, str) and _has_digit(value) else ""
+
+
+def _has_digit(text: str) -> bool:
+    return any(letter.isdigit() for letter in text)
 
 
 def _unit(property_: Mapping[str, Any]) -> str:

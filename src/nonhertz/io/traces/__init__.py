@@ -49,7 +49,7 @@ def read_trace(
         Which columns of a text, by number from 1 or by name; None takes the two that there are.
     sense : str or None
         ``"height"``, positive where there is material; ``"drop"``, positive where it is taken away. None takes heights,
-        unless the column is called relief or drop.
+        unless the column is called relief or drop; one called depth or wear may be either and is refused.
 
     Returns
     -------
@@ -61,7 +61,7 @@ def read_trace(
     InputError
         If the file cannot be read, is larger than 50 MB or holds more than two million points, or if it holds something
         else than one measured line; the sentence names file, line and reason. Heights without a unit are refused where
-        they would be a tenth of the length of the line or more in mm.
+        they would be a tenth of the length of the line or more in mm, or steeper than 1 : 2 from point to point.
 
     Examples
     --------
@@ -82,11 +82,12 @@ def _content(source: str | os.PathLike[str] | bytes, name: str | None) -> tuple[
     name = name or path.name or str(path)
     try:
         with path.open("rb") as file:
-            return _bounded(file.read(LARGEST_FILE + 1), name), name
+            data = file.read(LARGEST_FILE + 1)
     except (OSError, ValueError) as error:  # ValueError: what no file can be called
         reason = (getattr(error, "strerror", None) or str(error)).lower()
         condition = f"be a file that can be read ({reason})"
         raise InputError("file", str(source), condition, "check path and permissions") from None
+    return _bounded(data, name), name
 
 
 def _bounded(data: bytes, name: str) -> bytes:

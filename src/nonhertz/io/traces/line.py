@@ -13,8 +13,11 @@ from nonhertz.model.checks import one_of
 
 #: Points of the longest line that is read.
 MOST_POINTS = 2_000_000
-# Heights without a unit are taken for mm only below this share of the line's length.
-_PLAUSIBLE = 0.1
+# Heights without a unit are taken for mm only below this share of the line's length, and below this median slope from
+# point to point: a flat line in um without chamfers is given away by its roughness alone.
+_PLAUSIBLE, _PLAUSIBLE_SLOPE = 0.1, 0.5
+# No machine measures beyond a kilometre or within a nanometre [mm]; 3.4e38 is a word for "not measured" of some.
+_LARGEST, _SHORTEST = 1e6, 1e-6
 
 _MM = {"mm": 1.0, "um": 1e-3, "µm": 1e-3, "μm": 1e-3, "micron": 1e-3, "microns": 1e-3, "nm": 1e-6, "m": 1e3}
 _MM |= {"cm": 10.0, "in": 25.4, "inch": 25.4}
@@ -86,7 +89,8 @@ def in_mm(field: str, unit: str) -> float:
     InputError
         If it is no unit of length.
     """
-    factor = _MM.get(unit.strip())
+    # "UM" is no other unit than "um"; of "Mm" that is not so.
+    factor = _MM.get(unit.strip()) or _MM.get(unit.strip().lower() if unit.isupper() and len(unit.strip()) > 1 else "")
     if factor is not None:
         return factor
     from nonhertz.io.units import in_unit  # noqa: PLC0415  (knows all units, and is slow to learn them)
@@ -116,6 +120,7 @@ def made(line: Line, request: Request) -> Trace:
     if len(y) < FEWEST_POINTS:
         found = "one position" if len(y) == 1 else f"{len(y)} positions"
         raise request.refuse(f"hold {FEWEST_POINTS} positions at least (there is {found})", "measure more points")
+    _check_size(y, height, request)
     if not line.unit_known:
         _check_plausible(y, height, request)
         notes.append("The file states no unit of its heights; they were taken for mm.")
@@ -159,8 +164,24 @@ def _sorted(y: Array, height: Array, notes: list[str]) -> tuple[Array, Array]:
     return once, height
 
 
+def _check_size(y: Array, height: Array, request: Request) -> None:
+    largest = float(max(np.max(np.abs(y)), np.max(np.abs(height))))
+    if largest > _LARGEST:
+        condition = f"hold positions and heights within a kilometre (there is one of {largest:.3g} mm)"
+        raise request.refuse(condition, "write nan where nothing was measured, and correct the units")
+    if y[-1] - y[0] < _SHORTEST:
+        condition = f"hold positions that are further apart ({y[-1] - y[0]:.3g} mm in all)"
+        raise request.refuse(condition, "correct their unit or their column")
+
+
 def _check_plausible(y: Array, height: Array, request: Request) -> None:
     drop, length = float(np.ptp(height)), float(y[-1] - y[0])
+    slope = float(np.median(np.abs(np.diff(height) / np.diff(y))))
     if drop > _PLAUSIBLE * length:
-        condition = f"state the unit of its heights (in mm they would differ by {drop:.3g} on a length of {length:.3g})"
-        raise request.refuse(condition, "give height_unit, such as 'um', or 'mm' if that is so")
+        absurd = f"in mm they would differ by {drop:.3g} on a length of {length:.3g}"
+    elif slope > _PLAUSIBLE_SLOPE:
+        absurd = f"in mm they would rise and fall by {slope:.3g} in a mm from point to point"
+    else:
+        return
+    condition = f"state the unit of its heights ({absurd})"
+    raise request.refuse(condition, "give height_unit, such as 'um', or 'mm' if that is so")

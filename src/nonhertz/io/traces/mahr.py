@@ -42,9 +42,9 @@ def read_marwin(lines: Sequence[str], request: Request) -> Line:
         if not line.strip() or line.strip().startswith("//"):
             continue
         rows.append(_point(line, number, request))
-    counts = [int(found[1]) for line in lines[:start] if (found := _COUNT.match(line))]
-    if counts and len(rows) != counts[0]:
-        condition = f"hold the {counts[0]} points that its head names (there are {len(rows)})"
+    counts = [found[1].lstrip("0") for line in lines[:start] if (found := _COUNT.match(line))]
+    if counts and str(len(rows)) != (counts[0] or "0"):
+        condition = f"hold the {counts[0][:20] or 0} points that its head names (there are {len(rows)})"
         raise request.refuse(condition, "export it again; this one is cut off")
     if not rows:
         raise request.refuse("hold points below [PROFILE_VALUES]", "export the profile again")

@@ -29,6 +29,7 @@ _AXIS = re.compile(r"^(CX|CZ)\s+([A-Z])\s+(\S+)\s+(\S+)\s+(\S+)\s+([A-Z])(?:\s+(
 _SPACING = re.compile(r"^SPACING\s+CX\s+(\S+)", re.MULTILINE)
 _END = re.compile(r"^(?:EOR|EOF|\x1a)?\s*$")
 _LOOKED_AT = 2000
+_AGAIN = "export the profile again"
 _MISSING = frozenset({"BAD", "NAN", "*****"})
 
 
@@ -71,10 +72,10 @@ def _step(text: str, axis: re.Match[str], request: Request) -> float:
     spacing = _SPACING.search(text[: 5 * _LOOKED_AT])
     written = axis[7] or (spacing[1] if spacing else None)
     if written is None:
-        raise request.refuse("state the step of its points (SPACING CX is missing)", "export the profile again")
+        raise request.refuse("state the step of its points (SPACING CX is missing)", _AGAIN)
     step = _number(written, "the step", request)
     if step <= 0.0:
-        raise request.refuse(f"state a positive step (it is {written})", "export the profile again")
+        raise request.refuse(f"state a positive step (it is {written})", _AGAIN)
     return step
 
 
@@ -85,7 +86,10 @@ def _factor(axis: re.Match[str], request: Request) -> float:
     except InputError:
         condition = f"state a unit of length for its axis {axis[1]} (it is {axis[4]!r})"
         raise request.refuse(condition, "export the profile in mm or um") from None
-    return unit * _number(axis[5], f"the factor of {axis[1]}", request)
+    factor = _number(axis[5], f"the factor of {axis[1]}", request)
+    if factor <= 0.0:
+        raise request.refuse(f"state a positive factor for its axis {axis[1]} (it is {axis[5][:40]})", _AGAIN)
+    return unit * factor
 
 
 def _heights(text: str, count: int, request: Request) -> Array:
@@ -93,7 +97,7 @@ def _heights(text: str, count: int, request: Request) -> Array:
     lines = text.split("\n")
     ends = [k for k, line in enumerate(lines) if line.strip() == "EOR"]
     if len(ends) < 2:
-        raise request.refuse("hold three records (head, remarks, heights)", "export the profile again")
+        raise request.refuse("hold three records (head, remarks, heights)", _AGAIN)
     last = ends[2] if len(ends) > 2 else len(lines)
     heights = []
     for number, line in enumerate(lines[ends[1] + 1 : last], start=ends[1] + 2):
@@ -112,7 +116,7 @@ def _height(cell: str, number: int, request: Request) -> float:
         return float(cell)
     except ValueError:
         condition = f"hold a height in line {number} (there is {cell[:40]!r})"
-        raise request.refuse(condition, "export the profile again") from None
+        raise request.refuse(condition, _AGAIN) from None
 
 
 def _number(text: str, what: str, request: Request) -> float:
@@ -121,5 +125,5 @@ def _number(text: str, what: str, request: Request) -> float:
     except ValueError:
         value = float("nan")
     if not np.isfinite(value):
-        raise request.refuse(f"state {what} as a number (it is {text[:40]!r})", "export the profile again")
+        raise request.refuse(f"state {what} as a number (it is {text[:40]!r})", _AGAIN)
     return value
