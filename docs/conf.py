@@ -12,6 +12,9 @@ DOCS = Path(__file__).parent
 GALLERY = DOCS.parent / "examples" / "gallery"
 sys.path[:0] = [str(DOCS / "extensions"), str(DOCS.parent / "src")]
 
+# The page of commands would call the program as Python calls this one, "-m sphinx".
+sys.argv[0] = "nonhertz"
+
 from figure_scraper import FigureScraper  # noqa: E402  (after the path)
 
 import nonhertz  # noqa: E402

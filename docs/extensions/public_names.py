@@ -15,6 +15,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from docutils.statemachine import StringList
+from sphinx import addnodes
 from sphinx.pycode import ModuleAnalyzer
 from sphinx.util.docutils import SphinxDirective
 
@@ -22,7 +23,6 @@ import nonhertz
 
 if TYPE_CHECKING:
     from docutils import nodes
-    from sphinx.addnodes import pending_xref
     from sphinx.application import Sphinx
     from sphinx.environment import BuildEnvironment
 
@@ -119,8 +119,15 @@ def escape_bars(app: Sphinx, what: str, name: str, value: object, options: objec
             lines[number] = line.replace("|", r"\|")
 
 
+def leave_words(app: Sphinx, doctree: nodes.document) -> None:
+    """Take no word of a type, as in ``ndarray, shape (n,)``, for the attribute of that name somewhere."""
+    for node in list(doctree.findall(addnodes.pending_xref)):
+        if node["reftype"] == "class" and re.fullmatch("[a-z]+", node["reftarget"]):
+            node.replace_self(node.children)
+
+
 def find_name(
-    app: Sphinx, environment: BuildEnvironment, node: pending_xref, text: nodes.TextElement
+    app: Sphinx, environment: BuildEnvironment, node: addnodes.pending_xref, text: nodes.TextElement
 ) -> nodes.Element | None:
     """Resolve ``Solution`` in the docstring of any module to ``nonhertz.Solution``, if there is one such name only.
 
@@ -155,5 +162,6 @@ def setup(app: Sphinx) -> dict[str, bool]:
         (escape_bars, 700),
     ):
         app.connect("autodoc-process-docstring", listener, priority)
+    app.connect("doctree-read", leave_words)
     app.connect("missing-reference", find_name)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

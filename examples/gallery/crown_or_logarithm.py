@@ -39,8 +39,8 @@ def contact(profile):
 # Upright
 # -------
 # The pressure along the roller. The straight roller and the flat crown bear on their sharp ends, where the pressure of
-# elastic bodies has no limit; Lundberg's profile is even over nearly the whole length, at about the pressure that Hertz
-# gives for a line contact of this load and length (dotted).
+# elastic bodies has no limit; their lines end with the last strip, or leave the figure. Under Lundberg's profile it is
+# even over nearly the whole length, at about what Hertz gives for a line contact of this load and length (thin line).
 
 hertz = nh.hertz.line_contact(
     line_load=LOAD / LENGTH, radius=RADIUS, compliance=contact(PROFILES["straight"]).compliance
@@ -59,7 +59,7 @@ def along(solutions, title):
             colour, dashes = STYLES[name]
             shown = np.convolve(solution.line_load > 0, [1, 1, 1], "same") > 0  # the contact and a strip beyond it
             axes.plot(solution.y[shown], solution.peak_pressure[shown], color=colour, linestyle=dashes, label=name)
-        axes.axhline(hertz.max_pressure, color=FAINT_INK, linewidth=0.7, linestyle=(0, (1, 2)))
+        axes.axhline(hertz.max_pressure, color=FAINT_INK, linewidth=0.7)
         axes.set(xlabel="Axial position $y$ [mm]", ylabel="Pressure $p_0$ [MPa]", xlim=(-8, 8), ylim=(0, 3600))
         axes.set_title(title, loc="left")
         axes.legend(loc="lower center", ncols=2)
@@ -79,8 +79,9 @@ figure = along(tilted, "Tilted by 1 mrad")
 # %%
 # The largest pressure against the tilt
 # -------------------------------------
-# Where an end bears there is no largest pressure: the lines stop there, and those of the straight roller and of the
-# flat crown do not begin. The strong crown hardly notices the tilt, but pays for it when the roller is upright.
+# Where an end bears there is no largest pressure: Lundberg's line stops there, and those of the straight roller and of
+# the flat crown do not begin. Up to that tilt the logarithm is the better one. The strong crown hardly notices a tilt,
+# but its pressure is high from the beginning.
 
 TILTS = np.linspace(0.0, 2e-3, 11)
 highest = {}
@@ -95,7 +96,7 @@ with sheet_style():
     for name, pressures in highest.items():
         colour, dashes = STYLES[name]
         axes.plot(1e3 * TILTS, pressures, color=colour, linestyle=dashes, marker="o", markersize=3, label=name)
-    axes.axhline(hertz.max_pressure, color=FAINT_INK, linewidth=0.7, linestyle=(0, (1, 2)))
+    axes.axhline(hertz.max_pressure, color=FAINT_INK, linewidth=0.7)
     axes.annotate("Hertz, line contact", (2.0, hertz.max_pressure), xytext=(0, -3), textcoords="offset points",
                   ha="right", va="top", fontsize=SMALL_SIZE, color=FAINT_INK)  # fmt: skip
     axes.set(xlabel="Tilt [mrad]", ylabel="Largest pressure [MPa]", ylim=(2000, 3600))

@@ -2,9 +2,9 @@
 What does a dent do to the pressure?
 ====================================
 
-A hard particle was rolled over and left a dent in the raceway, half a millimetre wide and 3 micrometres deep. Strips
-cannot see it, since its relief changes across the contact; a plane grid can. Roller 20 x 20 mm on an inner ring of
-80 mm, 20 kN.
+A hard particle was rolled over and left a dent in the raceway, half a millimetre wide and 3 micrometres deep, with a
+shoulder of 0.4 micrometres around it. Strips cannot see it, since its relief changes across the contact; a plane grid
+can. Roller 20 x 20 mm on an inner ring of 80 mm, 20 kN.
 """
 
 import numpy as np
@@ -24,8 +24,8 @@ print(f"maximum pressure: smooth {strips.max_pressure:.0f} MPa, dented {dented.m
 # %%
 # The pressure around the dent
 # ----------------------------
-# In true proportions; the white circle is the rim of the dent. Its bowl bears less or nothing, its rim bears what the
-# bowl does not.
+# In true proportions; the white circle is the rim of the bowl. The bowl bears less, the rim and the shoulder bear what
+# the bowl does not. The contact ends on edges of cells, hence the steps.
 
 with sheet_style():
     figure = Figure(figsize=(6.7, 2.6), layout="constrained")
@@ -34,7 +34,8 @@ with sheet_style():
     field = axes.pcolormesh(dented.y, dented.x, pressing, cmap=COLOUR_MAP, vmin=0, shading="nearest", rasterized=True)
     axes.contour(dented.y, dented.x, dented.footprint.astype(float), levels=[0.5], colors=INK, linewidths=0.7)
     around = np.linspace(0, 2 * np.pi, 200)
-    axes.plot(dent.y + 0.25 * np.cos(around), 0.25 * np.sin(around), color="white", linestyle=":", linewidth=0.9)
+    rim = 0.5 * dent.diameter
+    axes.plot(dent.y + rim * np.cos(around), rim * np.sin(around), color="white", linestyle=":", linewidth=0.9)
     axes.set(xlabel="Axial position $y$ [mm]", ylabel="Across $x$ [mm]", xlim=(1.5, 4.5), aspect="equal")
     figure.colorbar(field, label="Pressure $p$ [MPa]", shrink=0.9)
 

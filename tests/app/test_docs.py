@@ -52,6 +52,20 @@ def test_every_page_can_be_reached():
     assert {p for p in patterns if "*" not in p} <= names | {"gallery/index"}
 
 
+def test_every_page_is_linked_where_there_is_no_table_of_contents():
+    # GitHub shows a table of contents as it is written, without links.
+    for folder in ("how-to", "explain", "reference"):
+        index = DOCS / folder / "index.md"
+        linked = {link.partition("#")[0] for link in LINK.findall(index.read_text(encoding="utf-8"))}
+        assert {page.name for page in index.parent.glob("*.md")} - {"index.md"} <= linked, folder
+
+
+def test_every_script_of_the_gallery_is_listed_too():
+    examples = ROOT / "examples"
+    linked = set(LINK.findall((examples / "README.md").read_text(encoding="utf-8")))
+    assert {f"./gallery/{script.name}" for script in (examples / "gallery").glob("*.py")} <= linked
+
+
 def anchors(path):
     """Return the anchors of a page's headings, as GitHub and MyST make them."""
     headings = re.findall(r"^#+ (.*)$", FENCED.sub("", path.read_text(encoding="utf-8")), re.MULTILINE)

@@ -120,7 +120,13 @@ def test_dent():
 
 
 def test_wheel_on_rail():
-    # On one arc the contact is Hertz's ellipse; the smaller arc makes it wider than long, and strips err by 1 %.
+    # On one arc the contact is Hertz's ellipse, be it wider than long. An arc that is tilted, not turned, has the
+    # second derivative (1 + slope^2)^1.5 / radius. Between the arcs a plane grid, which shares nothing with strips.
     script = run("wheel_on_rail")
-    assert_allclose(script.solutions[0].max_pressure, elliptical(script.LOAD, script.FLAT_ARC, 460), rtol=1e-3)
-    assert_allclose(script.solutions[-1].max_pressure, elliptical(script.LOAD, script.STEEP_ARC, 460), rtol=0.01)
+    level, tilted = script.solutions[0], script.solutions[-1]
+    steep = script.STEEP_ARC / (1 + tilted.tilt**2) ** 1.5
+    assert_allclose(level.max_pressure, elliptical(script.LOAD, script.FLAT_ARC, 460), rtol=5e-4)
+    assert_allclose(tilted.max_pressure, elliptical(script.LOAD, steep, 460), rtol=5e-4)
+    strips = [script.solutions[number].max_pressure for number in script.CHECKED]
+    # The coarse cells smooth the corner of the pressure at the joint of the arcs.
+    assert_allclose(strips, [grid.max_pressure for grid in script.on_grid], rtol=6e-3)
