@@ -40,9 +40,12 @@ bench: $(READY)
 	-$(BIN)/python -m pip install --quiet --constraint constraints.txt --group peers
 	$(BIN)/python benchmarks/report.py
 	$(BIN)/python benchmarks/race.py
+	$(BIN)/python benchmarks/page.py
+	$(BIN)/python benchmarks/stopwatch.py
 
 docs-numbers: $(READY)
 	$(BIN)/python docs/figures.py
+	$(BIN)/python docs/screenshots.py
 	$(BIN)/python docs/grid_study.py
 	$(BIN)/python docs/patch_study.py
 	$(BIN)/nonhertz verify --out docs/validation
