@@ -16,7 +16,7 @@ from nonhertz.cli import main
 from nonhertz.io.casefile import case_in, starting_case
 from nonhertz.subsurface import extremes
 from nonhertz.web import jobs, limits
-from nonhertz.web.app import as_json_has_it
+from nonhertz.web.jobs import as_json_has_it
 
 STARTING = tomllib.loads(starting_case())
 
@@ -215,7 +215,7 @@ def test_files_are_not_read(tmp_path):
 
 EXCESSES = {
     "solver.strips": (changed(solver__strips=2000), "solver.strips = 2000 must be at most 300 on the page: "),
-    "body.b.images": (changed(body__b__images=100), "body.b.images = 100 must be at most 20 on the page: "),
+    "body.b.images": (changed(body__b__images=100), "body.b.images = 100 must be at most 10 on the page: "),
     "body.a.profile": (changed(body__a__profile=[{"kind": "straight"}] * 21), "must have at most 20 profiles"),
     "life.spectrum": (changed(life={"spectrum": [{"load": 1, "share": 1}] * 31}), "must have at most 30 rows"),
     "body.a.profile[1].y": (
@@ -259,3 +259,5 @@ def test_the_how_to_tells_the_limits():
         f"{limits.POINTS} points per list"
     ) in text
     assert f"a case that takes longer than {limits.LIVE_SECONDS} s is given up" in text
+    assert f"uploaded, {limits.UPLOAD_BYTES // 2**20} MB at most" in text
+    assert f"more than {limits.UPLOAD_POINTS:,} points neighbours are averaged" in text

@@ -5,13 +5,14 @@ import json
 import random
 import tomllib
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import jinja2
 import pytest
 from form_reading import Inputs, document_in, parts_of, set_at
 
-from nonhertz.io.casefile import schema, starting_case
+from nonhertz.io.casefile import case_in, schema, starting_case
 from nonhertz.io.mistakes import path_of
 from nonhertz.life import MODELS, iso_16281
 from nonhertz.model.material import MATERIALS
@@ -277,3 +278,23 @@ def test_text_cannot_leave_its_place():
     html = form_of(document)
     assert "<script" not in html
     assert as_text(document_in(html)) == as_text(document)
+
+
+@pytest.mark.parametrize(
+    ("body", "depth"),
+    [
+        ({"kind": "roller", "diameter": 20.0, "length": 20.0}, "plane-strain"),
+        ({"diameter": "20 mm", "length": 20.0}, "plane-strain"),
+        ({"diameter": -20.0, "length": 20.0}, "none"),
+        ({"diameter": 20.0}, "none"),
+        ({"kind": "plate", "length": 20.0}, "none"),
+    ],
+)
+def test_what_leaving_a_key_out_means(body, depth):
+    document = STARTING | {"body": {"a": body, "b": {"diameter": 10.0}}}
+    fields = {field.path: field for field in form(document).fields}
+    assert fields["body.a.depth"].default == depth
+    assert fields["body.a.material"].default == "steel"
+    made = case_in(document, Path("case.toml")).contact.a
+    assert made.depth == depth
+    assert made.material == MATERIALS["steel"]

@@ -2,15 +2,18 @@
 
 import contextlib
 import os
+import signal
 import time
+from functools import partial
 
 import anyio
 import pytest
 
+from nonhertz.web import workers
 from nonhertz.web.intake import RefusedError
 from nonhertz.web.workers import EndedError, FailedError, TooSlowError, Workers
 
-DEADLINE = 0.3
+DEADLINE = 0.1
 PATIENT = 60.0
 
 
@@ -35,11 +38,17 @@ def raising():
     raise ZeroDivisionError("by zero")
 
 
-def with_workers(count, use):
+def dying_the_first_time(path):
+    if not path.exists():
+        path.touch()
+        os._exit(1)
+
+
+def with_workers(count, use, warm_up=None):
     """Run ``use(workers)`` with so many processes."""
 
     async def run():
-        workers = Workers(count)
+        workers = Workers(count, warm_up)
         async with anyio.create_task_group() as tasks:
             workers.start(tasks)
             try:
@@ -73,6 +82,30 @@ def test_a_process_that_takes_too_long_or_ends_is_replaced(job, error):
     assert first != second
     with pytest.raises(ProcessLookupError):
         os.kill(first, 0)
+
+
+def test_a_process_that_was_ended_while_it_had_nothing_to_do_is_replaced():
+    async def use(workers):
+        first = await workers.run(own_number, seconds=PATIENT)
+        os.kill(first, signal.SIGKILL)
+        os.waitid(os.P_PID, first, os.WEXITED | os.WNOWAIT)
+        while True:
+            with contextlib.suppress(RefusedError):  # until there is another
+                return first, await workers.run(own_number, seconds=PATIENT)
+
+    first, second = with_workers(1, use)
+    assert first != second
+
+
+def test_a_process_that_does_not_start_is_started_again(tmp_path, monkeypatch):
+    monkeypatch.setattr(workers, "_PAUSE", 0.0)
+
+    async def use(crew):
+        while not crew.ready.is_set():
+            await anyio.sleep(0.01)
+        return await crew.run(doubled, 21, seconds=PATIENT)
+
+    assert with_workers(1, use, partial(dying_the_first_time, tmp_path / "was here")) == 42
 
 
 def test_a_job_that_fails_is_told_and_its_process_goes_on():

@@ -77,15 +77,28 @@ def address() -> Iterator[str]:
     process.stdout.close()
 
 
+def context_of(browser: Any, **options: Any) -> Any:
+    settings = {"viewport": {"width": 1400, "height": 1000}, "reduced_motion": "reduce"} | options
+    context = browser.new_context(**settings)
+    context.set_default_timeout(20_000)
+    return context
+
+
+@pytest.fixture(scope="session")
+def usual(browser: Any) -> Iterator[Any]:
+    """The context of most pages, which compiles the page's programs once for all of them."""
+    context = context_of(browser)
+    yield context
+    context.close()
+
+
 @pytest.fixture
-def open_desk(browser: Any, address: str) -> Iterator[Any]:
+def open_desk(browser: Any, usual: Any, address: str) -> Iterator[Any]:
     """Open pages that must make no complaint in the console and ask no other machine for anything."""
     opened: list[tuple[Any, Desk]] = []
 
     def opening(fragment: str = "", **options: Any) -> Desk:
-        settings = {"viewport": {"width": 1400, "height": 1000}, "reduced_motion": "reduce"} | options
-        context = browser.new_context(**settings)
-        context.set_default_timeout(20_000)
+        context = context_of(browser, **options) if options else usual
         page = context.new_page()
         desk = Desk(page, SCREENSHOTS)
         complain = desk.complaints.append
@@ -99,7 +112,9 @@ def open_desk(browser: Any, address: str) -> Iterator[Any]:
 
     yield opening
     for context, desk in opened:
-        context.close()
+        desk.page.close()
+        if context is not usual:
+            context.close()
         assert desk.complaints == []
 
 

@@ -142,6 +142,59 @@ def test_uneven_grids_are_made_even(anywhere: Desk) -> None:
         )
 
 
+DRAGGED = """async ([delays, bodies]) => {
+  const { Live } = await import("/static/live.js");
+  const asked = [];
+  let [delay, body] = [0, bodies[0]];
+  const real = window.fetch;
+  window.fetch = async (place, { body: text }) => {
+    const { stress, body: of } = JSON.parse(text);
+    asked.push(stress ? of : "");
+    await new Promise((done) => window.setTimeout(done, delay));
+    body = bodies[asked.length] ?? body;
+    return new Response(JSON.stringify({ ok: true }), { status: 200 });
+  };
+  const shown = [];
+  await new Promise((done) => {
+    const next = () => {
+      if (!delays.length) return done();
+      delay = delays.shift();
+      live.want({});
+    };
+    const live = new Live({
+      answered: (answer, wanted, stress) => stress && shown.push(answer.body),
+      stressed: (answer) => {
+        shown.push(answer.body);
+        window.setTimeout(next);
+      },
+      waiting() {},
+      rested: (complete) => complete && next(),
+      trouble() {},
+      stress: () => body,
+    });
+    next();
+  });
+  window.fetch = real;
+  return [asked, shown];
+}"""
+
+
+def test_stresses_come_with_every_answer_while_that_is_quick(anywhere: Desk) -> None:
+    asked, shown = anywhere.page.evaluate(DRAGGED, [[0, 0, 0], ["a"]])
+    assert asked == shown == ["a", "a", "a"]
+    # Slow three times after the first, which does not count; then without, and for themselves once the hand rests.
+    asked, _ = anywhere.page.evaluate(DRAGGED, [[0, 150, 150, 150, 150], ["a"]])
+    assert asked == ["a", "a", "a", "a", "", "a"]
+    # One that is very slow is enough; at rest it was quick again.
+    asked, _ = anywhere.page.evaluate(DRAGGED, [[0, 400, 0, 0], ["a"]])
+    assert asked == ["a", "a", "", "a", "a"]
+
+
+def test_stresses_of_a_body_that_is_chosen_meanwhile_are_asked_for(anywhere: Desk) -> None:
+    asked, shown = anywhere.page.evaluate(DRAGGED, [[0], ["a", "b"]])
+    assert asked == shown == ["a", "b"]
+
+
 def test_libraries_are_those_that_their_readme_names() -> None:
     folder = resources.files("nonhertz.web").joinpath("static", "vendor")
     named = dict(

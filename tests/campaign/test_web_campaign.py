@@ -252,6 +252,9 @@ def hostile(picked: random.Random, port: int) -> bytes:
             json.dumps({"document": {"life": {"models": ["w" * 10] * 2000}}}),
             "\x00" * 1000,
             "x" * 400_000,
+            '{"document": {' + ",".join(f'"k{n}": {n}' for n in [*range(15_000), 14_999]) + "}}",
+            ".".join("a" * 60_000) + " = 1",
+            "1 2\n" * 400_000,
         ]
     )
     body = body.encode("utf-8", "replace")

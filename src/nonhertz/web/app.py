@@ -18,8 +18,6 @@ from starlette.responses import HTMLResponse, Response
 from starlette.routing import Route
 
 from nonhertz import __version__
-from nonhertz.errors import CaseError
-from nonhertz.io.casefile import parsed
 from nonhertz.web import jobs
 from nonhertz.web.form import form
 from nonhertz.web.guard import Guard
@@ -33,7 +31,7 @@ from nonhertz.web.limits import (
     UPLOAD_SECONDS,
     oversizes,
 )
-from nonhertz.web.replies import broken, excess, misfit, refusal, reply
+from nonhertz.web.replies import broken, excess, refusal, reply
 from nonhertz.web.workers import FailedError, TooSlowError, Workers
 
 _TYPES: Final = {".css": "text/css", ".js": "text/javascript", ".svg": "image/svg+xml", ".html": "text/html"}
@@ -43,6 +41,7 @@ _DOWNLOADS: Final = {
     "result.json": "application/json",
     "report.html": "text/html",
 }
+_LONG_FILE: Final = "This file takes longer than the page waits: prepare it with 'nonhertz profile'."
 _SENTENCES: Final = {
     404: "There is nothing under this address.",
     405: "This address is not asked in this way.",
@@ -107,16 +106,9 @@ class Page:
 
     async def open(self, request: Request) -> Response:
         """Answer with the document in the text of a case file."""
-        text = await content(request, "application/toml", DOCUMENT_BYTES)
-        try:
-            document = parsed(text.decode("utf-8-sig"), "The file")
-        except UnicodeDecodeError:
-            return reply(broken([("", "The file must be text in UTF-8: save it with that encoding.")]))
-        except CaseError as error:
-            return reply(misfit(error))
-        document = as_json_has_it(document)
-        too_large = oversizes(document)
-        return reply(excess(too_large) if too_large else {"ok": True, "document": document})
+        content_of_file = await content(request, "application/toml", DOCUMENT_BYTES)
+        text = await self.workers.run(jobs.document_in, content_of_file, seconds=LIVE_SECONDS)
+        return Response(text, media_type="application/json")
 
     async def download(self, request: Request) -> Response:
         """Answer with a file made of a document."""
@@ -141,7 +133,10 @@ class Page:
         file = await content(request, "application/octet-stream", UPLOAD_BYTES)
         options = dict(request.query_params)
         name = options.pop("name", "")[:200] or "the file"
-        text = await self.workers.run(jobs.upload, file, name, options, seconds=UPLOAD_SECONDS)
+        try:
+            text = await self.workers.run(jobs.upload, file, name, options, seconds=UPLOAD_SECONDS)
+        except TooSlowError:
+            return reply(broken([("upload", _LONG_FILE)]))
         return Response(text, media_type="application/json")
 
     async def status(self, request: Request) -> Response:
@@ -211,17 +206,6 @@ def application(document: dict[str, Any], port: int, workers: int = 2) -> Guard:
     app.router.redirect_slashes = False
     # Around everything, what answers for our own errors included.
     return Guard(app, port)
-
-
-def as_json_has_it(value: Any) -> Any:
-    """Return what TOML has and JSON has not, dates and numbers that are not finite, as text."""
-    if isinstance(value, dict):
-        return {name: as_json_has_it(entry) for name, entry in value.items()}
-    if isinstance(value, list):
-        return [as_json_has_it(entry) for entry in value]
-    if isinstance(value, float) and value - value != 0.0:
-        return str(value)
-    return value if isinstance(value, str | int | float | bool) else str(value)
 
 
 def _document(asked: dict[str, Any]) -> dict[str, Any]:

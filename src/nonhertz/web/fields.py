@@ -14,6 +14,7 @@ from nonhertz.web.ranges import Range
 Edits = list[tuple[str, Any]]
 
 _LONGEST_WHOLE: Final = 1e9
+_MOST_BITS: Final = 1023
 _PLAIN_NUMBER: Final = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 
 
@@ -155,11 +156,16 @@ def number_or_words(value: Any) -> str | None:
     if isinstance(value, bool):
         return None
     if isinstance(value, int | float):
-        if not math.isfinite(value):
+        if not is_number(value):
             return None
         return str(int(value)) if value == int(value) and abs(value) < _LONGEST_WHOLE else json.dumps(value)
     fits = isinstance(value, str) and value and value == value.strip() and "\n" not in value
     return value if fits and not _PLAIN_NUMBER.fullmatch(value) else None
+
+
+def is_number(value: int | float) -> bool:
+    """Return whether a number is finite, and a whole one not beyond all others."""
+    return value.bit_length() <= _MOST_BITS if isinstance(value, int) else math.isfinite(value)
 
 
 def _listed(value: Any) -> str | None:

@@ -55,6 +55,7 @@ class Guard:
     def __init__(self, app: ASGIApp, port: int) -> None:
         self.app = app
         self.hosts = {f"{name}:{port}" for name in NAMES} | (set(NAMES) if port == 80 else set())
+        self.origins = {f"http://{host}" for host in self.hosts}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer one request."""
@@ -76,10 +77,10 @@ class Guard:
         if headers.getlist("host") != [headers.get("host")] or headers["host"].lower() not in self.hosts:
             return "The page answers under its own address only: use the one that 'nonhertz serve' printed."
         origins = headers.getlist("origin")
-        if any(origin.removeprefix("http://").lower() not in self.hosts for origin in origins):
+        if any(origin.lower() not in self.origins for origin in origins):
             return "The page answers no requests of other pages."
-        site = headers.get("sec-fetch-site", "none")
-        if site not in _OWN_SITES and not _opens_the_page(scope, headers):
+        sites = headers.getlist("sec-fetch-site")
+        if any(site not in _OWN_SITES for site in sites) and not _opens_the_page(scope, headers):
             return "The page answers no requests of other pages."
         return None
 

@@ -6,9 +6,10 @@ import json
 from collections.abc import Iterable
 from typing import Any
 
+import anyio
 from starlette.requests import ClientDisconnect, Request
 
-from nonhertz.web.limits import NESTING
+from nonhertz.web.limits import BODY_SECONDS, NESTING
 
 
 class RefusedError(Exception):
@@ -43,17 +44,20 @@ async def content(request: Request, kind: str, most: int) -> bytes:
     Raises
     ------
     RefusedError
-        If it is of another type, longer, or ends before it should.
+        If it is of another type, longer, takes too long to arrive, or ends before it should.
     """
     given = request.headers.get("content-type", "").partition(";")[0].strip().lower()
     if given != kind:
         raise RefusedError(415, f"The content type must be {kind}.")
     read = bytearray()
     try:
-        async for chunk in request.stream():
-            read += chunk
-            if len(read) > most:
-                raise RefusedError(413, f"This is more than the {most // 1024} kB that the page takes.")
+        with anyio.fail_after(BODY_SECONDS):
+            async for chunk in request.stream():
+                read += chunk
+                if len(read) > most:
+                    raise RefusedError(413, f"This is more than the {most // 1024} kB that the page takes.")
+    except TimeoutError:
+        raise RefusedError(408, "The request took too long to arrive: send it again.") from None
     except ClientDisconnect:
         raise RefusedError(400, "The request ended before it was complete.") from None
     return bytes(read)
@@ -75,7 +79,8 @@ def json_object(text: bytes) -> dict[str, Any]:
         raise RefusedError(400, f"The request must be JSON ({_first_line(error)}).") from None
     if not isinstance(value, dict):
         raise RefusedError(400, "The request must be a JSON object.")
-    _refuse_nested(value)
+    if deeper(value, NESTING):
+        raise RefusedError(400, "The JSON is nested too deeply.")
     _refuse_half_characters(value)
     return value
 
@@ -89,21 +94,22 @@ def _no_number(name: str) -> Any:
 
 
 def _no_key_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    table = dict(pairs)
-    if len(table) < len(pairs):
-        names = [name for name, _ in pairs]
-        twice = next(name for name in table if names.count(name) > 1)
-        raise ValueError(f"the key {twice[:40]!r} stands there twice")
+    table: dict[str, Any] = {}
+    for name, value in pairs:
+        if name in table:
+            raise ValueError(f"the key {name[:40]!r} stands there twice")
+        table[name] = value
     return table
 
 
-def _refuse_nested(value: Any) -> None:
+def deeper(value: Any, most: int) -> bool:
+    """Return whether there are more than so many tables and lists within one another."""
     level: Iterable[Any] = (value,)
-    for _ in range(NESTING):
+    for _ in range(most):
         level = [inner for outer in level for inner in _entries(outer)]
         if not level:
-            return
-    raise RefusedError(400, "The JSON is nested too deeply.")
+            return False
+    return True
 
 
 def _refuse_half_characters(value: Any) -> None:

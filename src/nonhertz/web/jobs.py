@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 import time
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
@@ -19,11 +20,16 @@ from nonhertz.io.results import as_json, as_table
 from nonhertz.solution import Solution
 from nonhertz.web.answers import answer, drawable
 from nonhertz.web.depths import stress_answer
-from nonhertz.web.limits import slow, unfit
-from nonhertz.web.replies import as_bytes, misfit
+from nonhertz.web.fields import is_number
+from nonhertz.web.intake import deeper
+from nonhertz.web.limits import NESTING, oversizes, slow, unfit
+from nonhertz.web.replies import as_bytes, broken, excess, misfit
 from nonhertz.web.uploads import answer_to_file
 
 PATH = Path("case.toml")
+_KEY_PART = r"""(?:[\w-]+|"(?:[^"\\\n]|\\.)*"|'[^'\n]*')"""
+_LONG_KEY: Final = re.compile(rf"(?:^|[\[{{,])[ \t]*(?:{_KEY_PART}[ \t]*\.[ \t]*){{{NESTING}}}", re.MULTILINE)
+_TOO_DEEP: Final = "The file must be a case file: lists or tables are nested too deeply."
 
 
 def solve(document: dict[str, Any], stress: bool, body: str) -> bytes:
@@ -64,6 +70,37 @@ def worked_out(document: dict[str, Any]) -> tuple[Case, Solution, str]:
         return case, solved(case), ""
     except ConvergenceError as error:
         return case, error.solution, str(error)
+
+
+def document_in(content: bytes) -> bytes:
+    """Return the answer to the bytes of a case file as JSON: its document, or what is wrong with the file."""
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return as_bytes(broken([("", "The file must be text in UTF-8: save it with that encoding.")]))
+    # To read a key of so many parts takes the square of their number in memory.
+    if _LONG_KEY.search(text):
+        return as_bytes(broken([("", _TOO_DEEP)]))
+    try:
+        document = parsed(text, "The file")
+    except CaseError as error:
+        return as_bytes(misfit(error))
+    if deeper(document, NESTING):
+        return as_bytes(broken([("", _TOO_DEEP)]))
+    document = as_json_has_it(document)
+    too_large = oversizes(document)
+    return as_bytes(excess(too_large) if too_large else {"ok": True, "document": document})
+
+
+def as_json_has_it(value: Any) -> Any:
+    """Return what TOML has and JSON has not as text: dates, numbers that are not finite or beyond all others."""
+    if isinstance(value, dict):
+        return {name: as_json_has_it(entry) for name, entry in value.items()}
+    if isinstance(value, list):
+        return [as_json_has_it(entry) for entry in value]
+    if isinstance(value, int | float):
+        return value if is_number(value) else str(value) if isinstance(value, float) else "inf"
+    return value if isinstance(value, str) else str(value)
 
 
 def case_file(document: dict[str, Any]) -> bytes | dict[str, Any]:

@@ -9,14 +9,16 @@ from nonhertz.errors import InputError
 from nonhertz.io.mistakes import Mistake, Place
 
 DOCUMENT_BYTES: Final = 256 * 1024
-UPLOAD_BYTES: Final = 5 * 1024 * 1024
+UPLOAD_BYTES: Final = 2 * 1024 * 1024
+UPLOAD_POINTS: Final = 30_000
+"""Of a measured file, before its steps; what lies closer together is averaged."""
 HEADER_BYTES: Final = 32 * 1024
 NESTING: Final = 16
 """Brackets within brackets; a case file has six at most."""
 
 STRIPS: Final = 300
-IMAGES: Final = 20
-"""With the two above at once a case takes half a second; the time grows with strips cubed and with images."""
+IMAGES: Final = 10
+"""With the two above at once a case takes a quarter of a second; the time grows with strips cubed and with images."""
 PROFILES: Final = 20
 SPECTRUM: Final = 30
 POINTS: Final = 2000
@@ -24,7 +26,10 @@ KEYS: Final = 40
 
 LIVE_SECONDS: Final = 1.3
 """How long a case may take."""
-UPLOAD_SECONDS: Final = 10.0
+UPLOAD_SECONDS: Final = 1.5
+HEAD_SECONDS: Final = 20.0
+"""In which a connection must have brought the head of a request."""
+BODY_SECONDS: Final = 10.0
 PATIENT_SECONDS: Final = 120.0
 WAITING_SECONDS: Final = 0.5
 WAITING_REQUESTS: Final = 8
@@ -95,4 +100,5 @@ def _at(value: Any, *names: str) -> Any:
 
 
 def _too_long(place: Place, value: Any, most: int, what: str) -> Mistake:
-    return Mistake(place, InputError("", value, f"have at most {most} {what} on the page", _ELSEWHERE))
+    # The whole has no name of its own to begin the sentence with.
+    return Mistake(place or ("case",), InputError("", value, f"have at most {most} {what} on the page", _ELSEWHERE))

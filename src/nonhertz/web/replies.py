@@ -14,7 +14,7 @@ from nonhertz.errors import CaseError
 from nonhertz.io.mistakes import Mistake, path_of
 from nonhertz.io.results import plain
 
-_UNHEARD = (403, 413, 415, 431)
+_UNHEARD = (403, 408, 413, 415, 431)
 #: Of complaints about both bodies, where a form shows them.
 _FIELDS = {"profile": "body.a.profile"}
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
 import socket
 import threading
@@ -10,14 +11,16 @@ from collections.abc import Callable
 from typing import Any, Final
 
 import uvicorn
+from uvicorn.protocols.http.h11_impl import H11Protocol, RequestResponseCycle
 
 from nonhertz.errors import InputError
 from nonhertz.web.app import application
 from nonhertz.web.guard import Guard
-from nonhertz.web.limits import HEADER_BYTES
+from nonhertz.web.limits import HEAD_SECONDS, HEADER_BYTES
 
 HOST: Final = "127.0.0.1"
-CONNECTIONS: Final = 64
+CONNECTIONS: Final = 256
+"""At once; a browser holds up to six."""
 
 
 def listening(port: int) -> socket.socket:
@@ -80,11 +83,45 @@ def serve(document: dict[str, Any], port: int, *, browser: bool, announce: Calla
         server.run([bound])
 
 
+class PromptProtocol(H11Protocol):
+    """HTTP that gives a connection only so long to bring the head of its next request.
+
+    uvicorn waits for ever once a byte of it is there; as many connections as it takes would shut everybody else out.
+    """
+
+    _deadline: asyncio.TimerHandle | None = None
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+        """Begin to wait for the first request."""
+        super().connection_made(transport)
+        self._wait()
+
+    def on_response_complete(self) -> None:
+        """Begin to wait for the next request."""
+        super().on_response_complete()
+        self._wait()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Wait no more."""
+        super().connection_lost(exc)
+        if self._deadline is not None:
+            self._deadline.cancel()
+
+    def _wait(self) -> None:
+        if self._deadline is not None:
+            self._deadline.cancel()
+        self._deadline = self.loop.call_later(HEAD_SECONDS, self._end, self.cycle)
+
+    def _end(self, last: RequestResponseCycle | None) -> None:
+        if self.cycle is last:
+            self.transport.close()
+
+
 def server_of(app: Guard) -> uvicorn.Server:
     """Return what speaks HTTP for the page."""
     settings = uvicorn.Config(
         app,
-        http="h11",
+        http=PromptProtocol,
         ws="none",
         lifespan="on",
         log_config=None,
@@ -95,7 +132,7 @@ def server_of(app: Guard) -> uvicorn.Server:
         date_header=False,
         proxy_headers=False,
         limit_concurrency=CONNECTIONS,
-        timeout_keep_alive=30,
+        timeout_keep_alive=int(HEAD_SECONDS),
         timeout_graceful_shutdown=2,
         h11_max_incomplete_event_size=HEADER_BYTES,
     )

@@ -27,6 +27,7 @@ WARM_UP_SECONDS: Final = 300.0
 """For a machine on which everything has to be compiled first."""
 
 _STEP = 0.05  # s, between looks at whether to stop waiting
+_PAUSE = 1.0  # s, before a process that could not be started is tried again
 _BUSY = "The page is busy with other cases: it will ask again."
 
 Job = Callable[..., Any]
@@ -90,6 +91,11 @@ class Worker:
         except OSError:
             raise EndedError("its process ended") from None
         return self.wait(seconds)
+
+    @property
+    def alive(self) -> bool:
+        """Whether the process has not ended."""
+        return self._process.is_alive()
 
     def end(self) -> None:
         """End the process, whatever it is doing."""
@@ -179,8 +185,12 @@ class Workers:
                 with anyio.fail_after(WARM_UP_SECONDS):
                     await self.ready.wait()
             with anyio.fail_after(WAITING_SECONDS):
-                await self._count_idle.acquire()
-                return self._idle.popleft()
+                while True:
+                    await self._count_idle.acquire()
+                    worker = self._idle.popleft()
+                    if worker.alive:
+                        return worker
+                    self._replace(worker)  # somebody else has ended it while it had nothing to do
         except TimeoutError:
             raise RefusedError(503, _BUSY) from None
         finally:
@@ -197,16 +207,25 @@ class Workers:
 
     async def _add(self, count: int) -> None:
         for _ in range(count):
-            worker = await self._in_thread(Worker, self._warm_up)
-            self._living.add(worker)
-            try:
-                if self._warm_up is not None:
-                    await self._in_thread(worker.wait, WARM_UP_SECONDS)
-            except (TooSlowError, FailedError):
-                self._end(worker)
-                continue
+            while (worker := await self._started()) is None:
+                await anyio.sleep(_PAUSE)
             self._put_back(worker)
             self.ready.set()
+
+    async def _started(self) -> Worker | None:
+        """Return a process that is ready, None if it could not be started or has ended on the way."""
+        try:
+            worker: Worker = await self._in_thread(Worker, self._warm_up)
+        except OSError:  # no memory, or as many processes as there may be
+            return None
+        self._living.add(worker)
+        try:
+            if self._warm_up is not None:
+                await self._in_thread(worker.wait, WARM_UP_SECONDS)
+        except (TooSlowError, FailedError):
+            self._end(worker)
+            return None
+        return worker
 
     async def _in_thread(self, function: Callable[..., Any], *arguments: Any) -> Any:
         return await anyio.to_thread.run_sync(function, *arguments, abandon_on_cancel=True, limiter=self._limiter)

@@ -106,8 +106,9 @@ export function uprightAxis(domain, label, more = {}) {
   return { domain, label, labelAnchor: "center", labelArrow: "none", ticks: 5, tickFormat: PLAIN, grid: true, ...more };
 }
 
-/** Thin lines where a body ends, and where there is no load. @param {number[]} places */
-export function ends(places) {
+/** Thin lines where the bodies end, if they do. @param {import("./types.js").Answer} answer */
+export function ends({ interval }) {
+  const places = interval.filter((place) => place !== null);
   return Plot.ruleX(places, { stroke: FAINT, strokeDasharray: "7 2 1.5 2", strokeWidth: 0.8 });
 }
 

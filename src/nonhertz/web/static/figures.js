@@ -87,7 +87,7 @@ function drawPressure(answer, pinned, span) {
       y: uprightAxis(top, "p₀ [MPa]", { clamp: false }),
       marks: [
         Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 }),
-        ends(span),
+        ends(answer),
         Plot.areaY(y, { x: y, y: clamped(pressure), fill: FIRST, fillOpacity: 0.12, clip: true }),
         ...pinnedLine(before?.y, before && clamped(before.values)),
         line(y, clamped(pressure), { stroke: FIRST, clip: true }),
@@ -129,7 +129,7 @@ function sharpMarks(answer, top, span) {
       text: () =>
         [
           `no limit, as 1/s^${digits(end.exponent, 2)}`,
-          ...(end.strength === null ? [] : [`K = ${digits(end.strength)}`]),
+          ...(end.strength === null ? [] : [`K = ${digits(end.strength)} MPa mm^${digits(end.exponent, 2)}`]),
         ].join("\n"),
       fill: INK,
       stroke: "var(--surface)",
@@ -153,7 +153,7 @@ function drawHalfWidth(answer, pinned, span) {
       y: uprightAxis(fromZero([halfWidth, before?.values ?? []]), "b [mm]", { ticks: 3 }),
       marks: [
         Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 }),
-        ends(span),
+        ends(answer),
         ...pinnedLine(before?.y, before?.values),
         line(y, halfWidth, { stroke: SECOND }),
         ...reading(y, halfWidth, (place) => `y ${digits(y[place])} mm\nb ${digits(halfWidth[place])} mm`),

@@ -1,7 +1,7 @@
 // Files: opening a case file, saving what the program writes.
 
 import { element } from "./elements.js";
-import { post } from "./live.js";
+import { post, send } from "./live.js";
 
 /** @typedef {import("./types.js").Mistake} Mistake */
 
@@ -16,11 +16,7 @@ export async function opened(file, most) {
     const sentence = `${file.name} must be a case file of at most ${Math.floor(most / 1024)} kB: choose another file.`;
     return { document: null, mistakes: [{ path: "", sentence }] };
   }
-  const response = await fetch("open", {
-    method: "POST",
-    headers: { "Content-Type": "application/toml" },
-    body: await file.arrayBuffer(),
-  });
+  const response = await send("open", "application/toml", await file.arrayBuffer());
   const answer = await response.json();
   return { document: answer.ok ? answer.document : null, mistakes: answer.mistakes ?? [] };
 }

@@ -39,7 +39,7 @@ export function drawFootprint(answer, span) {
       marks: [
         () => gradient(answer),
         Plot.ruleY([0], { stroke: FAINT, strokeWidth: 0.6, strokeDasharray: "7 2 1.5 2" }),
-        ends(span),
+        ends(answer),
         Plot.areaY(y, {
           x: y,
           y1: halfWidth,

@@ -1,4 +1,4 @@
-// The distance of the surfaces on the centre line, before and after loading.
+// The distance of the surfaces on the centre line, undeformed and deformed.
 
 import {
   FIRST,
@@ -33,8 +33,8 @@ export function drawGap(answer, pinned, span) {
   head(
     host,
     "Distance of the surfaces",
-    [["second dashed", "before"], ["first", "after loading"], ...pinnedKey(pinned)],
-    beyond ? `axis cut: before loading up to ${digits(extent(before)[1], 3)} µm` : "",
+    [["second dashed", "undeformed"], ["first", "deformed"], ...pinnedKey(pinned)],
+    beyond ? `axis cut: undeformed up to ${digits(extent(before)[1], 3)} µm` : "",
   );
   draw(
     host,
@@ -46,7 +46,7 @@ export function drawGap(answer, pinned, span) {
       y: uprightAxis(limits, "distance [µm]"),
       marks: [
         Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 }),
-        ends(span),
+        ends(answer),
         Plot.areaY(y, { x: y, y1: inside(before), y2: inside(after), fill: FIRST, fillOpacity: 0.12, clip: true }),
         ...pinnedLine(pinned?.gap.y, pinned && inside(pinned.gap.before)),
         ...pinnedLine(pinned?.gap.y, pinned && inside(pinned.gap.after)),
@@ -55,10 +55,10 @@ export function drawGap(answer, pinned, span) {
         ...reading(
           y,
           inside(before),
-          (place) => `y ${digits(y[place])} mm\nbefore ${digits(before[place])} µm\nafter ${digits(after[place])} µm`,
+          (place) => `y ${digits(y[place])} mm\nundeformed ${digits(before[place])} µm\ndeformed ${digits(after[place])} µm`,
         ),
       ],
     },
-    `Distance of the surfaces along y: before loading they would overlap by up to ${digits(Math.max(0, -extent(before)[0]), 3)} micrometres; after loading it is zero in contact.`,
+    `Distance of the surfaces along y: undeformed they would overlap by up to ${digits(Math.max(0, -extent(before)[0]), 3)} micrometres; deformed it is zero in contact.`,
   );
 }

@@ -5,7 +5,8 @@
 // quick enough to drag by, else when the hand rests, and then they are cut short by a newer case.
 
 const REST = 120; // ms without a new case before stresses are asked for alone
-const QUICK = 110; // ms from asking to drawn, up to which stresses come with every answer
+const QUICK = 100; // ms from asking to drawn, up to which stresses come with every answer
+const PATIENCE = 3; // answers in a row that may take longer, or one that takes three times as long
 const AGAIN = 1500; // ms between attempts to reach the program
 /** What is said where nothing answers. */
 export const AWAY = "The program behind this page does not answer: look whether nonhertz serve still runs.";
@@ -24,15 +25,25 @@ const ATTEMPTS = 4; // while it is busy
  */
 
 /**
- * Post JSON. A program that is busy is asked again; what it says in the end may still be that it is.
+ * Post JSON.
  * @param {string} place
  * @param {object} body
- * @param {RequestInit} [options]
+ * @param {AbortSignal} [signal]
  */
-export async function post(place, body, options = {}) {
-  const headers = { "Content-Type": "application/json" };
+export function post(place, body, signal) {
+  return send(place, "application/json", JSON.stringify(body), signal);
+}
+
+/**
+ * Post something. A program that is busy is asked again; what it says in the end may still be that it is.
+ * @param {string} place
+ * @param {string} type
+ * @param {BodyInit} body
+ * @param {AbortSignal} [signal]
+ */
+export async function send(place, type, body, signal) {
   for (let left = ATTEMPTS; ; left -= 1) {
-    const response = await fetch(place, { method: "POST", headers, body: JSON.stringify(body), ...options });
+    const response = await fetch(place, { method: "POST", headers: { "Content-Type": type }, body, signal });
     if (response.status !== 503 || left <= 1) return response;
     await new Promise((done) => window.setTimeout(done, AGAIN / 3));
   }
@@ -47,7 +58,7 @@ export class Live {
     /** @type {Wanted | null} */
     this.latest = null;
     this.busy = false;
-    this.quick = false;
+    this.slow = 0; // answers with stresses in a row that took too long
     this.rest = 0;
     /** @type {AbortController | null} */
     this.stresses = null;
@@ -83,7 +94,8 @@ export class Live {
     while (this.next) {
       const wanted = this.next;
       this.next = null;
-      const stress = this.quick && this.listener.stress() !== null;
+      const stress = this.slow < PATIENCE && this.listener.stress() !== null;
+      const first = this.latest === null;
       const begun = performance.now();
       const answer = await this.ask(wanted, stress);
       if (!answer) {
@@ -93,11 +105,12 @@ export class Live {
       }
       this.latest = answer.ok ? wanted : null;
       this.listener.answered(answer, wanted, stress);
-      if (stress) this.quick = performance.now() - begun < QUICK;
-      complete = stress;
+      if (stress && !first) this.judge(performance.now() - begun); // the first time everything is slower
+      complete = stress && answer.body === this.listener.stress(); // another body may be shown by now
     }
     this.busy = false;
-    if (!complete) this.wantStress();
+    if (complete) this.forgetStress();
+    else this.wantStress();
     this.listener.rested(complete);
   }
 
@@ -109,9 +122,19 @@ export class Live {
     this.stresses = stop;
     const begun = performance.now();
     const answer = await this.ask(wanted, true, stop.signal);
-    if (!answer || stop.signal.aborted) return;
+    if (stop.signal.aborted) return;
+    if (!answer) {
+      this.rest = window.setTimeout(() => this.runStress(), AGAIN);
+      return;
+    }
     this.listener.stressed(answer);
-    this.quick = performance.now() - begun < QUICK;
+    this.slow = performance.now() - begun < QUICK ? 0 : PATIENCE;
+  }
+
+  /** Note how long an answer with stresses took. @param {number} took ms */
+  judge(took) {
+    if (took < QUICK) this.slow = 0;
+    else this.slow += took < PATIENCE * QUICK ? 1 : PATIENCE;
   }
 
   /**
@@ -123,15 +146,14 @@ export class Live {
   async ask(wanted, stress, signal) {
     const body = { document: wanted.document, stress, body: this.listener.stress() ?? "a" };
     try {
-      const response = await post("solve", body, { signal });
+      const response = await post("solve", body, signal);
       const answer = await response.json();
-      if (response.status === 503) throw new Error(answer.mistakes?.[0]?.sentence);
-      this.listener.trouble("");
-      return { ...answer, body: body.body };
-    } catch (error) {
-      if (signal?.aborted) return null;
-      const busy = error instanceof Error && !(error instanceof TypeError) && error.message;
-      this.listener.trouble(busy || `${AWAY} Asking again …`);
+      const busy = response.status === 503;
+      this.listener.trouble(busy ? answer.mistakes[0].sentence : "");
+      return busy ? null : { ...answer, body: body.body };
+    } catch {
+      // Nobody is there, or somebody who does not answer as the program does.
+      if (!signal?.aborted) this.listener.trouble(`${AWAY} Asking again …`);
       return null;
     }
   }

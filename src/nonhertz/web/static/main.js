@@ -25,7 +25,7 @@ const live = new Live({
   answered(answer, { document, since }, stress) {
     const begun = performance.now();
     if (answer.ok) view.show(document, answer);
-    else view.refuse(answer);
+    else view.refuse(document, answer);
     if (stress) showStress(answer);
     roundTrip(since, begun, answer);
   },
@@ -96,9 +96,15 @@ async function step(by) {
 
 /** Solve a case that is to be pinned, which came with a link. */
 async function pinShared(document) {
-  const response = await post("solve", { document, stress: Boolean(view.shownBody()), body: view.shownBody() ?? "a" });
-  const answer = await response.json();
-  if (answer.ok) view.pin({ document, answer, stressed: answer.section ? answer : null });
+  const body = view.shownBody();
+  try {
+    const response = await post("solve", { document, stress: body !== null, body: body ?? "a" });
+    const answer = await response.json();
+    if (answer.ok) view.pin({ document, answer, stressed: answer.section ? answer : null });
+    else notice("link", `The case that the link has pinned cannot be shown: ${answer.mistakes[0]?.sentence}`);
+  } catch {
+    notice("link", AWAY);
+  }
 }
 
 function togglePin() {
@@ -124,16 +130,20 @@ async function download(name) {
   try {
     const mistakes = await saved(name, form.document);
     if (mistakes.length) showMistakes(mistakes);
-    notice("download", "");
   } catch {
-    notice("download", AWAY);
+    notice("program", AWAY); // until the next answer
   }
+  notice("download", "");
 }
 
 async function openFile(file) {
-  const { document, mistakes } = await opened(file, start.limits.document_bytes);
-  if (!document) showMistakes(mistakes);
-  else await form.open(document);
+  try {
+    const { document, mistakes } = await opened(file, start.limits.document_bytes);
+    if (!document) showMistakes(mistakes);
+    else await form.open(document);
+  } catch {
+    notice("program", AWAY);
+  }
 }
 
 function wire() {

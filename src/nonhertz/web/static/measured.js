@@ -3,7 +3,7 @@
 // The bytes stay here. Every switch sends them again with other options, so that nothing that a step did is lost.
 
 import { byId } from "./elements.js";
-import { AWAY } from "./live.js";
+import { AWAY, send } from "./live.js";
 import { options, outcome, picker } from "./preparation.js";
 import { drawSteps } from "./steps.js";
 
@@ -56,7 +56,7 @@ export class Measured {
       options: {},
       answer: fits
         ? null
-        : mistake(`${file.name} must be a file of at most ${Math.floor(this.most / 1048576)} MB: cut it down.`),
+        : mistake(`${file.name} must be a file of at most ${Math.floor(this.most / 1048576)} MB: prepare it with nonhertz profile.`),
     };
     this.uploads[this.body] = upload;
     this.show();
@@ -70,11 +70,7 @@ export class Measured {
     const query = new URLSearchParams({ name: upload.name, ...upload.options });
     let answer;
     try {
-      const response = await fetch(`upload?${query}`, {
-        method: "POST",
-        headers: { "Content-Type": "application/octet-stream" },
-        body: upload.bytes,
-      });
+      const response = await send(`upload?${query}`, "application/octet-stream", upload.bytes);
       answer = await response.json();
     } catch {
       answer = { ok: false, mistakes: [{ path: "", sentence: AWAY }] };

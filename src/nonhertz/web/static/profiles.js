@@ -71,9 +71,8 @@ function drawProfile(host, body, { y, relief_um: relief }, pinned) {
         ...(pinned ? [line(pinned.y, pinned.relief_um, { stroke: PINNED, strokeDasharray: "2 3", clip: true })] : []),
         line(y, cut, { stroke: FIRST, clip: true }),
         Plot.text([[low, high]], {
-          frameAnchor: "bottom-right",
+          frameAnchor: "bottom",
           text: ["relief [µm] along y [mm]"],
-          dx: -4,
           dy: -4,
           fill: INK,
           fillOpacity: 0.7,

@@ -30,16 +30,19 @@ export class View {
     this.profiles = answer.profiles;
     // Stresses of the case before stay, dimmed, until those of this one are there.
     this.latest = { document, answer, stressed: this.latest?.stressed ?? null };
-    byId("case-title").textContent = answer.title;
-    byId("case-title").title = answer.title;
-    window.document.title = `${answer.title} – nonhertz`;
+    this.name(answer.title);
     this.drawResult();
     writeWords(answer);
   }
 
-  /** Show what is wrong; the last good result stays, dimmed. @param {import("./types.js").Refusal} refusal */
-  refuse(refusal) {
+  /**
+   * Show what is wrong; the last good result stays, dimmed.
+   * @param {any} document
+   * @param {import("./types.js").Refusal} refusal
+   */
+  refuse(document, refusal) {
     showMistakes(refusal.mistakes);
+    if (!this.latest) this.name(typeof document.title === "string" ? document.title : "");
     this.results.classList.add("outdated");
     byId("state").textContent = this.latest ? "last good result" : "no result yet";
     byId("round-trip").textContent = "";
@@ -68,6 +71,12 @@ export class View {
     byId("pinned-note").hidden = !result;
     byId("pinned-title").textContent = result?.answer.title ?? "";
     this.redraw();
+  }
+
+  name(title) {
+    byId("case-title").textContent = title;
+    byId("case-title").title = title;
+    document.title = title ? `${title} – nonhertz` : "nonhertz";
   }
 
   drawResult() {

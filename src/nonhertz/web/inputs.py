@@ -1,0 +1,101 @@
+"""The input for one key of a case file, with its value in it."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from dataclasses import replace
+from typing import Any, Final
+
+from nonhertz.errors import InputError
+from nonhertz.io.mistakes import Place, path_of
+from nonhertz.io.units import in_unit
+from nonhertz.web.fields import Field, Option, Slider, text_of
+from nonhertz.web.keys import Schema, alternatives, default_of, is_quantity, meaning_of, unit_of, words_for
+from nonhertz.web.ranges import range_of
+
+ABSENT: Final = object()
+"""In place of the value of a key that is not there."""
+
+_LONG_LIST: Final = 24
+_WRITTEN_UNIT: Final = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*(\S.*)")
+
+
+def input_for(part: Schema, value: Any, place: Place) -> Field:
+    """Return the input for a value that is no table."""
+    name = str(place[-1])
+    kinds = alternatives(part)
+    first = kinds[0]
+    words = words_for(name, part)
+    made = Field(path_of(place), label_of(place), "text", "", meaning_of(part), default=default_of(part))
+    if first.get("type") == "array":
+        made = replace(made, kind="list", unit=unit_of(first.get("items", {})), options=options_of(words))
+    elif any(kind.get("type") == "boolean" for kind in kinds):
+        alone = len(kinds) == 1
+        made = replace(made, kind="boolean" if alone else "json", options=options_of(("true", "false", *words)))
+    elif len(kinds) == 1 and not is_quantity(first):
+        made = replace(made, kind="choice" if words else "text", options=options_of(words))
+    elif all(is_quantity(kind) for kind in kinds):
+        made = replace(made, kind="quantity", unit=unit_of(part))
+    else:
+        made = replace(made, kind="integer-or-word", unit=unit_of(part), options=options_of(words))
+    return _filled(made, value, part.get("range", name))
+
+
+def _filled(made: Field, value: Any, name: str) -> Field:
+    """Return an input with a value in it, as another kind where it cannot hold the value."""
+    if made.kind in {"quantity", "integer-or-word"}:
+        made = replace(made, slider=_slider(name, made.unit, value))
+    if value is ABSENT:
+        return made
+    text = text_of(made.kind, value)
+    if text is None:
+        return replace(made, kind="json", value=json.dumps(value), options=(), slider=None)
+    if made.kind == "list" and isinstance(value, list) and len(value) > _LONG_LIST:
+        return replace(made, kind="hidden-json", value=json.dumps(value))
+    if made.kind == "choice" and text not in [option.value for option in made.options]:
+        return replace(made, value=text, options=(*made.options, Option(text, text)))
+    return replace(made, value=text)
+
+
+def _slider(name: str, unit: str, value: Any) -> Slider | None:
+    """Return what moves a quantity, where it stands now, and how it is written."""
+    try:
+        number = math.nan if value is ABSENT else in_unit(name, value, unit)
+    except InputError:
+        return None
+    if isinstance(number, bool) or not isinstance(number, float) or math.isinf(number):
+        return None
+    found = range_of(name, None if math.isnan(number) else number)
+    if found is None:
+        return None
+    if value is ABSENT:
+        return Slider(found, found.position(found.start))
+    written = _WRITTEN_UNIT.fullmatch(value) if isinstance(value, str) else None
+    if written is None:
+        return Slider(found, found.position(number))
+    return Slider(found, found.position(number), in_unit(name, f"1 {written[1]}", unit), written[1])
+
+
+def options_of(words: tuple[str, ...]) -> tuple[Option, ...]:
+    """Return words as choices, or as suggestions."""
+    return tuple(Option(word, word) for word in words)
+
+
+def stray(value: Any, place: Place) -> Field:
+    """Return an unknown key with its value, which can be changed or taken away."""
+    return Field(path_of(place), label_of(place), "json", json.dumps(value), removable=True)
+
+
+def as_it_is(part: Schema, value: Any, place: Place) -> Field:
+    """Return a value that stands where a table should."""
+    return replace(stray(value, place), help=meaning_of(part))
+
+
+def label_of(place: Place) -> str:
+    """Return what stands beside a field: its key, and the number of an entry in a list."""
+    last = place[-1] if place else ""
+    if isinstance(last, int):
+        return f"{label_of(place[:-1])} {last}"
+    return f"body {last}" if place[:-1] == ("body",) else str(last).replace("_", " ")
