@@ -32,7 +32,7 @@ from nonhertz.web.limits import (
     oversizes,
 )
 from nonhertz.web.replies import broken, excess, refusal, reply
-from nonhertz.web.workers import FailedError, TooSlowError, Workers
+from nonhertz.web.workers import EndedError, FailedError, TooSlowError, Workers
 
 _TYPES: Final = {".css": "text/css", ".js": "text/javascript", ".svg": "image/svg+xml", ".html": "text/html"}
 _DOWNLOADS: Final = {
@@ -199,6 +199,7 @@ def application(document: dict[str, Any], port: int, workers: int = 2) -> Guard:
             RefusedError: _refused,
             HTTPException: _unrouted,
             TooSlowError: _too_slow,
+            EndedError: _ended,
             FailedError: _failed,
             Exception: _failed,
         },
@@ -263,6 +264,11 @@ async def _unrouted(request: Request, error: Exception) -> Response:
 
 async def _too_slow(request: Request, error: Exception) -> Response:
     return reply(broken([("", "This case takes longer than the page waits: solve it with the command line.")]))
+
+
+async def _ended(request: Request, error: Exception) -> Response:
+    # Another process is on its way: that is no fault of the case, and the page asks again.
+    return refusal(503, "The process that solved this case was ended by the system: ask again.")
 
 
 async def _failed(request: Request, error: Exception) -> Response:

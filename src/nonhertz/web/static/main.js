@@ -21,32 +21,37 @@ const start = JSON.parse(byId("start").textContent);
 const view = new View();
 const address = new Address();
 
+const STILL = 150; // ms after the last answer, when stresses that were drawn quickly are drawn finely
+let refining = 0;
+
 const live = new Live({
   answered(answer, { document, since }, stress) {
     const begun = performance.now();
     if (answer.ok) view.show(document, answer);
     else view.refuse(document, answer);
-    if (stress) showStress(answer);
+    if (stress) showStress(answer, false);
     roundTrip(since, begun, answer);
   },
   stressed(answer) {
-    showStress(answer);
+    showStress(answer, true);
     document.documentElement.dataset.state = "settled";
   },
   waiting() {
+    window.clearTimeout(refining);
     document.documentElement.dataset.state = "solving";
     byId("stress-figures").classList.add("stale");
   },
   rested(complete) {
+    if (complete) refining = window.setTimeout(() => view.drawStress(), STILL);
     if (complete || !view.shownBody() || !live.latest) document.documentElement.dataset.state = "settled";
   },
   trouble: (sentence) => notice("program", sentence),
   stress: () => view.shownBody(),
 });
 
-function showStress(answer) {
+function showStress(answer, fine) {
   byId("stress-figures").classList.remove("stale");
-  if (answer.ok) view.stress(answer);
+  if (answer.ok) view.stress(answer, fine);
 }
 
 const form = new Form(start.document, {

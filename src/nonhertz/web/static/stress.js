@@ -5,8 +5,9 @@ import { proportions } from "./footprint.js";
 import { digits } from "./numbers.js";
 
 const BANDS = 10;
-const COLUMNS = 96;
-const ROWS = 40;
+// Cells of the nets that contours are drawn on, along and down. Fine ones take too long to paint while somebody drags.
+const FINE = { columns: 96, rows: 40 };
+const QUICK = { columns: 60, rows: 26 };
 const HEIGHT = 270; // pixels of the planes
 
 /** @typedef {import("./types.js").Answer} Answer */
@@ -15,19 +16,20 @@ const HEIGHT = 270; // pixels of the planes
  * Draw both planes.
  * @param {Answer} answer with stresses
  * @param {"MPa" | "p0"} unit
+ * @param {boolean} fine whether there is time
  */
-export function drawStress(answer, unit) {
+export function drawStress(answer, unit, fine) {
   if (!answer.axial || !answer.section || !answer.stress) return;
   const scale = unit === "p0" ? 1 / (answer.scale.pressure || 1) : 1;
   const label = unit === "p0" ? "von Mises stress / largest p₀" : "von Mises stress [MPa]";
   // One scale for both, up to the largest stress that has a limit.
   const top = scale * Math.max(largestAlong(answer).value, answer.stress.von_mises.value) || 1;
-  const shared = { label, scale, top };
+  const shared = { label, scale, top, net: fine ? FINE : QUICK };
   drawAlong(answer, shared);
   drawAcross(answer, shared);
 }
 
-function drawAlong(answer, { label, scale, top }) {
+function drawAlong(answer, { label, scale, top, net }) {
   const host = figure("axial");
   const { y, z, von_mises: values } = answer.axial;
   const found = largestAlong(answer);
@@ -35,13 +37,13 @@ function drawAlong(answer, { label, scale, top }) {
   head(host, `Along the contact, body ${answer.body}, x = 0`, [], proportions(stretch, ["z", "y"]));
   drawPlane(
     host,
-    resampled(y, z, values, scale),
+    resampled(y, z, values, scale, net),
     { top, label, height: HEIGHT, axis: "y [mm]", place: [found.y, found.z] },
     `Von Mises stress along the contact in body ${answer.body}: largest ${digits(found.value)} MPa at y = ${digits(found.y)} mm, ${digits(found.z)} mm deep${away(answer)}.`,
   );
 }
 
-function drawAcross(answer, { label, scale, top }) {
+function drawAcross(answer, { label, scale, top, net }) {
   const host = figure("section");
   const { x, y, z, von_mises: values } = answer.section;
   const found = answer.stress.von_mises;
@@ -50,7 +52,7 @@ function drawAcross(answer, { label, scale, top }) {
   head(host, `Across, body ${answer.body}, y = ${digits(y, 3)} mm`, [], proportions(height / natural, ["z", "x"]));
   drawPlane(
     host,
-    resampled(x, z, values, scale),
+    resampled(x, z, values, scale, net),
     { top, label, height, axis: "x [mm]", place: [found.x, found.z] },
     `Von Mises stress across the contact in body ${answer.body} at y = ${digits(y)} mm: largest ${digits(found.value)} MPa, ${digits(found.z)} mm deep.`,
   );
@@ -115,8 +117,8 @@ function drawPlane(host, plane, { top, label, height, axis, place }, words) {
       },
       marks: [
         Plot.contour(plane.values, {
-          width: COLUMNS,
-          height: ROWS,
+          width: plane.columns,
+          height: plane.rows,
           x1: plane.x1,
           x2: plane.x2,
           y1: plane.y1,
@@ -141,20 +143,21 @@ function drawPlane(host, plane, { top, label, height, axis, place }, words) {
  * @param {number[]} depths
  * @param {(number | null)[][]} values one row for each depth
  * @param {number} scale
+ * @param {{columns: number, rows: number}} net
  */
-export function resampled(along, depths, values, scale) {
-  const columns = shares(along, COLUMNS);
-  const rows = shares(depths, ROWS);
-  const even = new Float64Array(COLUMNS * ROWS);
+export function resampled(along, depths, values, scale, net) {
+  const columns = shares(along, net.columns);
+  const rows = shares(depths, net.rows);
+  const even = new Float64Array(net.columns * net.rows);
   for (const [row, [upper, down]] of rows.entries()) {
     for (const [column, [left, right]] of columns.entries()) {
       const at = (j, i) => values[j][i] ?? 0;
       const above = at(upper, left) * (1 - right) + at(upper, left + 1) * right;
       const below = at(upper + 1, left) * (1 - right) + at(upper + 1, left + 1) * right;
-      even[row * COLUMNS + column] = scale * (above * (1 - down) + below * down);
+      even[row * net.columns + column] = scale * (above * (1 - down) + below * down);
     }
   }
-  return { values: even, x1: along[0], x2: last(along), y1: depths[0], y2: last(depths) };
+  return { ...net, values: even, x1: along[0], x2: last(along), y1: depths[0], y2: last(depths) };
 }
 
 /** For the middle of each even cell: the interval of the places that it is in, and how far into it. */

@@ -53,12 +53,12 @@ export class View {
     );
   }
 
-  /** Show the stresses of the latest result. @param {Answer} answer */
-  stress(answer) {
+  /** Show the stresses of the latest result. @param {Answer} answer @param {boolean} fine whether there is time */
+  stress(answer, fine = true) {
     if (!this.latest) return;
     this.latest.stressed = answer.section ? answer : null; // none without contact, or where the solver stopped short
     byId("stress-note").textContent = answer.stress_note ?? "";
-    this.drawStress();
+    this.drawStress(fine);
     this.writeKeys();
   }
 
@@ -86,11 +86,11 @@ export class View {
     this.writeKeys();
   }
 
-  drawStress() {
+  drawStress(fine = true) {
     const unit = /** @type {HTMLInputElement} */ (document.querySelector("[name=stress-unit]:checked")).value;
     const stressed = this.latest?.stressed;
     byId("stress-figures").hidden = !this.shownBody() || !stressed;
-    if (stressed && this.shownBody()) drawStress(stressed, /** @type {"MPa" | "p0"} */ (unit));
+    if (stressed && this.shownBody()) drawStress(stressed, /** @type {"MPa" | "p0"} */ (unit), fine);
   }
 
   redraw() {
