@@ -22,6 +22,7 @@ from nonhertz.report.differences import differing_inputs, lives, results
 from nonhertz.report.downloads import downloads
 from nonhertz.report.drawing import inline_svg
 from nonhertz.report.inputs import inputs
+from nonhertz.report.measurements import measurements
 from nonhertz.report.method import formula, references, source
 from nonhertz.report.page import _linked
 from nonhertz.report.telling import ends_in_words, keys, opening
@@ -238,6 +239,26 @@ def test_steps_of_a_measured_profile_are_told_though_the_case_file_leaves_them_o
     assert told["level"] == ("yes", True)
     assert told["points"] == ("auto", True)
     assert "height_unit" not in told
+
+
+def test_what_was_done_to_a_measured_profile_is_told_and_drawn(tmp_path: Path) -> None:
+    # A crown of 500 mm that lies askew by 2 mrad and 4 mm off the middle of the trace.
+    rows = (f"{y:.3f}\t{2.0 * y - (y - 4.0) ** 2:.4f}" for y in np.linspace(-1.0, 9.0, 401))
+    (tmp_path / "roller.txt").write_text("\n".join(rows), encoding="utf-8")
+    table = '{ kind = "measured", file = "roller.txt", height_unit = "um" }'
+    case = f"[body.a]\ndiameter = 10\nlength = 10\nprofile = [{table}]\n[body.b]\n[load]\nload = 100\n"
+    (tmp_path / "case.toml").write_text(case, encoding="utf-8")
+    subject = read_subject(tmp_path / "case.toml")
+    (measurement,) = measurements(subject)
+    assert (measurement.place, measurement.file) == ("body.a.profile[1]", "roller.txt")
+    told = dict(measurement.rows)
+    assert list(told) == ["raw", "level", "align", "trim", "outliers", "smooth", "thin"]
+    assert told["level"].startswith("A tilt of 2 mrad was taken off")
+    assert told["align"].startswith("The middle of the body, 4 mm in the file, became y = 0")
+    page = compose([subject], stress=False)
+    assert "What was done to roller.txt" in page
+    assert told["level"] in page
+    assert "From the measured points of roller.txt to the profile, step by step." in page
 
 
 STRAINED = {

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from itertools import count
 from typing import TYPE_CHECKING
 
-from nonhertz.plot import figures, life_figure, stress_figures
+from nonhertz.plot import figures, life_figure, measured_figure, stress_figures
 from nonhertz.report.drawing import inline_svg
 from nonhertz.report.finding import Finding
+from nonhertz.report.measurements import Measurement
 from nonhertz.report.overlay import pressures, reliefs
 from nonhertz.report.telling import keys
 from nonhertz.singular import singular_ends
@@ -91,6 +92,11 @@ class Gallery:
         lives = [life for body in found.lives.lives.values() for life in body]
         told = "; ".join(f"{life.model.name} in body {life.body}: life {life.relative:.3g}" for life in lives)
         return self._picture(drawn, caption, told)
+
+    def of_measurement(self, measurement: Measurement) -> Picture:
+        """Return the steps from measured points to a profile."""
+        caption = f"From the measured points of {measurement.file} to the profile, step by step."
+        return self._picture(measured_figure(measurement.measured), caption, " ".join(dict(measurement.rows).values()))
 
     def of_all(self, found: Sequence[Finding]) -> Iterator[Picture]:
         """Yield pressures with half-widths, and separations, of all cases."""

@@ -17,6 +17,7 @@ from nonhertz.report.downloads import downloads
 from nonhertz.report.figures import Gallery
 from nonhertz.report.finding import Finding, examined, settled
 from nonhertz.report.inputs import inputs
+from nonhertz.report.measurements import Measurement, measurements
 from nonhertz.report.method import paragraphs, references
 from nonhertz.report.subject import Subject
 from nonhertz.report.telling import ends_in_words, geometry, keys, opening
@@ -114,11 +115,22 @@ def _part(found: Finding, number: int, several: bool, gallery: Gallery) -> dict[
         "ends": ends_in_words(solution),
         "stress": _stress(found, gallery),
         "life": _life(found, gallery),
+        # Figures are numbered as they are drawn, in the order of the page.
+        "measured": [_measured(each, gallery) for each in measurements(found.subject)],
         "method": paragraphs(found),
         "references": references(found),
         "downloads": downloads(found),
         "left_out": [name for name in found.subject.files if name not in found.subject.attachments],
         "text": found.subject.text,
+    }
+
+
+def _measured(measurement: Measurement, gallery: Gallery) -> dict[str, Any]:
+    return {
+        "place": measurement.place,
+        "file": measurement.file,
+        "rows": [(name, words.replace(" um", " µm")) for name, words in measurement.rows],
+        "figure": _marked(gallery.of_measurement(measurement)),
     }
 
 
