@@ -6,8 +6,9 @@ key. Warnings are left to the results, which carry them in words for people.
 
 from __future__ import annotations
 
+import contextlib
 import warnings
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -39,12 +40,8 @@ def solved(case: Case) -> Solution:
     ConvergenceError
         If it stops short of a solution.
     """
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", AccuracyWarning)
-        try:
-            return solve(case.contact, **case.prescribed, **case.solver)
-        except InputError as error:
-            raise placed(error) from None
+    with _in_the_words_of_the_file():
+        return solve(case.contact, **case.prescribed, **case.solver)
 
 
 def spectrum_solved(case: Case) -> Spectrum:
@@ -59,12 +56,8 @@ def spectrum_solved(case: Case) -> Spectrum:
     """
     if not case.life.spectrum:
         return ((solved(case), 1.0),)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", AccuracyWarning)
-        try:
-            return solve_spectrum(case.contact, case.life.spectrum, **case.solver)
-        except InputError as error:
-            raise placed(error) from None
+    with _in_the_words_of_the_file():
+        return solve_spectrum(case.contact, case.life.spectrum, **case.solver)
 
 
 def largest_stresses(
@@ -137,13 +130,22 @@ def assessed(
         If the case has no life by one of the models.
     """
     lives = {}
-    try:
+    with _in_the_words_of_the_file():
         for body in BODIES:
             told = _announcer(announce, body, len(spectrum))
             lives[body] = assess(spectrum, models, body=body, rollers=case.life.rollers, announce=told)
-    except InputError as error:
-        raise placed(error) from None
     return Assessment(case.title, case.life.rollers, spectrum, lives, notes)
+
+
+@contextlib.contextmanager
+def _in_the_words_of_the_file() -> Iterator[None]:
+    """Place complaints where the case file has the key, and leave warnings to the results."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", AccuracyWarning)
+        try:
+            yield
+        except InputError as error:
+            raise placed(error) from None
 
 
 def _announcer(announce: Announce, body: str, loads: int) -> Callable[[int, int], None]:
