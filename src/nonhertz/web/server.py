@@ -8,7 +8,7 @@ import socket
 import threading
 import webbrowser
 from collections.abc import Callable
-from typing import Any, Final
+from typing import Any, Final, NoReturn
 
 import uvicorn
 from uvicorn.protocols.http.h11_impl import H11Protocol, RequestResponseCycle
@@ -52,7 +52,7 @@ def listening(port: int) -> socket.socket:
     return made
 
 
-def serve(document: dict[str, Any], port: int, *, browser: bool, announce: Callable[[str], None]) -> None:
+def serve(document: dict[str, Any], port: int, *, browser: bool, announce: Callable[[str], None]) -> NoReturn:
     """Serve the page until it is interrupted.
 
     Parameters
@@ -81,6 +81,8 @@ def serve(document: dict[str, Any], port: int, *, browser: bool, announce: Calla
         if browser:
             threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()
         server.run([bound])
+        # It has sent us the interrupt again, which a shell has us ignore in the background.
+        raise KeyboardInterrupt
 
 
 class PromptProtocol(H11Protocol):
