@@ -118,6 +118,16 @@ def test_it_tells_its_address_and_opens_a_browser_if_wanted(browser, monkeypatch
     assert [address for (address,) in opened] == [out.split()[4]] * browser
 
 
+def test_it_ends_as_interrupted_where_a_shell_has_interrupts_ignored(monkeypatch, capsys):
+    class Ended:
+        def run(self, sockets):
+            """Return, as after an interrupt that the process ignores."""
+
+    monkeypatch.setattr(server, "server_of", lambda app: Ended())
+    assert main(["serve", "--port", "0", "--no-browser"]) == 130
+    assert capsys.readouterr().err == "Interrupted.\n"
+
+
 class Started:
     def start(self):
         pass

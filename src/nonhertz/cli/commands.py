@@ -10,7 +10,7 @@ import sys
 import warnings
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, NoReturn
 
 from cyclopts import App, CycloptsError, Parameter
 
@@ -404,7 +404,7 @@ def serve(
     *,
     port: int = 8765,
     browser: bool = True,
-) -> int:
+) -> NoReturn:
     """Open a page in the browser on which a case is changed and solved as you go.
 
     The page is served to this machine alone, and nothing leaves it. Ctrl-C ends it.
@@ -430,7 +430,6 @@ def serve(
         print(f"The page is at {address} until you press Ctrl-C here.", flush=True)
 
     serve_page(document, port, browser=browser, announce=announce)
-    return FINE
 
 
 @app.command
