@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from nonhertz.errors import AccuracyWarning, InputError
+from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
 from nonhertz.io.casefile import Case, placed
 from nonhertz.io.lives import BODIES, Assessment
 from nonhertz.life import Model, VolumeModel, assess, solve_spectrum
@@ -42,6 +42,20 @@ def solved(case: Case) -> Solution:
     """
     with _in_the_words_of_the_file():
         return solve(case.contact, **case.prescribed, **case.solver)
+
+
+def attempted(case: Case) -> tuple[Solution, str]:
+    """Return the solution of a case, or where the solver stopped short of one, and why; empty if it converged.
+
+    Raises
+    ------
+    CaseError
+        If the solver refuses the case.
+    """
+    try:
+        return solved(case), ""
+    except ConvergenceError as error:
+        return error.solution, str(error)
 
 
 def spectrum_solved(case: Case) -> Spectrum:

@@ -20,7 +20,17 @@ from nonhertz.io.casefile import Case, named
 from nonhertz.io.lives import Assessment
 from nonhertz.io.lives import as_json as as_json_text
 from nonhertz.life import MODELS
-from nonhertz.tables.lives import RATIO, REVOLUTIONS, life_rows, ratio_rows, sentences, spectrum_rows, without_ratio
+from nonhertz.tables.lives import (
+    LIFE_COLUMNS,
+    RATIO,
+    REVOLUTIONS,
+    SPECTRUM_COLUMNS,
+    life_rows,
+    ratio_rows,
+    sentences,
+    spectrum_rows,
+    without_ratio,
+)
 
 WIDTH = 120  # of what is piped
 
@@ -79,7 +89,7 @@ def print_lives(found: Assessment, other: Assessment | None) -> None:
     """Print the lives by all models, what they are relative to, those of another case, and warnings."""
     console = Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH)
     console.print(Text(found.title, style="bold"))
-    console.print(_table(("", "life in a", "in b", REVOLUTIONS, "damage"), life_rows(found), left=(0, 4)))
+    console.print(_table(LIFE_COLUMNS, life_rows(found), left=(0, 4)))
     for sentence in sentences(found):
         console.print(Text(sentence), soft_wrap=True)
     _print_spectrum(console, found)
@@ -98,8 +108,7 @@ def print_lives(found: Assessment, other: Assessment | None) -> None:
 
 def _print_spectrum(console: Console, found: Assessment) -> None:
     if len(found.spectrum) > 1:
-        head = ("share", "load [N]", "tilt [mrad]", "largest p0 [MPa]")
-        console.print(_table(head, spectrum_rows(found), left=()))
+        console.print(_table(SPECTRUM_COLUMNS, spectrum_rows(found), left=()))
 
 
 def _print_warnings(console: Console, found: Assessment) -> None:

@@ -35,13 +35,10 @@ def patience() -> Iterator[None]:
 
 def solved_or_not(case: Case) -> tuple[Solution, str]:
     """Return the solution and, if it has not converged, what to say about that."""
-    from nonhertz.casework import solved  # noqa: PLC0415
+    from nonhertz.casework import attempted  # noqa: PLC0415
 
     with patience():
-        try:
-            return solved(case), ""
-        except ConvergenceError as error:
-            return error.solution, str(error)
+        return attempted(case)
 
 
 def spectrum_or_not(case: Case) -> tuple[Spectrum, str]:

@@ -74,6 +74,12 @@ def read_profile(value: Any, body: Mapping[str, Any], folder: Path | None) -> Pr
     return total
 
 
+def profile_tables(body: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Return the profiles of a body's table as a list, which a file may leave out or write as one table."""
+    value = body.get("profile", [])
+    return [value] if isinstance(value, dict) else list(value)
+
+
 def profile_schema() -> dict[str, Any]:
     """Return the JSON schema of what `read_profile` takes."""
     tables = {"anyOf": [*(_kind_schema(kind) for kind in CATALOGUE), measured_schema()]}

@@ -6,7 +6,7 @@ import contextlib
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from nonhertz.casework import Announce, assessed, in_silence, largest_stresses, models_for, solved, spectrum_solved
+from nonhertz.casework import Announce, assessed, attempted, in_silence, largest_stresses, models_for, spectrum_solved
 from nonhertz.errors import CaseError, ConvergenceError
 from nonhertz.io.casefile import LifeCase, named
 from nonhertz.io.lives import BODIES, Assessment
@@ -67,7 +67,7 @@ def settled(subjects: Sequence[Subject]) -> tuple[Finding, ...]:
     for subject, label in zip(subjects, labels(subjects), strict=True):
         try:
             with named(subject.name) if len(subjects) > 1 else contextlib.nullcontext():
-                found.append(Finding(subject, label, *_solved(subject)))
+                found.append(Finding(subject, label, *attempted(subject.case)))
         except CaseError as error:
             mistakes += error.mistakes
             places += error.places
@@ -103,13 +103,6 @@ def steps(found: Sequence[Finding], *, life: bool | None = None, stress: bool = 
     searches = sum(STRESS_STEPS for each in found if stress and not each.complaint)
     loads = sum(max(1, len(each.subject.case.life.spectrum)) for each in found if _wants_life(each, life))
     return searches + len(BODIES) * loads
-
-
-def _solved(subject: Subject) -> tuple[Solution, str]:
-    try:
-        return solved(subject.case), ""
-    except ConvergenceError as error:
-        return error.solution, str(error)
 
 
 def _stressed(found: Finding, announce: Announce) -> Finding:

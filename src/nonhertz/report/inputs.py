@@ -13,13 +13,14 @@ from typing import Any
 
 from nonhertz.io.casefile import schema
 from nonhertz.io.measured import KIND as MEASURED
+from nonhertz.io.profiles import profile_tables
 from nonhertz.measured import prepare
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.material import MATERIALS, Material
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.report.method import formula, source
 from nonhertz.report.numerals import given
-from nonhertz.report.subject import Subject, profile_tables
+from nonhertz.report.subject import Subject
 
 LONGEST_LIST = 8  # entries that are told one by one
 _ABSENT = {"diameter": "flat", "length": "unbounded", "effective_length": "all of the length"}

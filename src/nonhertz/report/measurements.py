@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from nonhertz.io.measured import KIND, checked, measured_from, trace_from
+from nonhertz.io.profiles import profile_tables
 from nonhertz.measured import Measured
-from nonhertz.report.subject import Subject, profile_tables
+from nonhertz.report.subject import Subject
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,12 +11,12 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from nonhertz import hertz
+from nonhertz.io.profiles import profile_tables
 from nonhertz.life import MODELS
 from nonhertz.model.body import Body
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.report.finding import Finding
 from nonhertz.report.numerals import given
-from nonhertz.report.subject import profile_tables
 from nonhertz.singular import singular_ends
 from nonhertz.strip.element import Element
 from nonhertz.subsurface import stress

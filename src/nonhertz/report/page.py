@@ -21,7 +21,7 @@ from nonhertz.report.measurements import Measurement, measurements
 from nonhertz.report.method import paragraphs, references
 from nonhertz.report.subject import Subject
 from nonhertz.report.telling import ends_in_words, geometry, keys, opening
-from nonhertz.tables.lives import RATIO, REVOLUTIONS, life_rows, spectrum_rows
+from nonhertz.tables.lives import LIFE_COLUMNS, RATIO, SPECTRUM_COLUMNS, life_rows, spectrum_rows
 from nonhertz.tables.lives import sentences as life_sentences
 from nonhertz.tables.stresses import COLUMNS, stress_rows
 from nonhertz.tables.stresses import sentences as stress_sentences
@@ -35,8 +35,6 @@ if TYPE_CHECKING:
 MARK = '<meta name="generator" content="nonhertz report">'
 
 _PACKAGES = ("numpy", "scipy", "numba", "matplotlib")
-_LIFE_COLUMNS = ("", "life in a", "in b", REVOLUTIONS, "damage")
-_SPECTRUM_COLUMNS = ("share", "load [N]", "tilt [mrad]", "largest p0 [MPa]")
 _ADDRESS = re.compile(r"doi:(10\.\S+?)(?=[.,;:]?(?:\s|$))|(https?://\S+?)(?=[.,;:]?(?:\s|$))")
 
 
@@ -165,13 +163,13 @@ def _life(found: Finding, gallery: Gallery) -> dict[str, Any] | None:
         return None
     rows = life_rows(found.lives)
     # Not a column where all is blank, as revolutions are without a raceway.
-    kept = [column for column in range(len(_LIFE_COLUMNS)) if any(row[column] for row in rows)]
+    kept = [column for column in range(len(LIFE_COLUMNS)) if any(row[column] for row in rows)]
     picture = gallery.of_lives(found)
     return {
-        "columns": [_LIFE_COLUMNS[column] for column in kept],
+        "columns": [LIFE_COLUMNS[column] for column in kept],
         "rows": [[row[column] for column in kept] for row in rows],
         "sentences": life_sentences(found.lives),
-        "spectrum_columns": _SPECTRUM_COLUMNS,
+        "spectrum_columns": SPECTRUM_COLUMNS,
         "spectrum": spectrum_rows(found.lives) if len(found.lives.spectrum) > 1 else [],
         "figures": [_marked(picture)] if picture else [],
     }

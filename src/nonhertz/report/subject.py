@@ -10,6 +10,7 @@ from typing import Any
 
 from nonhertz.errors import AccuracyWarning
 from nonhertz.io.casefile import Case, parsed, read_case
+from nonhertz.io.profiles import profile_tables
 
 MOST_ATTACHED = 10_000_000  # bytes of a file that a report carries
 
@@ -77,12 +78,6 @@ def labels(subjects: Sequence[Subject]) -> list[str]:
     if len(set(told)) < len(told):
         told = [f"{name} ({number})" for number, name in enumerate(told, start=1)]
     return told
-
-
-def profile_tables(body: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Return the profiles of a body's table as a list, which a file may leave out or write as one table."""
-    value = body.get("profile", [])
-    return [value] if isinstance(value, dict) else list(value)
 
 
 def _files_in(document: Mapping[str, Any]) -> Iterator[str]:

@@ -19,6 +19,8 @@ RATIO = (
     "their L10."
 )
 REVOLUTIONS = "L10 [10^6 rev]"
+LIFE_COLUMNS = ("", "life in a", "in b", REVOLUTIONS, "damage")
+SPECTRUM_COLUMNS = ("share", "load [N]", "tilt [mrad]", "largest p0 [MPa]")
 _STRESSES = {"orthogonal_shear": "tau_xz", "shear": "tau_max", "von_mises": "sigma_vM"}
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.io.mistakes import path_of
-from nonhertz.io.profiles import read_profile
+from nonhertz.io.profiles import profile_tables, read_profile
 from nonhertz.model.profile import Tabulated
 from nonhertz.web.limits import POINTS
 
@@ -31,11 +31,9 @@ def inlined(document: dict[str, Any], folder: Path) -> tuple[dict[str, Any], tup
     notes: list[str] = []
     bodies = {}
     for name, body in document["body"].items():
-        profile = body.get("profile", [])
-        tables = [profile] if isinstance(profile, dict) else profile
         made = [
             _points(table, folder, path_of(("body", name, "profile", number)), notes) if "file" in table else table
-            for number, table in enumerate(tables, start=1)
+            for number, table in enumerate(profile_tables(body), start=1)
         ]
         bodies[name] = body | ({"profile": made} if "profile" in body else {})
     return document | {"body": bodies}, tuple(notes)

@@ -12,8 +12,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from nonhertz.casework import solved
-from nonhertz.errors import CaseError, ConvergenceError
+from nonhertz.casework import attempted
+from nonhertz.errors import CaseError
 from nonhertz.io.casefile import Case, as_toml, case_in, parsed, starting_case
 from nonhertz.io.mistakes import Mistake, case_error
 from nonhertz.io.results import as_json, as_table
@@ -66,10 +66,7 @@ def worked_out(document: dict[str, Any]) -> tuple[Case, Solution, str]:
         If there is none, with every mistake at its place.
     """
     case = sound(document)
-    try:
-        return case, solved(case), ""
-    except ConvergenceError as error:
-        return case, error.solution, str(error)
+    return case, *attempted(case)
 
 
 def document_in(content: bytes) -> bytes:
