@@ -17,7 +17,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
+from nonhertz.errors import AccuracyWarning, InputError
 from nonhertz.model.checks import thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription, refuse_unpaired
@@ -192,8 +192,12 @@ class Solutions:
         return block.solution(row)[0]
 
     @cached_property
-    def failures(self) -> dict[Number, NonhertzError]:
-        """Why cases have no solution, by their number, or numbers where there are several axes."""
+    def failures(self) -> dict[Number, Exception]:
+        """Why cases have no solution, by their number, or numbers where there are several axes.
+
+        Each is the error that `nonhertz.solve` raises for the case alone: an InputError, a ConvergenceError, or what a
+        profile or diameter of your own raised.
+        """
         found = {number: block.error for block in self._blocks if block.error is not None for number in block.numbers}
         return {_label(number, self.shape): error for number, error in sorted(found.items())}
 
@@ -218,7 +222,7 @@ class _Block:
     numbers: list[int]
     targets: Array
     states: tuple[States, ...]  # finest first
-    error: NonhertzError | None = None
+    error: Exception | None = None
 
     @property
     def finest(self) -> States:
@@ -271,8 +275,8 @@ class _Task:
             return [self._alone(row) for row in range(len(self.numbers))]
         try:
             states = tuple(settle_all(self.problem, grids, self.targets))
-        except NonhertzError:
-            # What a body refuses, each case is told in its turn.
+        # What the bodies refuse or raise, each case is told in its turn.
+        except Exception:  # noqa: BLE001
             return [self._alone(row) for row in range(len(self.numbers))]
         done = np.flatnonzero(states[0].converged & ~self._too_thin(states[0]))
         blocks = [self._alone(row) for row in range(len(self.numbers)) if row not in done]
@@ -301,12 +305,11 @@ class _Task:
         at = [self.numbers[row]], self.targets[row : row + 1]
         try:
             levels = levels_of(self.contact, problem, self.strips)
-            states = tuple(States.of(state) for state in levels.states)
-            if not levels.finest.converged or self._too_thin(states[0])[0]:
-                outcome(self.contact, problem, levels)
-        except NonhertzError as error:
+            outcome(self.contact, problem, levels)
+        # Whatever a case raises, be it a profile of the user's own, it must not take the others with it.
+        except Exception as error:  # noqa: BLE001
             return _Block(self.contact, self.problem, *at, (), error.with_traceback(None))
-        return _Block(self.contact, self.problem, *at, states)
+        return _Block(self.contact, self.problem, *at, tuple(States.of(state) for state in levels.states))
 
 
 def _several(contacts: Contact | Iterable[Contact]) -> list[Contact]:

@@ -14,6 +14,7 @@ from nonhertz.finite import depth_below
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
 from nonhertz.solution import EdgeKind, EdgePressure, ErrorEstimate, Solution, Status
+from nonhertz.strip.acceptance import shortfall
 from nonhertz.strip.grid import kinks
 from nonhertz.strip.levels import Levels
 from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, STAGNATED
@@ -26,6 +27,7 @@ MOST_OF_RADIUS = 0.3
 LEAST_DEPTH = 3.0  # half-widths
 HEAVIEST = 1.0 + 1e-9
 WIDER_THAN_LONG = 1.02  # so that a circle is not called wide for its rounding
+_WAY_OUT = "Try another number of strips, or a smaller load first."
 _STATUS = {CONVERGED: Status.CONVERGED, ITERATION_LIMIT: Status.ITERATION_LIMIT, STAGNATED: Status.STAGNATED}
 
 
@@ -37,16 +39,28 @@ def outcome(contact: Contact, problem: Problem, levels: Levels) -> tuple[Solutio
     InputError
         If a body is thinner than its contact is wide.
     ConvergenceError
-        If the Newton loop failed.
+        If the Newton loop failed, or if what it calls a solution does not meet what was prescribed.
     """
     solution = _solution(contact, problem, levels)
     _refuse_thin_bodies(solution, problem)
     if solution.status is not Status.CONVERGED:
-        raise ConvergenceError(
-            f"{solution.status.value} Try another number of strips, or a smaller load first.", solution
-        )
+        raise ConvergenceError(f"{solution.status.value} {_WAY_OUT}", solution)
+    unmet = _shortfall(solution, problem)
+    if unmet is not None:
+        raise ConvergenceError(f"{unmet} {_WAY_OUT}", replace(solution, status=Status.REFUTED))
     strains = _strains(solution, problem)
     return replace(solution, warnings=(*strains, *_singularities(solution))), strains
+
+
+def _shortfall(solution: Solution, problem: Problem) -> str | None:
+    """Return what a converged solution fails to meet, from its arrays alone."""
+    if not np.all(np.isfinite(solution.stiffness)):
+        return "The stiffness of the state reached is not finite."
+    motion = np.array([solution.approach, solution.tilt])
+    compliance = solution.contact.compliance
+    return shortfall(
+        problem, solution.edges, solution.line_load, solution.element_half_width, solution.gap, motion, compliance
+    )
 
 
 def suspected(contact: Contact, problem: Problem, edges: Array, m: Array) -> Flags:

@@ -23,6 +23,7 @@ class Status(enum.Enum):
     CONVERGED = "The solution satisfies every contact condition."
     ITERATION_LIMIT = "The iterations reached their limit before the contact conditions were met."
     STAGNATED = "The iterations could not reduce the residual any further."
+    REFUTED = "The state that the iterations ended in does not meet what was prescribed."
 
     @property
     def label(self) -> str:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled
+from nonhertz.strip.acceptance import MET, first_unmet
 from nonhertz.strip.newton import CONVERGED, ROUGH_TOLERANCE, STAGNATED, TOLERANCE, newton
 from nonhertz.strip.start import started
 from nonhertz.strip.state import HOPELESS, Problem, State, Strips
@@ -144,6 +145,7 @@ def _settle_all(
     width = high - low
     half = 0.5 * (high[-1] - low[0])
     nothing = np.empty(0)
+    final = tolerance == TOLERANCE
     for case in range(targets.shape[0]):
         target = targets[case]
         if not _within_reach(y, separation, prescribed, target):
@@ -172,8 +174,38 @@ def _settle_all(
                 y, low, high, curvature, separation, prescribed, target, terms, at_depth, table, r[case], m[case],
                 rigid[case], gap[case], stiffness[case], tolerance, 1.0, True,
             )  # fmt: skip
+            if status[case] == CONVERGED and final and not _accepted(
+                y, low, high, curvature, separation, prescribed, target, terms, at_depth, table, r[case], m[case],
+                gap[case], rigid[case], stiffness[case],
+            ):  # fmt: skip
+                status[case] = STAGNATED
             if status[case] == CONVERGED:
                 break
+
+
+@compiled
+def _accepted(
+    y: Array,
+    low: Array,
+    high: Array,
+    curvature: Array,
+    separation: Array,
+    prescribed: Flags,
+    target: Array,
+    terms: Array,
+    at_depth: Array,
+    table: Array,
+    r: Array,
+    m: Array,
+    gap: Array,
+    rigid: Array,
+    stiffness: Array,
+) -> bool:
+    """Return whether a converged state passes the last check."""
+    condition, _, _ = first_unmet(
+        y, low, high, curvature, separation, prescribed, target, terms, at_depth, table, r * m, np.sqrt(m), gap, rigid
+    )
+    return bool(condition == MET and np.all(np.isfinite(stiffness)))
 
 
 @compiled

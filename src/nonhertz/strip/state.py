@@ -253,17 +253,22 @@ class Strips:
         return bool(np.any(self.shallowest < least * problem.element.hertz_ratio * np.sqrt(m)))
 
     def raised(self, problem: Problem) -> State:
-        """Return the state reached by raising the load from a small one, in steps as long as the loop allows."""
+        """Return the state reached by raising the load from a small one, in steps as long as the loop allows.
+
+        What converged at a share of the load only is no solution, and is not marked as one.
+        """
         near, reached, share = None, 0.0, 0.01
         for _ in range(40):
             state = self.loop(problem.with_share(share), TOLERANCE, near)
-            if (state.converged and share == 1.0) or share - reached < LEAST_RISE:
+            if state.converged and share == 1.0:
+                return state
+            if share - reached < LEAST_RISE:
                 break
             if state.converged:
                 near, reached, share = state, share, min(1.0, 2.0 * share)
             else:
                 share = 0.5 * (reached + share)
-        return state
+        return replace(state, status=STAGNATED, residual=np.inf)
 
     def loop(
         self,

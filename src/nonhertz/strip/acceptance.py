@@ -1,0 +1,176 @@
+"""The last check of a solution: whether it meets what was prescribed, computed from its own arrays alone.
+
+The Newton loop judges itself by the residual of the equations it has just linearised, on the strips it holds active,
+and a globalisation may solve another problem on the way. This check shares nothing with the loop but the element's
+table and the images: from edges, loads, half-widths, approach and tilt it adds up displacement and curvature at every
+strip anew, and compares them with the bodies and with the prescription. What fails it is not a solution, whatever the
+loop thought of it.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.compiled import compiled
+from nonhertz.strip.element import evaluate
+from nonhertz.strip.state import Problem
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+MET, NOT_FINITE, FIRST, SECOND, TENSION, UNCLOSED, OVERLAP, BENT = range(8)
+
+# A thousand times what the loop asks of itself: sums in another order differ by rounding, wrong answers by far more.
+# Curvature rows are met to the square of the last step only.
+TOLERANCE, CURVATURE_TOLERANCE = 1e-8, 1e-6
+ROUNDING = 1e-14  # of the largest length that a gap is the difference of
+
+
+def shortfall(
+    problem: Problem, edges: Array, line_load: Array, half_width: Array, gap: Array, motion: Array, compliance: float
+) -> str | None:
+    """Return in one sentence what a solution fails to meet, or None.
+
+    Parameters
+    ----------
+    problem : Problem
+        What was prescribed, in whose units ``compliance`` times a load is a length squared.
+    edges : ndarray, shape (n + 1,)
+        Edges of the strips [mm].
+    line_load, half_width, gap : ndarray, shape (n,)
+        Load per length q [N/mm], half-width a of the element [mm] and gap [mm] of each strip.
+    motion : ndarray, shape (2,)
+        Approach [mm] and tilt [rad].
+    compliance : float
+        K [1/MPa].
+    """
+    y = 0.5 * (edges[1:] + edges[:-1])
+    influence = problem.influence
+    condition, found, at = first_unmet(
+        y, edges[:-1], edges[1:], problem.curvature(y), problem.separation(y), problem.prescribed, problem.target,
+        influence.terms, influence.at_depth(y, edges), problem.element.table, compliance * line_load, half_width, gap,
+        motion,
+    )  # fmt: skip
+    if condition == MET:
+        return None
+    if condition in {FIRST, SECOND}:
+        which = condition - FIRST
+        by_force = bool(problem.prescribed[which])
+        name, unit = (("approach", "mm"), ("tilt", "rad"), ("load", "N"), ("moment", "N mm"))[2 * by_force + which]
+        per = compliance if by_force else 1.0
+        return f"The {name} of the state reached is {found / per:.6g} {unit}, not {problem.target[which] / per:.6g}."
+    place = f"at y = {y[at]:.6g} mm"
+    return {
+        NOT_FINITE: f"The state reached is not finite {place}.",
+        TENSION: f"The state reached pulls {place}, with {found / compliance:.3g} N/mm.",
+        UNCLOSED: f"The state reached leaves a gap of {1e3 * found:.3g} um {place}, where it bears load.",
+        OVERLAP: f"The bodies of the state reached overlap by {1e3 * found:.3g} um {place}.",
+        BENT: f"The surfaces of the state reached do not fit across the contact {place}, by {found:.2g} of the "
+        "curvature.",
+    }[condition]
+
+
+@compiled
+def first_unmet(
+    y: Array,
+    low: Array,
+    high: Array,
+    curvature: Array,
+    separation: Array,
+    prescribed: Flags,
+    target: Array,
+    terms: Array,
+    at_depth: Array,
+    table: Array,
+    q: Array,
+    half_width: Array,
+    gap: Array,
+    motion: Array,
+) -> tuple[int, float, int]:
+    """Return the first condition that is not met, what was found there, and at which strip.
+
+    Parameters as of `nonhertz.strip.newton.newton`, but for ``q``, K times the load per length [mm], and
+    ``half_width``, a [mm], which belong to the solution.
+    """
+    condition, at = _unusable(q, half_width, gap, separation, motion)
+    if condition != MET:
+        return condition, q[at], at
+    condition, found = _unbalanced(y, high - low, prescribed, target, q, motion)
+    if condition != MET:
+        return condition, found, 0
+    deepest, longest = _lengths(y, separation, q, motion)
+    allowed = TOLERANCE * deepest + ROUNDING * longest
+    for i in range(y.size):
+        if not math.isfinite(separation[i]) and q[i] == 0.0:
+            continue
+        lift, bend = _lift_and_bend(i, y, low, high, terms, at_depth, table, q, half_width)
+        opening = lift - (motion[0] + motion[1] * y[i] - separation[i])
+        if not abs(opening - gap[i]) <= allowed + TOLERANCE * abs(opening) or (q[i] > 0.0 and abs(opening) > allowed):
+            return UNCLOSED, opening, i
+        if opening < -allowed:
+            return OVERLAP, -opening, i
+        if q[i] > 0.0 and not abs(bend - curvature[i]) <= CURVATURE_TOLERANCE * curvature[i]:
+            return BENT, bend / curvature[i] - 1.0, i
+    return MET, 0.0, 0
+
+
+@compiled
+def _unusable(q: Array, half_width: Array, gap: Array, separation: Array, motion: Array) -> tuple[int, int]:
+    """Return what makes the arrays no state at all, and at which strip."""
+    for i in range(q.size):
+        unknown = math.isnan(gap[i]) or math.isnan(separation[i]) or not math.isfinite(motion[0] + motion[1])
+        if unknown or not (math.isfinite(q[i]) and math.isfinite(half_width[i])):
+            return NOT_FINITE, i
+        if q[i] < 0.0 or (q[i] > 0.0 and not half_width[i] > 0.0):
+            return TENSION, i
+    return MET, 0
+
+
+@compiled
+def _unbalanced(y: Array, width: Array, prescribed: Flags, target: Array, q: Array, motion: Array) -> tuple[int, float]:
+    """Return which of the two prescribed quantities is missed, and what there is in its place."""
+    load, moment = np.sum(q * width), np.sum(q * width * y)
+    first = load if prescribed[0] else motion[0]
+    if not abs(first - target[0]) <= TOLERANCE * abs(target[0]):
+        return FIRST, first
+    second = moment if prescribed[1] else motion[1]
+    # A moment is as exact as the load on the longest arm.
+    scale = load * max(abs(y[0]), abs(y[-1])) if prescribed[1] else abs(target[1])
+    if not abs(second - target[1]) <= TOLERANCE * scale:
+        return SECOND, second
+    return MET, 0.0
+
+
+@compiled
+def _lengths(y: Array, separation: Array, q: Array, motion: Array) -> tuple[float, float]:
+    """Return the deepest interference in contact, and the largest length that gaps are differences of."""
+    deepest, longest = 0.0, abs(motion[0]) + abs(motion[1]) * max(abs(y[0]), abs(y[-1]))
+    for i in range(y.size):
+        if q[i] > 0.0:
+            deepest = max(deepest, motion[0] + motion[1] * y[i] - separation[i])
+            longest = max(longest, abs(separation[i]))
+    return (deepest if deepest > 0.0 else longest), longest
+
+
+@compiled
+def _lift_and_bend(
+    i: int, y: Array, low: Array, high: Array, terms: Array, at_depth: Array, table: Array, q: Array, half_width: Array
+) -> tuple[float, float]:
+    """Return displacement [mm] and curvature [1/mm] of both surfaces at strip ``i``, on the centre line."""
+    lift = bend = 0.0
+    for j in range(y.size):
+        if q[j] > 0.0:
+            inverse = 1.0 / half_width[j]
+            risen = curved = 0.0
+            for k in range(terms.shape[0]):
+                sign, offset = terms[k, 0], terms[k, 1] - y[i]
+                upper = evaluate((sign * high[j] + offset) * inverse, table)
+                lower = evaluate((sign * low[j] + offset) * inverse, table)
+                risen += sign * terms[k, 2] * (upper[0] - lower[0])
+                curved += sign * terms[k, 2] * (upper[2] - lower[2])
+            lift += q[j] * (risen - at_depth[i, j])
+            bend += q[j] * curved * inverse * inverse
+    return lift, bend

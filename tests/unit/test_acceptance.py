@@ -1,0 +1,145 @@
+"""The last check: no solution leaves the package that does not meet what was prescribed."""
+
+import warnings
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.model.prescription import Prescription
+from nonhertz.outcome import outcome
+from nonhertz.solver import levels_of, problem_of
+from nonhertz.strip import state as states
+from nonhertz.strip.newton import CONVERGED
+
+FINITE = nh.Contact(
+    nh.Roller(diameter=20, length=20, profile=nh.profile.crown(2000), side_faces="calibrated"), nh.Ring(diameter=80)
+)
+BY_FORCE, BY_MOTION = {"load": 8e3, "moment": 4e3}, {"approach": 0.02, "tilt": 2e-4}
+PARTLY = {"load": 2e3, "tilt": 5e-4}  # lifts off on one side
+
+
+def solved(given):
+    prescription = Prescription.checked(*(given.get(name) for name in ("approach", "load", "tilt", "moment")))
+    problem = problem_of(FINITE, prescription, nh.SEMI_ELLIPTIC)
+    return problem, levels_of(FINITE, problem, 31)
+
+
+def verdict(problem, levels, **changed):
+    """What is said of the solution with some arrays of its state changed."""
+    finest = levels.finest
+    wrong = replace(levels, states=(replace(finest, **{k: v(finest) for k, v in changed.items()}), *levels.states[1:]))
+    with pytest.raises(nh.ConvergenceError) as caught:
+        outcome(FINITE, problem, wrong)
+    assert caught.value.solution.status is nh.Status.REFUTED
+    return str(caught.value)
+
+
+def bearing(state):
+    return int(np.argmax(state.m))
+
+
+def idle(state):
+    return int(np.flatnonzero(state.m == 0.0)[0])
+
+
+def at(name, place, value):
+    """A change of one entry of an array of the state."""
+
+    def changed(state):
+        array = getattr(state, name).copy()
+        array[place(state)] = value(array[place(state)]) if callable(value) else value
+        return array
+
+    return changed
+
+
+@pytest.mark.parametrize("given", [BY_FORCE, BY_MOTION, PARTLY], ids=["forces", "motions", "partly"])
+def test_a_solution_passes(given):
+    assert outcome(FINITE, *solved(given))[0].status is nh.Status.CONVERGED
+
+
+@pytest.mark.parametrize(
+    ("given", "changed", "words"),
+    [
+        (BY_FORCE, {"r": lambda state: 1.0001 * state.r}, "The load of the state reached is 8000.8 N, not 8000."),
+        (BY_FORCE, {"r": lambda state: state.r * (1.0 + 1e-4 * (state.y - 0.5))}, "The moment of the state reached is"),
+        (
+            BY_MOTION,
+            {"rigid": lambda state: state.rigid * [1.001, 1.0]},
+            "The approach of the state reached",
+        ),
+        (BY_MOTION, {"rigid": lambda state: state.rigid * [1.0, 0.9]}, "The tilt of the state reached is 0.00018 rad"),
+        (BY_MOTION, {"r": at("r", bearing, np.nan)}, "not finite"),
+        (BY_MOTION, {"gap": at("gap", bearing, np.nan)}, "not finite"),
+        (BY_MOTION, {"stiffness": lambda state: state.stiffness * np.nan}, "The stiffness"),
+        (BY_MOTION, {"r": at("r", bearing, lambda r: -r)}, "pulls"),
+        (BY_MOTION, {"r": at("r", bearing, lambda r: 1.0001 * r)}, "leaves a gap"),
+        (PARTLY, {"gap": at("gap", idle, 0.0)}, "leaves a gap"),
+        (PARTLY, {"rigid": lambda state: np.add(state.rigid, [1e-4, 0.0])}, "leaves a gap"),
+        (BY_MOTION, {"m": lambda state: 1.0001 * state.m, "r": lambda state: state.r / 1.0001}, "leaves a gap"),
+    ],
+)
+def test_what_is_not_one_is_refuted_in_words(given, changed, words):
+    problem, levels = solved(given)
+    told = verdict(problem, levels, **changed)
+    assert words in told
+    assert told.endswith("Try another number of strips, or a smaller load first.")
+
+
+def test_bodies_that_overlap_out_of_contact_are_refuted():
+    problem, levels = solved(PARTLY)
+    sharp = replace(problem, separation=lambda y: problem.separation(y) - 0.1 * (y < -8.0))
+    gap = levels.finest.gap - 0.1 * (levels.finest.y < -8.0)
+    assert "overlap by" in verdict(sharp, levels, gap=lambda state: gap)
+
+
+def test_surfaces_of_another_curvature_are_refuted():
+    problem, levels = solved(BY_MOTION)
+    rounder = replace(problem, curvature=lambda y: 1.0001 * problem.curvature(y))
+    assert "do not fit across the contact" in verdict(rounder, levels)
+
+
+def test_a_loop_that_is_mistaken_of_itself_is_not_believed(monkeypatch):
+    monkeypatch.setattr(states, "newton", lambda *arguments: (CONVERGED, 1, 0.0))
+    with pytest.raises(nh.ConvergenceError, match="of the state reached is") as caught:
+        nh.solve(FINITE, load=8e3, strips=31)
+    assert caught.value.solution.status is nh.Status.REFUTED
+    many = nh.solve_many(FINITE, load=8e3)  # the automatic grid solves each case alone
+    assert not np.any(many.converged)
+    assert isinstance(many.failures[0], nh.ConvergenceError)
+
+
+def conforming():
+    faces = {"side_faces": "none", "depth": "none"}
+    wide = nh.Contact(nh.Roller(diameter=94, length=19, **faces), nh.Ring(diameter=-94.3))
+    return wide, {"load": 1.15e6, "moment": 9.6e6, "strips": 50}
+
+
+def test_a_share_of_the_load_is_no_solution():
+    # Rises in steps from a small load, and gets stuck at a share of it.
+    contact, given = conforming()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        many = nh.solve_many(contact, **given)
+        with pytest.raises(nh.ConvergenceError) as caught:
+            nh.solve(contact, **given)
+    assert caught.value.solution.status is not nh.Status.CONVERGED
+    assert not np.any(many.converged)
+
+
+class Broken(nh.profile.Straight):
+    """A profile of the user's own with a fault."""
+
+    def relief(self, y):
+        raise ZeroDivisionError("of the user's own")
+
+
+@pytest.mark.parametrize("strips", [None, 11], ids=str)
+def test_a_case_that_raises_does_not_take_the_others_with_it(strips):
+    good = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000)), nh.Plate())
+    bad = nh.Contact(nh.Roller(diameter=20, length=20, profile=Broken()), nh.Plate())
+    many = nh.solve_many([good, bad, good], load=1e3, strips=strips)
+    assert many.converged.tolist() == [True, False, True]
+    assert isinstance(many.failures[1], ZeroDivisionError)
