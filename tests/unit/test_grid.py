@@ -218,6 +218,7 @@ def test_no_contact_is_missed_between_the_strips(waves, phase, load, bodies, dis
 # Chosen
 
 
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 @pytest.mark.parametrize("count", [3, 20, 41])
 def test_a_number_makes_equal_strips_over_the_whole_length(count):
     solution = solved(profile.crown(4000), load=20e3, strips=count)
@@ -235,3 +236,57 @@ def test_given_edges_are_kept():
 def test_the_automatic_grid_is_what_comes_of_leaving_it_out():
     left_out = solved(profile.crown(4000), load=3e3, strips=None)
     np.testing.assert_array_equal(left_out.y, solved(profile.crown(4000), load=3e3).y)
+
+
+# Ends anywhere
+
+
+ENDS = [0.0, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2, 1.0]
+NEXT_TO_ZERO = {
+    "crown": (profile.crown(4000), 1e3),
+    "straight": (profile.straight(), 1e3),
+    "a speck of load": (profile.iso_logarithmic(20, 20), 1e-2),
+    "dimple": (profile.tabulated([-10, -6.01, -6, 6, 6.01, 10], [1, 1, 0, 0, 1, 1]), 1.0),
+}
+
+
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
+@pytest.mark.parametrize("beyond", ENDS, ids=str)
+@cases(NEXT_TO_ZERO)
+def test_a_body_that_ends_next_to_the_middle_is_solved_as_its_mirror_image_is(case, beyond):
+    shape, load = case
+    roller = nh.Roller(diameter=20, length=20, profile=shape)
+    low, high = (
+        nh.solve(nh.Contact(roller, nh.Plate(length=20, position=side * (10.0 - beyond))), load=load)
+        for side in (-1.0, 1.0)
+    )
+    for one in (low, high):
+        # Narrower strips would be lost in the rounding of y.
+        assert np.min(np.diff(one.edges)) > 1e-10
+    np.testing.assert_allclose(low.approach, high.approach, rtol=2.0 * low.error_estimate.approach + 1e-9, atol=0.0)
+
+
+def test_strips_that_all_lie_at_one_side_of_the_middle_ascend():
+    # The moment presses one corner of a dimple: nearly all strips are wanted there, and not half a one in the middle.
+    dimple = nh.Contact(nh.Roller(diameter=20, length=20, profile=NEXT_TO_ZERO["dimple"][0]), nh.Plate())
+    with pytest.warns(nh.AccuracyWarning, match="uncertain"):
+        solution = nh.solve(dimple, load=0.0105, moment=0.0365)
+    assert np.min(np.diff(solution.edges)) > 1e-10
+    np.testing.assert_allclose(solution.load, 0.0105, rtol=1e-9, atol=0.0)
+
+
+def test_bodies_that_overlap_by_next_to_nothing_are_refused():
+    told = r"position = -19\.9999999999 must let the bodies overlap by more than 1e-08"
+    with pytest.raises(nh.InputError, match=told):
+        nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate(length=20, position=-20 + 1e-10))
+
+
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
+def test_a_bump_narrower_than_any_sample_is_found():
+    # A plateau 24 um wide that stands out to where it touches too, between two of 600 samples.
+    place = 7.45
+    around = [-10, place - 0.02, place - 0.012, place + 0.012, place + 0.02, 10]
+    ridge = profile.tabulated(around, [0, 0, -0.0547, -0.0547, 0, 0], "linear")
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=profile.crown(500) + ridge), nh.Plate())
+    solution = nh.solve(contact, approach=0.002)
+    assert any(low < place < high for low, high in solution.contact_y)

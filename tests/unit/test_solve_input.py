@@ -2,6 +2,7 @@
 
 import math
 import re
+import warnings
 from dataclasses import dataclass
 
 import numpy as np
@@ -68,7 +69,8 @@ def test_impossible_prescriptions_are_refused(arguments, complaint):
 @pytest.mark.parametrize("strips", [None, 41])
 def test_an_approach_that_never_touches_is_refused(strips):
     said = refusal(approach=-0.5, strips=strips)
-    assert re.fullmatch(r"approach = -0\.5 must exceed \S+ mm, where the bodies begin to touch", said)
+    region = " between y = -10 and 10 mm" if strips else ""
+    assert re.fullmatch(rf"approach = -0\.5 must exceed \S+ mm, where the bodies begin to touch{region}", said)
 
 
 def test_the_approach_of_first_touch_is_where_it_says():
@@ -235,3 +237,41 @@ def test_a_thin_part_that_does_not_touch_does_not_matter():
     roller = nh.Roller(diameter=stepped, length=20, profile=nh.profile.crown(radius=500))
     solution = nh.solve(nh.Contact(roller, nh.Plate()), load=10e3)
     assert solution.status is nh.Status.CONVERGED
+
+
+# Moments next to the ends
+
+
+def test_a_moment_just_inside_the_end_of_a_logarithm_without_a_body_end():
+    # The relief alone ends the contact: arms up to there are solved, or refused in words.
+    logarithmic = nh.Contact(nh.Body(diameter=20, profile=nh.profile.iso_logarithmic(20, 20)), nh.Plate())
+    solution = nh.solve(logarithmic, load=1e3, moment=9.5e3)
+    np.testing.assert_allclose(solution.moment, 9.5e3, rtol=1e-8, atol=0.0)
+    with pytest.raises(nh.ConvergenceError, match="Try another number of strips"):
+        nh.solve(logarithmic, load=1e3, moment=9999.9999)
+    beyond = r"moment / load = 11 mm between -10 and 10 mm: reduce it or raise the load"
+    with pytest.raises(nh.InputError, match=beyond) as refused:
+        nh.solve(logarithmic, load=1e3, moment=11e3)
+    assert refused.value.field == "moment"
+    np.testing.assert_allclose(refused.value.value, 11e3, rtol=1e-12, atol=0.0)
+
+
+def test_nobody_is_told_of_strips_that_nobody_gave():
+    straight = nh.Contact(nh.Roller(diameter=20, length=20, side_faces="none", depth="none"), nh.Plate())
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        many = nh.solve_many(straight, load=1e3, moment=[0.0, 9990.0, 9999.0, 9999.9999, 9999.99999999])
+    assert many.converged[0]
+    assert not any("strips" in str(error).split("Try")[0] for error in many.failures.values())
+
+
+def test_a_series_of_images_is_refused_under_a_contact_much_wider_than_the_body():
+    # Its far images are line loads, 5 % off in the gap where the half-width is 16 lengths.
+    wide = nh.Contact(
+        nh.Ring(diameter=-252.7, length=1.12, images="series", depth=168.6),
+        nh.Roller(diameter=93.5, length=1.12, depth="none"),
+    )
+    with pytest.raises(
+        nh.InputError, match=r"body.a.images = 'series' must only be asked where the half-width, 22\.2 mm here"
+    ):
+        nh.solve(wide, approach=10.0, strips=2)

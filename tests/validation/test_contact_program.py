@@ -25,6 +25,7 @@ def pressed(element):
         prescribed=np.array([True, False]),
         target=np.array([COMPLIANCE * LOAD, 0.0]),
         influence=Influence(HALF_SPACE),
+        compliance=COMPLIANCE,
     )
     state = settle(problem, np.array([-0.5 * LENGTH, 0.5 * LENGTH]))
     assert state.converged

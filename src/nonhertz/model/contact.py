@@ -12,6 +12,9 @@ from nonhertz.model.body import Body
 
 Array = NDArray[np.float64]
 
+# Share of the distance from y = 0 by which two bodies must overlap, so that places within are told apart.
+RESOLVED = 1e-8
+
 
 @dataclass(frozen=True)
 class Contact:
@@ -49,6 +52,9 @@ class Contact:
             raise InputError(
                 "position", self.b.position, "let the bodies overlap along y", "move one body or lengthen it"
             )
+        if high - low < RESOLVED * max(abs(low), abs(high)):
+            condition = f"let the bodies overlap by more than {RESOLVED:g} of their distance from y = 0"
+            raise InputError("position", self.b.position, condition, "move both bodies towards y = 0")
 
     @property
     def interval(self) -> tuple[float, float]:

@@ -30,25 +30,23 @@ ROUNDING = 1e-14  # of the largest length that a gap is the difference of
 
 
 def shortfall(
-    problem: Problem, edges: Array, line_load: Array, half_width: Array, gap: Array, motion: Array, compliance: float
+    problem: Problem, edges: Array, line_load: Array, half_width: Array, gap: Array, motion: Array
 ) -> str | None:
     """Return in one sentence what a solution fails to meet, or None.
 
     Parameters
     ----------
     problem : Problem
-        What was prescribed, in whose units ``compliance`` times a load is a length squared.
+        What was prescribed.
     edges : ndarray, shape (n + 1,)
         Edges of the strips [mm].
     line_load, half_width, gap : ndarray, shape (n,)
         Load per length q [N/mm], half-width a of the element [mm] and gap [mm] of each strip.
     motion : ndarray, shape (2,)
         Approach [mm] and tilt [rad].
-    compliance : float
-        K [1/MPa].
     """
     y = 0.5 * (edges[1:] + edges[:-1])
-    influence = problem.influence
+    influence, compliance = problem.influence, problem.compliance
     condition, found, at = first_unmet(
         y, edges[:-1], edges[1:], problem.curvature(y), problem.separation(y), problem.prescribed, problem.target,
         influence.terms, influence.at_depth(y, edges), problem.element.table, compliance * line_load, half_width, gap,

@@ -25,8 +25,8 @@ def feasible(problem: Problem, edges: Array) -> bool:
     return True
 
 
-def refuse_infeasible(problem: Problem, edges: Array) -> None:
-    """Refuse a prescription that no loads on these strips can meet."""
+def refuse_infeasible(problem: Problem, edges: Array, *, chosen: bool = True) -> None:
+    """Refuse a prescription that no loads on these strips can meet; ``chosen`` by the user, or automatic ones."""
     y = 0.5 * (edges[1:] + edges[:-1])
     separation = problem.separation(y)
     usable = y[np.isfinite(separation)]
@@ -34,43 +34,54 @@ def refuse_infeasible(problem: Problem, edges: Array) -> None:
     by_load, by_moment = problem.prescribed
     first, second = problem.target
     if by_load and by_moment:
+        if not chosen:
+            refuse_arm_outside(problem, (float(usable[0]), float(usable[-1])))
         arm = second / first
         if not usable[0] <= arm <= usable[-1]:
-            condition = f"have centres on both sides of moment / load = {arm:.6g} mm"
+            condition = f"have centres on both sides of moment / load = {arm:.9g} mm"
             raise InputError("strips", edges.size - 1, condition, "take more strips or reduce the moment")
     elif by_moment:
         if not np.any(sprung(problem, edges).m > 0.0):
             condition = "make the bodies touch at the tilt that the moment leads to"
             raise InputError("approach", float(first), condition, "raise it, or give a tilt")
     elif not by_load and not np.any(first + second * y - separation > 0.0):
-        refuse_no_contact(problem, edges)
+        refuse_no_contact(problem, edges, chosen=chosen)
+
+
+def refuse_arm_outside(problem: Problem, within: tuple[float, float]) -> None:
+    """Refuse load and moment whose resultant lies outside of where there can be pressure."""
+    if not np.all(problem.prescribed):
+        return
+    arm = float(problem.target[1] / problem.target[0])
+    if not within[0] <= arm <= within[1]:
+        condition = f"keep moment / load = {arm:.9g} mm between {within[0]:.9g} and {within[1]:.9g} mm"
+        moment = float(problem.target[1]) / problem.compliance
+        raise InputError("moment", moment, condition, "reduce it or raise the load")
 
 
 def refuse_endless_relief(y: Array, separation: Array) -> None:
     """Refuse bodies whose relief is no number somewhere, or infinite everywhere."""
     if np.any(np.isnan(separation)):
         place = float(y[np.argmax(np.isnan(separation))])
-        raise InputError(
-            "profile", math.nan, f"be a number everywhere, and is none at y = {place:g}", "mend its relief"
-        )
+        raise InputError("profile", math.nan, f"not be NaN, but is at y = {place:g}", "mend its relief")
     if not np.any(np.isfinite(separation)):
         remedy = "take relief away or lengthen the logarithm"
         raise InputError("profile", math.inf, "leave a finite separation somewhere on the bodies", remedy)
 
 
-def refuse_no_contact(problem: Problem, edges: Array) -> None:
+def refuse_no_contact(problem: Problem, edges: Array, *, chosen: bool = True) -> None:
     """Say why no strip touches at the prescribed approach: too few strips, or bodies too far apart."""
     fine = sprung(problem, uniform(float(edges[0]), float(edges[-1]), FINE_STRIPS))
-    if np.any(fine.m > 0.0):
+    if chosen and np.any(fine.m > 0.0):
         remedy = "take more strips, or leave it out for an automatic grid"
         raise InputError("strips", edges.size - 1, "put the centre of a strip into the contact", remedy)
     tilt = 0.0 if problem.prescribed[1] else problem.target[1]
     # The strips themselves are the finer ones where they narrow towards a place.
     y = np.concatenate([fine.y, edges])
-    needed = round(float(np.min(problem.separation(y) - tilt * y)), 12)
-    raise InputError(
-        "approach",
-        float(problem.target[0]),
-        f"exceed {needed:.6g} mm, where the bodies begin to touch",
-        "raise it, or prescribe the load",
-    )
+    separation = problem.separation(y)
+    refuse_endless_relief(y, separation)
+    needed = float(np.min(separation - tilt * y))
+    condition = f"exceed {needed:.6g} mm, where the bodies begin to touch"
+    if chosen:
+        condition += f" between y = {edges[0]:.6g} and {edges[-1]:.6g} mm"
+    raise InputError("approach", float(problem.target[0]), condition, "raise it, or prescribe the load")

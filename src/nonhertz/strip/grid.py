@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled
-from nonhertz.strip.influence import displacements
+from nonhertz.strip.resolution import SAMPLES, overlapping
 from nonhertz.strip.state import Problem, State, runs
 
 Array = NDArray[np.float64]
@@ -36,7 +36,9 @@ SAG = 1e-3  # of the interference: how much the profile may sag between the edge
 KINK_SHARE = 0.05
 LOOSEST = 64.0
 LEAST_STRIP = 0.4  # of the wanted width, for a strip between two corners
-SAMPLES = 600
+# No strip is wanted narrower than this share of the region, nor than so many times what y is rounded to there: edges
+# ascend, and by so much that rounding does not matter.
+NARROWEST_EVER, ROUNDINGS = 1e-9, 1e4
 MOST_BENDS = 12
 STRIPS_PER_OVERLAP = 5.0
 LEAST_KINK = 1e-7  # rad
@@ -116,7 +118,7 @@ def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tu
     for place, turn in corners:
         places.append(place)
         widths.append(max(KINK_SHARE * depth / turn, NARROWEST * _near(state.y, state.m, place)))
-    for place, width in overlaps(problem, state, interval):
+    for place, width in overlaps(problem, state, interval, bends):
         places.append(place)
         widths.append(width)
         low, high = min(low, max(place - 5.0 * width, interval[0])), max(high, min(place + 5.0 * width, interval[1]))
@@ -125,7 +127,7 @@ def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tu
         float(low),
         float(high),
         np.array(places),
-        np.minimum(widths, length / 8.0),
+        np.maximum(np.minimum(widths, length / 8.0), _resolved(low, high)),
         np.array([place for place, _ in corners]),
         sample_y,
         sample_width,
@@ -134,6 +136,12 @@ def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tu
         float(high - low) / 24.0,
         GROWTH,
     )
+
+
+def _resolved(low: float, high: float) -> float:
+    """Return the narrowest strip that numbers between ``low`` and ``high`` resolve."""
+    spacing = float(np.spacing(max(abs(low), abs(high))))
+    return max(NARROWEST_EVER * (high - low), ROUNDINGS * spacing)
 
 
 @compiled
@@ -173,27 +181,19 @@ def _fall(y: Array, m: Array, low: float, high: float, side: int) -> float:
     return float(before + share * (distance - before))
 
 
-def overlaps(problem: Problem, state: State, interval: tuple[float, float]) -> list[tuple[float, float]]:
+def overlaps(
+    problem: Problem, state: State, interval: tuple[float, float], bends: tuple[float, ...]
+) -> list[tuple[float, float]]:
     """Return middles of intervals where the surfaces overlap between strips out of contact, and widths for them.
 
     A wide strip out of contact sees the gap at its centre only; another place of contact may lie beside it.
     """
-    contact = np.array(state.contact)
-    margin = 0.02 * (contact[:, 1:] - contact[:, :1])
-    if len(contact) == 1 and contact[0, 0] - margin[0] <= interval[0] and contact[0, 1] + margin[0] >= interval[1]:
+    y, overlap = overlapping(problem, state, interval, bends)
+    if not np.any(overlap):
         return []
-    y, h = problem.sampled(*interval, SAMPLES)
-    depth = state.rigid[0] + state.rigid[1] * y - h
-    apart = np.all((y < contact[:, :1] - margin) | (y > contact[:, 1:] + margin), axis=0)
-    suspect = np.flatnonzero(apart & (depth > 0.0))
-    overlapping = np.zeros(y.size, dtype=bool)
-    if suspect.size:
-        table = problem.element.table
-        lift = displacements(problem.influence, y[suspect], state.edges, state.r, state.m, table)
-        overlapping[suspect[lift < depth[suspect]]] = True
-    step = float(y[1] - y[0])
+    step = (interval[1] - interval[0]) / SAMPLES
     return [
-        (float(0.5 * (y[i] + y[j])), max(float(y[j] - y[i]), step) / STRIPS_PER_OVERLAP) for i, j in runs(overlapping)
+        (float(0.5 * (y[i] + y[j])), max(float(y[j] - y[i]), step) / STRIPS_PER_OVERLAP) for i, j in runs(overlap > 0.0)
     ]
 
 
@@ -231,7 +231,8 @@ def _turn(separation: Callable[[Array], Array], places: Array, step: float) -> A
 def _bending(problem: Problem, state: State) -> tuple[Array, Array]:
     """Return samples along y and the width at which the profile sags by no more than SAG of the interference."""
     y, h = problem.sampled(float(state.edges[0]), float(state.edges[-1]), SAMPLES)
-    return y[1:-1], _sagging(y, h, state.rigid, NARROWEST * math.sqrt(float(np.max(state.m))))
+    narrowest = max(NARROWEST * math.sqrt(float(np.max(state.m))), _resolved(float(y[0]), float(y[-1])))
+    return y[1:-1], _sagging(y, h, state.rigid, narrowest)
 
 
 @compiled
@@ -293,6 +294,9 @@ class Grading:
         """Return the edges of a grid with ``share`` times as many strips as wanted, or as the limit allows."""
         share *= min(1.0, self.limit / self.count)
         half = 0.5 / share
+        # Too near to an end for half a strip and another one beside it.
+        if min(self.right[1][-1], self.left[1][-1]) < half + LEAST_STRIP / share:
+            return self._edges_from_end(share)
         reach = min(
             float(np.interp(half, self.right[1], self.right[0])) - self.centre,
             self.centre - float(np.interp(half, self.left[1], self.left[0])),
@@ -300,6 +304,14 @@ class Grading:
         right = _cut(*self.right, self.centre + reach, self.corners, share)
         left = _cut(*self.left, self.centre - reach, self.corners, share)
         return np.concatenate([left[::-1], right])
+
+    def _edges_from_end(self, share: float) -> Array:
+        """Return the edges of a grid that is centred on nothing, cut from the end next to the centre."""
+        near, far = (self.left, self.right) if self.left[1][-1] <= self.right[1][-1] else (self.right, self.left)
+        y = np.concatenate([near[0][:0:-1], far[0]])
+        count = np.concatenate([near[1][-1] - near[1][:0:-1], near[1][-1] + far[1]])
+        edges: Array = np.sort(_cut(y, count, float(y[0]), self.corners, share))
+        return edges
 
 
 @compiled

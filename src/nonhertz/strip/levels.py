@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,7 @@ from nonhertz.errors import InputError
 from nonhertz.strip.feasible import (
     FINE_STRIPS,
     feasible,
+    refuse_arm_outside,
     refuse_endless_relief,
     refuse_infeasible,
     refuse_no_contact,
@@ -33,6 +35,7 @@ Interval = tuple[float, float]
 STRIP_LIMIT = 87  # of an automatic grid on one interval of contact
 COARSE_STRIPS = 24
 COARSEST_LEVEL = 5
+MORE_STRIPS = (1, 5, 25)  # times as many to begin with, should fewer miss the contact
 FEWER_STRIPS = (1.0, 0.94, 0.88, 0.82, 0.76)  # tried in turn where a grid has no solution
 # Shares of the strips: a rough grid from which the final one is learnt, half of that and all; and these again, should
 # the solution show that another place of contact was missed.
@@ -64,7 +67,8 @@ class Levels:
         if len(values) < 2 or values[0] == 0.0:
             return math.inf
         changes = np.abs(np.diff(values[:3])) / abs(values[0])
-        return float(SAFETY * max(changes[0], 0.5 * changes[-1]))
+        error = float(SAFETY * np.max([changes[0], 0.5 * changes[-1]]))
+        return error if math.isfinite(error) else math.inf
 
 
 def equal_grids(problem: Problem, interval: Interval, count: int) -> list[Array]:
@@ -100,7 +104,7 @@ def on_automatic_strips(problem: Problem, interval: Interval, bends: tuple[float
     states = [_located(problem, interval, finite)]
     for lesson, shares in enumerate(LESSONS + REPEATS):
         complete = lesson >= len(LESSONS)
-        if not states[0].converged or (complete and not overlaps(problem, states[0], finite)):
+        if not states[0].converged or (complete and not overlaps(problem, states[0], finite, bends)):
             break
         wanted = sizes(problem, states[0], bends, finite)
         grading = graded(wanted, STRIP_LIMIT if len(wanted.contact) == 1 else 2 * STRIP_LIMIT)
@@ -141,13 +145,7 @@ def _settled(problem: Problem, grading: Grading, near: State, share: float) -> S
 
 def _located(problem: Problem, interval: Interval, finite: Interval) -> State:
     """Return a solution on equal strips of a region that the contact fills well, looked for from ``finite`` on."""
-    edges = uniform(*finite, COARSE_STRIPS)
-    y = 0.5 * (edges[1:] + edges[:-1])
-    refuse_endless_relief(y, problem.separation(y))
-    # A prescribed approach may bring no more than a speck together, a moment only the very end.
-    if not problem.prescribed[0] or not feasible(problem, edges):
-        edges = uniform(*_neighbourhood(problem, float(edges[0]), float(edges[-1])), COARSE_STRIPS)
-    refuse_infeasible(problem, edges)
+    edges = _first_strips(problem, finite)
     state = settle(problem, edges, tolerance=ROUGH_TOLERANCE)
     for _ in range(40):
         if not state.converged:
@@ -163,6 +161,33 @@ def _located(problem: Problem, interval: Interval, finite: Interval) -> State:
         edges = uniform(max(first - margin, interval[0]), min(last + margin, interval[1]), COARSE_STRIPS)
         state = settle(problem, edges, tolerance=ROUGH_TOLERANCE)
     return state
+
+
+def _first_strips(problem: Problem, finite: Interval) -> Array:
+    """Return equal strips that can meet what is prescribed: all along the bodies, or near where they touch."""
+    edges = uniform(*finite, COARSE_STRIPS)
+    y = 0.5 * (edges[1:] + edges[:-1])
+    refuse_endless_relief(y, problem.separation(y))
+    # A prescribed approach may bring no more than a speck together, a moment only the very end.
+    if problem.prescribed[0] and feasible(problem, edges):
+        return edges
+    refuse_arm_outside(problem, finite)
+    regions = [_neighbourhood(problem, *finite)]
+    if np.all(problem.prescribed):
+        regions.append(_region_at_end(problem, finite))
+    for region, more in product(regions, MORE_STRIPS):
+        edges = uniform(*region, more * COARSE_STRIPS)
+        if feasible(problem, edges):
+            break
+    refuse_infeasible(problem, edges, chosen=False)
+    return edges
+
+
+def _region_at_end(problem: Problem, finite: Interval) -> Interval:
+    """Return a region at one end of the bodies in whose middle load and moment have their resultant."""
+    low, high = finite
+    arm = float(problem.target[1] / problem.target[0])
+    return (max(low, 2.0 * arm - high), high) if high - arm < arm - low else (low, min(high, 2.0 * arm - low))
 
 
 def _neighbourhood(problem: Problem, low: float, high: float) -> tuple[float, float]:
@@ -188,12 +213,35 @@ def bounded(problem: Problem, interval: Interval) -> Interval:
     scale = 1.0 / float(np.max(problem.curvature(np.zeros(1))))
     edge = np.concatenate([[0.0], scale * np.geomspace(1e-9, 1e4, 130)])
     edges = np.unique(np.clip(np.concatenate([-edge[::-1], edge]), low, high))
+    if not np.all(np.isfinite(problem.separation(edges))):
+        low, high = _finite_part(problem, edges)
+        edges = np.unique(np.clip(edges, low, high))
+        refuse_arm_outside(problem, (low, high))
     touching = np.flatnonzero(sprung(problem, edges).m > 0.0)
+    if touching.size == 0 and not problem.prescribed[0]:
+        refuse_no_contact(problem, edges, chosen=False)
     if touching.size == 0:
-        refuse_no_contact(problem, edges)
+        return float(edges[0]), float(edges[-1])
     first, last = touching[0], touching[-1] + 1
     if (first == 0 and not math.isfinite(low)) or (last == edges.size - 1 and not math.isfinite(high)):
         remedy = "give one of the bodies a length, or a profile that falls away"
         raise InputError("length", None, "be given where nothing else ends the contact", remedy)
     reach = 0.5 * float(edges[last] - edges[first])
     return max(low, float(edges[first]) - reach), min(high, float(edges[last]) + reach)
+
+
+def _finite_part(problem: Problem, edges: Array) -> Interval:
+    """Return the interval around y = 0 on which the separation is finite, as if the bodies ended there."""
+    ends = []
+    for beyond in (edges[edges <= 0.0][::-1], edges[edges >= 0.0]):
+        finite = np.isfinite(problem.separation(beyond))
+        first = int(np.argmin(finite)) if not np.all(finite) else 0
+        inside, outside = (float(beyond[max(first - 1, 0)]), float(beyond[first]))
+        for _ in range(100):
+            middle = 0.5 * (inside + outside)
+            if np.isfinite(problem.separation(np.array([middle]))[0]):
+                inside = middle
+            else:
+                outside = middle
+        ends.append(outside)
+    return ends[0], ends[1]

@@ -132,14 +132,13 @@ def newton(
         off = _balance_residual(prescribed, target, rigid, load, moment, half)
         _idle_gaps(y, low, high, separation, rigid, r, m, active, terms, at_depth, table, gap)
         reference = target[0] if prescribed[0] else load
-        unsettled = max(
-            (np.max(np.abs(gap_residual)) - noise) / scale,
-            np.max(np.abs(_product(blocks[2], ra) / ca - 1.0)),
+        unsettled = worse(
+            worse((np.max(np.abs(gap_residual)) - noise) / scale, np.max(np.abs(_product(blocks[2], ra) / ca - 1.0))),
             _relative(off, prescribed, reference),
         )
-        residual = max(unsettled, -(np.min(gap) + noise) / scale)
-        # The gap stands first in both maxima: Numba's keep a number that is none only in the first place.
-        if not math.isfinite(residual):
+        residual = worse(unsettled, -(np.min(gap) + noise) / scale)
+        # A strip whose m is NaN is not active, and shows in no residual.
+        if not math.isfinite(residual) or not math.isfinite(np.sum(m)):
             return STAGNATED, step, residual
 
         d_r, d_q = _directions(blocks, follows, wanted - ra, ra, ma, gap_residual, lever)
@@ -165,6 +164,12 @@ def newton(
             if left < tolerance:
                 return CONVERGED, step + 1, left
     return ITERATION_LIMIT, STEP_LIMIT, residual
+
+
+@compiled
+def worse(one: float, other: float) -> float:
+    """Return the larger of two numbers, NaN if either is: a maximum of Numba or Python may lose it."""
+    return one if math.isnan(one) or other <= one else other
 
 
 @compiled
@@ -210,7 +215,7 @@ def _relative(off: Array, prescribed: Flags, load: float) -> float:
     largest = 0.0
     for k in range(2):
         if prescribed[k]:
-            largest = max(largest, abs(off[k]) / load)
+            largest = worse(largest, abs(off[k]) / load)
     return largest
 
 
@@ -457,14 +462,14 @@ def _check(
     active = np.flatnonzero(m > 0.0)
     depth = _interference(y, separation, rigid, active)
     _idle_gaps(y, low, high, separation, rigid, r, m, active, terms, at_depth, table, gap)
-    worst = max(-np.min(gap), 0.0)
+    worst = worse(-np.min(gap), 0.0)
     inverse, q = 1.0 / np.sqrt(m), r * m
     for k in range(active.size):
         i = active[k]
         gap[i] = _settling(i, y, low, high, inverse, q, active, terms, at_depth, table) - depth[k]
-        worst = max(worst, abs(gap[i]))
+        worst = worse(worst, abs(gap[i]))
     loads = r[active] * m[active] * (high - low)[active]
     load = np.sum(loads)
     off = _balance_residual(prescribed, target, rigid, load, np.sum(loads * y[active]) / half, half)
     worst -= _rounding(separation, rigid, active, half)
-    return max(worst / np.max(depth), _relative(off, prescribed, target[0] if prescribed[0] else load))
+    return worse(worst / np.max(depth), _relative(off, prescribed, target[0] if prescribed[0] else load))

@@ -61,6 +61,8 @@ def springs(
     r = curvature / line_factor
     m = np.zeros_like(y)
     rigid = np.zeros(2)
+    if usable.size == 0:
+        return r, m, rigid
     largest = 0.05 * half
     for _ in range(3):
         stiffness = 1.0 / (2.0 * (math.log(max(2.0 * half / largest, 1.5)) + 1.2))

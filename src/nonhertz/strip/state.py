@@ -41,6 +41,8 @@ class Problem:
         K Q [mm^2] or delta [mm]; K T [mm^3] or gamma [rad].
     influence : Influence
         How strips act.
+    compliance : float
+        K [1/MPa], by which loads are counted.
     """
 
     separation: Callable[[Array], Array]
@@ -49,6 +51,7 @@ class Problem:
     prescribed: Flags
     target: Array
     influence: Influence
+    compliance: float
     _sampled: dict[tuple[float, float, int], tuple[Array, Array]] = field(default_factory=dict, repr=False)
 
     def sampled(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:

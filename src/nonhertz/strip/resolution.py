@@ -1,0 +1,107 @@
+"""What the bodies do between the centres of strips, where a solution does not look.
+
+Every condition of a contact is met at the centres of strips. A profile that is rough within a strip, or a place where
+the bodies overlap beside a wide strip out of contact, shows in none of them, and not in a comparison with coarser grids
+either, which look at fewer places still. So the bodies are asked once more: at several places within each strip in
+contact, how far the separation departs from a parabola; and along the whole bodies, with every bend of the profiles,
+whether the surfaces overlap where the strips say that there is no contact.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.strip.influence import displacements
+from nonhertz.strip.state import Problem, State
+
+Array = NDArray[np.float64]
+
+SAMPLES = 600  # along the bodies
+WITHIN = 9  # places in a strip
+BESIDE = 0.02  # of an interval in contact, next to which an overlap is only where it ends
+NOTICED = 1e-9  # of the deepest interference, below which an overlap is rounding
+_PLACES = (np.arange(WITHIN) + 0.5) / WITHIN - 0.5
+_PARABOLA = np.linalg.qr(np.vander(_PLACES, 3))[0]
+
+
+def within(problem: Problem, edges: Array) -> tuple[Array, Array]:
+    """Return places within each strip and the separation there, shape (strips, places) each."""
+    y = 0.5 * (edges[1:] + edges[:-1])[:, None] + np.diff(edges)[:, None] * _PLACES
+    return y, problem.separation(y.ravel()).reshape(y.shape)
+
+
+def departures(separation: Array) -> Array:
+    """Return how far the separation `within` each strip departs from a parabola, root mean square [mm].
+
+    Zero where the separation is infinite in part of a strip: there is no telling.
+    """
+    finite = np.all(np.isfinite(separation), axis=1)
+    h = np.where(finite[:, None], separation, 0.0)
+    left = h - (h @ _PARABOLA) @ _PARABOLA.T
+    departure: Array = np.sqrt(np.mean(left**2, axis=1))
+    return departure
+
+
+def roughness(departure: Array, width: Array, load: Array, pressure: Array) -> tuple[Array, Array]:
+    """Return what strips leave out of the bodies by departing from their profile, for one case or many.
+
+    Parameters
+    ----------
+    departure, width : ndarray, shape (strips,)
+        See `departures`; widths [mm].
+    load, pressure : ndarray, shape (..., strips)
+        Load of each strip in any unit; q / a, K times, as `State.pressure`.
+
+    Returns
+    -------
+    tuple of two ndarray, shape (...)
+        Mean over the contact [mm], each strip weighted with its load; and the largest ripple of pressure that pressing
+        it flat takes, over the largest pressure. A wave of amplitude A and length l takes pi E* A / l = A / (K l), and
+        within a strip it is no longer than that.
+    """
+    mean = load @ departure / np.sum(load, axis=-1)
+    # q / a is pi / 2 times the pressure.
+    ripple = 0.5 * np.pi * np.sqrt(2.0) * departure / width
+    return mean, np.max(np.where(load > 0.0, ripple, 0.0), axis=-1) / np.max(pressure, axis=-1)
+
+
+def overlapping(
+    problem: Problem, state: State, interval: tuple[float, float], bends: tuple[float, ...]
+) -> tuple[Array, Array]:
+    """Return places, and by how much the surfaces overlap there although no strip is in contact; zero where not.
+
+    Parameters
+    ----------
+    problem, state
+        What is solved, and a solution.
+    interval : tuple of float
+        Where the bodies can touch [mm], finite.
+    bends : tuple of float
+        Where their profiles bend [mm]: places where a bump may be narrower than any distance between samples.
+
+    Returns
+    -------
+    tuple of two ndarray, shape (places,)
+        Places [mm], ascending, and depths [mm].
+    """
+    contact = np.array(state.contact)
+    margin = BESIDE * (contact[:, 1:] - contact[:, :1])
+    if len(contact) == 1 and contact[0, 0] - margin[0] <= interval[0] and contact[0, 1] + margin[0] >= interval[1]:
+        return np.zeros(0), np.zeros(0)
+    y, h = problem.sampled(*interval, SAMPLES)
+    inside = np.array([bend for bend in bends if interval[0] < bend < interval[1]])
+    if inside.size:
+        y, h = np.concatenate([y, inside]), np.concatenate([h, problem.separation(inside)])
+        ascending = np.argsort(y)
+        y, h = y[ascending], h[ascending]
+    depth = state.rigid[0] + state.rigid[1] * y - h
+    apart = np.all((y < contact[:, :1] - margin) | (y > contact[:, 1:] + margin), axis=0)
+    overlap = np.zeros_like(y)
+    suspect = np.flatnonzero(apart & (depth > 0.0))
+    if suspect.size:
+        table = problem.element.table
+        lift = displacements(problem.influence, y[suspect], state.edges, state.r, state.m, table)
+        overlap[suspect] = depth[suspect] - lift
+    overlap[overlap < NOTICED * np.max(depth)] = 0.0
+    return y, overlap
