@@ -117,6 +117,8 @@ def _strength(
     low, high = s - 0.5 * width[near], s + 0.5 * width[near]
     mean = (high ** (1.0 - exponent) - low ** (1.0 - exponent)) / ((1.0 - exponent) * width[near])
     shape = np.column_stack([mean, mean * (s / half_width) ** (2.0 * exponent)])
+    if not np.all(np.isfinite(shape / pressure[near, None])):  # of a loop that failed
+        return None, None
     fit = np.linalg.lstsq(shape / pressure[near, None], np.ones(near.size), rcond=None)[0]
     if fit[0] <= 0.0:
         return None, None

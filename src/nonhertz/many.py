@@ -254,7 +254,7 @@ class _Block:
     def strains(self) -> Iterator[tuple[int, tuple[str, ...]]]:
         """Yield number and sentences of cases that may strain the model."""
         if self.error is None:
-            for row in np.flatnonzero(suspected(self.contact, self.problem, self.finest.edges, self.finest.m)):
+            for row in np.flatnonzero(suspected(self.contact, self.problem, self.states)):
                 yield self.numbers[row], self.solution(int(row))[1]
 
 
