@@ -1,0 +1,355 @@
+"""Runs cases of a campaign, each whole: the solve, its mirror image, its scaled twins, and many at once.
+
+Cases are given to worker processes one at a time, so that one that crashes or hangs its process is a record and the
+rest goes on.
+"""
+
+import argparse
+import importlib
+import json
+import math
+import multiprocessing
+import os
+import time
+import traceback
+import warnings
+from collections import defaultdict
+from dataclasses import dataclass, field
+from multiprocessing.connection import wait
+from pathlib import Path
+
+import plain_case
+from own_theory import kernel
+from verdict import sentence_faults, solution_faults, twin_faults, without_numbers
+
+import nonhertz as nh
+
+SLOWEST, FEW_STRIPS = 5.0, 400  # seconds of processor, up to so many strips
+WARMING_UP = -1
+HANGS = 120.0  # seconds for one case with its twins
+ALL_TWINS = ("mirrored", "twice as large", "ten times as large", "ten times as stiff", "many")
+
+
+@dataclass
+class Ending:
+    """How one solve ended."""
+
+    kind: str
+    words: str
+    solution: object = None
+    error: BaseException | None = None
+    seconds: float = 0.0
+
+
+@dataclass
+class Record:
+    """What became of one case."""
+
+    number: int
+    kind: str
+    words: str = ""
+    call: str = ""
+    seconds: float = 0.0
+    faults: list = field(default_factory=list)
+    warned: list = field(default_factory=list)
+
+
+def solved(case):
+    """Solve a case, whatever happens."""
+    start = time.process_time()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        try:
+            contact, keywords = plain_case.arguments(case)
+            ending = Ending("solved", "", nh.solve(contact, **keywords))
+        except nh.InputError as error:
+            ending = Ending("refused", without_numbers(f"{error.field} must {error.condition}"), error=error)
+        except nh.ConvergenceError as error:
+            ending = Ending("unconverged", without_numbers(str(error)), error=error)
+        except Exception as error:  # noqa: BLE001  (what the campaign looks for)
+            ending = Ending("crash", without_numbers(f"{type(error).__name__}: {error}"), error=error)
+    ending.seconds = time.process_time() - start
+    return ending
+
+
+def faults_of(case, ending):
+    """Faults of one ending by itself."""
+    if ending.kind == "crash":
+        where = traceback.extract_tb(ending.error.__traceback__)[-1]
+        return [(f"crash {ending.words[:120]}", f"{Path(where.filename).name}:{where.lineno} {where.name}")]
+    faults = solution_faults(ending.solution, case) if ending.solution is not None else []
+    if ending.error is not None:
+        faults = sentence_faults(ending.error, case)
+    if ending.seconds > SLOWEST and _strips(case) <= FEW_STRIPS:
+        faults.append(("slow", f"{ending.seconds:.1f} s"))
+    return faults
+
+
+def _strips(case):
+    strips = case["strips"]
+    return 0 if strips is None else strips if isinstance(strips, int) else len(strips) - 1
+
+
+TWINS = {
+    "mirrored": (plain_case.mirrored, {"approach": 1, "load": 1, "max_pressure": 1, "moment": -1, "tilt": -1}),
+    "twice as large": (
+        lambda case: plain_case.scaled(case, 2.0),
+        {"approach": 2, "load": 4, "max_pressure": 1, "moment": 8, "tilt": 1},
+    ),
+    "ten times as large": (
+        lambda case: plain_case.scaled(case, 10.0),
+        {"approach": 10, "load": 100, "max_pressure": 1, "moment": 1000, "tilt": 1},
+    ),
+    "ten times as stiff": (
+        lambda case: plain_case.stiffened(case, 10.0),
+        {"approach": 1, "load": 10, "max_pressure": 10, "moment": 10, "tilt": 1},
+    ),
+}
+
+
+def chosen_twins(twins, number):
+    """The names of the twins that a case is compared with: all, one in turn, or none."""
+    return {"all": ALL_TWINS, "one": (ALL_TWINS[number % len(ALL_TWINS)],), "none": ()}[twins]
+
+
+def examined(case, number, twins="all"):
+    """Solve a case and its twins and return the record."""
+    start = time.perf_counter()
+    ending = solved(case)
+    faults = faults_of(case, ending)
+    if ending.kind != "crash":
+        for name in chosen_twins(twins, number):
+            if name == "many":
+                faults += many_faults(case, ending)
+                continue
+            make, factors = TWINS[name]
+            twin = make(case)
+            other = solved(twin)
+            if other.kind == "crash":
+                faults += [(f"{name}: {kind}", detail) for kind, detail in faults_of(twin, other)]
+            else:
+                faults += twin_faults(name, case, ending, other, factors)
+    warned = [] if ending.solution is None else [without_numbers(one)[:90] for one in ending.solution.warnings]
+    words = "" if ending.solution is not None else f"{ending.words} | {ending.error}"
+    seconds = time.perf_counter() - start
+    return Record(number, ending.kind, words, plain_case.call_text(case), seconds, faults, warned)
+
+
+def many_faults(case, ending):
+    """Solve the case in a batch with its mirror image and with one that cannot be solved, and compare."""
+    turned = plain_case.mirrored(case)
+    cases = [case, turned, case, _impossible(case)]
+    if isinstance(case["strips"], list) and turned["strips"] != case["strips"]:
+        cases[1] = case
+    endings = [ending, solved(cases[1]) if cases[1] is not case else ending, ending, solved(cases[3])]
+    contacts = [plain_case.arguments(one)[0] for one in cases]
+    given = {name: [one["given"][name] for one in cases] for name in case["given"]}
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        try:
+            many = nh.solve_many(contacts, **given, element=plain_case.element(case), strips=case["strips"], threads=1)
+            failures = many.failures
+        except nh.InputError as error:
+            alone = [one for one in endings if one.kind == "refused"]
+            if any(str(one.error) in str(error) or one.error.field.split(".")[-1] in error.field for one in alone):
+                return []
+            return [("many: refused as a whole", str(error))]
+        except Exception as error:  # noqa: BLE001  (what the campaign looks for)
+            where = traceback.extract_tb(error.__traceback__)[-1]
+            words = without_numbers(f"{type(error).__name__}: {error}")[:120]
+            return [(f"many: crash {words}", f"{where.name}:{where.lineno}")]
+        faults = []
+        for row, (one, alone) in enumerate(zip(cases, endings, strict=True)):
+            faults += [
+                (f"many: {kind}", f"row {row} {detail}")
+                for kind, detail in _row_faults(many, row, failures, one, alone)
+            ]
+        return faults
+
+
+def _impossible(case):
+    """The same case with a load that no body can bear, or bodies that never meet."""
+    given = dict(case["given"])
+    if "approach" in given:
+        given["approach"] = -abs(given["approach"]) - 1e9
+    else:
+        given["load"] = given["load"] * 1e12
+    return {**case, "given": given}
+
+
+def _row_faults(many, row, failures, case, alone):
+    if alone.kind == "crash":
+        return []
+    if row in failures:
+        error = failures[row]
+        words = without_numbers(
+            f"{error.field} must {error.condition}" if isinstance(error, nh.InputError) else str(error)
+        )
+        return [] if words == alone.words else [(f"failed where it was {alone.kind}", f"{words} | {alone.words}")]
+    found = many[row]
+    if alone.solution is None:
+        # Documented: a case that starts from its neighbour may be solved where it would fail alone.
+        if alone.kind == "unconverged" and case["strips"] is not None:
+            return [(kind, detail) for kind, detail in solution_faults(found, case) if "without a word" not in kind]
+        return [(f"solved where it was {alone.kind}", alone.words)]
+    wanted, faults = alone.solution, []
+    spare = 0.0 if case["strips"] is None else 1e-6
+    for name in ("approach", "tilt", "load", "moment", "max_pressure"):
+        one, other = getattr(found, name), getattr(wanted, name)
+        scale = abs(other)
+        if name == "moment":
+            scale = wanted.load * max(abs(wanted.contact_y[0][0]), abs(wanted.contact_y[-1][1]))
+        if name == "tilt":
+            reach = 0.5 * (wanted.contact_y[-1][1] - wanted.contact_y[0][0])
+            scale += float(wanted.interference.max()) / reach
+        if not abs(one - other) <= spare * scale:
+            faults.append((f"{name} differs", f"{one!r} for {other!r}"))
+        if not float(getattr(many, name).ravel()[row]) == one:
+            faults.append((f"column {name} is not the solution's", ""))
+    return faults
+
+
+def generator(campaign):
+    return importlib.import_module(campaign).random_case
+
+
+def case_record(campaign, number, twins):
+    """The record of one numbered case; what goes wrong in the campaign itself is one too."""
+    try:
+        return examined(generator(campaign)(number), number, twins)
+    except Exception:  # noqa: BLE001  (a checker that fails must not hide the other cases)
+        return Record(number, "campaign", faults=[("the campaign itself failed", traceback.format_exc()[-1500:])])
+
+
+def warm_up(campaign):
+    """Compile everything, so that no case is slow or hangs because of it."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        generator(campaign)
+        body = nh.Roller(diameter=20.0, length=20.0, profile=nh.profile.chamfer(20.0, 0.5))
+        for element in (nh.SEMI_ELLIPTIC, nh.PARABOLIC):
+            kernel(element.name)
+            for strips in (None, 20):
+                nh.solve(nh.Contact(body, nh.Ring(diameter=80.0)), load=2e3, tilt=1e-4, element=element, strips=strips)
+                nh.solve_many(
+                    nh.Contact(body, nh.Plate()), load=[2e3, 3e3], moment=10.0, element=element, strips=strips
+                )
+
+
+def _work(campaign, twins, connection):
+    warm_up(campaign)
+    connection.send(None)
+    while (number := connection.recv()) is not None:
+        connection.send(case_record(campaign, number, twins))
+
+
+class _Worker:
+    def __init__(self, campaign, twins):
+        context = multiprocessing.get_context("spawn")
+        self.connection, other = context.Pipe()
+        self.process = context.Process(target=_work, args=(campaign, twins, other), daemon=True)
+        self.process.start()
+        other.close()
+        self.number, self.since = WARMING_UP, math.inf
+
+    def give(self, number):
+        self.number, self.since = number, time.monotonic()
+        self.connection.send(number)
+
+    def ended(self):
+        self.process.kill()
+        self.process.join()
+        self.connection.close()
+
+
+def records(campaign, numbers, twins, workers):
+    """Yield the records of all numbers, in the order in which they come."""
+    left, running = iter(numbers), [_Worker(campaign, twins) for _ in range(workers)]
+    try:
+        while busy := [worker for worker in running if worker.number is not None]:
+            ready = wait([worker.connection for worker in busy], timeout=1.0)
+            for worker in busy:
+                died = hung = False
+                if worker.connection in ready:
+                    try:
+                        record = worker.connection.recv()
+                        if record is not None:
+                            yield record
+                    except EOFError:
+                        if worker.number == WARMING_UP:
+                            raise
+                        died = True
+                elif time.monotonic() - worker.since > HANGS:
+                    hung = True
+                else:
+                    continue
+                if died or hung:
+                    yield _lost(campaign, worker.number, "the process died" if died else "hangs")
+                    worker.ended()
+                    running[running.index(worker)] = _Worker(campaign, twins)
+                    continue
+                worker.number = None
+                if (number := next(left, None)) is not None:
+                    worker.give(number)
+    finally:
+        for worker in running:
+            worker.ended()
+
+
+def _lost(campaign, number, how):
+    return Record(number, "crash", call=plain_case.call_text(generator(campaign)(number)), faults=[(how, "")])
+
+
+def grouped(found):
+    """Text: endings, warnings, and faults by kind with the shortest call of each."""
+    endings, warned, faults = defaultdict(int), defaultdict(int), defaultdict(list)
+    for record in found:
+        endings[f"{record.kind} {record.words.split(' | ')[0]}"[:150]] += 1
+        for sentence in set(record.warned):
+            warned[sentence] += 1
+        for kind, detail in record.faults:
+            faults[kind].append((len(record.call), record.number, detail, record.call, record.words))
+    lines = ["## Endings"] + [f"{count:7} {kind}" for kind, count in sorted(endings.items(), key=lambda one: -one[1])]
+    lines += ["", "## Warnings"] + [
+        f"{count:7} {one}" for one, count in sorted(warned.items(), key=lambda one: -one[1])
+    ]
+    lines += ["", "## Faults"]
+    for kind, cases in sorted(faults.items(), key=lambda one: -len({case[1] for case in one[1]})):
+        _, number, detail, call, words = min(cases)
+        numbers = sorted({case[1] for case in cases})
+        lines += [
+            f"### {len(numbers)} x {kind}",
+            f"numbers {numbers[:12]}",
+            f"smallest, {number}: {detail} {words}",
+            f"    {call}",
+            "",
+        ]
+    seconds = sorted(record.seconds for record in found)
+    if seconds:
+        lines.append(f"seconds per case with twins: median {seconds[len(seconds) // 2]:.3f}, longest {seconds[-1]:.1f}")
+    return "\n".join(lines)
+
+
+def main(campaign):
+    """Run a slice of a campaign from the command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--last", type=int, default=50_000)
+    parser.add_argument("--workers", type=int, default=os.cpu_count())
+    parser.add_argument("--out", type=Path, help="JSON lines of the cases with faults")
+    parser.add_argument("--twins", choices=["all", "one", "none"], default="all")
+    chosen = parser.parse_args()
+    start, found = time.monotonic(), []
+    out = chosen.out.open("w") if chosen.out else None
+    for record in records(campaign, range(chosen.first, chosen.last), chosen.twins, chosen.workers):
+        found.append(record)
+        if out and record.faults:
+            out.write(json.dumps(vars(record), default=str) + "\n")
+            out.flush()
+        if len(found) % 1000 == 0:
+            faulty = sum(bool(one.faults) for one in found)
+            print(f"{len(found)} cases, {faulty} with faults, {time.monotonic() - start:.0f} s", flush=True)
+    print(grouped(found))
+    return 1 if any(record.faults for record in found) else 0

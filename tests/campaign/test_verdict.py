@@ -1,0 +1,190 @@
+"""The checker of the campaigns is checked: it passes what is right and catches every wrong answer made here."""
+
+import math
+import warnings
+from dataclasses import replace
+
+import numpy as np
+import plain_case
+import pytest
+from campaign_run import Ending, faults_of, solved
+from own_theory import kernel, separation
+from scipy.integrate import quad
+from verdict import sentence_faults, solution_faults, twin_faults
+
+import nonhertz as nh
+
+pytestmark = pytest.mark.campaign
+
+CROWN = [{"of": "crown", "with": {"radius": 9000.0}, "shift": 0.0}]
+STEEL = {"modulus": 207000.0, "poisson": 0.3}
+FINITE = {
+    "a": {"kind": "Roller", **STEEL, "diameter": 20.0, "length": 20.0, "profile": CROWN, "images": 2},
+    "b": {"kind": "Ring", **STEEL, "diameter": -90.0, "length": 24.0, "position": 1.0, "depth": 9.0},
+    "given": {"load": 2e4, "tilt": 3e-4},
+    "element": "semi-elliptic",
+    "strips": None,
+}
+SERIES = {**FINITE, "a": {**FINITE["a"], "images": "series"}, "element": "parabolic", "strips": 40}
+BY_MOMENT = {**FINITE, "given": {"load": 5e3, "moment": 4e3}, "strips": 50}
+BY_APPROACH = {**FINITE, "given": {"approach": 0.02, "moment": -500.0}, "strips": [-9.0, -5.0, *range(-4, 10)]}
+
+
+def answer(case):
+    contact, keywords = plain_case.arguments(case)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        return nh.solve(contact, **keywords)
+
+
+def changed(case, which, **values):
+    return {**case, which: {**case[which], **values}}
+
+
+@pytest.mark.parametrize("case", [FINITE, SERIES, BY_MOMENT, BY_APPROACH])
+def test_right_answers_pass(case):
+    assert [kind for kind, _ in solution_faults(answer(case), case) if "without a word" not in kind] == []
+
+
+WRONG_ARRAYS = {
+    "all loads 0.1 % up": (lambda s: {"line_load": 1.001 * s.line_load, "load": 1.001 * s.load}, "other load"),
+    "another share of the load": (
+        lambda s: {"line_load": 0.7 * s.line_load, "load": 0.7 * s.load, "moment": 0.7 * s.moment},
+        "other load",
+    ),
+    "a load reported that the strips lack": (lambda s: {"load": 1.001 * s.load}, "reported load"),
+    "one strip 1e-4 up": (lambda s: {"line_load": s.line_load * (1.0 + 1e-4 * (np.arange(s.strips) == 40))}, "gap"),
+    "one width 1e-4 up": (
+        lambda s: {"element_half_width": s.element_half_width * (1.0 + 1e-4 * (np.arange(s.strips) == 40))},
+        "curvature",
+    ),
+    "approach 1e-5 up": (lambda s: {"approach": s.approach * (1.0 + 1e-5)}, "gap in contact"),
+    "other tilt": (lambda s: {"tilt": s.tilt * 1.0001}, "other tilt"),
+    "a strip turned round": (lambda s: {"line_load": s.line_load * np.where(np.arange(s.strips) == 3, -1, 1)}, "neg"),
+    "a strip lifted": (
+        lambda s: {
+            name: getattr(s, name) * (np.arange(s.strips) != 40) for name in ("line_load", "element_half_width")
+        },
+        "overlap out of contact",
+    ),
+    "a load of NaN": (lambda s: {"load": math.nan}, "not finite"),
+    "a NaN among the loads": (lambda s: {"line_load": s.line_load * np.where(np.arange(s.strips) == 4, np.nan, 1)}, ""),
+    "a stiffness without end": (lambda s: {"stiffness": np.full((2, 2), np.inf)}, "not finite"),
+    "an estimate of NaN": (lambda s: {"error_estimate": replace(s.error_estimate, max_pressure=math.nan)}, "estimate"),
+    "a large estimate": (lambda s: {"error_estimate": replace(s.error_estimate, approach=0.5)}, "large estimate"),
+    "a doubled edge": (lambda s: {"edges": np.where(np.arange(s.strips + 1) == 5, s.edges[4], s.edges)}, "ascend"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG_ARRAYS)
+def test_wrong_arrays_are_caught(name):
+    right = answer(FINITE)
+    change, expected = WRONG_ARRAYS[name]
+    kinds = [kind for kind, _ in solution_faults(replace(right, **change(right)), FINITE)]
+    assert any(expected in kind for kind in kinds), kinds
+
+
+WRONG_THEORY = {
+    "kernel 5 % up": changed(FINITE, "b", modulus=207000.0 / 1.105),
+    "an image dropped": changed(FINITE, "b", side_faces=("mirror", "none")),
+    "fewer images of images": changed(FINITE, "a", images=1),
+    "no depth": changed(FINITE, "a", depth="none"),
+    "another depth": changed(FINITE, "b", depth=9.01),
+    "the other side": plain_case.mirrored(FINITE),
+    "a flatter crown": changed(FINITE, "a", profile=[{**CROWN[0], "with": {"radius": 9010.0}}]),
+    "another diameter": changed(FINITE, "b", diameter=-90.01),
+    "the other element": {**FINITE, "element": "parabolic"},
+}
+
+
+@pytest.mark.parametrize("name", WRONG_THEORY)
+def test_answers_of_another_theory_are_caught(name):
+    kinds = [kind for kind, _ in solution_faults(answer(WRONG_THEORY[name]), FINITE)]
+    assert any("gap" in kind or "curvature" in kind or "tilt" in kind for kind in kinds), kinds
+
+
+def test_a_place_of_contact_that_a_grid_misses_is_caught():
+    two = [{"of": "Wave", "with": {"height": 0.2, "length": 10.0, "phase": math.pi}, "shift": 0.0}]
+    case = changed({**FINITE, "given": {"approach": 0.02}, "strips": 80}, "a", profile=two)
+    whole = answer(case)
+    keep = whole.edges[whole.edges >= -1e-9]
+    missed = answer({**case, "strips": keep.tolist()})
+    assert "a place of contact missed" in [kind for kind, _ in solution_faults(missed, {**case, "strips": None})]
+    assert "a place of contact missed" not in [kind for kind, _ in solution_faults(whole, {**case, "strips": None})]
+
+
+def test_twins_further_apart_than_stated_are_caught():
+    right = answer(FINITE)
+    double = replace(right, approach=2.0 * right.approach)
+    factors = {"approach": 1, "load": 1, "max_pressure": 1, "moment": 1, "tilt": 1}
+    one, other = Ending("solved", "", right), Ending("solved", "", double)
+    assert twin_faults("twin", FINITE, one, one, factors) == []
+    assert [kind for kind, _ in twin_faults("twin", FINITE, one, other, factors)] == ["twin: approach differs"]
+    refused = Ending("refused", "load must be positive")
+    assert [kind for kind, _ in twin_faults("twin", FINITE, one, refused, factors)] == ["twin: solved and refused"]
+
+
+def test_sentences_about_what_nobody_gave_are_caught():
+    error = nh.InputError("strips", 24, "have centres on both sides", "take more strips")
+    assert [kind for kind, _ in sentence_faults(error, FINITE)] == ["names strips, which nobody gave"]
+    error = nh.InputError("load", 1.0, "be small", "lower it")
+    assert [kind for kind, _ in sentence_faults(error, FINITE)] == ["names another load than given"]
+    error = nh.InputError("approach", 0.02, "exceed 0.03 mm, where the bodies begin to touch", "raise it")
+    case = {**FINITE, "given": {"approach": 0.02}}
+    assert [kind for kind, _ in sentence_faults(error, case)] == ["refused though the bodies touch"]
+
+
+def test_a_crash_is_a_fault():
+    ending = Ending("crash", "KeyError: #", error=KeyError(3))
+    try:
+        raise ending.error
+    except KeyError:
+        assert faults_of(FINITE, ending)[0][0] == "crash KeyError: #"
+
+
+@pytest.mark.parametrize("twin", [plain_case.mirrored, lambda case: plain_case.scaled(case, 2.0)])
+def test_twins_of_twins_are_the_case_itself(twin):
+    back = twin if twin is plain_case.mirrored else lambda case: plain_case.scaled(case, 0.5)
+    for case in (FINITE, SERIES, BY_MOMENT, BY_APPROACH):
+        again, ending = back(twin(case)), solved(case)
+        assert solved(again).solution.approach == ending.solution.approach
+    y = np.linspace(-9.0, 9.0, 7)
+    np.testing.assert_array_equal(separation(plain_case.mirrored(FINITE), -y), separation(FINITE, y))
+
+
+SHAPES = {
+    "semi-elliptic": lambda xi: 2.0 / math.pi * math.sqrt(1.0 - xi * xi),
+    "parabolic": lambda xi: 0.75 * (1.0 - xi * xi),
+}
+
+
+@pytest.mark.parametrize("element", SHAPES)
+@pytest.mark.parametrize("t", [1e-12, 1e-6, 0.01, 0.7, 3.0, 200.0, 1e6, 1e11])
+def test_the_kernel_is_the_integral_of_its_pressure(element, t):
+    phi = SHAPES[element]
+    at, _ = kernel(element)(np.array([t, -t]))
+    # asinh(t / xi) = ln(t + sqrt(t^2 + xi^2)) - ln(xi), the second part by the rule for a logarithm.
+    smooth = quad(lambda xi: 2.0 * phi(xi) * math.log(t + math.hypot(t, xi)), 0.0, 1.0, points=[min(t, 0.5)], limit=200)
+    log = quad(lambda xi: 2.0 * phi(xi), 0.0, 1.0, weight="alg-loga", wvar=(0.0, 0.0))
+    np.testing.assert_allclose(at[0], smooth[0] - log[0], rtol=1e-7, atol=2e-9 * abs(log[0]) if t < 1e-5 else 0.0)
+    assert at[1] == -at[0]
+
+
+@pytest.mark.parametrize("element", SHAPES)
+@pytest.mark.parametrize("t", [0.05, 0.7, 3.0, 40.0])
+def test_the_kernel_curves_as_its_displacement_does(element, t):
+    phi = SHAPES[element]
+
+    def moved(x):
+        # xi = x + s, so that the logarithm is at s = 0.
+        return sum(
+            quad(
+                lambda s, sign=sign: phi(x + sign * s) * math.asinh(t / s), 0.0, 1.0 - sign * x, epsabs=1e-13, limit=400
+            )[0]
+            for sign in (-1.0, 1.0)
+        )
+
+    step = 0.02
+    second = (-moved(2 * step) + 16 * moved(step) - 15 * moved(0.0)) / (6.0 * step**2)
+    _, of = kernel(element)(np.array([t]))
+    np.testing.assert_allclose(-second, of[0], rtol=2e-3)

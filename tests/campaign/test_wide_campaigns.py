@@ -1,0 +1,36 @@
+"""Two campaigns of 50,000 cases each, extreme ones and ones near practice, judged by code apart from the package.
+
+NONHERTZ_CAMPAIGN_CASES says how many of each to run; without it a part of them runs, each with one twin, and with
+``all`` every case with all of its twins.
+"""
+
+import os
+
+import pytest
+from campaign_run import grouped, records
+
+CASES, SOME = 50_000, 2_000
+MOST_UNCONVERGED = 1e-3  # of cases near practice
+
+
+def chosen_records(campaign):
+    wish = os.environ.get("NONHERTZ_CAMPAIGN_CASES", str(SOME))
+    every = wish == "all"
+    count = CASES if every else min(int(wish), CASES)
+    found = list(records(campaign, range(count), "all" if every else "one", os.cpu_count() or 1))
+    print("\n" + grouped(found))
+    return found
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("campaign", ["extreme_cases", "practice_cases"])
+def test_every_case_ends_in_a_right_answer_or_a_sentence(campaign):
+    found = chosen_records(campaign)
+    faulty = [(record.number, record.faults) for record in found if record.faults]
+    assert not faulty, (len(faulty), faulty[:10])
+    solved = sum(record.kind == "solved" for record in found)
+    if campaign == "extreme_cases":
+        assert solved >= 0.6 * len(found)
+    else:
+        assert solved >= 0.97 * len(found)
+        assert sum(record.kind == "unconverged" for record in found) <= MOST_UNCONVERGED * len(found)
