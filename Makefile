@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo test campaign browser verify lint docs bench docs-numbers clean
+.PHONY: demo test campaign campaign-all browser verify lint docs bench docs-numbers clean
 
 demo: $(READY)
 	$(BIN)/nonhertz solve examples/cylindrical-roller-bearing.toml --out out/demo
@@ -16,6 +16,10 @@ test: $(READY)
 
 campaign: $(READY)
 	$(BIN)/python -m pytest -m campaign -s tests
+
+# Three hours of one core: 100,000 cases, each with its mirror image, its scaled twins and a batch of solve_many.
+campaign-all: $(READY)
+	NONHERTZ_CAMPAIGN_CASES=all $(BIN)/python -m pytest -m campaign -s tests/campaign/test_wide_campaigns.py
 
 # The page in a real browser: Chromium or Chrome must be installed. Screenshots go to out/screenshots.
 browser: $(READY)

@@ -21,10 +21,10 @@ def random_case(number):
     """The case of a number, as plain data."""
     rng = np.random.default_rng([SEED, number])
     while True:
-        case = _drawn(rng)
+        case, scale = _drawn(rng)
         low, high = common_interval(case)
         if low < high:
-            return case
+            return {**case, "strips": _strips(rng, case, scale["length"]), "given": prescribed(rng, case, scale)}
 
 
 def _drawn(rng):
@@ -34,7 +34,7 @@ def _drawn(rng):
     other = _other_diameter(rng, diameter)
     rho = 1.0 / (2.0 / diameter + (2.0 / other if other else 0.0))
     stiffness = [compliance(body) for body in bodies]
-    pressure = log_uniform(rng, 1e-8, 0.1) * min(body["modulus"] for body in bodies)
+    pressure = log_uniform(rng, *one_of(rng, [(1e-8, 0.1), (1e-4, 0.3)])) * min(body["modulus"] for body in bodies)
     half_width = 2.0 * math.pi * sum(stiffness) * pressure * rho
     line_load = 0.5 * math.pi * half_width * pressure
     approach = sum(stiffness) * line_load * (2.0 * math.log(max(2.0 * length / half_width, 3.0)) + 1.0)
@@ -69,11 +69,9 @@ def _drawn(rng):
         a["images"] = 1
     _kinds(rng, a, b)
     case = {"a": a, "b": b, "element": one_of(rng, ["semi-elliptic", "parabolic"])}
-    case["strips"] = _strips(rng, case, length)
-    case["given"] = prescribed(rng, case, scale)
     if rng.random() < 0.5:
         case["a"], case["b"] = b, a
-    return case
+    return case, scale
 
 
 def _material(rng):
@@ -207,6 +205,8 @@ def _table(rng, length, height):
     elif kind == "short":
         reach = rng.uniform(0.01, 0.9)
         y, relief = [-reach, float(rng.uniform(0.1, 0.9)) * reach, reach], [0.2, 0.0, 1.0]
+    elif rng.random() < 0.1:
+        y, relief = [-1.0, 0.0, 10.0 ** -rng.uniform(10.0, 320.0), 1.0], [1.0, 0.0, 0.0, 1.0]
     else:
         count = int(rng.integers(2, 40))
         y, relief = np.sort(rng.uniform(-1.0, 1.0, count)).tolist(), rng.random(count).tolist()
@@ -313,7 +313,7 @@ def prescribed(rng, case, scale):
     tilt *= 2.0 * scale["approach"] / length
     load = scale["line_load"] * length
     if rng.random() < 0.08:
-        load *= log_uniform(rng, *one_of(rng, [(1e-16, 1.0), (1.0, 1e6), (1e-250, 1e-100)]))
+        load *= log_uniform(rng, *one_of(rng, [(1e-16, 1.0), (1.0, 1e6), (1e-320, 1e-100)]))
     by_load, by_moment = rng.random() < 0.65, rng.random() < 0.4
     given = {}
     if by_load:

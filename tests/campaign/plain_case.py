@@ -8,6 +8,7 @@ with its kind and its arguments; a profile is a list of parts, each with its nam
 import math
 
 import shapes
+from own_theory import common_interval
 
 import nonhertz as nh
 
@@ -105,14 +106,18 @@ def _reversed(table, values):
 def scaled(case, by):
     """The same shapes ``by`` times as large, at the same pressures."""
     powers = {"approach": 1, "load": 2, "tilt": 0, "moment": 3}
-    strips = case["strips"]
-    return {
+    twin = {
         "a": _scaled_body(case["a"], by),
         "b": _scaled_body(case["b"], by),
         "given": {name: value * by ** powers[name] for name, value in case["given"].items()},
         "element": case["element"],
-        "strips": [by * edge for edge in strips] if isinstance(strips, list) else strips,
     }
+    strips = case["strips"]
+    if isinstance(strips, list):
+        # What ended with the bodies ends with them still, also after rounding.
+        low, high = common_interval(twin)
+        strips = [min(max(by * edge, low), high) for edge in strips]
+    return {**twin, "strips": strips}
 
 
 def _scaled_body(body, by):

@@ -10,7 +10,7 @@ import pytest
 from campaign_run import Ending, faults_of, solved
 from own_theory import kernel, separation
 from scipy.integrate import quad
-from verdict import sentence_faults, solution_faults, twin_faults
+from verdict import sentence_faults, solution_faults, stiffness_faults, twin_faults
 
 import nonhertz as nh
 
@@ -124,6 +124,17 @@ def test_twins_further_apart_than_stated_are_caught():
     assert [kind for kind, _ in twin_faults("twin", FINITE, one, refused, factors)] == ["twin: solved and refused"]
 
 
+def test_a_stiffness_that_is_another_is_caught():
+    before = answer(FINITE)
+    nearer = {"approach": before.approach * 1.001, "tilt": before.tilt}
+    after = answer({**FINITE, "given": nearer, "strips": before.edges.tolist()})
+    assert stiffness_faults(before, after) == []
+    kinds = [
+        kind for kind, _ in stiffness_faults(*(replace(one, stiffness=1.05 * one.stiffness) for one in (before, after)))
+    ]
+    assert kinds[0] == "stiffness: d load / d approach"
+
+
 def test_sentences_about_what_nobody_gave_are_caught():
     error = nh.InputError("strips", 24, "have centres on both sides", "take more strips")
     assert [kind for kind, _ in sentence_faults(error, FINITE)] == ["names strips, which nobody gave"]
@@ -131,7 +142,7 @@ def test_sentences_about_what_nobody_gave_are_caught():
     assert [kind for kind, _ in sentence_faults(error, FINITE)] == ["names another load than given"]
     error = nh.InputError("approach", 0.02, "exceed 0.03 mm, where the bodies begin to touch", "raise it")
     case = {**FINITE, "given": {"approach": 0.02}}
-    assert [kind for kind, _ in sentence_faults(error, case)] == ["refused though the bodies touch"]
+    assert [kind for kind, _ in sentence_faults(error, case)] == ["says that the bodies do not touch, which they do"]
 
 
 def test_a_crash_is_a_fault():

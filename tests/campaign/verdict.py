@@ -8,7 +8,7 @@ import math
 import re
 
 import numpy as np
-from own_theory import EPS, HERTZ_RATIO, Surfaces, common_interval, curvature, separation
+from own_theory import EPS, HERTZ_RATIO, Surfaces, amplitudes_from_tables, common_interval, curvature, separation
 
 BALANCE = 1e-8  # of load and of load times reach
 GAP, CURVATURE = 1e-7, 1e-6  # of the interference, and of the curvature
@@ -16,6 +16,8 @@ SERIES = 1e-3  # the same where the sum of a series of images is truncated
 BETWEEN_STRIPS, MARGIN = 0.02, 0.03  # overlap of the interference, away from the ends of contact by that share of it
 MOST_ROWS, SCANNED = 160, 401
 ESTIMATE_WARNED, MAXIMUM_WARNED = 0.05, 0.20
+TABLE_DIGITS = 2e-10  # documented: ten digits of a relief that is read from a table
+STIFFNESS = 0.02  # of the rise of the load
 SPARE = 1e-6  # beside the error estimates of two answers compared
 NUMBER = re.compile(r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|\binf\b|\bnan\b)", re.IGNORECASE)
 
@@ -116,7 +118,7 @@ def _loads(solution, given):
 def _words(solution):
     """An estimate that says the numbers are no good must be said in words."""
     estimate = solution.error_estimate
-    said = any(re.search(r"error|estimate|uncertain|%", sentence) for sentence in solution.warnings)
+    said = any(re.search(r"error of|estimate|uncertain|%", sentence) for sentence in solution.warnings)
     bounds = {"approach": ESTIMATE_WARNED, "load": ESTIMATE_WARNED}
     limited = all(edge.converges for edge in solution.edge_pressure) and not solution.peaks_at_corner
     if limited:
@@ -189,7 +191,8 @@ def _separation(case, y, farthest):
     h, before, after = np.split(separation(case, np.concatenate([y, y - by, y + by])), 3)
     with np.errstate(invalid="ignore"):
         change = np.maximum(np.abs(after - h), np.abs(before - h))
-    return h, np.where(np.isnan(change), 0.0 if np.all(np.isfinite(h)) else np.inf, change)
+    change = np.where(np.isnan(change), 0.0 if np.all(np.isfinite(h)) else np.inf, change)
+    return h, change + sum(TABLE_DIGITS * amplitude for amplitude in amplitudes_from_tables(case))
 
 
 def _between_strips(solution, case, surfaces, scale):
@@ -259,16 +262,26 @@ def _false_refusal(error, field, case):
         if low + 1e-12 * abs(low) < arm < high - 1e-12 * abs(high) and "keep moment / load" in said:
             return [("refused though the moment lies within the bodies", said)]
     if field == "approach" and "begin to touch" in said and "tilt" in {*given, "tilt"} and "moment" not in given:
-        y = np.linspace(max(low, -1e6), min(high, 1e6), 4001)
-        depth = given["approach"] + given.get("tilt", 0.0) * y - separation(case, y)
-        noise = 1e-9 * (abs(given["approach"]) + abs(given.get("tilt", 0.0)) * float(np.max(np.abs(y))))
-        if np.max(depth[np.isfinite(depth)], initial=-math.inf) > noise:
-            return [("refused though the bodies touch", said)]
+        strips, whole = case["strips"], (max(low, -1e6), min(high, 1e6))
+        if isinstance(strips, list) and _touching(case, given, strips[0], strips[-1]):
+            return [("refused though the bodies touch on the strips", said)]
+        if _touching(case, given, *whole):
+            beyond = " beyond the strips" if isinstance(strips, list) else ""
+            return [(f"says that the bodies do not touch, which they do{beyond}", said)]
     return []
+
+
+def _touching(case, given, low, high):
+    y = np.linspace(low, high, 4001)
+    depth = given["approach"] + given.get("tilt", 0.0) * y - separation(case, y)
+    noise = 1e-9 * (abs(given["approach"]) + abs(given.get("tilt", 0.0)) * float(np.max(np.abs(y))))
+    return bool(np.max(depth[np.isfinite(depth)], initial=-math.inf) > noise)
 
 
 def twin_faults(name, case, one, other, factors):
     """Faults of two answers that should be one; ``factors`` take the quantities of the first to the second."""
+    if one.kind == other.kind == "unconverged":
+        return []
     if one.words != other.words and (one.solution is None or other.solution is None):
         return [(f"{name}: {one.kind} and {other.kind}", f"{one.words[:160]} | {other.words[:160]}")]
     if one.solution is None:
@@ -290,6 +303,23 @@ def twin_faults(name, case, one, other, factors):
 
 def _heights(solution):
     return abs(solution.tilt) * float(np.max(np.abs(solution.edges)))
+
+
+def stiffness_faults(before, after):
+    """Faults of the stiffness of an answer, from the one on the same strips a little nearer to each other.
+
+    Strips that enter or leave change the slope: the rise of load and moment must lie between the slopes of both.
+    """
+    by, load = after.approach - before.approach, abs(after.load - before.load)
+    reach = max(abs(before.contact_y[0][0]), abs(before.contact_y[-1][1]))
+    faults = []
+    for row, name, scale in ((0, "load", load), (1, "moment", load * reach)):
+        rise = getattr(after, name) - getattr(before, name)
+        slopes = sorted(answer.stiffness[row, 0] * by for answer in (before, after))
+        spare = STIFFNESS * scale + 1e-9 * before.load * (reach if row else 1.0)
+        if not slopes[0] - spare <= rise <= slopes[1] + spare:
+            faults.append((f"stiffness: d {name} / d approach", f"rise {rise:.6g}, stiffness {slopes}"))
+    return faults
 
 
 def _resultants(name, case, first, second, factors):
