@@ -22,7 +22,7 @@ from shapes import Cusp, Dimple, Step, Wave
 LEAST, MOST, STEP = math.log(1e-10), math.log(1e9), 0.004  # of ln t, in the splines
 PANELS, NODES = 82, 12
 APART, TOGETHER = 0.02, 1.0 - 1e-4  # documented: within which distance, of the radius, faces of two bodies act as one
-NEAR_LINKS, FAR_LINKS = 30, 3000  # of a series: as strips, and as forces
+NEAR_LINKS, MOST_NEAR_LINKS, NEAR_WIDTHS, FAR_LINKS = 30, 1000, 8.0, 3000  # of a series: as strips, and as forces
 CALIBRATED = ((0.0, 0.2, 0.25, 0.28, 0.3, 0.33, 0.4), (1.10, 1.35, 1.45, 1.50, 1.60, 1.65, 1.95))
 HERTZ_RATIO = {"semi-elliptic": 1.0, "parabolic": math.sqrt(2.0 / 3.0)}
 EPS = float(np.finfo(float).eps)
@@ -237,7 +237,11 @@ def _tabulated(y, table):
     values, points = np.array(table["relief"])[order], points[order]
     inside = (y >= points[0]) & (y <= points[-1])
     make = {"linear": _polyline, "pchip": PchipInterpolator, "cubic": CubicSpline}[table.get("interpolation", "pchip")]
-    return np.where(inside, make(points, values)(np.where(inside, y, points[0])), np.inf)
+    try:
+        curve = make(points, values)
+    except np.linalg.LinAlgError:  # points so close that no spline goes through them
+        return np.full_like(y, np.nan)
+    return np.where(inside, curve(np.where(inside, y, points[0])), np.inf)
 
 
 def _polyline(points, values):
@@ -307,7 +311,7 @@ class Surfaces:
         if body.get("length") is None:
             return
         images = body.get("images", 1)
-        count = NEAR_LINKS if images == "series" else 2 * images - 1
+        count = self._near_links(body) if images == "series" else 2 * images - 1
         faces = faces_of(body)
         for first in (0, 1):
             low, high, weight = self.low, self.high, 1.0
@@ -318,6 +322,10 @@ class Surfaces:
                     break
                 low, high = 2.0 * faces[at] - high, 2.0 * faces[at] - low
                 yield weight, low, high
+
+    def _near_links(self, body):
+        """Images nearer than some half-widths are no forces."""
+        return min(max(NEAR_LINKS, math.ceil(NEAR_WIDTHS * self.a.max() / body["length"])), MOST_NEAR_LINKS)
 
     def _strips(self, y, low, high, k):
         a_high, b_high = self.kernel((high - y[:, None]) / self.a)
@@ -349,7 +357,7 @@ class Surfaces:
                 at = (first + link) % 2
                 weight *= weights[at] if link == 0 else min(weights[at], 1.0)
                 place = 2.0 * faces[at] - place
-                if link >= NEAR_LINKS:
+                if link >= self._near_links(body):
                     places.append(place)
                     kept.append(weight)
             s = np.abs(np.array(places) - y[:, None])
