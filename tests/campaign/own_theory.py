@@ -22,7 +22,7 @@ from shapes import Cusp, Dimple, Step, Wave
 LEAST, MOST, STEP = math.log(1e-10), math.log(1e9), 0.004  # of ln t, in the splines
 PANELS, NODES = 82, 12
 APART, TOGETHER = 0.02, 1.0 - 1e-4  # documented: within which distance, of the radius, faces of two bodies act as one
-NEAR_LINKS, MOST_NEAR_LINKS, NEAR_WIDTHS, FAR_LINKS = 30, 1000, 8.0, 3000  # of a series: as strips, and as forces
+NEAR_LINKS, MOST_NEAR_LINKS, NEAR_WIDTHS, FAR_LINKS = 30, 1000, 20.0, 3000  # of a series: as strips, and as forces
 CALIBRATED = ((0.0, 0.2, 0.25, 0.28, 0.3, 0.33, 0.4), (1.10, 1.35, 1.45, 1.50, 1.60, 1.65, 1.95))
 HERTZ_RATIO = {"semi-elliptic": 1.0, "parabolic": math.sqrt(2.0 / 3.0)}
 EPS = float(np.finfo(float).eps)

@@ -13,7 +13,7 @@ from own_theory import EPS, HERTZ_RATIO, Surfaces, amplitudes_from_tables, commo
 BALANCE = 1e-8  # of load and of load times reach
 GAP, CURVATURE = 1e-7, 1e-6  # of the interference, and of the curvature
 SERIES = 1e-3  # the same where the sum of a series of images is truncated
-BETWEEN_STRIPS, MARGIN = 0.02, 0.03  # overlap of the interference, away from the ends of contact by that share of it
+BETWEEN_STRIPS, MARGIN = 0.02, 0.03  # overlap of the interference, away from contact by this share of it or a strip
 MOST_ROWS, SCANNED = 160, 401
 ESTIMATE_WARNED, MAXIMUM_WARNED = 0.05, 0.20
 TABLE_DIGITS = 2e-10  # documented: ten digits of a relief that is read from a table
@@ -205,8 +205,8 @@ def _between_strips(solution, case, surfaces, scale):
         low, high = max(low, solution.edges[0] - half), min(high, solution.edges[-1] + half)
     y = np.linspace(low, high, SCANNED)[1:-1]
     for start, end in solution.contact_y:
-        margin = MARGIN * (end - start)
-        y = y[(y < start - margin) | (y > end + margin)]
+        before, after = (max(MARGIN * (end - start), _width(solution, place)) for place in (start, end))
+        y = y[(y < start - before) | (y > end + after)]
     d = solution.approach + solution.tilt * y - separation(case, y)
     y, d = y[d > BETWEEN_STRIPS * scale], d[d > BETWEEN_STRIPS * scale]
     if y.size == 0:
@@ -220,6 +220,12 @@ def _between_strips(solution, case, surfaces, scale):
     if overlap <= BETWEEN_STRIPS:
         return []
     return [("a place of contact missed", f"overlap {overlap:.3g} of the interference at y = {y[worst]:.6g}")]
+
+
+def _width(solution, place):
+    """Width of the bearing strip nearest to an end of contact, within which it is not known."""
+    nearest = np.argmin(np.where(solution.line_load > 0.0, np.abs(_centres(solution) - place), np.inf))
+    return float(np.diff(solution.edges)[nearest])
 
 
 def _centres(solution):
