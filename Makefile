@@ -17,7 +17,7 @@ test: $(READY)
 campaign: $(READY)
 	$(BIN)/python -m pytest -m campaign -s tests
 
-# Three hours of one core: 100,000 cases, each with its mirror image, its scaled twins and a batch of solve_many.
+# About six hours of one core: 100,000 cases, each with its mirror image, its scaled twins and a batch of solve_many.
 campaign-all: $(READY)
 	NONHERTZ_CAMPAIGN_CASES=all $(BIN)/python -m pytest -m campaign -s tests/campaign/test_wide_campaigns.py
 

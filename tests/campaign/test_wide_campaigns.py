@@ -9,7 +9,7 @@ import os
 import pytest
 from campaign_run import grouped, records
 
-CASES, SOME = 50_000, 3_000
+CASES, SOME = 50_000, 2_000
 MOST_UNCONVERGED = 1e-3  # of cases near practice
 
 
