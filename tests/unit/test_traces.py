@@ -5,7 +5,10 @@ from __future__ import annotations
 import hashlib
 import io
 import re
+import struct
+import tracemalloc
 import zipfile
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -247,6 +250,31 @@ def surface() -> bytes:
     return stream.getvalue()
 
 
+def container(description: bytes, packing: int = zipfile.ZIP_DEFLATED, name: str = "main.xml") -> bytes:
+    """Return a zip archive of a description, and the same once more."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", packing) as archive:
+        archive.writestr(name, description)
+        archive.writestr("more.xml", description)
+    return stream.getvalue()
+
+
+def in_directory(data: bytes, offset: int, change: bytes) -> bytes:
+    """Return a zip archive with the first entry of its directory changed."""
+    place = data.index(b"PK\x01\x02") + offset
+    return data[:place] + change + data[place + len(change) :]
+
+
+def understated(description: bytes, declared: int) -> bytes:
+    """Return an archive that declares the beginning of a description, with its checksum, and holds all of it."""
+    data = bytearray(container(description))
+    crc, size = struct.pack("<L", zlib.crc32(description[:declared])), struct.pack("<L", declared)
+    entry = data.index(b"PK\x01\x02")
+    for place, change in ((14, crc), (22, size), (entry + 16, crc), (entry + 24, size)):
+        data[place : place + 4] = change
+    return bytes(data)
+
+
 def with_entities() -> bytes:
     """Return an X3P whose description would unfold to a billion letters, with a checksum that fits it."""
     bomb = b'<?xml version="1.0"?><!DOCTYPE b [<!ENTITY a "aaaaaaaaaa">' + b"".join(
@@ -308,7 +336,26 @@ DAMAGED = {
         altered(x3p(), "md5checksum.hex", b"0" * 32 + b" *main.xml"), r"must be what its checksum says"
     ),
     "an area": (surface(), r"must hold a profile \(feature type PRF\), not an area: extract one line"),
-    "xml that unfolds": (with_entities(), r"must be a sound X3P file"),
+    "xml that unfolds": (with_entities(), r"must have a description without definitions of its own \(DOCTYPE\)"),
+    "unknown encoding": (
+        container(b'<?xml version="1.0" encoding="klingon-8"?><a/>'), r"must be a sound X3P file \(unknown encoding: kl"
+    ),
+    "version of zip": (in_directory(x3p(), 6, b"\x7d"), r"must be a sound X3P file \(zip file version 12\.5\)"),
+    "no name in zip": (in_directory(container(b"<a/>", name="x"), 28, b"\0\0\1\0"), r"must be a sound X3P file"),
+    "packed otherwise": (container(b"<a/>", zipfile.ZIP_LZMA), r"must be packed as a zip file of X3P is \(deflated\)"),
+    "many elements": (container(b"<r>" + b"<a/>" * 100_000 + b"</r>"), r"must have .* no more than 100,000 elements"),
+    "long description": (container(b" " * 8_000_001), r"must have a description of no more than 8 MB"),
+    "deep elements": (container(b"<a>" * 51), r"must have a description nested no deeper than 50 elements"),
+    "long text": (container(b"<a>" + b"x" * 100_001), r"must have a description whose texts are no longer than"),
+    "long name": (container(b"<" + b"x" * 100_001 + b"/>"), r"must have a description with shorter names and"),
+    "many files": (b"PK" + b"PK\x01\x02" * 1001, r"must hold no more than 1,000 files"),
+    "one long line": (b"1 " * 2501, r"must have lines of no more than 5,000 characters \(line 1 has 5,002\)"),
+    "smd of a long line": (smd(heights="1" * 5001), r"must have lines of no more than 5,000 characters"),
+    "many columns": (b"1;" * 401 + b"\n" + (b"1;" * 401 + b"\n") * 4999, r"must hold no more than 2,000,000 numbers"),
+    "head without end": (b"9 a\n" * 1001 + lines("{} {}"), r"must hold two columns of numbers \(line 1 is '9 a'\)"),
+    "parted digits": (lines("{} {}") + b"1_5 2\n", r"must hold a number in line 7, column 1 \(there is '1_5'\)"),
+    "smd of parted digits": (smd(heights="1_5\r\n" * 5 + "2"), r"must hold a height in line \d+ \(there is '1_5'\)"),
+    "marwin of parted digits": (marwin(along="1_5 0 0"), r"must hold a point X Y Z in line 8"),
 }  # fmt: skip
 
 
@@ -331,6 +378,35 @@ def test_a_zip_that_unpacks_to_too_much_is_refused(monkeypatch: pytest.MonkeyPat
     assert len(stream.getvalue()) < 10_000
     with pytest.raises(InputError, match="must unpack to no more than 2 MB"):
         read_trace(stream.getvalue())
+
+
+def test_what_an_archive_declares_is_not_relied_on():
+    """It is unpacked piece by piece: 20 MB behind a size of 10 bytes are never in memory."""
+    data = understated(b"<r>" + b" " * 20_000_000, 10)
+    tracemalloc.start()
+    with pytest.raises(InputError, match="must be a sound X3P file"):
+        read_trace(data)
+    most = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert most < 5_000_000
+
+
+def test_a_bomb_of_elements_is_refused_before_there_is_a_tree_of_them():
+    data = container(b"<r>" + b"<a/>" * 1_000_000 + b"</r>")
+    tracemalloc.start()
+    with pytest.raises(InputError, match="no more than 100,000 elements"):
+        read_trace(data)
+    most = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert len(data) < 10_000
+    # The description in pieces, as a whole, and in the new archive.
+    assert most < 30_000_000
+
+
+def test_an_x3p_of_too_many_points_is_refused_by_its_description(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr("nonhertz.io.traces.x3p.MOST_POINTS", 5)
+    with pytest.raises(InputError, match="must hold no more than 5 points"):
+        read_trace(x3p())
 
 
 def test_a_binary_profile_of_mahr_is_told_by_its_name():
@@ -362,7 +438,7 @@ def test_a_file_is_called_by_its_name(tmp_path: Path):
 
 
 def test_large_files_are_refused():
-    with pytest.raises(InputError, match="must be no larger than 50 MB"):
+    with pytest.raises(InputError, match="must be no larger than 20 MB"):
         read_trace(b"0" * (LARGEST_FILE + 1))
     with pytest.raises(InputError, match=re.escape(f"must hold no more than {MOST_POINTS:,} points")):
         read_trace(b"0 0\n" * (MOST_POINTS + 1001))

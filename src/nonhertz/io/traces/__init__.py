@@ -21,7 +21,7 @@ from nonhertz.measured.trace import Trace
 __all__ = ["LARGEST_FILE", "read_trace"]
 
 #: Bytes of the largest file that is read.
-LARGEST_FILE = 50_000_000
+LARGEST_FILE = 20_000_000
 
 
 def read_trace(
@@ -59,9 +59,10 @@ def read_trace(
     Raises
     ------
     InputError
-        If the file cannot be read, is larger than 50 MB or holds more than two million points, or if it holds something
-        else than one measured line; the sentence names file, line and reason. Heights without a unit are refused where
-        they would be a tenth of the length of the line or more in mm, or steeper than 1 : 2 from point to point.
+        If the file cannot be read, is larger than 20 MB, or holds more than 500,000 points (100,000 where X3P writes
+        them as text) or a line of more than 5,000 characters; or if it holds something else than one measured line.
+        The sentence names file, line and reason. Heights without a unit are refused where they would be a tenth of the
+        length of the line or more in mm, or steeper than 1 : 2 from point to point.
 
     Examples
     --------

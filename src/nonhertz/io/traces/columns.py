@@ -10,23 +10,25 @@ import math
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 
 from nonhertz.errors import InputError
 from nonhertz.io.traces.heads import column_called, counts_drop, listed, names_of_columns, shown, unit_in
 from nonhertz.io.traces.line import MOST_POINTS, Line, Request, in_mm
+from nonhertz.io.traces.text import LONGEST_HEAD, value_in
 from nonhertz.measured.trace import Array
 
-_MISSING = frozenset({"", "nan", "na", "n/a", "#n/a", "null", "none", "bad", "-", "--", "---", "inf", "-inf", "+inf"})
-_STARS = re.compile(r"\*+")
-_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?")
+# Cells without any of these are numbers for `float` as they are for `value_in`, which is three times as slow.
+_ODD = re.compile(r"[^0-9eE+.\- \t;|,]")
 _WHOLE = re.compile(r"[-+]?\d+")
 _PADDED = re.compile(r"[-+]?0\d+")  # 001166: the digits behind a decimal comma
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}(?:,\d{3})+")
 _BELOW_THOUSAND = re.compile(r"[-+]?[1-9]\d{0,2}")
 _COMMENT = re.compile(r"\s*(?:#|%|//|'|!)+\s*")
-_LONGEST_HEAD = 1000  # lines
+_MOST_CELLS = 4 * MOST_POINTS
+_NAMES_WITHIN = 100  # lines above the numbers
 _AS_TEXT = "write two columns of numbers, position and height"
 
 
@@ -34,8 +36,14 @@ _AS_TEXT = "write two columns of numbers, position and height"
 class _Layout:
     """How a line is taken apart."""
 
-    split: Callable[[str], list[str]]
+    separator: str | None  # None: blanks
     comma: bool  # whether the decimal sign is a comma
+
+    def split(self, line: str) -> list[str]:
+        """Return the cells of a line."""
+        if self.separator is None:
+            return line.split()
+        return [_unquoted(cell.strip()) for cell in line.split(self.separator)]
 
 
 def read_columns(lines: Sequence[str], request: Request) -> Line:
@@ -46,24 +54,24 @@ def read_columns(lines: Sequence[str], request: Request) -> Line:
     InputError
         One sentence with the number of the line.
     """
-    if len(lines) > MOST_POINTS + _LONGEST_HEAD:
-        raise request.refuse(f"hold no more than {MOST_POINTS:,} points", "export fewer; a few thousand are enough")
     written = [(k, line.strip()) for k, line in enumerate(lines, start=1)]
     numbered = [(k, line) for k, line in written if line and not _COMMENT.match(line)]
     layout = _layout(numbered, request)
-    first = next((k for k, (_, line) in enumerate(numbered) if _is_data(line, layout)), None)
+    beginning = islice(numbered, LONGEST_HEAD + 1)
+    first = next((k for k, (_, line) in enumerate(beginning) if _is_data(line, layout)), None)
     if first is None:
         raise request.refuse(f"hold two columns of numbers ({_instead(numbered)})", _AS_TEXT)
     head, body = numbered[:first], numbered[first:]
     table = _table(body, layout, request)
-    remarks = [_COMMENT.sub("", line, count=1) for _, line in written[: body[0][0] - 1] if _COMMENT.match(line)]
-    names = names_of_columns([line for _, line in head], remarks, table.shape[1], layout.split)
+    above = [line for _, line in written[max(body[0][0] - 1 - _NAMES_WITHIN, 0) : body[0][0] - 1]]
+    remarks = [_COMMENT.sub("", line, count=1) for line in above if _COMMENT.match(line)]
+    names = names_of_columns([line for _, line in head[-_NAMES_WITHIN:]], remarks, table.shape[1], layout.split)
     return _converted(table, _chosen(table, names, request), names, layout, request)
 
 
 def _instead(numbered: list[tuple[int, str]]) -> str:
     """Return what a text without two columns of numbers holds in their place."""
-    if any(_NUMBER.fullmatch(line) for _, line in numbered):
+    if any(math.isfinite(value_in(line) or math.nan) for _, line in numbered[:LONGEST_HEAD]):
         return "there is one number in a line"
     with_digits = (f"line {k} is {shown(line)}" for k, line in numbered if any(c.isdigit() for c in line))
     return next(with_digits, "no line has any")
@@ -71,21 +79,20 @@ def _instead(numbered: list[tuple[int, str]]) -> str:
 
 def _layout(numbered: list[tuple[int, str]], request: Request) -> _Layout:
     """Return how most lines can be taken apart into two numbers or more."""
-    sample = [(k, line) for k, line in numbered if any(c.isdigit() for c in line)][:400]
+    sample = list(islice(((k, line) for k, line in numbered if any(c.isdigit() for c in line)), 400))
     for separator in (";", "\t", "|"):
         if sum(separator in line.strip(separator + " ") for _, line in sample) > 0.5 * len(sample):
-            split = _splitter(separator)
-            return _Layout(split, _with_decimal_commas(sample, split, request))
+            return _Layout(separator, _with_decimal_commas(sample, separator, request))
     if _mostly(sample, lambda line: "," in line):
         return _comma_layout(sample, request)
-    return _Layout(str.split, False)
+    return _Layout(None, comma=False)
 
 
 def _comma_layout(sample: list[tuple[int, str]], request: Request) -> _Layout:
-    blanks, commas = _Layout(str.split, True), _Layout(_splitter(","), False)
+    blanks, commas = _Layout(None, comma=True), _Layout(",", comma=False)
     read = [(number, line) for number, line in sample if _is_data(line, blanks) and "." not in line]
     if len(read) > sum(_is_data(line, commas) for _, line in sample):
-        _refuse_thousands(read, str.split, request)
+        _refuse_thousands(read, blanks, request)
         return blanks
     for number, line in sample:
         cells = [cell.strip() for cell in line.split(",")]
@@ -98,20 +105,21 @@ def _comma_layout(sample: list[tuple[int, str]], request: Request) -> _Layout:
     return commas
 
 
-def _with_decimal_commas(sample: list[tuple[int, str]], split: Callable[[str], list[str]], request: Request) -> bool:
+def _with_decimal_commas(sample: list[tuple[int, str]], separator: str, request: Request) -> bool:
     """Return whether lines of numbers have decimal commas; what stands above the numbers has no say."""
-    read = [(number, line) for number, line in sample if _is_data(line, _Layout(split, comma=True))]
+    layout = _Layout(separator, comma=True)
+    read = [(number, line) for number, line in sample if _is_data(line, layout)]
     if not any("," in line for _, line in read) or any("." in line for _, line in read):
         return False
-    _refuse_thousands(read, split, request)
+    _refuse_thousands(read, layout, request)
     return True
 
 
-def _refuse_thousands(lines: list[tuple[int, str]], split: Callable[[str], list[str]], request: Request) -> None:
+def _refuse_thousands(lines: list[tuple[int, str]], layout: _Layout, request: Request) -> None:
     """Refuse a column such as 500, 1,000, 1,500, of which decimal commas would make 500, 1, 1.5."""
     columns: dict[int, list[tuple[int, str]]] = {}
     for number, line in lines:
-        for place, cell in enumerate(split(line)):
+        for place, cell in enumerate(layout.split(line)):
             columns.setdefault(place, []).append((number, cell))
     for column in columns.values():
         parted = [(number, cell) for number, cell in column if "," in cell]
@@ -121,10 +129,6 @@ def _refuse_thousands(lines: list[tuple[int, str]], split: Callable[[str], list[
             number, cell = parted[0]
             condition = f"tell decimal commas from commas between thousands (line {number} has {shown(cell)})"
             raise request.refuse(condition, "write decimal points, and nothing between thousands")
-
-
-def _splitter(separator: str) -> Callable[[str], list[str]]:
-    return lambda line: [_unquoted(cell.strip()) for cell in line.split(separator)]
 
 
 def _unquoted(cell: str) -> str:
@@ -137,8 +141,13 @@ def _mostly(sample: list[tuple[int, str]], holds: Callable[[str], bool]) -> bool
 
 def _is_data(line: str, layout: _Layout) -> bool:
     cells = _cells(line, layout)
-    values = [_value(cell, layout) for cell in cells]
-    return len(cells) > 1 and None not in values and not all(value is None or math.isnan(value) for value in values)
+    measured = False
+    for cell in cells:
+        value = _value(cell, layout)
+        if value is None:
+            return False
+        measured = measured or not math.isnan(value)
+    return measured and len(cells) > 1
 
 
 def _cells(line: str, layout: _Layout) -> list[str]:
@@ -146,35 +155,47 @@ def _cells(line: str, layout: _Layout) -> list[str]:
 
 
 def _value(cell: str, layout: _Layout) -> float | None:
-    """Return the number in a cell, NaN for one that says nothing was measured, None for any other text."""
-    if layout.comma:
-        cell = cell.replace(",", ".")
-    if _NUMBER.fullmatch(cell):
-        return float(cell.replace("d", "e").replace("D", "e"))
-    return float("nan") if cell.lower() in _MISSING or _STARS.fullmatch(cell) else None
+    return value_in(cell.replace(",", ".") if layout.comma else cell)
 
 
 def _table(body: list[tuple[int, str]], layout: _Layout, request: Request) -> Array:
     """Return all numbers, a row for each line; empty columns at the end, behind a last separator, are dropped."""
-    rows: list[list[float]] = []
     width = len(_cells(body[0][1], layout))
-    for number, line in body:
-        cells = _cells(line, layout)
-        if len(cells) != width:
-            condition = f"hold {width} columns in line {number} as above (there are {len(cells)}: {shown(line)})"
-            raise request.refuse(condition, "correct or delete that line")
-        row = []
-        for column, cell in enumerate(cells, start=1):
-            value = _value(cell, layout)
-            if value is None:
-                condition = f"hold a number in line {number}, column {column} (there is {shown(cell)})"
-                raise request.refuse(condition, "correct or delete that line; write nan where nothing was measured")
-            row.append(value)
-        rows.append(row)
-    table = np.array(rows)
+    if width * len(body) > _MOST_CELLS:
+        condition = f"hold no more than {_MOST_CELLS:,} numbers (there are {len(body):,} lines of {width:,})"
+        raise request.refuse(condition, "export fewer points, or the columns of positions and heights alone")
+    table = np.array(
+        [_plain_row(line, width, layout) or _row(number, line, width, layout, request) for number, line in body]
+    )
     while table.shape[1] > 2 and np.all(np.isnan(table[:, -1])):
         table = table[:, :-1]
     return table
+
+
+def _plain_row(line: str, width: int, layout: _Layout) -> list[float] | None:
+    """Return the numbers of a line in which every cell is one; None for any other."""
+    if _ODD.search(line) or (layout.comma and "." in line):
+        return None
+    try:
+        row = list(map(float, (line.replace(",", ".") if layout.comma else line).split(layout.separator)))
+    except ValueError:
+        return None
+    return row if len(row) == width else None
+
+
+def _row(number: int, line: str, width: int, layout: _Layout, request: Request) -> list[float]:
+    cells = _cells(line, layout)
+    if len(cells) != width:
+        condition = f"hold {width} columns in line {number} as above (there are {len(cells)}: {shown(line)})"
+        raise request.refuse(condition, "correct or delete that line")
+    row = []
+    for column, cell in enumerate(cells, start=1):
+        value = _value(cell, layout)
+        if value is None:
+            condition = f"hold a number in line {number}, column {column} (there is {shown(cell)})"
+            raise request.refuse(condition, "correct or delete that line; write nan where nothing was measured")
+        row.append(value)
+    return row
 
 
 def _chosen(table: Array, names: list[str], request: Request) -> tuple[int, int]:

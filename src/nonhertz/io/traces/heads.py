@@ -112,7 +112,7 @@ def _cells(line: str, width: int, split: Callable[[str], list[str]]) -> list[str
         if len(cells) == width:
             return cells
     # "y [mm] z [um]", one blank between all words
-    joined = re.findall(r"[^\s\[(]+\s*(?:\[[^\]]*\]|\([^)]*\))?", line)
+    joined = re.findall(r"[^\s\[(]+\s*(?:\[[^][]*\]|\([^()]*\))?", line)
     return [cell.strip() for cell in joined]
 
 

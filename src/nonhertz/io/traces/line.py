@@ -12,7 +12,7 @@ from nonhertz.measured.trace import FEWEST_POINTS, Array, Trace, holes
 from nonhertz.model.checks import one_of
 
 #: Points of the longest line that is read.
-MOST_POINTS = 2_000_000
+MOST_POINTS = 500_000
 # Heights without a unit are taken for mm only below this share of the line's length, and below this median slope from
 # point to point: a flat line in um without chamfers is given away by its roughness alone.
 _PLAUSIBLE, _PLAUSIBLE_SLOPE = 0.1, 0.5

@@ -14,6 +14,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from nonhertz.io.traces.line import Line, Request
+from nonhertz.io.traces.text import value_in
 
 _VALUES = "[PROFILE_VALUES]"
 _POINT = re.compile(r"\s*\d+\s*=\s*(.*)")
@@ -55,12 +56,9 @@ def read_marwin(lines: Sequence[str], request: Request) -> Line:
 
 def _point(line: str, number: int, request: Request) -> list[float]:
     found = _POINT.fullmatch(line)
-    try:
-        return [float(cell) for cell in found[1].split()[:3]] if found and len(found[1].split()) >= 3 else _not(line)
-    except ValueError:
+    cells = found[1].split()[:3] if found else []
+    values = [value_in(cell) for cell in cells]
+    if len(values) < 3 or None in values:
         condition = f"hold a point X Y Z in line {number} (there is {line.strip()[:40]!r})"
-        raise request.refuse(condition, "export the profile again") from None
-
-
-def _not(line: str) -> list[float]:
-    raise ValueError(line)
+        raise request.refuse(condition, "export the profile again")
+    return [value for value in values if value is not None]

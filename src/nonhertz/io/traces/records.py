@@ -23,6 +23,7 @@ import numpy as np
 
 from nonhertz.errors import InputError
 from nonhertz.io.traces.line import MOST_POINTS, Line, Request, in_mm
+from nonhertz.io.traces.text import lines_of, value_in
 from nonhertz.measured.trace import Array
 
 _AXIS = re.compile(r"^(CX|CZ)\s+([A-Z])\s+(\S+)\s+(\S+)\s+(\S+)\s+([A-Z])(?:\s+(\S+))?\s*$", re.MULTILINE)
@@ -30,7 +31,6 @@ _SPACING = re.compile(r"^SPACING\s+CX\s+(\S+)", re.MULTILINE)
 _END = re.compile(r"^(?:EOR|EOF|\x1a)?\s*$")
 _LOOKED_AT = 2000
 _AGAIN = "export the profile again"
-_MISSING = frozenset({"BAD", "NAN", "*****"})
 
 
 def is_records(data: bytes) -> bool:
@@ -94,7 +94,7 @@ def _factor(axis: re.Match[str], request: Request) -> float:
 
 def _heights(text: str, count: int, request: Request) -> Array:
     """Return what stands in the third record."""
-    lines = text.split("\n")
+    lines = lines_of(text, request.name)
     ends = [k for k, line in enumerate(lines) if line.strip() == "EOR"]
     if len(ends) < 2:
         raise request.refuse("hold three records (head, remarks, heights)", _AGAIN)
@@ -110,20 +110,15 @@ def _heights(text: str, count: int, request: Request) -> Array:
 
 
 def _height(cell: str, number: int, request: Request) -> float:
-    if cell.upper() in _MISSING:
-        return float("nan")
-    try:
-        return float(cell)
-    except ValueError:
+    value = value_in(cell)
+    if value is None:
         condition = f"hold a height in line {number} (there is {cell[:40]!r})"
-        raise request.refuse(condition, _AGAIN) from None
+        raise request.refuse(condition, _AGAIN)
+    return value
 
 
 def _number(text: str, what: str, request: Request) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = float("nan")
-    if not np.isfinite(value):
+    value = value_in(text)
+    if value is None or not np.isfinite(value):
         raise request.refuse(f"state {what} as a number (it is {text[:40]!r})", _AGAIN)
     return value

@@ -1,12 +1,22 @@
-"""Bytes to lines of text, in whatever encoding and with whatever line ends."""
+"""Bytes to lines of text, in whatever encoding and with whatever line ends, and cells of text to numbers."""
 
 from __future__ import annotations
 
 import codecs
+import re
 
 from nonhertz.errors import InputError
+from nonhertz.io.traces.line import MOST_POINTS
+
+#: Lines that stand above the points of a text, at most.
+LONGEST_HEAD = 1000
+#: Characters of the longest line that is read: three hundred columns of numbers.
+LONGEST_LINE = 5000
 
 _UTF_16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
+_NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eEdD][-+]?[0-9]+)?")
+_MISSING = frozenset({"", "nan", "na", "n/a", "#n/a", "null", "none", "bad", "-", "--", "---", "inf", "-inf", "+inf"})
+_STARS = re.compile(r"\*+")
 # Of the beginning of a file: what text does not hold.
 _LOOKED_AT = 65536
 _TEXT_CONTROLS = frozenset(b"\t\n\r\f\x1a")
@@ -25,12 +35,41 @@ def decoded(data: bytes, name: str) -> tuple[list[str], tuple[str, ...]]:
     Raises
     ------
     InputError
-        If it is no text.
+        If it is no text, or has more or longer lines than a profile.
     """
     text, notes = _text(data, name)
     # The end-of-file mark of DOS.
-    text = text.rstrip("\x1a").replace("\r\n", "\n").replace("\r", "\n")
-    return text.split("\n"), notes
+    return lines_of(text.rstrip("\x1a").replace("\r\n", "\n").replace("\r", "\n"), name), notes
+
+
+def lines_of(text: str, name: str) -> list[str]:
+    """Return the lines of a text whose line ends are newlines.
+
+    Raises
+    ------
+    InputError
+        If there are more lines than the longest profile has, or one is too long to be a line of numbers. Both are
+        found before anything is made of the lines, which takes a hundred times as much memory and time.
+    """
+    if text.count("\n") > MOST_POINTS + LONGEST_HEAD:
+        condition = f"hold no more than {MOST_POINTS:,} points"
+        raise InputError("file", name, condition, "export fewer; a few thousand are enough")
+    lines = text.split("\n")
+    number, longest = max(enumerate(map(len, lines), start=1), key=lambda line: line[1])
+    if longest > LONGEST_LINE:
+        condition = f"have lines of no more than {LONGEST_LINE:,} characters (line {number} has {longest:,})"
+        raise InputError("file", name, condition, "export the profile as text in two columns, one point in a line")
+    return lines
+
+
+def value_in(cell: str) -> float | None:
+    """Return the number in a cell, NaN for a word that says nothing was measured, None for any other text.
+
+    ``float`` would take ``1_5`` for fifteen.
+    """
+    if _NUMBER.fullmatch(cell):
+        return float(cell.replace("d", "e").replace("D", "e"))
+    return float("nan") if cell.lower() in _MISSING or _STARS.fullmatch(cell) else None
 
 
 def _text(data: bytes, name: str) -> tuple[str, tuple[str, ...]]:

@@ -1,22 +1,36 @@
 """X3P containers (ISO 25178-72): a zip archive of a description in XML and heights in binary.
 
 x3pio reads them: it checks the checksums, leaves out points that are marked invalid, and takes XML through defusedxml,
-so that a description cannot unfold. What it does not bound is how much an archive unpacks to; that is done here before
-it sees the data, by the sizes that the archive declares and beyond which zipfile does not read.
+so that a description cannot unfold. It bounds neither what an archive unpacks to nor how many elements a description
+has, of which 60 kB can hold ten million. So the archive is unpacked here, piece by piece and no further than a bound;
+the elements of the description are counted as they go by, which keeps none of them; and x3pio is given a new archive of
+what was found sound. The sizes that an archive declares are not relied on: they are part of what may be wrong.
 """
 
 from __future__ import annotations
 
 import io
 import zipfile
+from typing import TYPE_CHECKING
+from xml.parsers import expat
 
 import numpy as np
 
-from nonhertz.io.traces.line import Line, Request
+from nonhertz.errors import InputError
+from nonhertz.io.traces.line import MOST_POINTS, Line, Request
 
-_LARGEST_UNPACKED = 200_000_000  # bytes, of two million points in three coordinates and as much XML again
+if TYPE_CHECKING:
+    import x3pio
+
+_LARGEST_UNPACKED = 32_000_000  # bytes, of the most points in three coordinates and of as much XML and more
 _MOST_MEMBERS = 1000
+# Of the description. A point written as text is an element of thirty characters, so 3 MB hold the most of them.
+_LARGEST_DESCRIPTION, _MOST_ELEMENTS, _DEEPEST, _LONGEST_TEXT = 8_000_000, 100_000, 50, 100_000
+_PIECE = 65_536  # bytes
+# Each member's entry in the archive's directory begins so.
+_ENTRY = b"PK\x01\x02"
 _AGAIN = "export the profile again, as X3P or as text"
+_FEWER = "export fewer points; a few thousand are enough"
 
 
 def is_container(data: bytes) -> bool:
@@ -33,19 +47,12 @@ def read_container(data: bytes, request: Request) -> Line:
         If it is damaged, too large, or holds something else than a profile.
     """
     request.refuse_choices("an X3P file")
-    _check_size(data, request)
-    import x3pio  # noqa: PLC0415  (few files are of this kind)
-
     try:
-        held = x3pio.read(io.BytesIO(data))
-    except x3pio.X3pChecksumError:
-        raise request.refuse("be what its checksum says (it was changed or damaged)", _AGAIN) from None
-    except (x3pio.X3pError, zipfile.BadZipFile, ValueError, OSError, NotImplementedError, EOFError) as error:
+        held = _profile(_sound(data, request), request)
+    except InputError:
+        raise
+    except Exception as error:  # noqa: BLE001  (zip, XML and x3pio raise a dozen kinds of errors over damaged files)
         raise request.refuse(f"be a sound X3P file ({_reason(error)})", _AGAIN) from None
-    if not isinstance(held, x3pio.Profile):
-        what = "an area" if isinstance(held, x3pio.Surface) else "a cloud of points"
-        condition = f"hold a profile (feature type PRF), not {what}"
-        raise request.refuse(condition, "extract one line along the body in the measuring software and export that")
     layer = held.layers[0]
     notes = ["An X3P profile, converted from m to mm."]
     if len(held.layers) > 1:
@@ -58,14 +65,99 @@ def read_container(data: bytes, request: Request) -> Line:
     return Line(1e3 * np.asarray(y, dtype=float), 1e3 * np.asarray(layer.z, dtype=float), tuple(notes))
 
 
-def _check_size(data: bytes, request: Request) -> None:
+def _profile(archive: bytes, request: Request) -> x3pio.Profile:
+    """Return what x3pio makes of an archive, refused by its description before there are arrays of its points."""
+    import x3pio  # noqa: PLC0415  (few files are of this kind)
+
     try:
-        members = zipfile.ZipFile(io.BytesIO(data)).infolist()
-    except (zipfile.BadZipFile, ValueError, OSError) as error:
-        raise request.refuse(f"be a sound X3P file ({_reason(error)})", _AGAIN) from None
-    if len(members) > _MOST_MEMBERS or sum(member.file_size for member in members) > _LARGEST_UNPACKED:
-        condition = f"unpack to no more than {_LARGEST_UNPACKED // 1_000_000} MB"
-        raise request.refuse(condition, "export fewer points; a few thousand are enough")
+        described = x3pio.info(io.BytesIO(archive))
+        if described.feature_type is not x3pio.FeatureType.PROFILE:
+            what = "an area" if described.feature_type is x3pio.FeatureType.SURFACE else "a cloud of points"
+            condition = f"hold a profile (feature type PRF), not {what}"
+            raise request.refuse(condition, "extract one line along the body in the measuring software and export that")
+        if described.layer_count * described.shape[0] > MOST_POINTS:
+            raise request.refuse(f"hold no more than {MOST_POINTS:,} points", _FEWER)
+        held = x3pio.read(io.BytesIO(archive))
+    except x3pio.X3pChecksumError:
+        raise request.refuse("be what its checksum says (it was changed or damaged)", _AGAIN) from None
+    if not isinstance(held, x3pio.Profile):
+        raise request.refuse("hold a profile (feature type PRF)", _AGAIN)
+    return held
+
+
+def _sound(data: bytes, request: Request) -> bytes:
+    """Return the archive anew, of members that were unpacked within bounds and a description that was looked through.
+
+    Raises
+    ------
+    InputError
+        If it is beyond a bound.
+    """
+    if data.count(_ENTRY) > _MOST_MEMBERS:
+        raise request.refuse(f"hold no more than {_MOST_MEMBERS:,} files", _AGAIN)
+    left, stream = _LARGEST_UNPACKED, io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(data)) as old, zipfile.ZipFile(stream, "w") as new:
+        for member in old.infolist():
+            if member.compress_type not in {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}:
+                raise request.refuse("be packed as a zip file of X3P is (deflated)", _AGAIN)
+            content = _unpacked(old, member, left, request)
+            left -= len(content)
+            if member.filename.replace("\\", "/").rsplit("/", 1)[-1] == "main.xml":
+                _look_through(content, request)
+            new.writestr(zipfile.ZipInfo(member.filename), content)
+    return stream.getvalue()
+
+
+def _unpacked(archive: zipfile.ZipFile, member: zipfile.ZipInfo, most: int, request: Request) -> bytes:
+    content = bytearray()
+    with archive.open(member) as packed:
+        while piece := packed.read(_PIECE):
+            content += piece
+            if len(content) > most:
+                raise request.refuse(f"unpack to no more than {_LARGEST_UNPACKED // 1_000_000} MB", _FEWER)
+    return bytes(content)
+
+
+def _look_through(description: bytes, request: Request) -> None:
+    """Refuse a description in XML of which a tree would not be made in reasonable time and memory."""
+    if len(description) > _LARGEST_DESCRIPTION:
+        condition = f"have a description of no more than {_LARGEST_DESCRIPTION // 1_000_000} MB"
+        raise request.refuse(condition, "export the points in binary, or fewer of them")
+    parser, seen = expat.ParserCreate(), _Seen(request)
+    parser.StartElementHandler, parser.EndElementHandler = seen.start, seen.end
+    parser.CharacterDataHandler, parser.StartDoctypeDeclHandler = seen.text, seen.doctype
+    for begin in range(0, len(description), _PIECE):
+        parser.Parse(description[begin : begin + _PIECE], False)
+    parser.Parse(b"", True)
+
+
+class _Seen:
+    """What has gone by of a description: elements, how deep they are, and the characters between two tags."""
+
+    def __init__(self, request: Request) -> None:
+        self.request, self.elements, self.depth, self.characters = request, 0, 0, 0
+
+    def start(self, name: str, attributes: dict[str, str]) -> None:
+        self.elements, self.depth, self.characters = self.elements + 1, self.depth + 1, 0
+        if self.elements > _MOST_ELEMENTS:
+            condition = f"have a description of no more than {_MOST_ELEMENTS:,} elements"
+            raise self.request.refuse(condition, "export the points in binary, or fewer of them")
+        if self.depth > _DEEPEST:
+            raise self.request.refuse(f"have a description nested no deeper than {_DEEPEST} elements", _AGAIN)
+        if len(attributes) > _DEEPEST or len(name) + sum(map(len, attributes.values())) > _LONGEST_TEXT:
+            raise self.request.refuse("have a description with shorter names and attributes", _AGAIN)
+
+    def end(self, name: str) -> None:
+        self.depth, self.characters = self.depth - 1, 0
+
+    def text(self, text: str) -> None:
+        self.characters += len(text)
+        if self.characters > _LONGEST_TEXT:
+            condition = f"have a description whose texts are no longer than {_LONGEST_TEXT:,} characters"
+            raise self.request.refuse(condition, _AGAIN)
+
+    def doctype(self, *_: object) -> None:
+        raise self.request.refuse("have a description without definitions of its own (DOCTYPE)", _AGAIN)
 
 
 def _reason(error: Exception) -> str:
