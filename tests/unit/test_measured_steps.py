@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -268,6 +269,29 @@ def test_thinning_keeps_the_ends_and_leaves_gaps_open():
     assert_allclose(state.y[[0, -1]], [0.0, 10.0], rtol=0, atol=0)
     assert not np.any((state.y > 4.0) & (state.y < 6.0))
     assert len(Thin(101).apply(roller(count=51)).points) == 51
+
+
+def test_gaps_narrower_than_the_points_that_are_kept_are_bridged():
+    y = np.linspace(0.0, 10.0, 10001)
+    inside = ~((y > 4.0) & (y < 4.05)) & ~((y > 6.0) & (y < 7.0))
+    state = Thin(101).apply(Points(y[inside], 0.001 * y[inside], gaps=((4.0, 4.05), (6.0, 7.0))))
+    assert state.gaps == ((6.0, 7.0),)
+    assert_allclose(np.diff(state.y)[:59], 0.1, rtol=1e-9)
+
+
+def test_points_of_gaps_alone_are_refused():
+    """They would have no weight at all, and a mean of them none either."""
+    y = np.arange(6.0)
+    with pytest.raises(InputError, match="must leave two neighbouring points that were measured"):
+        Points(y, np.zeros(6), gaps=tuple(pairwise(y)))
+
+
+def test_many_gaps_are_told_in_one_sentence():
+    y = np.delete(np.linspace(0.0, 10.0, 1001), [place + k for place in range(100, 900, 100) for k in range(5)])
+    measured = Measured(Trace(y, -(y**2) / 4000.0, tuple((k - 0.01, k + 0.05) for k in range(1, 9))))
+    told = [sentence for sentence in measured.warnings if "Nothing was measured" in sentence]
+    assert len(told) == 1
+    assert "in 8 places, 0.48 mm in all" in told[0]
 
 
 @pytest.mark.parametrize(

@@ -14,11 +14,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 import x3pio
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
 
 from nonhertz.errors import InputError
 from nonhertz.io.traces import LARGEST_FILE, read_trace
 from nonhertz.io.traces.line import MOST_POINTS
+from nonhertz.measured import prepare
 
 Y = np.array([0.0, 0.25, 0.5, 0.75, 1.0, 1.25])
 UM = np.array([-3.125, -1.5, 0.0, -0.25, -1.75, -4.0])
@@ -148,6 +149,74 @@ def test_points_that_were_not_measured_are_gaps(cell):
     trace = read_trace("\n".join(rows).encode() + b"\n1.5;-5\n", height_unit="um")
     assert trace.gaps == ((0.25, 1.0),)
     assert "2 of 7 points hold no number" in " ".join(trace.notes)
+
+
+def written(y: np.ndarray, height: np.ndarray) -> bytes:
+    """Return a text of positions and heights [mm]."""
+    return "\n".join(f"{a!r} {b!r}" for a, b in zip(y.tolist(), height.tolist(), strict=True)).encode()
+
+
+def crown(count: int = 1001) -> tuple[np.ndarray, np.ndarray]:
+    y = np.round(np.linspace(0.0, 10.0, count), 6)
+    return y, -((y - 5.0) ** 2) / 400.0
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_order_of_the_lines_does_not_matter(seed):
+    """Gaps included: a line whose height is nan has a position, and its neighbours are those of the sorted line."""
+    rng = np.random.default_rng(seed)
+    y, height = crown()
+    height[rng.integers(0, 1001, 40)] = np.nan
+    height[500:530] = np.nan
+    in_order = read_trace(written(y, height), height_unit="mm")
+    assert (4.99, 5.3) in in_order.gaps
+    again = rng.integers(0, 1001, 10)
+    y, height = np.concatenate([y, y[again]]), np.concatenate([height, height[again]])
+    shuffled = rng.permutation(len(y))
+    other = read_trace(written(y[shuffled], height[shuffled]), height_unit="mm")
+    assert_array_equal(other.y, in_order.y)
+    assert_allclose(other.height, in_order.height, rtol=1e-15)
+    assert other.gaps == in_order.gaps
+
+
+@pytest.mark.parametrize("offset", [0.0, 0.003])
+def test_what_one_stroke_lost_another_has_measured(offset):
+    y, height = crown()
+    there, back = height.copy(), height[::-1].copy()
+    there[300:350], back[200:240] = np.nan, np.nan
+    trace = read_trace(written(np.concatenate([y, y[::-1] + offset]), np.concatenate([there, back])), height_unit="mm")
+    assert trace.gaps == ()
+    assert_allclose(prepare(trace, smooth=False, align=False).relief.max(), 25.0 / 400.0, rtol=2e-3)
+
+
+def test_a_gap_between_two_strokes_that_overlap_is_found():
+    """Their points lie at two distances where they overlap, and still as far apart at most as those of one stroke."""
+    y, height = crown()
+    low, high = (y < 6.0) & ~((y > 1.0) & (y < 1.5)), y > 4.0
+    both = np.concatenate([y[low], y[high] + 0.003])
+    trace = read_trace(written(both, np.concatenate([height[low], height[high]])), height_unit="mm")
+    assert trace.gaps == ((1.0, 1.5),)
+
+
+def test_points_without_a_position_are_a_gap_only_between_neighbours():
+    """In a file without order they lie anywhere; between points that others separate, nothing was lost."""
+    y, height = crown()
+    nowhere = y.copy()
+    nowhere[300:303] = np.nan
+    assert read_trace(written(nowhere, height), height_unit="mm").gaps == ((2.99, 3.03),)
+    assert read_trace(written(np.r_[nowhere, y[::-1]], np.r_[height, height[::-1]]), height_unit="mm").gaps == ()
+    order = np.random.default_rng(1).permutation(1001)
+    assert read_trace(written(nowhere[order], height[order]), height_unit="mm").gaps == ((2.99, 3.03),)
+
+
+@pytest.mark.parametrize("lost", [slice(1, None, 2), slice(0, None, 3)])
+def test_points_lost_at_every_turn_leave_a_coarser_line(lost):
+    """No gap at all: every step is as long as the others, or nearly."""
+    y, height = crown()
+    height[lost] = np.nan
+    trace = read_trace(written(y, height), height_unit="mm")
+    assert trace.gaps == ()
+    assert_allclose(prepare(trace).relief.max(), 25.0 / 400.0, rtol=5e-3)
 
 
 def test_columns_are_chosen_by_number_or_name():

@@ -41,6 +41,7 @@ if TYPE_CHECKING:
 
 # Share of robust outliers that no surface has, but a wrong threshold or a scratched one.
 _MANY_OUTLIERS = 0.02
+_MANY_GAPS = 5
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,10 +190,7 @@ class Measured:
             A sentence each; empty if nothing has to be said.
         """
         sentences = list(strain_on_strips(self.points, half_width, pressure, compliance, self._has("smooth")))
-        for low, high in self.points.gaps:
-            sentences.append(
-                f"Nothing was measured between y = {low:.5g} and {high:.5g} mm; the profile bridges it with a curve."
-            )
+        sentences += _bridged(self.points.gaps)
         for state in self.states:
             count = state.numbers.get("removed", 0.0)
             if state.name == "outliers" and count > _MANY_OUTLIERS * (len(state.points) + count):
@@ -301,6 +299,21 @@ def prepare(
         steps.append(Smooth(cutoff, "gaussian" if smooth is True else smooth))
     measured = Measured(trace, tuple(steps))
     return _thinned(measured, points, smooth is not False)
+
+
+def _bridged(gaps: tuple[tuple[float, float], ...]) -> list[str]:
+    """Return a sentence for each gap, or one for all of them where nobody would read so many."""
+    if len(gaps) <= _MANY_GAPS:
+        return [
+            f"Nothing was measured between y = {low:.5g} and {high:.5g} mm; the profile bridges it with a curve."
+            for low, high in gaps
+        ]
+    low, high = max(gaps, key=lambda gap: gap[1] - gap[0])
+    length = sum(high - low for low, high in gaps)
+    return [
+        f"Nothing was measured in {len(gaps)} places, {length:.3g} mm in all, the widest "
+        f"between y = {low:.5g} and {high:.5g} mm; the profile bridges them with curves."
+    ]
 
 
 def _length(trim: float | str | bool) -> float | None:

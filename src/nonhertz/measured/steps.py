@@ -296,7 +296,8 @@ class Smooth:
 class Thin:
     """Keep as many points as a smooth line needs: the solver has some hundred strips, a machine takes ten thousand.
 
-    Heights at evenly spaced positions are read off straight lines between neighbouring points.
+    Heights at evenly spaced positions are read off straight lines between neighbouring points. Gaps narrower than the
+    new spacing are bridged by these lines and are gaps no longer.
 
     Parameters
     ----------
@@ -319,10 +320,11 @@ class Thin:
             return State(self.name, points, f"All {len(points)} points were kept.", {"points": float(len(points))})
         y = np.linspace(points.y[0], points.y[-1], int(self.count))
         height = np.interp(y, points.y, points.height)
-        for low, high in points.gaps:
+        gaps = tuple((low, high) for low, high in points.gaps if high - low > y[1] - y[0])
+        for low, high in gaps:
             hollow = (y > low) & (y < high)
             y, height = y[~hollow], height[~hollow]
-        after = Points(y, height, points.gaps)
+        after = Points(y, height, gaps)
         lost = points.height - np.interp(points.y, y, height)
         words = f"{len(after)} of {len(points)} points were kept, {1e3 * float(np.diff(y).mean()):.3g} um apart; "
         words += f"straight lines between them miss {1e6 * float(np.max(np.abs(lost))):.2g} nm at most."

@@ -13,8 +13,11 @@ from nonhertz.errors import InputError
 Array = NDArray[np.float64]
 
 FEWEST_POINTS = 5
-# Of an evenly spaced line: a step so many times the usual one has a hole in it.
-_HOLE = 2.5
+# In usual steps: where the line is evenly spaced, a longer one has a hole in it; where the file says that a point was
+# not measured, one of more than a step and a half has. A shorter one is as well measured as the rest of the line.
+_HOLE, _DROPOUT = 2.5, 1.5
+# A line is evenly spaced if many of its steps are the usual one within a tenth, and few between that and a hole.
+_EVEN, _UNEVEN, _TENTH = 0.25, 0.02, 0.1
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +55,9 @@ class Points:
             raise InputError("y", place, "be greater than the position before it", "sort the points, each once")
         object.__setattr__(self, "y", y)
         object.__setattr__(self, "height", height)
+        if self.gaps and not np.any(self.weights):
+            condition = "leave two neighbouring points that were measured"
+            raise InputError("gaps", self.gaps, condition, "leave out gaps that are no wider than the usual step")
 
     def __len__(self) -> int:
         return len(self.y)
@@ -109,16 +115,58 @@ class Trace(Points):
     notes: tuple[str, ...] = field(default=(), kw_only=True)
 
 
+def usual_step(y: Array) -> float:
+    """Return the step [mm] of ascending positions that nine in ten do not exceed; several may share a position.
+
+    Where two strokes overlap, their points lie nearer to each other than either's own, by chance. What a stroke was
+    meant to have is among the longest steps, and what it lacks is beyond them.
+    """
+    steps = np.diff(y)
+    steps = steps[steps > 0.0]
+    return float(np.quantile(steps, 0.9, method="lower")) if len(steps) else 0.0
+
+
 def holes(y: Array) -> tuple[tuple[float, float], ...]:
     """Return the gaps [mm] of a line that is evenly spaced elsewhere; none of one that is not evenly spaced.
 
-    A machine steps evenly. Nine steps in ten within a tenth of the usual one make a line even.
+    Parameters
+    ----------
+    y : array, shape (n,)
+        Positions [mm], strictly ascending, from one stroke or from several.
     """
-    steps = np.diff(y)
-    usual = float(np.median(steps))
-    if np.mean(np.abs(steps - usual) <= 0.1 * usual) < 0.9:
+    steps, usual = np.diff(y), usual_step(y)
+    between = (steps > (1.0 + _TENTH) * usual) & (steps <= _HOLE * usual)
+    if np.mean(np.abs(steps - usual) <= _TENTH * usual) < _EVEN or np.mean(between) > _UNEVEN:
         return ()
-    return tuple((float(y[k]), float(y[k + 1])) for k in np.flatnonzero(steps > _HOLE * usual))
+    return _between(y, np.flatnonzero(steps > _HOLE * usual))
+
+
+def dropouts(y: Array, places: Array, pairs: Array) -> tuple[tuple[float, float], ...]:
+    """Return the gaps [mm] about positions at which a measurement failed.
+
+    Only what was measured decides: where another stroke, or a later line of the file, has points there, there is no
+    gap, and elsewhere it goes from one true neighbour to the other.
+
+    Parameters
+    ----------
+    y : array, shape (n,)
+        Positions [mm] that were measured, strictly ascending.
+    places : array, shape (m,)
+        Positions [mm] that were not, in any order.
+    pairs : array, shape (k, 2)
+        Two measured positions each, with a failed one somewhere between them.
+    """
+    after = np.searchsorted(y, places)
+    inside = (after > 0) & (after < len(y))
+    after, places = after[inside], places[inside]
+    steps = after[y[after] != places] - 1
+    ends = np.sort(np.searchsorted(y, pairs, side="right") - 1, axis=1)
+    steps = np.union1d(steps, ends[np.diff(ends, axis=1)[:, 0] == 1, 0])
+    return _between(y, steps[np.diff(y)[steps] > _DROPOUT * usual_step(y)])
+
+
+def _between(y: Array, steps: NDArray[np.intp]) -> tuple[tuple[float, float], ...]:
+    return tuple((float(y[k]), float(y[k + 1])) for k in steps)
 
 
 def _read_only(name: str, values: ArrayLike) -> Array:

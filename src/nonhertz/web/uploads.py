@@ -49,11 +49,15 @@ def answer_to_file(content: bytes, name: str, options: dict[str, str]) -> bytes:
 
 
 def _averaged(trace: Trace) -> Trace:
-    """Return a trace of no more points than the page takes: means of neighbours, which lie closer than any cutoff."""
+    """Return a trace of no more points than the page takes: means of neighbours, which lie closer than any cutoff.
+
+    No mean is taken over a gap.
+    """
     every = -(-len(trace) // UPLOAD_POINTS)
     if every == 1:
         return trace
-    starts = np.arange(0, len(trace), every)
+    behind_gaps = np.searchsorted(trace.y, [high for _, high in trace.gaps])
+    starts = np.union1d(np.arange(0, len(trace), every), behind_gaps).astype(np.intp)
     counts = np.diff(starts, append=len(trace))
     y, height = (np.add.reduceat(values, starts) / counts for values in (trace.y, trace.height))
     note = f"Of the {len(trace)} points every {every} neighbours were averaged; 'nonhertz profile' takes all of them."

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.measured.trace import FEWEST_POINTS, Array, Trace, holes
+from nonhertz.measured.trace import FEWEST_POINTS, Array, Trace, dropouts, holes, usual_step
 from nonhertz.model.checks import one_of
 
 #: Points of the longest line that is read.
@@ -18,6 +18,8 @@ MOST_POINTS = 500_000
 _PLAUSIBLE, _PLAUSIBLE_SLOPE = 0.1, 0.5
 # No machine measures beyond a kilometre or within a nanometre [mm]; 3.4e38 is a word for "not measured" of some.
 _LARGEST, _SHORTEST = 1e6, 1e-6
+# Positions nearer than this share of the usual step, and than a nanometre, are one: strokes differ in rounding.
+_SAME = 1e-3
 
 _MM = {"mm": 1.0, "um": 1e-3, "µm": 1e-3, "μm": 1e-3, "micron": 1e-3, "microns": 1e-3, "nm": 1e-6, "m": 1e3}
 _MM |= {"cm": 10.0, "in": 25.4, "inch": 25.4}
@@ -112,7 +114,9 @@ def made(line: Line, request: Request) -> Trace:
     if len(line.y) > MOST_POINTS:
         raise request.refuse(f"hold no more than {MOST_POINTS:,} points", "export fewer; a few thousand are enough")
     notes = list(line.notes)
-    gaps, known = _unmeasured(line, notes)
+    known = np.isfinite(line.y) & np.isfinite(line.height)
+    if not np.all(known):
+        notes.append(f"{int(np.sum(~known))} of {len(known)} points hold no number and were left out.")
     y, height = line.y[known], line.height[known]
     if len(y) == 0:
         raise request.refuse("hold measured points (there is no pair of numbers)", "export the profile again")
@@ -127,41 +131,42 @@ def made(line: Line, request: Request) -> Trace:
     if (request.sense or ("drop" if line.drop else "height")) == "drop":
         height = -height
         notes.append("The column counts material taken away; its sign was turned.")
-    missing = [gap for gap in holes(y) if not any(low <= gap[0] and gap[1] <= high for low, high in gaps)]
-    gaps = tuple(sorted({*gaps, *missing}))
+    gaps = tuple(sorted({*dropouts(y, *_unmeasured(line, known)), *holes(y)}))
     if gaps:
         places = ", ".join(f"{low:.5g} to {high:.5g}" for low, high in gaps[:5]) + (", ..." if len(gaps) > 5 else "")
         notes.append(f"Nothing was measured from y = {places} mm.")
     return Trace(y, height, gaps, name=request.name, notes=tuple(notes))
 
 
-def _unmeasured(line: Line, notes: list[str]) -> tuple[tuple[tuple[float, float], ...], NDArray[np.bool_]]:
-    """Return the gaps that unmeasured points leave between measured ones, and which points are measured."""
-    known = np.isfinite(line.y) & np.isfinite(line.height)
-    missing = int(np.sum(~known))
-    if not missing:
-        return (), known
-    notes.append(f"{missing} of {len(known)} points hold no number and were left out.")
+def _unmeasured(line: Line, known: NDArray[np.bool_]) -> tuple[Array, Array]:
+    """Return positions at which nothing was measured, and pairs of measured ones with unmeasured ones between them.
+
+    A point without a height has a position of its own, wherever it stands in the file. One without a position has
+    nothing but its neighbours in the file.
+    """
+    nowhere = ~np.isfinite(line.y)
     places = np.flatnonzero(known)
-    broken = np.flatnonzero(np.diff(places) > 1)
-    pairs = ((line.y[places[k]], line.y[places[k + 1]]) for k in broken)
-    return tuple((float(min(pair)), float(max(pair))) for pair in pairs), known
+    passed = np.diff(np.cumsum(nowhere)[places]) > 0
+    pairs = np.column_stack([line.y[places[:-1]][passed], line.y[places[1:]][passed]])
+    return line.y[~known & ~nowhere], pairs
 
 
 def _sorted(y: Array, height: Array, notes: list[str]) -> tuple[Array, Array]:
-    if np.all(np.diff(y) < 0.0):
-        notes.append("Positions descend in the file; they were turned round.")
-        return y[::-1], height[::-1]
     back = int(np.sum(np.diff(y) < 0.0))
-    if back:
+    if back and np.all(np.diff(y) < 0.0):
+        notes.append("Positions descend in the file; they were turned round.")
+    elif back:
         notes.append(f"Positions go back {back} times in the file; the points were sorted.")
-    order = np.argsort(y, kind="stable")
+    # By height where positions are the same, so that means of them do not depend on the order of the file either.
+    order = np.lexsort((height, y))
     y, height = y[order], height[order]
-    once, which, counts = np.unique(y, return_inverse=True, return_counts=True)
-    if len(once) < len(y):
+    first = np.diff(y, prepend=-np.inf) > min(_SHORTEST, _SAME * usual_step(y))
+    if not np.all(first):
+        which = np.cumsum(first) - 1
+        counts = np.bincount(which)
         notes.append(f"{int(np.sum(counts > 1))} positions are there more than once; their heights were averaged.")
-        height = np.bincount(which, height) / counts
-    return once, height
+        y, height = y[first], np.bincount(which, height) / counts
+    return y, height
 
 
 def _check_size(y: Array, height: Array, request: Request) -> None:
@@ -176,7 +181,10 @@ def _check_size(y: Array, height: Array, request: Request) -> None:
 
 def _check_plausible(y: Array, height: Array, request: Request) -> None:
     drop, length = float(np.ptp(height)), float(y[-1] - y[0])
-    slope = float(np.median(np.abs(np.diff(height) / np.diff(y))))
+    steps = np.diff(y)
+    # Points of two strokes lie as near as chance has it, and slopes between them mean nothing.
+    far = steps >= np.median(steps)
+    slope = float(np.median(np.abs(np.diff(height)[far] / steps[far])))
     if drop > _PLAUSIBLE * length:
         absurd = f"in mm they would differ by {drop:.3g} on a length of {length:.3g}"
     elif slope > _PLAUSIBLE_SLOPE:
