@@ -204,6 +204,63 @@ def test_the_gaussian_filter_transmits_what_iso_16610_21_says(wavelength):
         assert_allclose(found, 0.5, atol=1e-5)
 
 
+def transmitted(y: np.ndarray, phase: float) -> float:
+    """Return how much of a wave of the cutoff is left by the Gaussian filter, away from the ends."""
+    wave = np.cos(2.0 * np.pi * (y / 0.8 + phase))
+    inside = slice(np.searchsorted(y, 1.6), np.searchsorted(y, y[-1] - 1.6))
+    across = np.sin(2.0 * np.pi * (y / 0.8 + phase))
+    found = np.linalg.lstsq(np.column_stack([wave, across])[inside], gaussian(Points(y, wave), 0.8)[inside], rcond=None)
+    return float(found[0][0])
+
+
+@pytest.mark.parametrize("phase", [0.0, 0.25])
+@pytest.mark.parametrize("count", [5, 6, 7.3, 10, 20, 40, 333])
+def test_half_of_a_wave_of_the_cutoff_is_let_through_however_few_points_it_has(count, phase):
+    """What is beyond half at five points is the wave's alias, 2^-16 over 2; interpolating first would leave 0.44."""
+    y = np.arange(0.0, 40.0, 0.8 / count)
+    assert_allclose(transmitted(y, phase), 0.5, atol=2e-5)
+
+
+@pytest.mark.parametrize("count", [10, 15, 20, 40])
+def test_half_is_let_through_by_points_that_two_strokes_have_measured(count):
+    """Pairs of points, a sixteenth of a step apart; interpolating first would leave 0.44 at ten points."""
+    y = np.sort(np.concatenate([np.arange(0.0, 40.0, 1.6 / count) + k * 0.1 / count for k in range(2)]))
+    assert_allclose(transmitted(y, 0.0), 0.5, atol=1e-4)
+
+
+@pytest.mark.parametrize(("count", "error"), [(10, 2e-3), (20, 5e-4), (40, 1e-4)])
+def test_half_is_let_through_by_unevenly_spaced_points(count, error):
+    """Moved by up to three tenths of a step. A sum over them errs to either side; interpolating first takes away."""
+    y = np.arange(0.0, 160.0, 0.8 / count)
+    moved = y + 0.3 * 0.8 / count * np.random.default_rng(SEED).uniform(-1.0, 1.0, len(y))
+    assert_allclose(transmitted(moved, 0.0), 0.5, atol=error)
+
+
+def test_a_line_that_is_too_coarse_for_the_cutoff_in_places_is_warned_of():
+    fine, coarse = np.arange(0.0, 8.0, 0.01), np.arange(8.0, 12.0, 0.3)
+    y = np.concatenate([fine, coarse])
+    measured = Measured(Trace(y, -(y**2) / 1000.0)).smoothed()
+    assert "On 3.9 of 11.9 mm points lie further apart than a fifth of the cutoff" in " ".join(measured.warnings)
+    assert "fifth" not in " ".join(Measured(Trace(fine, -(fine**2) / 1000.0)).smoothed().warnings)
+
+
+def test_the_gaussian_filter_keeps_what_was_measured_alone_between_gaps():
+    """One point between two gaps stands for no length; nothing is left to smooth it with."""
+    y = np.concatenate([np.linspace(0.0, 3.0, 301), [5.0], np.linspace(7.0, 10.0, 301)])
+    height = np.where(y == 5.0, 0.01, 0.002 * y)
+    smooth = gaussian(Points(y, height, gaps=((3.0, 5.0), (5.0, 7.0))), 0.8)
+    assert_allclose(smooth, height, atol=1e-12)
+
+
+def test_a_long_line_is_filtered_in_pieces_that_meet():
+    y = np.linspace(0.0, 300.0, 30001)
+    height = 1e-3 * np.random.default_rng(SEED).standard_normal(len(y))
+    whole = gaussian(Points(y, height), 0.1)
+    part = gaussian(Points(y[9000:11001], height[9000:11001]), 0.1)
+    # Pieces are of a thousand cutoffs, 100 mm; their grids differ, which are exact to 2e-6.
+    assert_allclose(whole[9100:10901], part[100:-100], atol=1e-8)
+
+
 @pytest.mark.parametrize("wavelength", [0.4, 0.8, 1.6])
 def test_the_spline_filter_transmits_what_iso_16610_22_says(wavelength):
     y = np.linspace(0.0, 32.0, 16001)
@@ -259,7 +316,7 @@ def test_the_gaussian_filter_does_not_reach_across_a_gap():
 
 @pytest.mark.parametrize("cutoff", [0.001, 20.0])
 def test_a_cutoff_that_means_nothing_is_refused(cutoff):
-    with pytest.raises(InputError, match=r"must lie between four points, 0.008 mm, and the length of the line, 12 mm"):
+    with pytest.raises(InputError, match=r"must lie between five points, 0.01 mm, and the length of the line, 12 mm"):
         Smooth(cutoff).apply(roller())
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from nonhertz.errors import InputError
+from nonhertz.measured.filters import unresolved
 from nonhertz.measured.roughness import (
     HALF_WIDTH,
     PRESSURE,
@@ -42,6 +43,8 @@ if TYPE_CHECKING:
 # Share of robust outliers that no surface has, but a wrong threshold or a scratched one.
 _MANY_OUTLIERS = 0.02
 _MANY_GAPS = 5
+# Share of the line whose points may lie too far apart for the filter before it is said.
+_COARSE = 0.01
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,7 +193,7 @@ class Measured:
             A sentence each; empty if nothing has to be said.
         """
         sentences = list(strain_on_strips(self.points, half_width, pressure, compliance, self._has("smooth")))
-        sentences += _bridged(self.points.gaps)
+        sentences += [*_bridged(self.points.gaps), *self._coarse()]
         for state in self.states:
             count = state.numbers.get("removed", 0.0)
             if state.name == "outliers" and count > _MANY_OUTLIERS * (len(state.points) + count):
@@ -222,6 +225,19 @@ class Measured:
             if step.name in names:
                 return state.points
         return self.points
+
+    def _coarse(self) -> list[str]:
+        """Return a sentence if the points that were smoothed do not resolve the cutoff everywhere."""
+        if not self._has("smooth"):
+            return []
+        points, cutoff = self._before("smooth"), self._cutoff
+        length = unresolved(points, cutoff)
+        if length <= _COARSE * points.span:
+            return []
+        return [
+            f"On {length:.3g} of {points.span:.4g} mm points lie further apart than a fifth of the cutoff, "
+            f"{cutoff:.3g} mm; there the filter lets more or less than half of a wave of that length through."
+        ]
 
     @property
     def _cutoff(self) -> float:

@@ -21,7 +21,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nonhertz.measured.filters import gaussian
+from nonhertz.measured.filters import gaussian, shortest_cutoff
 from nonhertz.measured.trace import Array, Points
 from nonhertz.model.material import MATERIALS
 
@@ -107,7 +107,7 @@ def roughness_in(points: Points, cutoff: float) -> Roughness:
 
 def short_wave_slope(points: Points, wavelength: float) -> float:
     """Return the root mean square slope of all waves shorter than ``wavelength`` [mm]."""
-    if wavelength < 4.0 * float(np.median(np.diff(points.y))):
+    if wavelength < shortest_cutoff(points):
         return 0.0
     rough = points.height - gaussian(points, min(wavelength, points.span))
     steps = np.diff(points.y)

@@ -269,7 +269,7 @@ class Smooth:
     Raises
     ------
     InputError
-        On applying a cutoff below four points or above the length of the line.
+        On applying a cutoff below five points or above the length of the line.
     """
 
     name: ClassVar[str] = "smooth"

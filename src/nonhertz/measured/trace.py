@@ -70,14 +70,22 @@ class Points:
     @cached_property
     def weights(self) -> Array:
         """Length [mm] that each point stands for, half of the way to its neighbours; gaps belong to nobody."""
-        steps = np.diff(self.y)
-        for low, high in self.gaps:
-            steps[(self.y[:-1] < high) & (self.y[1:] > low)] = 0.0
+        steps = np.where(self.in_gap, 0.0, np.diff(self.y))
         weights = np.zeros(len(self.y))
         weights[:-1] += 0.5 * steps
         weights[1:] += 0.5 * steps
         weights.setflags(write=False)
         return weights
+
+    @cached_property
+    def in_gap(self) -> NDArray[np.bool_]:
+        """Whether the way from each point but the last to the next one is in a gap, or has one in it."""
+        inside = np.zeros(len(self.y) - 1, dtype=bool)
+        for low, high in self.gaps:
+            first, after = np.searchsorted(self.y[1:], low, side="right"), np.searchsorted(self.y[:-1], high)
+            inside[first:after] = True
+        inside.setflags(write=False)
+        return inside
 
     def kept(self, inside: NDArray[np.bool_]) -> Points:
         """Return the points that a mask selects, with the gaps that still lie between them."""
