@@ -95,7 +95,7 @@ def test_options_mean_what_they_say(file, capsys):
     ("words", "sentence"),
     [
         ([], "file = 'roller.txt' must state the unit of its heights"),
-        (["--height-unit", "um", "--cutoff", "90"], "--cutoff = 90.0 must lie between four points"),
+        (["--height-unit", "um", "--cutoff", "90"], "--cutoff = 90.0 must lie between five points"),
         (["--height-unit", "um", "--smooth", "median"], "--smooth = 'median' must be one of"),
         (["--height-unit", "um", "--fit", "circle"], "--fit = 'circle' must be one of 'straight'"),
         (["--height-unit", "um", "--outliers", "many"], "--outliers = 'many' must be a number"),

@@ -179,14 +179,49 @@ def test_chatter_on_a_part_of_the_line_is_surface(wavelength):
     assert Outliers().apply(Points(trace.y, trace.height + chatter)).numbers["removed"] == 0
 
 
-def test_a_scratch_is_an_outlier_and_a_dent_is_shape():
-    """Chords reach a hundredth of the line, 0.12 mm, to either side; a dent of 0.6 mm has them inside."""
-    trace = roller(noise=1e-5, chamfer=0.0, count=2001)
-    for half, core, kept in ((0.05, 0.05, False), (0.3, 0.15, True)):
-        state = Outliers().apply(Points(trace.y, trace.height - 0.02 * (np.abs(trace.y) < half)))
-        # At the walls of a dent chords reach out of it.
-        inside = np.isin(trace.y[np.abs(trace.y) < core], state.y)
-        assert np.all(inside == kept)
+def ground(length: float = 20.0, count: int = 8001) -> Trace:
+    """Return a line of a crown of 600 mm with a roughness of 0.1 um."""
+    y = np.linspace(-0.5 * length, 0.5 * length, count)
+    return Trace(y, -(y**2) / 1200.0 + 1e-4 * np.random.default_rng(SEED).standard_normal(count))
+
+
+def taken_out(trace: Trace, change: np.ndarray) -> np.ndarray:
+    """Return which points go when a line is changed, but for those that go anyway."""
+    state, before = (Outliers().apply(Points(trace.y, trace.height + of)) for of in (change, 0.0))
+    return np.isin(trace.y, state.y, invert=True) & np.isin(trace.y, before.y)
+
+
+@pytest.mark.parametrize("shape", ["round", "with walls"])
+@pytest.mark.parametrize("depth", [1e-3, 3e-3, 0.02])
+@pytest.mark.parametrize("width", [0.4, 0.6, 1.0])
+def test_a_dent_is_shape_and_none_of_its_points_goes(width, depth, shape):
+    """Nor does any beside it: the surface goes on into the wall, or out of it."""
+    trace = ground()
+    inside = np.abs(trace.y - 1.0) < 0.5 * width
+    bottom = 0.5 + 0.5 * np.cos(2.0 * np.pi * (trace.y - 1.0) / width) if shape == "round" else 1.0
+    near = np.abs(trace.y - 1.0) < width + 0.5
+    assert not np.any(taken_out(trace, -depth * bottom * inside) & near)
+
+
+@pytest.mark.parametrize("length", [12.0, 20.0, 50.0])
+@pytest.mark.parametrize("depth", [2e-3, 0.02])
+@pytest.mark.parametrize("width", [0.01, 0.03, 0.08])
+def test_a_scratch_goes_and_all_points_beside_it_stay(width, depth, length):
+    """Also beside a ridge that the scratch has thrown up, and between two scratches."""
+    trace = ground(length)
+    distance = (trace.y - 1.0) / width
+    scratch, ridge, other = (np.abs(distance - place) < 0.499 for place in (0.0, 1.0, 2.0))
+    assert_array_equal(taken_out(trace, -depth * scratch), scratch)
+    assert_array_equal(taken_out(trace, -depth * (scratch | other)), scratch | other)
+    both = taken_out(trace, depth * (1.0 * ridge - 1.0 * scratch))
+    assert not np.any(both & ~(scratch | ridge))
+
+
+@pytest.mark.parametrize("change", ["step", "edge"])
+def test_a_step_and_a_rounded_edge_lose_no_points(change):
+    trace = ground()
+    rounded = np.maximum(np.abs(trace.y) - 9.95, 0.0) ** 2 / 0.2
+    assert not np.any(taken_out(trace, -0.005 * (trace.y > 0.3) if change == "step" else -rounded))
 
 
 @pytest.mark.parametrize("wavelength", [0.4, 0.8, 1.6, 3.2])

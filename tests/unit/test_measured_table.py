@@ -70,7 +70,7 @@ def test_roughness_that_is_left_in_is_warned_of(folder):
         ("", "profile[1].file = 'roller.txt' must state the unit of its heights"),
         ('heigth_unit = "um"', "'um' must be a known parameter of 'measured': the nearest is 'height_unit'"),
         ('height_unit = "um", cutoff = "0.8"', "cutoff = '0.8' must have a unit"),
-        ('height_unit = "um", cutoff = 40', "cutoff = 40 must lie between four points"),
+        ('height_unit = "um", cutoff = 40', "cutoff = 40 must lie between five points"),
         ('height_unit = "um", trim = "12 mm"', "trim = '12 mm' must lie within the points"),
         ('height_unit = "um", smooth = "median"', "smooth = 'median' must be one of 'gaussian', 'spline'"),
         ('height_unit = "um", align = "symmetry"', "align = 'symmetry' must find a place"),

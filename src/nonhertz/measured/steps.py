@@ -17,6 +17,7 @@ import numpy as np
 from nonhertz.errors import InputError
 from nonhertz.measured.filters import check_cutoff, gaussian, spline
 from nonhertz.measured.land import CHAMFER_SLOPE, land, symmetry, tilt
+from nonhertz.measured.outlying import carried_on, outlying
 from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
 from nonhertz.model.checks import finite, one_of, positive
 
@@ -212,15 +213,16 @@ class Trim:
 class Outliers:
     """Take out points that are none of the surface: dust, scratches, lost contact of the stylus.
 
-    Every point is compared with chords between points at equal distances on its two sides, by the median over nine
-    chords up to a hundredth of the line long on either side. What is left of the bend of the surface, a running median
-    of these distances, is taken off them. A point is taken out where its distance exceeds that bend by so many robust
-    standard deviations, 1.4826 times the median absolute deviation of all distances, or 0.608 times what nine in ten of
-    them do not exceed, if that is more: heights that were rounded off, or chatter on a part of the line, have a median
-    of nearly nothing, and what one point in ten does is the surface. Neither heeds what fewer points do, which is the
-    idea of the robust filter of ISO 16610-31.
+    A point is taken out if it lies further than a limit off the surface on its left, carried on to it, off that on its
+    right, and off the chord between the two, to the same side of all; and if all of its neighbours that do so make no
+    more than a scratch or a grain, up to a hundredth of the line wide and 0.2 mm at most. What is wider, a dent, is
+    shape and stays as it was measured. Beside a scratch, at a wall and at an edge a point still has a side that it
+    belongs to, and stays as well. See `nonhertz.measured.outlying`.
 
-    Nothing is put in place of a point. What is wider than a hundredth of the line, a dent, is shape and stays.
+    The limit is so many robust standard deviations of the distances from chords: 1.4826 times their median, or 0.608
+    times what nine in ten of them do not exceed, if that is more. Heights that were rounded off, or chatter on a part
+    of the line, have a median of nearly nothing, and what one point in ten does is the surface. Neither heeds what
+    fewer points do, which is the idea of the robust filter of ISO 16610-31. Nothing is put in place of a point.
 
     Parameters
     ----------
@@ -236,10 +238,10 @@ class Outliers:
 
     def apply(self, points: Points) -> State:
         """Return the points that are left."""
-        distance, bend = _from_chords(points)
-        median, most = np.quantile(np.abs(distance), (0.5, 0.9))
+        distance = np.abs(_from_chords(points))
+        median, most = np.quantile(distance, (0.5, 0.9))
         sigma = max(_MAD_TO_SIGMA * float(median), _NINE_TENTHS_TO_SIGMA * float(most), _RESOLUTION / self.threshold)
-        out = np.abs(distance) > self.threshold * sigma + np.abs(bend)
+        out = outlying(points, _carried_on(points, carried_on(points))[1], self.threshold * sigma)
         count = int(np.sum(out))
         if len(points) - count < FEWEST_POINTS:
             condition = f"leave {FEWEST_POINTS} points at least"
@@ -248,7 +250,7 @@ class Outliers:
         words = (
             f"{count} of {len(points)} points ({share:.2g} %) lay further than {1e3 * self.threshold * sigma:.3g} um "
         )
-        words += "from their neighbours and were taken out."
+        words += "off the surface on both of their sides and were taken out."
         after = points.kept(~out)
         numbers = {"removed": float(count), "limit": self.threshold * sigma}
         return State(self.name, after, words, numbers, (points.y[out], points.height[out]))
@@ -337,15 +339,12 @@ def enough_points(length: float, cutoff: float) -> int:
     return min(max(wanted, _FEWEST_THINNED), _MOST_THINNED)
 
 
-def _from_chords(points: Points) -> tuple[Array, Array]:
-    """Return how far each point lies from chords over it, less the bend of the surface there, and that bend."""
+def _from_chords(points: Points) -> Array:
+    """Return how far each point lies from chords over it, less the bend of the surface there."""
     from scipy.ndimage import median_filter  # noqa: PLC0415  (slow to import)
 
     half = min(max(int(_MEDIAN_SHARE * len(points)), _FEWEST_IN_MEDIAN // 2), (len(points) - 1) // 2)
-    # Beyond the ends the line goes on as its own image turned by half a turn, which keeps its slope.
-    y, height = (np.pad(of, half, mode="reflect", reflect_type="odd") for of in (points.y, points.height))
-    height[:half] += 2.0 * _dust_at_end(points.y[::-1], points.height[::-1])
-    height[len(height) - half :] += 2.0 * _dust_at_end(points.y, points.height)
+    y, height = _carried_on(points, half)
     chords = []
     for reach in np.unique(np.linspace(1, half, _CHORDS).round().astype(int)):
         before = slice(half - reach, len(y) - half - reach)
@@ -353,8 +352,15 @@ def _from_chords(points: Points) -> tuple[Array, Array]:
         share = (points.y - y[before]) / (y[after] - y[before])
         chords.append(height[before] + share * (height[after] - height[before]))
     distance = points.height - np.median(chords, axis=0)
-    bend = median_filter(distance, 2 * half + 1, mode="mirror")
-    return distance - bend, bend
+    return np.asarray(distance - median_filter(distance, 2 * half + 1, mode="mirror"))
+
+
+def _carried_on(points: Points, count: int) -> tuple[Array, Array]:
+    """Return the line with more points beyond its ends: its own image turned by half a turn, which keeps its slope."""
+    y, height = (np.pad(of, count, mode="reflect", reflect_type="odd") for of in (points.y, points.height))
+    height[:count] += 2.0 * _dust_at_end(points.y[::-1], points.height[::-1])
+    height[len(height) - count :] += 2.0 * _dust_at_end(points.y, points.height)
+    return y, height
 
 
 def _dust_at_end(y: Array, height: Array) -> float:
