@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from nonhertz.errors import InputError
 from nonhertz.measured import Measured, Points, Trace, prepare
 from nonhertz.measured.filters import ALPHA, gaussian, spline
-from nonhertz.measured.land import land, symmetry, tilt
+from nonhertz.measured.land import land, steps_in, symmetry, tilt
 from nonhertz.measured.steps import Align, Level, Outliers, Smooth, Thin, Trim
 
 SEED = 20240501
@@ -47,6 +47,45 @@ def test_a_scratch_does_not_end_the_land():
     height = trace.height - 0.02 * ((trace.y > 2.0) & (trace.y < 2.1))
     low, high = land(Points(trace.y, height))
     assert_allclose([low, high], [-5.5, 5.5], atol=0.03)
+
+
+@pytest.mark.parametrize("height", [-0.01, -0.005, 0.005, 0.019])
+@pytest.mark.parametrize("at", [-3.0, -0.6, 2.5, 5.0])
+@pytest.mark.parametrize("noise", [0.0, 1e-4])
+def test_a_low_step_neither_ends_the_land_nor_goes_unsaid(noise, at, height):
+    trace = roller(noise=noise)
+    stepped = Trace(trace.y, trace.height + height * (trace.y > at))
+    assert_allclose(land(stepped), land(trace), atol=5e-3)
+    measured = prepare(stepped)
+    assert_allclose(measured.states[2].numbers["shift"], 0.0, atol=3e-3)
+    # The step is measured over a chord of 60 um, to what the crown falls in it, 0.2 um on 11 mm.
+    assert_allclose(measured.states[1].numbers["tilt"], 0.0, atol=5e-5)
+    sentences = [sentence for sentence in measured.warnings if "steps by" in sentence]
+    assert len(sentences) == 1
+    assert "both sides were taken for one body" in sentences[0]
+    (found,) = steps_in(stepped)
+    # The ends of the chords beside it lie half of a chord away, on the crown.
+    assert found.y == pytest.approx(at, abs=0.01)
+    assert found.height == pytest.approx(height, abs=5e-4)
+
+
+def test_a_high_step_ends_the_land_and_is_said():
+    trace = roller()
+    stepped = Trace(trace.y, trace.height - 0.05 * (trace.y > 2.0))
+    assert land(stepped)[1] < 2.0
+    (found,) = steps_in(stepped)
+    assert not found.within
+    assert "steps by 50.1 um at 2.001 mm in the file; what is behind it was not taken" in " ".join(
+        prepare(stepped).warnings
+    )
+
+
+def test_chamfers_ribs_and_scratches_are_no_steps():
+    trace = roller(noise=1e-4)
+    scratched = trace.height - 0.02 * ((trace.y > 2.0) & (trace.y < 2.05))
+    ribs = trace.height + np.where(np.abs(trace.y) > 5.0, 1.0, 0.0)
+    for height in (trace.height, scratched, ribs):
+        assert steps_in(Points(trace.y, height)) == ()
 
 
 def test_a_line_that_is_steep_everywhere_has_no_land():

@@ -10,6 +10,7 @@ import numpy as np
 
 from nonhertz.errors import InputError
 from nonhertz.measured.filters import unresolved
+from nonhertz.measured.land import SurfaceStep, steps_in
 from nonhertz.measured.roughness import (
     HALF_WIDTH,
     PRESSURE,
@@ -193,7 +194,7 @@ class Measured:
             A sentence each; empty if nothing has to be said.
         """
         sentences = list(strain_on_strips(self.points, half_width, pressure, compliance, self._has("smooth")))
-        sentences += [*_bridged(self.points.gaps), *self._coarse()]
+        sentences += [*_bridged(self.points.gaps), *self._coarse(), *self._stepped()]
         for state in self.states:
             count = state.numbers.get("removed", 0.0)
             if state.name == "outliers" and count > _MANY_OUTLIERS * (len(state.points) + count):
@@ -225,6 +226,13 @@ class Measured:
             if step.name in names:
                 return state.points
         return self.points
+
+    def _stepped(self) -> list[str]:
+        """Return a sentence for each step of the surface that whoever looks for the land comes upon."""
+        slopes = {step.name: step.slope for step in self.steps if isinstance(step, Level | Align | Trim)}
+        if not slopes:
+            return []
+        return [_told(step) for step in steps_in(self._before(*slopes), next(iter(slopes.values())))]
 
     def _coarse(self) -> list[str]:
         """Return a sentence if the points that were smoothed do not resolve the cutoff everywhere."""
@@ -315,6 +323,15 @@ def prepare(
         steps.append(Smooth(cutoff, "gaussian" if smooth is True else smooth))
     measured = Measured(trace, tuple(steps))
     return _thinned(measured, points, smooth is not False)
+
+
+def _told(step: SurfaceStep) -> str:
+    where = f"The surface steps by {1e3 * abs(step.height):.3g} um at {step.y:.5g} mm in the file"
+    if step.within:
+        return f"{where}; both sides were taken for one body: look whether they are."
+    return (
+        f"{where}; what is behind it was not taken for the same body: if it is, leave align out and trim to a length."
+    )
 
 
 def _bridged(gaps: tuple[tuple[float, float], ...]) -> list[str]:

@@ -4,9 +4,14 @@ A chamfer is steep, a profile is not: the steepest profiles of rollers fall by s
 millimetre, a chamfer by tenths. So the land is the longest stretch whose slope stays within a limit of the slope that
 the whole trace has in the machine. Slopes are those of short chords of heights that a running median of five points
 has rid of single spikes; a scratch does not end the land, because the surface goes on behind it at the same height.
+Nor does a step of some micrometres, behind which it goes on at the same slope: no chamfer is as narrow and as low. What
+steps there are, `steps_in` tells, also those that are too high to be taken for one land.
 """
 
 from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +24,30 @@ CHAMFER_SLOPE = 0.05
 # Half of a chord, over the length of the trace. At an edge, so much of the land is lost at most.
 _CHORD = 0.0025
 _SPIKE = 5  # points
+# A step: no wider than this share of the trace, of which chords of its surface take a half, with so much of the trace
+# at least on either side of it. Up to the first height [mm] the land goes on behind it; beyond the second it is a rib
+# or another body, which nobody takes for a part of the land.
+_STEP_WIDTH, _BESIDE_STEP = 0.01, 0.02
+_LOW_STEP, _HIGH_STEP = 0.02, 0.2
+
+
+@dataclass(frozen=True)
+class SurfaceStep:
+    """A step from one height of a surface to another at the same slope.
+
+    Attributes
+    ----------
+    y : float
+        Where it is [mm].
+    height : float
+        By how much the surface rises towards positive y [mm].
+    within : bool
+        Whether both sides of it are of the land.
+    """
+
+    y: float
+    height: float
+    within: bool
 
 
 def land(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, float]:
@@ -41,14 +70,39 @@ def land(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, float]:
     InputError
         If hardly anything is less steep.
     """
-    steepness = chord_slopes(points)
-    level = weighted_median(steepness, points.weights)
-    runs = _runs(np.abs(steepness - level) <= slope)
+    level, runs = _gentle(points, slope)
     first, last = _extended(points, runs, level, slope) if runs else (0, 0)
     if last - first + 1 < FEWEST_POINTS:
         condition = f"leave {FEWEST_POINTS} neighbouring points that are less steep"
         raise InputError("slope", slope, condition, "give a larger one, or leave out level, align and trim")
     return float(points.y[first]), float(points.y[last])
+
+
+def steps_in(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[SurfaceStep, ...]:
+    """Return the steps of up to 0.2 mm in a line, those that the land goes on behind and those that end it.
+
+    Parameters
+    ----------
+    points : Points
+        The measured line, tilted as it may be.
+    slope : float
+        How much steeper than the whole line the land may be.
+
+    Raises
+    ------
+    InputError
+        If hardly anything is less steep.
+    """
+    low, high = land(points, slope)
+    level, runs = _gentle(points, slope)
+    found = []
+    for before, behind in pairwise(run for run in runs if _is_long(points, run)):
+        step = _step(points, before, behind, level)
+        if step is None or abs(step) > _HIGH_STEP or _goes_on(points, before[1], behind[0], level, slope):
+            continue
+        within = bool(low <= points.y[before[1]] and points.y[behind[0]] <= high)
+        found.append(SurfaceStep(float(0.5 * (points.y[before[1]] + points.y[behind[0]])), step, within))
+    return tuple(found)
 
 
 def chord_slopes(points: Points) -> Array:
@@ -72,14 +126,16 @@ def tilt(points: Points, slope: float = CHAMFER_SLOPE) -> float:
     other does not turn it, as long as it is less than half.
 
     A circular arc that is tilted is the same arc moved sideways. What is tilt and what is a crown off the middle of
-    the land cannot be told apart by anyone; all of it counts as tilt.
+    the land cannot be told apart by anyone; all of it counts as tilt. Steps within the land are none of it: the two
+    sides of a step lie in the machine alike.
     """
     low, high = land(points, slope)
     middle = 0.5 * (low + high)
+    height = points.height - sum(step.height * (points.y > step.y) for step in steps_in(points, slope) if step.within)
     inside = (points.y > middle) & (points.y <= high)
     distance = points.y[inside] - middle
-    mirrored = np.interp(middle - distance, points.y, points.height)
-    odd = 0.5 * (points.height[inside] - mirrored)
+    mirrored = np.interp(middle - distance, points.y, height)
+    odd = 0.5 * (height[inside] - mirrored)
     return weighted_median(odd / distance, distance * points.weights[inside])
 
 
@@ -118,6 +174,13 @@ def _oddness(points: Points, place: float, distance: Array) -> float:
     return float(np.mean((odd - slope * distance) ** 2))
 
 
+def _gentle(points: Points, slope: float) -> tuple[float, list[tuple[int, int]]]:
+    """Return the slope of the whole line, and first and last index of every stretch that is hardly steeper."""
+    steepness = chord_slopes(points)
+    level = weighted_median(steepness, points.weights)
+    return level, _runs(np.abs(steepness - level) <= slope)
+
+
 def _runs(inside: NDArray[np.bool_]) -> list[tuple[int, int]]:
     """Return first and last index of every stretch of True."""
     turns = np.flatnonzero(np.diff(np.concatenate([[0], inside.astype(np.int8), [0]])))
@@ -129,12 +192,28 @@ def _extended(points: Points, runs: list[tuple[int, int]], level: float, slope: 
     longest = max(runs, key=lambda run: points.y[run[1]] - points.y[run[0]])
     first, last = longest
     for run in runs[runs.index(longest) + 1 :]:
-        if _goes_on(points, last, run[0], level, slope):
+        if _goes_on(points, last, run[0], level, slope) or _is_low(_step(points, (first, last), run, level)):
             last = run[1]
     for run in reversed(runs[: runs.index(longest)]):
-        if _goes_on(points, run[1], first, level, slope):
+        if _goes_on(points, run[1], first, level, slope) or _is_low(_step(points, run, (first, last), level)):
             first = run[0]
     return first, last
+
+
+def _step(points: Points, before: tuple[int, int], behind: tuple[int, int], level: float) -> float | None:
+    """Return by how much the surface steps up between two stretches; None if no step is between them."""
+    way = float(points.y[behind[0]] - points.y[before[1]])
+    if way > _STEP_WIDTH * points.span or not (_is_long(points, before) and _is_long(points, behind)):
+        return None
+    return float(points.height[behind[0]] - points.height[before[1]]) - level * way
+
+
+def _is_low(step: float | None) -> bool:
+    return step is not None and abs(step) <= _LOW_STEP
+
+
+def _is_long(points: Points, run: tuple[int, int]) -> bool:
+    return bool(points.y[run[1]] - points.y[run[0]] >= _BESIDE_STEP * points.span)
 
 
 def _goes_on(points: Points, before: int, after: int, level: float, slope: float) -> bool:
