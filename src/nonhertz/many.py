@@ -390,9 +390,11 @@ def _tasks(
         try:
             number = numbers[0]
             problem = problem_of(contact, case(number), element)
-            if "moment" in given:  # which each case may have beyond the ends of the bodies
-                for number in numbers:
-                    case(number).refuse_outside(contact)
+            # A moment may lie beyond the ends of the bodies in each case, a load out of range in the outermost.
+            loads = given["load"][numbers] if "load" in given else np.zeros(1)
+            outermost = [numbers[int(loads.argmin())], numbers[int(loads.argmax())]]
+            for number in numbers if "moment" in given else outermost:
+                case(number).refuse_outside(contact)
         except InputError as error:
             raise refused(error, number) from None
         targets = np.zeros((len(numbers), 2))

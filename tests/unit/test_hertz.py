@@ -180,8 +180,8 @@ def test_results_are_frozen(result):
             "or use line_contact for straight bodies.",
         ),
         (
-            {"radius_y": 1e102},
-            "radius_y = 1e+102 must lie within a factor of 1e100 of radius_x = 10.0: use line_contact for "
+            {"radius_x": 0.01, "radius_y": 1e99},
+            "radius_y = 1e+99 must lie within a factor of 1e100 of radius_x = 0.01: use line_contact for "
             "straight bodies.",
         ),
         (

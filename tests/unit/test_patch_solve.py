@@ -196,12 +196,17 @@ def test_a_moment_beyond_the_outer_cells_is_refused():
     ("contact", "given", "sentence"),
     [
         (nh.Contact(nh.Body(diameter=10), nh.Plate()), {"load": 100.0}, "length = None must be given where nothing"),
-        (CROWNED, {"load": 1e300}, "load = 1e+300 must press the bodies together over less than 30 of their radii"),
+        (CROWNED, {"load": 1e300}, "load = 1e+300 must not exceed 3.6e+13 N for bodies of this size and stiffness"),
+        (
+            CROWNED,
+            {"load": 1e13},
+            "load = 10000000000000.0 must press the bodies together over less than 30",
+        ),
         (CROWNED, {"approach": 1e6}, "approach = 1000000.0 must press the bodies together over less than 30"),
         (CROWNED, {"load": 3e3, "gap": lambda x, y: 0.0 * x * y}, "gap = <function"),
         (CROWNED, {"load": 3e3, "gap": lambda x, y: y**2 - x**2}, "gap = <function"),
     ],
-    ids=["endless", "load", "approach", "flat", "concave"],
+    ids=["endless", "load", "wide", "approach", "flat", "concave"],
 )
 def test_a_contact_that_nothing_ends_is_refused(contact, given, sentence):
     with pytest.raises(nh.InputError) as caught:

@@ -14,6 +14,7 @@ import pytest
 
 from nonhertz.errors import InputError
 from nonhertz.model import profile as catalogue
+from nonhertz.model.body import Body
 from nonhertz.model.profile import (
     CATALOGUE,
     PARAMETER_UNITS,
@@ -206,6 +207,37 @@ class TestLogarithmic:
         assert at(logarithmic(0.005, 20.0), 10.0) == math.inf
         assert at(logarithmic(0.005, 20.0), 10.0 - 1e-9) < math.inf
 
+    @pytest.mark.parametrize(
+        "make",
+        [
+            lambda length, diameter, straight: (length, iso_logarithmic(length, length)),
+            lambda length, diameter, straight: (length, iso_logarithmic(diameter, length)),
+            lambda length, diameter, straight: (length, iso_tapered(diameter, length)),
+            lambda length, diameter, straight: (length, logarithmic(1e-3, length)),
+            lambda length, diameter, straight: (length + straight, logarithmic(1e-3, length, straight=straight)),
+        ],
+        ids=["short", "any", "tapered", "logarithmic", "with a straight middle"],
+    )
+    def test_ends_are_infinite_for_any_length(self, make):
+        random = np.random.default_rng(14)
+        for digits in random.integers(1, 9, 2_000):
+            length, diameter = (float(f"{10.0 ** random.uniform(-3, 4):.{digits}g}") for _ in range(2))
+            whole, profile = make(length, diameter, random.uniform(0.0, 3.0 * length))
+            end = 0.5 * whole
+            finite = np.isfinite(profile.relief([-end, np.nextafter(-end, 0.0), np.nextafter(end, 0.0), end]))
+            assert finite.tolist() == [False, True, True, False], profile
+
+    def test_fujiwara_kawase_has_its_drop_for_any_length(self):
+        random = np.random.default_rng(14)
+        for length in 10.0 ** random.uniform(-3, 4, 2_000):
+            load, k2 = length * 10.0 ** random.uniform(-6, 3), random.uniform(0.001, 1.0)
+            relief = fujiwara_kawase(load, length, k2=k2, zm=0.03).relief([-0.5 * length, 0.5 * length])
+            np.testing.assert_array_almost_equal_nulp(relief, np.full(2, 0.03), 1_000_000)
+
+    def test_the_digits_of_the_middle_are_kept(self):
+        # ln(1 / (1 - s^2)) is s^2 to rounding, where 1 - s^2 has none of its digits left.
+        assert at(logarithmic(0.005, 20.0), 1e-9) == pytest.approx(0.005 * 1e-20, rel=1e-12)
+
     def test_middle_is_zero_and_not_minus_zero(self):
         assert math.copysign(1.0, at(iso_logarithmic(4.0, 40.0), 0.0)) == 1.0
 
@@ -294,6 +326,21 @@ class TestTabulated:
     def test_takes_arrays(self):
         y = np.array([-1, 0, 1])
         assert tabulated(y, np.abs(y)) == tabulated([-1.0, 0.0, 1.0], [1.0, 0.0, 1.0])
+
+    @pytest.mark.parametrize("by", [0.1, -0.1, 1.0 / 3.0, 7.3])
+    def test_ends_stay_in_the_body_when_moved(self, by):
+        for low, high in np.random.default_rng(14).uniform(-10.0, 10.0, (200, 2)).round(2):
+            profile = tabulated([low, high], [0.0, 1.0]).shifted(by)
+            assert np.isfinite(profile.relief(profile.extent)).all()
+            body = Body(profile=tabulated([low, high], [0.0, 1.0]), position=by)
+            assert np.isfinite(body.relief(body.interval)).all()
+
+    @pytest.mark.parametrize("interpolation", ["pchip", "linear", "cubic"])
+    @pytest.mark.parametrize("apart", [5e-324, 1e-300, 1e-200, 1e-13])
+    def test_points_on_one_another_are_refused(self, interpolation, apart):
+        with pytest.raises(InputError, match=r"y = .* must keep its points 1e-12 mm apart"):
+            tabulated([0.0, apart, 1.0], [0.0, 1.0, 0.0], interpolation)
+        assert np.isfinite(tabulated([0.0, 2e-12, 1.0], [0.0, 1.0, 0.0], interpolation).relief([0.0, 0.5])).all()
 
 
 class TestFile:
@@ -413,6 +460,10 @@ class TestRefusals:
             ("k1", lambda: fujiwara_kawase(20e3, 20.0, 10.0, k1=0.0)),
             ("k2", lambda: fujiwara_kawase(20e3, 20.0, 10.0, k2=1.2)),
             ("k2", lambda: fujiwara_kawase(20e3, 20.0, 10.0, k2=0.0)),
+            ("k2", lambda: fujiwara_kawase(20e3, 20.0, 10.0, k2=1e-300)),
+            ("load", lambda: johns_gohar(1e-320, 20.0, 10.0)),
+            ("radius", lambda: crown(1e300)),
+            ("relief", lambda: tabulated([0.0, 1.0], [0.0, 1e300])),
             ("zm", lambda: fujiwara_kawase(20e3, 20.0, 10.0, zm=0.0)),
             ("zm", lambda: fujiwara_kawase(20e3, 20.0)),
             ("diameter", lambda: iso_logarithmic(0.0, 20.0)),

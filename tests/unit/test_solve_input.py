@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.model.prescription import loads_between
 from nonhertz.model.profile import Profile
 
 
@@ -64,6 +65,30 @@ def refusal(contact=CONTACT, **arguments):
 )
 def test_impossible_prescriptions_are_refused(arguments, complaint):
     assert refusal(**arguments) == complaint
+
+
+@pytest.mark.parametrize(
+    "contact", [CONTACT, OFF_CENTRE, nh.Contact(roller(length=1e-6), nh.Plate())], ids=["a", "b", "c"]
+)
+@pytest.mark.parametrize("share", [0.5, 1e-30, 1e-280])
+def test_loads_that_rounding_hides_are_refused_and_the_least_is_named(contact, share):
+    least, _ = loads_between(contact)
+    said = refusal(contact, load=share * least)
+    assert said == f"load = {share * least!r} must be at least {least:.2g} N for bodies of this size and stiffness"
+    with pytest.raises(nh.InputError, match=r"case 1\.load"):
+        nh.solve_many(contact, load=[1e3 * least, share * least])
+    assert nh.solve(contact, load=2.0 * least).load == pytest.approx(2.0 * least, rel=1e-9, abs=0.0)
+
+
+@pytest.mark.parametrize("load", [1e20, 1e300])
+def test_loads_that_bodies_vanish_under_are_refused(load):
+    ellipse = nh.Contact(nh.Body(diameter=20, profile=nh.profile.crown(100)), nh.Body())
+    assert "must not exceed 3.6e+13 N for bodies" in refusal(ellipse, load=load)
+
+
+def test_an_approach_is_not_refused_in_a_false_sentence():
+    ellipse = nh.Contact(nh.Body(diameter=20, profile=nh.profile.crown(100)), nh.Body())
+    assert refusal(ellipse, approach=1e-100) == "approach = 1e-100 must lead to a contact that strips can resolve"
 
 
 @pytest.mark.parametrize("strips", [None, 41])

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any, Self, TypeVar
@@ -35,7 +34,7 @@ from nonhertz.io.mistakes import Mistake, TableError, missing, mistake_in, mista
 from nonhertz.io.profiles import BROKEN, profile_schema, quantity_schema, read_profile
 from nonhertz.io.units import begins_with_digits, in_unit
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter, convex
-from nonhertz.model.checks import finite, positive
+from nonhertz.model.checks import MOST, above_zero, finite, positive
 from nonhertz.model.contact import Contact
 from nonhertz.model.finite import FEWEST_IMAGES, MOST_IMAGES, SERIES
 from nonhertz.model.material import MATERIALS, STEEL, Material
@@ -45,7 +44,7 @@ _FAR_AWAY = 1e3  # mm; how far an unbounded contact is looked at before it is so
 
 _KINDS: dict[str, type[Body]] = {"roller": Roller, "ring": Ring, "plate": Plate}
 # What a refused key might have been, so that keys which depend on it are not refused on its account.
-_STAND_INS: dict[str, Any] = {"diameter": 1.0, "length": sys.float_info.max, "side_faces": "none", "depth": 1.0}
+_STAND_INS: dict[str, Any] = {"diameter": 1.0, "length": MOST, "side_faces": "none", "depth": 1.0}
 
 _FACE_SCHEMA: list[dict[str, Any]] = [
     {"enum": ["mirror", "calibrated", "none"]},
@@ -321,7 +320,7 @@ def _sampled(interval: tuple[float, float]) -> NDArray[np.float64]:
 
 # In the words of `nonhertz.solve`, which refuses the same values.
 _LOAD_CHECKS: dict[str, tuple[Callable[[str, float, str], None], str]] = {
-    "load": (positive, "give the force in N that presses the bodies together"),
+    "load": (above_zero, "give the force in N that presses the bodies together"),
     "approach": (finite, "give the approach in mm"),
     "tilt": (finite, "give the tilt in rad"),
     "moment": (finite, "give the moment in N mm"),

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from nonhertz.errors import InputError
 from nonhertz.many import Strips, solve_many
-from nonhertz.model.checks import finite, positive
+from nonhertz.model.checks import above_zero, finite, positive
 from nonhertz.model.contact import Contact
 from nonhertz.solution import Solution
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
@@ -42,7 +42,7 @@ class LoadCase:
     tilt: float = 0.0
 
     def __post_init__(self) -> None:
-        positive("load", self.load, "give the force in N that presses the bodies together")
+        above_zero("load", self.load, "give the force in N that presses the bodies together")
         positive("share", self.share, _SHARE_REMEDY)
         if self.share > 1.0:
             raise InputError("share", self.share, "not exceed 1", _SHARE_REMEDY)

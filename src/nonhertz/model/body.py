@@ -14,6 +14,7 @@ from nonhertz.model.checks import finite, positive
 from nonhertz.model.finite import FEWEST_IMAGES, DepthRule, FaceRule, check_depth, check_images, face_weights
 from nonhertz.model.material import STEEL, Material
 from nonhertz.model.profile import Profile, Straight
+from nonhertz.model.profile.base import moved_back
 
 Array = NDArray[np.float64]
 Diameter = float | Callable[[Array], ArrayLike] | None
@@ -175,7 +176,7 @@ class Body:
 
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm] at the positions ``y`` [mm]."""
-        return self.profile.relief(np.asarray(y, dtype=float) - self.position)
+        return self.profile.relief(moved_back(y, self.position, self.profile.extent))
 
     def curvature(self, y: ArrayLike) -> Array:
         """Return the curvature 1/R [1/mm] across the contact at ``y`` [mm], negative where concave.

@@ -1,4 +1,8 @@
-"""The few conditions that inputs are held to, each ending in one sentence."""
+"""The few conditions that inputs are held to, each ending in one sentence.
+
+Every number is bounded: no length, load or modulus comes near the bounds, and with them products, squares and quotients
+of two inputs stay within double precision, so that nothing overflows in silence further down.
+"""
 
 from __future__ import annotations
 
@@ -8,18 +12,34 @@ from numbers import Integral
 
 from nonhertz.errors import InputError
 
+LEAST, MOST = 1e-100, 1e100
 
-def finite(field: str, value: float, remedy: str) -> None:
-    """Refuse anything that is not a finite number."""
+
+def above_zero(field: str, value: float, remedy: str) -> None:
+    """Refuse anything that is not a positive finite number, and leave its bounds to a caller who knows better ones."""
+    _number(field, value, remedy)
+    if value <= 0.0:
+        raise InputError(field, value, "be positive", remedy)
+
+
+def _number(field: str, value: float, remedy: str) -> None:
     if isinstance(value, bool) or not _is_number(value) or not math.isfinite(value):
         raise InputError(field, value, "be a finite number", remedy)
 
 
+def finite(field: str, value: float, remedy: str) -> None:
+    """Refuse anything that is not a finite number within bounds."""
+    _number(field, value, remedy)
+    if abs(float(value)) > MOST:
+        raise InputError(field, value, f"not exceed {MOST:g} in size", remedy)
+
+
 def positive(field: str, value: float, remedy: str) -> None:
     """Refuse anything that is not a positive finite number."""
+    above_zero(field, value, remedy)
     finite(field, value, remedy)
-    if value <= 0.0:
-        raise InputError(field, value, "be positive", remedy)
+    if float(value) < LEAST:
+        raise InputError(field, value, f"be at least {LEAST:g}", remedy)
 
 
 def not_negative(field: str, value: float, remedy: str) -> None:

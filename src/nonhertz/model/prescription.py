@@ -4,9 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from nonhertz.errors import InputError
-from nonhertz.model.checks import finite, positive
+from nonhertz.model.checks import above_zero, finite
 from nonhertz.model.contact import Contact
+
+# Compliance times load over the square of the bodies' smallest size, and of their largest. Below the first the contact
+# is lost in the rounding of the relief beside it; strips and cells met all of 14 contacts of any shape down to 1e-22.
+# At the second it is hundreds of times wider than the bodies.
+LEAST, MOST = 1e-22, 1e6
 
 
 @dataclass(frozen=True)
@@ -41,7 +48,7 @@ class Prescription:
         """
         refuse_unpaired(approach, load, tilt, moment)
         if load is not None:
-            positive("load", load, "give the force in N that presses the bodies together")
+            above_zero("load", load, "give the force in N that presses the bodies together")
         if approach is not None:
             finite("approach", approach, "give the approach in mm")
         if moment is not None:
@@ -54,7 +61,9 @@ class Prescription:
         return cls(load is not None, moment is not None, float(first), float(second))
 
     def refuse_outside(self, contact: Contact) -> None:
-        """Refuse a moment that no pressure between the ends of the bodies can have."""
+        """Refuse a load out of range for the bodies, and a moment that no pressure between their ends can have."""
+        if self.by_load:
+            refuse_load(contact, self.first)
         low, high = contact.interval
         if self.by_moment and self.by_load and not low < self.second / self.first < high:
             condition = f"keep moment / load between {low:g} and {high:g} mm, where both bodies are"
@@ -62,6 +71,35 @@ class Prescription:
         if self.by_moment and ((self.second > 0.0 and high <= 0.0) or (self.second < 0.0 and low >= 0.0)):
             condition = f"have the sign of the lever arms, which lie between {low:g} and {high:g} mm"
             raise InputError("moment", self.second, condition, "turn its sign")
+
+
+def loads_between(contact: Contact) -> tuple[float, float]:
+    """Return the least and the largest load [N] that bodies of their size and stiffness can be solved under."""
+    low, high = contact.interval
+    middle = np.array(0.5 * (low + high) if np.isfinite(high - low) else 0.0)
+    curvatures = [abs(float(body.curvature(middle))) for body in (contact.a, contact.b)]
+    sizes = [1.0 / curvature for curvature in curvatures if curvature > 0.0]
+    if np.isfinite(high - low):
+        sizes.append(0.5 * (high - low))
+    if not sizes:
+        return 0.0, np.inf  # flat and endless: refused for that
+    return LEAST / contact.compliance * min(sizes) ** 2, MOST / contact.compliance * max(sizes) ** 2
+
+
+def refuse_load(contact: Contact, load: float) -> None:
+    """Refuse a load [N] that is out of range for bodies of their size and stiffness.
+
+    Raises
+    ------
+    InputError
+    """
+    least, most = loads_between(contact)
+    if load < least:
+        condition = f"be at least {least:.2g} N for bodies of this size and stiffness"
+        raise InputError("load", load, condition, "raise it; rounding hides the contact under less")
+    if load > most:
+        condition = f"not exceed {most:.2g} N for bodies of this size and stiffness"
+        raise InputError("load", load, condition, "reduce it; the contact would be far wider than the bodies")
 
 
 def refuse_unpaired(approach: object, load: object, tilt: object, moment: object) -> None:

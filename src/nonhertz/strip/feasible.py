@@ -80,8 +80,10 @@ def refuse_no_contact(problem: Problem, edges: Array, *, chosen: bool = True) ->
     y = np.concatenate([fine.y, edges])
     separation = problem.separation(y)
     refuse_endless_relief(y, separation)
-    needed = float(np.min(separation - tilt * y))
+    needed, given = float(np.min(separation - tilt * y)), float(problem.target[0])
+    if given > needed:
+        raise InputError("approach", given, "lead to a contact that strips can resolve", "raise it")
     condition = f"exceed {needed:.6g} mm, where the bodies begin to touch"
     if chosen:
         condition += f" between y = {edges[0]:.6g} and {edges[-1]:.6g} mm"
-    raise InputError("approach", float(problem.target[0]), condition, "raise it, or prescribe the load")
+    raise InputError("approach", given, condition, "raise it, or prescribe the load")

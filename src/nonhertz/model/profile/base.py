@@ -97,7 +97,7 @@ class Shifted(Profile):
 
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief of the profile ``by`` further back."""
-        return self.profile.relief(np.asarray(y, dtype=float) - self.by)
+        return self.profile.relief(moved_back(y, self.by, self.profile.extent))
 
     @property
     def bends(self) -> tuple[float, ...]:
@@ -109,6 +109,17 @@ class Shifted(Profile):
         """The profile's extent, moved."""
         low, high = self.profile.extent
         return (low + self.by, high + self.by)
+
+
+def moved_back(y: ArrayLike, by: float, extent: tuple[float, float]) -> Array:
+    """Return positions [mm] ``by`` further back; those up to the ends of the moved ``extent`` stay within it.
+
+    The difference alone would put an end outside by rounding, where there is no body.
+    """
+    y = np.asarray(y, dtype=float)
+    low, high = extent
+    within = (y >= low + by) & (y <= high + by)
+    return np.where(within, np.clip(y - by, low, high), y - by)
 
 
 @dataclass(frozen=True)

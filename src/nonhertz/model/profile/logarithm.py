@@ -15,31 +15,50 @@ from nonhertz.model.profile.design_load import design_amplitude, design_half_wid
 
 # Johns and Gohar fitted their logarithm to Lundberg's drop at the end with it; -ln 0.3033 = 1.1930.
 _END = 0.3033
+# Places are counted no farther away than this, in mm and in half-lengths, so that no square overflows.
+_FAR, _BEYOND = 1e100, 1e150
+_MOST_DROP = 700.0  # amplitudes: below exp(-708) numbers lose their digits
+_LEAST_SHARE = 1e-9  # of the length that is crowned; rounding of the length would hide less
 
 
 @dataclass(frozen=True)
 class Logarithmic(Profile):
     """Relief ``amplitude * ln(1 / (1 - (1 - rest) s^2))`` with s counted from a straight middle to the end.
 
-    ``s = max(0, |y| - straight / 2) / (length / 2)``; ``length`` is the length of the curved part, both ends
-    together, and ``rest`` what is left of the logarithm's argument at s = 1, so that the relief there is
-    ``amplitude * ln(1 / rest)``. Beyond the place where the argument would reach zero the relief is infinite.
+    ``s = max(0, |y| - straight / 2) / (curved / 2)`` is 1 at the ends, ``|y| = length / 2``; ``curved`` is the length
+    of the curved part, both ends together, ``straight = length - curved``. ``rest`` is what is left of the logarithm's
+    argument at the ends, where the relief is ``amplitude * ln(1 / rest)``, or ``at_end`` if that is less. Beyond the
+    place where the argument would reach zero the relief is infinite.
     """
 
     amplitude: float
     length: float
     rest: float
-    straight: float = 0.0
+    curved: float
+    at_end: float = math.inf
+
+    @property
+    def straight(self) -> float:
+        """Length of the straight middle [mm]."""
+        return self.length - self.curved
 
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm]; infinite at and beyond the pole of the logarithm."""
-        share = np.abs(np.asarray(y, dtype=float)) - 0.5 * self.straight
-        share = np.maximum(share, 0.0) * (2.0 / self.length)
-        # Not 1 - (1 - rest) s^2: near the end of a profile a millionth of the argument is micrometres of
-        # relief.
-        argument = (1.0 - share) * (1.0 + share) + self.rest * share**2
+        distance = np.minimum(np.abs(np.asarray(y, dtype=float)), _FAR)
+        half = 0.5 * self.curved
+        share = np.minimum(np.maximum(distance - 0.5 * self.straight, 0.0) / half, _BEYOND)
+        # 1 - s, counted from the end: a difference of numbers alike is exact, so that it is zero at the end itself and
+        # keeps its digits beside it, where a millionth of the argument is micrometres of relief.
+        to_end = np.maximum((0.5 * self.length - distance) / half, -_BEYOND)
+        argument = to_end * (1.0 + share) + self.rest * share**2
         inside = argument > 0.0
-        return np.where(inside, self.amplitude * np.abs(np.log(np.where(inside, argument, 1.0))), np.inf)
+        outer = np.where(inside, -np.log(np.where(inside, argument, 1.0)), np.inf)
+        # In the middle it is s that has the digits.
+        inner = -np.log1p(-(1.0 - self.rest) * np.minimum(share, 0.5) ** 2)
+        drop = np.where(to_end > 0.5, inner, outer)
+        # Without an amplitude there is a body up to the pole, and none from there on.
+        relief = np.where(np.isinf(drop), np.inf, self.amplitude * np.where(np.isinf(drop), 0.0, drop))
+        return np.asarray(np.where(to_end >= 0.0, np.minimum(relief, self.at_end), relief) + 0.0)
 
     @property
     def bends(self) -> tuple[float, ...]:
@@ -94,7 +113,7 @@ def logarithmic(amplitude: float, length: float, fraction: float = 1.0, straight
         raise InputError("fraction", fraction, "lie in (0, 1]", "give a share of the half-length")
     not_negative("straight", straight, "give the length of the straight middle in mm, 0 for none")
     rest = (1.0 - float(fraction)) * (1.0 + float(fraction))
-    return Logarithmic(float(amplitude), float(length), rest, float(straight))
+    return Logarithmic(float(amplitude), float(length) + float(straight), rest, curved=float(length))
 
 
 def iso_logarithmic(diameter: float, length: float) -> Profile:
@@ -139,10 +158,9 @@ def iso_logarithmic(diameter: float, length: float) -> Profile:
     0.0
     """
     _check_roller(diameter, length)
-    if length <= 2.5 * diameter:
-        return Logarithmic(0.00035 * float(diameter), float(length), rest=0.0)
-    curved = 2.5 * float(diameter)
-    return Logarithmic(0.0005 * float(diameter), curved, rest=0.0, straight=float(length) - curved)
+    curved = min(float(length), 2.5 * float(diameter))
+    coefficient = 0.00035 if curved == length else 0.0005
+    return Logarithmic(coefficient * float(diameter), float(length), rest=0.0, curved=curved)
 
 
 def iso_tapered(diameter: float, length: float) -> Profile:
@@ -182,7 +200,7 @@ def iso_tapered(diameter: float, length: float) -> Profile:
     0.00129457
     """
     _check_roller(diameter, length)
-    return Logarithmic(0.00045 * float(diameter), float(length), rest=0.0)
+    return Logarithmic(0.00045 * float(diameter), float(length), rest=0.0, curved=float(length))
 
 
 def iso_thrust(diameter: float, length: float) -> Profile:
@@ -267,7 +285,7 @@ def johns_gohar(load: float, length: float, radius: float, compliance: float | N
     """
     amplitude = design_amplitude(load, length, compliance)
     half_width = design_half_width(load, length, radius, compliance)
-    return Logarithmic(amplitude, float(length), rest=_END * 2.0 * half_width / float(length))
+    return Logarithmic(amplitude, float(length), rest=_END * 2.0 * half_width / float(length), curved=float(length))
 
 
 def fujiwara_kawase(
@@ -295,7 +313,7 @@ def fujiwara_kawase(
     k1 : float
         Factor K1 on the load, positive; above 1 for rollers that tilt.
     k2 : float
-        Share K2 of the length that is crowned, in (0, 1].
+        Share K2 of the length that is crowned, from 1e-9 to 1.
     zm : float or None
         Relief at the end [mm], positive; if left out, A ln(a / (0.3033 b)) with the Hertz half-width b at the
         design load, which for k1 = k2 = 1 is the profile of Johns and Gohar.
@@ -326,19 +344,22 @@ def fujiwara_kawase(
     """
     positive("k1", k1, "give the factor on the load, 1 for the design load itself")
     finite("k2", k2, "give the share of the length that is crowned")
-    if not 0.0 < k2 <= 1.0:
-        raise InputError("k2", k2, "lie in (0, 1]", "give the share of the length that is crowned")
+    if not _LEAST_SHARE <= k2 <= 1.0:
+        condition = f"lie between {_LEAST_SHARE:g} and 1"
+        raise InputError("k2", k2, condition, "give the share of the length that is crowned")
     amplitude = float(k1) * design_amplitude(load, length, compliance)
     if radius is not None:
         positive("radius", radius, "give the combined radius of curvature across the contact in mm")
+    at_end = math.inf
     if zm is not None:
         positive("zm", zm, "give the relief at the end in mm, or leave it out for that of Johns and Gohar")
-        rest = math.exp(-zm / amplitude)
+        # For a light design load the exponential has no digits left, and the end is no pole for that.
+        rest, at_end = math.exp(-zm / amplitude) if zm < _MOST_DROP * amplitude else 0.0, float(zm)
     elif radius is not None:
         rest = _END * 2.0 * design_half_width(load, length, radius, compliance) / float(length)
     else:
         raise InputError("zm", zm, "be given where radius is not", "give the relief at the end in mm")
-    return Logarithmic(amplitude, float(k2) * float(length), rest, straight=(1.0 - float(k2)) * float(length))
+    return Logarithmic(amplitude, float(length), rest, curved=float(k2) * float(length), at_end=at_end)
 
 
 def _check_roller(diameter: float, length: float) -> None:

@@ -13,11 +13,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import one_of
+from nonhertz.model.checks import MOST, one_of
 from nonhertz.model.profile.base import Array, Profile
 
 _INTERPOLATIONS = ("pchip", "linear", "cubic")
 _MOST_BENDS = 20
+_CLOSEST = 1e-12  # of the farthest position: rounding of the positions would hide less
 _COLUMNS = "write one point a line, y and relief in mm"
 _SMALL_UNIT = re.compile(r"(?<![a-z])(um|µm|μm|nm|microns?|micromet(?:er|re)s?)(?![a-z])", re.IGNORECASE)
 
@@ -124,7 +125,17 @@ def tabulated(y: Sequence[float], relief: Sequence[float], interpolation: str = 
     twice = np.flatnonzero(np.diff(positions) <= 0.0)
     if len(twice):
         raise InputError("y", y, f"not hold {positions[twice[0]]} twice", "keep one point per position")
+    _refuse_crowded(positions)
     return Tabulated(tuple(positions.tolist()), tuple(reliefs.tolist()), interpolation)
+
+
+def _refuse_crowded(positions: Array) -> None:
+    room = _CLOSEST * float(np.abs(positions).max())
+    crowded = np.flatnonzero(np.diff(positions) < room)
+    if len(crowded):
+        near, far = positions[crowded[0] : crowded[0] + 2].tolist()
+        condition = f"keep its points {room:.2g} mm apart, farther than {near} and {far}"
+        raise InputError("y", positions.tolist(), condition, "keep one point per position")
 
 
 def from_file(path: str | os.PathLike[str], interpolation: str = "pchip") -> Profile:
@@ -189,6 +200,8 @@ def _numbers(field: str, values: Sequence[float]) -> Array:
     numbers = numbers.astype(float)
     if not np.all(np.isfinite(numbers)):
         raise InputError(field, values, "hold finite numbers only", "leave out the points that were not measured")
+    if np.any(np.abs(numbers) > MOST):
+        raise InputError(field, values, f"hold no number over {MOST:g} in size", remedy)
     return numbers
 
 
