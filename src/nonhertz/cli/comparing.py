@@ -127,5 +127,9 @@ def _time(seconds: float) -> str:
 
 def _sentence(each: Stretch) -> str:
     worst = _percent(each.largest) if math.isfinite(each.largest) else "the plane grid has no contact"
-    why = " ".join(each.reasons) or "The solutions do not tell why; more cells or strips may."
+    why = " ".join(map(str, each.reasons))
+    if not each.explained:
+        left = _percent(each.unexplained) if math.isfinite(each.unexplained) else "all of it"
+        what = f"{left} at {each.unexplained_at:.5g} mm" if each.reasons else "this"
+        why = f"{why} Unexplained: the solutions do not tell why {what}; more cells or strips may.".strip()
     return f"{each.element} strips, y = {each.low:.5g} to {each.high:.5g} mm ({worst} at {each.at:.5g} mm). {why}"

@@ -1,24 +1,32 @@
 """Where along the line strips and plane grid differ by more than 1 %, and what the solutions tell of why.
 
-Nothing is known beforehand of a case. Each possible reason is a question put to the solutions: is a sharp end or the
-end of the contact within a half-width; do semi-elliptic strips agree where parabolic ones do not; is the pressure so
-steep that less than a strip or a cell along y makes up for it; is the pressure across no semi-ellipse; does the plane
-grid doubt itself there.
+Nothing is known beforehand of a case. Each possible reason is a question put to the solutions: is an end at which the
+pressure has no limit, or at which the contact runs out, within a half-width; are semi-elliptic strips of another
+half-width where parabolic ones are; is the pressure steep against strips and cells; is the pressure across no
+semi-ellipse; do the methods doubt themselves.
+
+A reason explains no more than its size: the difference that it can make at a strip, relative to the plane grid, as far
+as can be estimated without the difference itself. Sizes of several reasons are bounds and not independent errors, so
+they add up plainly. A stretch is explained where at every one of its strips the sum is at least the difference.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.comparison.value import (
+    Flags,
+    Reason,
     Stretch,
     away_from_sharp_ends,
     differences,
-    excess_of_fourth_moment,
+    excess_of_moments,
+    percent,
     sharp_ends,
 )
 from nonhertz.patch.solution import PatchSolution
@@ -28,8 +36,41 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
 TOLD = 0.01
+LEAST = 1e-3  # of the pressure: a smaller reason is not told
 UNLIKE = 0.005  # of the fourth moment: cells leave 0.001 of a semi-ellipse
-OF_PARABOLA = 3.0  # times worse than semi-elliptic strips
+# How far apart along y strips and cells may place the same pressure: of a strip, and of a cell. Over 20 cases the
+# largest shifts at run-outs were 0.04 strips with fine cells, and 0.38 cells with fine strips.
+OF_STRIP, OF_CELL = 0.05, 0.4
+# Of a parabola's bias in the half-width, to which that of the pressure is proportional (p0 = b / (2 K rho)) but where
+# the contact runs out.
+OF_WIDTH = 1.25
+# Of its pressure: by so much the last cell at an end without a limit misses its mean, those behind it by less.
+OF_LAST_CELL = 0.1
+AT_CORNER = 0.5  # exponent where a contact ends at a corner: that of a sharp end, which bends away too
+
+
+@dataclass(frozen=True)
+class _Cause:
+    """A reason with its sizes, one for each strip of a place."""
+
+    sentence: str
+    sizes: Array
+
+
+@dataclass(frozen=True)
+class _Limitless:
+    """An end of the contact at which the pressure has no limit."""
+
+    y: float
+    exponent: float
+    correction: float
+    half_width: float
+    words: str
+
+    def mean(self, distance: Array, width: Array | float) -> Array:
+        """Return the mean of s^-alpha (1 + c s^(2 alpha)) over a width about each distance s from the end."""
+        powers = _mean_of_power(distance, width, -self.exponent), _mean_of_power(distance, width, self.exponent)
+        return powers[0] + self.correction * powers[1]
 
 
 @dataclass(frozen=True)
@@ -44,22 +85,35 @@ class _Place:
 
     @property
     def worst(self) -> int:
-        return int(self.members[np.abs(self.relative[self.members]).argmax()])
+        return int(np.abs(self.differences).argmax())
+
+    @property
+    def differences(self) -> Array:
+        return self.relative[self.members]
 
     @property
     def y(self) -> Array:
-        places: Array = self.solution.y[self.members]
-        return places
+        return self.solution.y[self.members]
 
     @property
-    def largest(self) -> float:
-        return float(abs(self.relative[self.worst]))
+    def strip_width(self) -> Array:
+        return self.solution.strip_width[self.members]
+
+    @property
+    def expected(self) -> Array:
+        return np.interp(self.y, self.patch.y, self.patch.centre_pressure)
+
+    @property
+    def shift(self) -> Array:
+        """How far apart along y both methods may place the same pressure [mm]."""
+        return OF_STRIP * self.strip_width + OF_CELL * self.patch.dy
 
     @property
     def cells(self) -> Indices:
         """The rows of the plane grid that hold the middles of these strips."""
         cell = np.floor((self.y - self.patch.y[0]) / self.patch.dy + 0.5).astype(np.intp)
-        return np.unique(np.clip(cell, 0, self.patch.y.size - 1))
+        within: Indices = np.clip(cell, 0, self.patch.y.size - 1)
+        return within
 
 
 def stretches(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Stretch, ...]:
@@ -94,103 +148,239 @@ def _groups(solution: Solution, relative: Array) -> list[Indices]:
 
 
 def _stretch(place: _Place) -> Stretch:
-    solution, bias = place.solution, _own_bias(place)
-    # What else may be said of the place is no reason where semi-elliptic strips agree.
-    asked = [_sharp_end(place), bias, _end_of_contact(place), *([] if bias else [_steep(place), _shape(place)])]
+    solution, worst = place.solution, place.worst
+    causes = _causes(place)
+    together = _together(causes, place)
+    bounded = np.isfinite(together)
+    short = np.where(bounded, np.maximum(np.abs(place.differences) - np.where(bounded, together, 0.0), 0.0), 0.0)
+    decisive = int(short.argmax()) if short.any() else worst
     return Stretch(
         element=solution.element.name,
         low=float(solution.edges[place.members[0]]),
         high=float(solution.edges[place.members[-1] + 1]),
-        largest=float(place.relative[place.worst]),
-        at=float(solution.y[place.worst]),
-        reasons=tuple(sentence for sentence in (*asked, "" if bias else _doubt(place)) if sentence),
+        largest=float(place.differences[worst]),
+        at=float(place.y[worst]),
+        reasons=tuple(
+            Reason(cause.sentence, float(cause.sizes[decisive])) for cause in causes if cause.sizes[decisive] >= LEAST
+        ),
+        unexplained=float(short[decisive]),
+        unexplained_at=float(place.y[decisive]),
     )
 
 
-def _sharp_end(place: _Place) -> str:
-    for edge, width in sharp_ends(place.solution):
-        farthest = float(np.max(np.abs(place.y - edge.y)))
-        if farthest <= width:
-            return (
-                f"It lies within {farthest / width:.2g} half-widths of the sharp end at y = {edge.y:.5g} mm, where the "
-                f"pressure has no limit: strips of {edge.strip_width:.2g} mm and cells of {place.patch.dy:.2g} mm bear "
-                "different means of it."
-            )
-    return ""
+def carried(solution: Solution, semi: Solution, patch: PatchSolution, strips: Indices) -> Array:
+    """Return the sum of the sizes of all reasons at some strips next to each other, relative to the plane grid.
+
+    Parameters
+    ----------
+    solution, semi : Solution
+        The strips, and semi-elliptic ones, which may be the same.
+    patch : PatchSolution
+        On the plane grid.
+    strips : ndarray of int, shape (n,)
+        Which strips.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+    """
+    place = _Place(solution, semi, patch, strips, differences(solution, patch))
+    return _together(_causes(place), place)
 
 
-def _own_bias(place: _Place) -> str:
-    """Ask whether the element is to blame: strips that differ from these in their shape only do better."""
+def _causes(place: _Place) -> list[_Cause]:
+    asked = (_limitless_end, _own_bias, _end_of_contact, _steep, _shape, _own_doubt, _doubt_of_grid)
+    return [cause for ask in asked for cause in ask(place)]
+
+
+def _together(causes: list[_Cause], place: _Place) -> Array:
+    return sum((cause.sizes for cause in causes), np.zeros(place.members.size))
+
+
+def _limitless_end(place: _Place) -> Iterator[_Cause]:
+    """Ask what strips and cells make of a pressure that grows as a power of the distance from an end."""
+    for end in _limitless_ends(place.solution):
+        inwards = math.copysign(1.0, float(np.mean(place.solution.edges)) - end.y)
+        distance = inwards * (place.y - end.y)
+        near = (distance > 0.0) & (distance <= end.half_width)
+        if not near.any():
+            continue
+        cells = inwards * (place.patch.y - end.y)
+        of_cells = np.where(cells > 0.0, end.mean(cells, place.patch.dy), 0.0)
+        of_strips = end.mean(distance, place.strip_width)
+        expected = np.interp(place.y, place.patch.y, of_cells)
+        ratio = np.divide(of_strips, expected, out=np.full(near.shape, np.inf), where=expected > 0.0)
+        faded = np.minimum(place.patch.dy / np.where(near, distance, np.inf), 1.0)
+        yield _Cause(
+            f"It lies within {float(distance[near].max()) / end.half_width:.2g} half-widths of {end.words}, where the "
+            f"pressure has no limit: strips of {float(place.strip_width[near].min()):.2g} mm and cells of "
+            f"{place.patch.dy:.2g} mm bear different means of it",
+            np.where(near, np.abs(ratio - 1.0) + OF_LAST_CELL * ratio * faded**2, 0.0),
+        )
+
+
+def _limitless_ends(solution: Solution) -> list[_Limitless]:
+    """Return the sharp ends, and the corners of the profile at which the contact ends with a rising pressure."""
+    found = [
+        _Limitless(edge.y, edge.exponent, edge.correction or 0.0, width, f"the sharp end at y = {edge.y:.5g} mm")
+        for edge, width in sharp_ends(solution)
+    ]
+    touching = np.flatnonzero(solution.line_load > 0.0)
+    for last, inner in (touching[:2], touching[:-3:-1]) if touching.size > 1 else ():
+        rises = solution.peak_pressure[last] > solution.peak_pressure[inner]
+        corner = _bend_beside(solution, int(last))
+        if rises and corner is not None and all(abs(corner - end.y) > solution.strip_width[last] for end in found):
+            words = f"the corner at y = {corner:.5g} mm, where the contact ends"
+            found.append(_Limitless(corner, AT_CORNER, 0.0, float(solution.half_width[inner]), words))
+    return found
+
+
+def _bend_beside(solution: Solution, strip: int) -> float | None:
+    """Return the bend of the profile within a strip's width of a strip's middle, if there is one."""
+    nearest = min(solution.contact.bends, key=lambda bend: abs(bend - solution.y[strip]), default=math.inf)
+    return nearest if abs(nearest - solution.y[strip]) <= solution.strip_width[strip] else None
+
+
+def _mean_of_power(distance: Array, width: Array | float, exponent: float) -> Array:
+    """Return the mean of a power of the distance over a width about each; nothing lies beyond the end."""
+    rise = 1.0 + exponent
+    low, high = np.maximum(distance - 0.5 * width, 0.0), np.maximum(distance + 0.5 * width, 0.0)
+    mean: Array = (high**rise - low**rise) / (rise * width)
+    return mean
+
+
+def _own_bias(place: _Place) -> Iterator[_Cause]:
+    """Ask how far a parabola's half-width is from that of semi-elliptic strips: so far is its pressure."""
     if place.solution is place.semi:
-        return ""
-    near = np.interp(place.y, place.semi.y, np.nan_to_num(differences(place.semi, place.patch), posinf=1.0))
-    best, here = (float(np.median(np.abs(each))) for each in (near, place.relative[place.members]))
-    if best * OF_PARABOLA > here:
-        return ""
-    return (
-        f"It is the parabola's own: in the median, semi-elliptic strips differ by {_percent(best)} there, parabolic "
-        f"ones by {_percent(here)}."
+        return
+    of_semi = np.interp(place.y, place.semi.y, place.semi.half_width)
+    own = place.solution.half_width[place.members]
+    bias = np.abs(np.divide(own, of_semi, out=np.ones(own.size), where=of_semi > 0.0) - 1.0)
+    median = float(np.median(bias))
+    yield _Cause(
+        f"It is the parabola's own: its half-width there is {percent(median)} off that of semi-elliptic strips in the "
+        "median, and its pressure with it",
+        OF_WIDTH * bias,
     )
 
 
-def _end_of_contact(place: _Place) -> str:
-    solution, y = place.solution, float(place.solution.y[place.worst])
-    sharp = [edge.y for edge, _ in sharp_ends(solution)]
-    ends = [end for interval in solution.contact_y for end in interval if end not in sharp]
-    nearest = min(ends, key=lambda end: abs(end - y), default=math.inf)
-    away, widest = abs(nearest - y), float(solution.half_width.max())
-    if away >= widest:
-        return ""
+def _end_of_contact(place: _Place) -> Iterator[_Cause]:
+    """Ask what comes of placing a run-out a little differently: pressure falls as the root of the distance from it."""
+    solution = place.solution
+    near, distance, nearest = _run_out(place)
+    if not near.any():
+        return
+    inside = np.maximum(distance - place.shift, 0.0)
+    root = np.sqrt(np.divide(distance, inside, out=np.full(inside.shape, np.inf), where=inside > 0.0)) - 1.0
+    # Close to it a curve through few strips or cells is a poor one, farther away the pressure may have stopped rising.
+    poorer, better = _shifted(place)
+    sizes = np.minimum(root, np.where(distance > 2.0 * place.shift, better, poorer))
+    away = float(distance[place.worst]) / float(solution.half_width.max())
+    yield _Cause(
+        f"The contact runs out at y = {nearest:.5g} mm, {abs(away):.2g} half-widths from where they differ most, and "
+        f"strips and cells may place that {float(place.shift.max()):.2g} mm apart",
+        np.where(near, sizes, 0.0),
+    )
+
+
+def _run_out(place: _Place) -> tuple[Flags, Array, float]:
+    """Return which strips are within a half-width of a run-out, how far inside it all are, and the one next to them."""
+    solution = place.solution
+    limitless = [end.y for end in _limitless_ends(solution)]
     kinds = {edge.y: edge.kind for edge in solution.edge_pressure}
-    ending = "is cut off by the strips" if kinds.get(nearest) is EdgeKind.CUT_OFF else "runs out"
-    if kinds.get(nearest) is EdgeKind.FINITE:
-        ending = "ends with the bodies"
-    return f"The contact {ending} at y = {nearest:.5g} mm, {away / widest:.2g} half-widths from where they differ most."
+    ends = [
+        (end, side)
+        for low, high in solution.contact_y
+        for end, side in ((low, 1.0), (high, -1.0))
+        if kinds.get(end, EdgeKind.RUN_OUT) is EdgeKind.RUN_OUT
+        and all(abs(end - other) > place.patch.dy for other in limitless)
+    ]
+    none = np.zeros(place.y.size, dtype=bool)
+    if not ends:
+        return none, np.full(place.y.size, np.inf), math.nan
+    end, side = min(ends, key=lambda each: abs(each[0] - place.y[place.worst]))
+    distance = side * (place.y - end)
+    return np.abs(distance) < float(solution.half_width.max()), distance, end
 
 
-def _steep(place: _Place) -> str:
-    """Ask whether a shift along y of less than a strip or a cell makes up for the difference."""
-    solution, patch, members = place.solution, place.patch, place.members
-    if not away_from_sharp_ends(solution, place.y).all():
-        return ""
-    slopes = np.abs(np.diff(patch.centre_pressure)) / patch.dy
-    steepest = np.maximum(np.append(slopes, 0.0), np.insert(slopes, 0, 0.0))
-    slope = np.interp(place.y, patch.y, steepest)
-    off = np.abs(solution.peak_pressure[members] - np.interp(place.y, patch.y, patch.centre_pressure))
-    shift = np.divide(off, slope, out=np.full(off.shape, np.inf), where=slope > 0.0)
-    length = np.maximum(solution.strip_width[members], patch.dy)
-    if np.any(shift > length):
-        return ""
-    at = int(np.argmax(shift))
-    return (
-        f"The pressure is steep there: a shift along y by {shift[at]:.2g} mm at most, with strips and cells of "
-        f"{solution.strip_width[members[at]]:.2g} and {patch.dy:.2g} mm, makes up for it."
+def _steep(place: _Place) -> Iterator[_Cause]:
+    """Ask how far the pressure is from a straight line over strips and cells, where no end has been asked about."""
+    free = ~_run_out(place)[0] & away_from_sharp_ends(place.solution, place.y)
+    if free.any():
+        yield _Cause(
+            f"The pressure bends there within strips of {float(place.strip_width[free].max()):.2g} mm and cells of "
+            f"{place.patch.dy:.2g} mm",
+            np.where(free, _bent(place), 0.0),
+        )
+
+
+def _bent(place: _Place) -> Array:
+    """Return what a straight line over a strip and a cell misses of the pressure, by the straightest of all curves.
+
+    That is an eighth of the second difference over the step of a curve; two methods may miss so much either way.
+    """
+    reach = 0.5 * place.strip_width + place.patch.dy
+    bends = [
+        0.25
+        * np.abs(sum(weight * np.interp(place.y + by * reach, *curve) for by, weight in ((-1, 1), (0, -2), (1, 1))))
+        for curve in _curves(place)
+    ]
+    size: Array = np.divide(
+        np.min(bends, axis=0), place.expected, out=np.zeros(place.y.size), where=place.expected > 0.0
     )
+    return size
 
 
-def _shape(place: _Place) -> str:
-    excess = excess_of_fourth_moment(place.patch)[place.cells]
-    if not np.any(np.abs(excess[np.isfinite(excess)]) > UNLIKE):
-        return ""
-    worst = float(excess[np.nanargmax(np.abs(excess))])
-    return (
-        f"Across, the pressure is no semi-ellipse there: its fourth moment is {_percent(abs(worst))} "
-        f"{'above' if worst > 0.0 else 'below'} that of one with its load and second moment."
+def _curves(place: _Place) -> list[tuple[Array, Array]]:
+    """Return the pressures along y of all solutions.
+
+    A step in one of them alone is no steep pressure but what has to be explained.
+    """
+    strips = [(one.y, one.peak_pressure) for one in (place.solution, place.semi)]
+    return [(place.patch.y, place.patch.centre_pressure), *strips]
+
+
+def _shifted(place: _Place) -> tuple[Array, Array]:
+    """Return what a shift along y makes of the pressure, by the steepest and by the least steep of the solutions.
+
+    Where either has no contact it is everything.
+    """
+    ways = -place.shift, place.shift
+    changes = [
+        np.max([np.abs(np.interp(place.y + by, *curve) - np.interp(place.y, *curve)) for by in ways], axis=0)
+        for curve in _curves(place)
+    ]
+    both = (place.expected > 0.0) & (place.solution.line_load[place.members] > 0.0)
+    steepest, flattest = (
+        np.divide(change, place.expected, out=np.full(change.size, np.inf), where=both)
+        for change in (np.max(changes, axis=0), np.min(changes, axis=0))
     )
+    return steepest, np.where(both, flattest, 0.0)
 
 
-def _doubt(place: _Place) -> str:
-    """Ask what both methods say of their own errors, of the maximum if that is here."""
-    own, patch = place.solution.error_estimate, place.patch
-    own_doubt, doubt = max(own.approach, own.load), patch.error_estimate.max_pressure
-    if OF_PARABOLA * own_doubt > TOLD:
-        size = f"their error at {_percent(own_doubt)}" if math.isfinite(own_doubt) else "no error of their own"
-        return f"The strips are few for this contact: they estimate {size}."
-    here = np.min(np.abs(place.y - patch.max_pressure_at[1])) <= 2.0 * patch.dy
-    if here and math.isfinite(doubt) and OF_PARABOLA * doubt > TOLD:
-        return f"The plane grid estimates its own maximum, which is here, to be off by {_percent(doubt)}."
-    return ""
+def _shape(place: _Place) -> Iterator[_Cause]:
+    """Ask how high the pressure across is against a semi-ellipse of the same load and second moment."""
+    fourth, peak = (each[place.cells] for each in excess_of_moments(place.patch))
+    unlike = np.isfinite(fourth) & (np.abs(np.nan_to_num(fourth)) > UNLIKE)
+    if unlike.any():
+        worst = float(fourth[unlike][np.abs(fourth[unlike]).argmax()])
+        yield _Cause(
+            f"Across, the pressure is no semi-ellipse there: its fourth moment is {percent(abs(worst))} "
+            f"{'above' if worst > 0.0 else 'below'} that of one with its load and second moment, and its peak is off",
+            np.where(unlike, np.abs(np.nan_to_num(peak)), 0.0),
+        )
 
 
-def _percent(relative: float) -> str:
-    return f"{100.0 * relative:.2g} %" if math.isfinite(relative) else "all of it"
+def _own_doubt(place: _Place) -> Iterator[_Cause]:
+    own = place.solution.error_estimate
+    doubt = max(own.approach, own.load)
+    if math.isfinite(doubt):
+        yield _Cause("The strips are few for this contact by their own estimate", np.full(place.y.size, doubt))
+
+
+def _doubt_of_grid(place: _Place) -> Iterator[_Cause]:
+    patch = place.patch
+    doubt = patch.error_estimate.max_pressure
+    here = np.abs(place.y - patch.max_pressure_at[1]) <= 2.0 * patch.dy
+    if here.any() and math.isfinite(doubt):
+        yield _Cause("The plane grid doubts its own maximum, which is here", np.where(here, doubt, 0.0))

@@ -72,6 +72,31 @@ class Seconds:
 
 
 @dataclass(frozen=True)
+class Reason:
+    """Why strips and plane grid differ, and by how much that can make them differ.
+
+    Attributes
+    ----------
+    sentence : str
+        What the solutions tell, without a full stop.
+    size : float
+        The largest difference that comes of it, relative to the plane grid; infinite where it can be all of it.
+    """
+
+    sentence: str
+    size: float
+
+    def __str__(self) -> str:
+        size = f"{percent(self.size)} at most" if math.isfinite(self.size) else "any difference"
+        return f"{self.sentence}: {size}."
+
+
+def percent(relative: float) -> str:
+    """Return a share in per cent, two digits or a whole number."""
+    return f"{100.0 * relative:.0f} %" if relative >= 0.995 else f"{100.0 * relative:.2g} %"
+
+
+@dataclass(frozen=True)
 class Stretch:
     """A piece of the centre line on which strips differ from the plane grid by more than 1 %.
 
@@ -85,8 +110,12 @@ class Stretch:
         The largest difference there, relative to the plane grid; infinite where that has no contact.
     at : float
         Centre of the strip that has it [mm].
-    reasons : tuple of str
-        What the solutions tell of why, a sentence each; empty where they tell nothing.
+    reasons : tuple of Reason
+        What the solutions tell of why, with sizes at ``at``, or at ``unexplained_at`` where something is left.
+    unexplained : float
+        The most by which a difference exceeds the sum of its reasons' sizes at the same strip; zero where none does.
+    unexplained_at : float
+        Centre of the strip where that is [mm], or ``at``.
     """
 
     element: str
@@ -94,7 +123,14 @@ class Stretch:
     high: float
     largest: float
     at: float
-    reasons: tuple[str, ...]
+    reasons: tuple[Reason, ...]
+    unexplained: float
+    unexplained_at: float
+
+    @property
+    def explained(self) -> bool:
+        """Whether the reasons together are as large as the difference, at every strip."""
+        return self.unexplained == 0.0
 
 
 @dataclass(frozen=True)
@@ -223,9 +259,15 @@ def away_from_sharp_ends(solution: Solution, y: Array) -> Flags:
 
 
 def excess_of_fourth_moment(patch: PatchSolution) -> Array:
-    """Return how far the pressure across is from a semi-ellipse, by its fourth moment.
+    """Return how far the pressure across is from a semi-ellipse, by its fourth moment; see `excess_of_moments`."""
+    return excess_of_moments(patch)[0]
 
-    A semi-ellipse of any load and width has <x^4> = 2 <x^2>^2, a rectangle 1.8 and a triangle 2.4.
+
+def excess_of_moments(patch: PatchSolution) -> tuple[Array, Array]:
+    """Return how far the pressure across is from a semi-ellipse, by its fourth moment and by its peak.
+
+    A semi-ellipse of any load and width has <x^4> = 2 <x^2>^2, a rectangle 1.8 and a triangle 2.4. On x = 0 its
+    pressure is q / (pi sqrt(<x^2>)).
 
     Parameters
     ----------
@@ -234,13 +276,14 @@ def excess_of_fourth_moment(patch: PatchSolution) -> Array:
 
     Returns
     -------
-    ndarray, shape (ny,)
-        <x^4> / (2 <x^2>^2) - 1 about the middle; not a number with fewer than `FEWEST_ACROSS` cells in contact, or
-        where the half-width changes by more than `MOST_CHANGE` of itself from cell to cell: a cell along then holds
-        semi-ellipses of unlike widths, whose mean is none.
+    tuple of ndarray, shape (ny,)
+        <x^4> / (2 <x^2>^2) - 1 about the middle, and the pressure on x = 0 over that of the semi-ellipse, less 1; not a
+        number with fewer than `FEWEST_ACROSS` cells in contact, or where the half-width changes by more than
+        `MOST_CHANGE` of itself from cell to cell: a cell along then holds semi-ellipses of unlike widths, whose mean is
+        none.
     """
     pressure, load, width = patch.pressure, patch.pressure.sum(axis=0), patch.half_width
-    excess = np.full(patch.y.size, np.nan)
+    fourth_excess, peak_excess = np.full(patch.y.size, np.nan), np.full(patch.y.size, np.nan)
     steps = np.abs(np.diff(width))
     change = np.maximum(np.append(steps, 0.0), np.insert(steps, 0, 0.0))
     wide = (patch.footprint.sum(axis=0) >= FEWEST_ACROSS) & (change < MOST_CHANGE * width)
@@ -250,5 +293,6 @@ def excess_of_fourth_moment(patch: PatchSolution) -> Array:
     cell = patch.dx**2 / 12.0
     second = np.sum(share * away**2, axis=0) + cell
     fourth = np.sum(share * (away**4 + 6.0 * cell * away**2), axis=0) + patch.dx**4 / 80.0
-    excess[wide] = fourth / (2.0 * second**2) - 1.0
-    return excess
+    fourth_excess[wide] = fourth / (2.0 * second**2) - 1.0
+    peak_excess[wide] = patch.centre_pressure[wide] / (patch.line_load[wide] / (np.pi * np.sqrt(second))) - 1.0
+    return fourth_excess, peak_excess

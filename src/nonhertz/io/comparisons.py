@@ -17,7 +17,7 @@ from nonhertz.solution import Solution
 #: Units of the numbers in a comparison; quantities have their own, and what has none is left out.
 UNITS: dict[str, Any] = {
     "seconds": "s",
-    "stretches": {"low": "mm", "high": "mm", "at": "mm"},
+    "stretches": {"low": "mm", "high": "mm", "at": "mm", "unexplained_at": "mm"},
     "stations": {"y": "mm"},
     "strips": {"y": "mm", "strip_width": "mm", "peak_pressure": "MPa", "half_width": "mm"},
     "patch": {"y": "mm", "centre_pressure": "MPa", "half_width": "mm", "line_load": "N/mm"},
@@ -107,7 +107,10 @@ def _stretch(each: Stretch) -> dict[str, Any]:
         "high": plain(each.high),
         "largest": plain(each.largest),
         "at": plain(each.at),
-        "reasons": list(each.reasons),
+        "reasons": [{"sentence": reason.sentence, "size": plain(reason.size)} for reason in each.reasons],
+        "explained": each.explained,
+        "unexplained": plain(each.unexplained),
+        "unexplained_at": plain(each.unexplained_at),
     }
 
 
