@@ -26,13 +26,15 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.special import elliprd, elliprf
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import positive
-from nonhertz.model.material import Material
+from nonhertz.model.checks import numbers, positive
+from nonhertz.model.material import Material, check_poisson
 
 Array = NDArray[np.float64]
 
 _RADIUS_REMEDY = "give the combined radius 1 / (1/R_a + 1/R_b) in mm, or use line_contact for straight bodies"
 _COMPLIANCE_REMEDY = "give the sum of both bodies' (1 - nu^2) / (pi E) in 1/MPa, which is Contact.compliance"
+
+_PLACES_REMEDY = "give positions in mm"
 
 # Near a ratio of 1e-300 the integrals leave the range of double precision, and each decade costs rounding.
 _SMALLEST_RADIUS_RATIO = 1e-100
@@ -99,20 +101,20 @@ class PointContact:
         >>> contact.pressure([0.0, contact.half_length]).round(1).tolist()
         [1545.7, 0.0]
         """
-        across = np.asarray(x, dtype=float) / self.half_width
-        along = np.asarray(y, dtype=float) / self.half_length
+        across = numbers("x", x, _PLACES_REMEDY) / self.half_width
+        along = numbers("y", y, _PLACES_REMEDY) / self.half_length
         return np.asarray(self.max_pressure * _semicircle(np.hypot(across, along)))
 
     def half_width_at(self, y: ArrayLike) -> Array:
         """Return the half-width b sqrt(1 - (y/a)^2) [mm] at ``y`` [mm], zero beyond the ends."""
-        return np.asarray(self.half_width * _semicircle(np.asarray(y, dtype=float) / self.half_length))
+        return np.asarray(self.half_width * _semicircle(numbers("y", y, _PLACES_REMEDY) / self.half_length))
 
     def line_load_at(self, y: ArrayLike) -> Array:
         """Return the load per unit length 3Q/(4a) (1 - (y/a)^2) [N/mm] at ``y`` [mm], zero beyond the ends.
 
         It is the pressure integrated across the contact: what a strip at ``y`` carries per unit length.
         """
-        share = _semicircle(np.asarray(y, dtype=float) / self.half_length) ** 2
+        share = _semicircle(numbers("y", y, _PLACES_REMEDY) / self.half_length) ** 2
         return np.asarray(0.75 * self.load / self.half_length * share)
 
 
@@ -146,7 +148,7 @@ class LineContact:
 
     def pressure(self, x: ArrayLike) -> Array:
         """Return the pressure p0 sqrt(1 - (x/b)^2) [MPa] at ``x`` [mm] across, zero outside."""
-        return np.asarray(self.max_pressure * _semicircle(np.asarray(x, dtype=float) / self.half_width))
+        return np.asarray(self.max_pressure * _semicircle(numbers("x", x, _PLACES_REMEDY) / self.half_width))
 
     def stress(self, x: ArrayLike, z: ArrayLike, poisson: float) -> Array:
         """Return the plane-strain stress below the surface [MPa], compressive stress negative.
@@ -182,7 +184,11 @@ class LineContact:
         >>> round(float(shear / contact.max_pressure), 4)
         -0.25
         """
-        zeta = (np.asarray(x, dtype=float) + 1j * np.asarray(z, dtype=float)) / self.half_width
+        x, z = numbers("x", x, _PLACES_REMEDY), numbers("z", z, _PLACES_REMEDY)
+        if np.any(z < 0.0):
+            raise InputError("z", float(z.min()), "not be negative", "z points into the body, from 0 on its surface")
+        check_poisson(poisson)
+        zeta = (x + 1j * z) / self.half_width
         # Factors apart, for the branch that goes like zeta far away.
         root = np.sqrt(zeta - 1.0) * np.sqrt(zeta + 1.0)
         transform = self.max_pressure / (zeta + root)

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import AccuracyWarning, InputError
-from nonhertz.model.checks import thread_count
+from nonhertz.model.checks import listed, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription, refuse_unpaired
 from nonhertz.outcome import outcome, suspected
@@ -182,7 +182,10 @@ class Solutions:
         return (self._solution(number) for number in range(len(self)))
 
     def __getitem__(self, number: int | tuple[int, ...]) -> Solution:
-        at = np.arange(len(self)).reshape(self.shape)[number]
+        try:
+            at = np.arange(len(self)).reshape(self.shape)[number]
+        except ValueError:
+            raise IndexError(f"{number!r} is no number of a case") from None
         if at.shape != ():
             raise IndexError(f"one number for each of the {len(self.shape)} axes is wanted")
         return self._solution(int(at))
@@ -316,9 +319,7 @@ def _several(contacts: Contact | Iterable[Contact]) -> list[Contact]:
     if isinstance(contacts, Contact):
         return [contacts]
     remedy = "give one Contact, or a list of them"
-    if isinstance(contacts, str) or not isinstance(contacts, Iterable):
-        raise InputError("contacts", contacts, "be contacts", remedy)
-    several = list(contacts)
+    several: list[Contact] = listed("contacts", contacts, "be contacts", remedy)
     for number, contact in enumerate(several):
         if not isinstance(contact, Contact):
             raise InputError(f"contacts[{number}]", contact, "be a Contact", remedy)

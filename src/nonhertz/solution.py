@@ -10,6 +10,8 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.errors import InputError
+from nonhertz.model.checks import numbers
 from nonhertz.model.contact import Contact
 from nonhertz.strip.element import Element
 
@@ -115,14 +117,17 @@ class EdgePressure:
         Parameters
         ----------
         distance : array_like
-            s [mm], at most half a half-width.
+            s [mm], positive, at most half a half-width.
 
         Returns
         -------
         ndarray
             Pressures [MPa]; not a number where there is no strength.
         """
-        s = np.asarray(distance, dtype=float)
+        remedy = "give distances from the end in mm"
+        s = numbers("distance", distance, remedy)
+        if np.any(s <= 0.0):
+            raise InputError("distance", distance, "be positive", remedy)
         if self.strength is None or self.correction is None:
             return np.full(s.shape, np.nan)
         pressure: Array = self.strength * s**-self.exponent * (1.0 + self.correction * s ** (2.0 * self.exponent))

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import AccuracyWarning, InputError
 from nonhertz.finite import influence_of
+from nonhertz.model.checks import numbers
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.outcome import outcome
@@ -140,8 +141,8 @@ def _checked_edges(contact: Contact, strips: ArrayLike) -> Array:
     low, high = contact.interval
     remedy = "give ascending strip edges in mm within the bodies"
     try:
-        edges = np.asarray(strips, dtype=float)
-    except (TypeError, ValueError):
+        edges = numbers("strips", strips, remedy)
+    except InputError:
         raise InputError("strips", strips, "ascend and be finite", remedy) from None
     if edges.ndim != 1 or not FEWEST_STRIPS < edges.size <= MOST_STRIPS + 1:
         raise InputError(

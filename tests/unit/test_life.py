@@ -340,7 +340,7 @@ def test_lives_are_compared_by_one_model(lives):
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        ({"rollers": 0}, "rollers = 0 must be positive"),
+        ({"rollers": 0}, "rollers = 0 must be a whole number of at least 1"),
         ({"rollers": 2.5}, "rollers = 2.5 must be a whole number"),
         ({"rollers": 16}, "rollers = 16 must fit side by side on the pitch circle of 75 mm, 15 at most"),
         ({"models": [3]}, "models = 3 must be a fatigue model or several"),

@@ -275,7 +275,7 @@ def test_the_largest_below_a_plane_grid_is_that_below_strips(patched):
         ((0.0, np.nan, 0.1), {}, "y = nan must be finite"),
         ((0.0, 0.0, 1e200), {}, r"z = 1e\+200 must not exceed 1e\+06 mm"),
         ((0.0, 0.0, 0.1), {"body": ["a"]}, r"body = \['a'\] must be one of the two bodies"),
-        (("here", 0.0, 0.1), {}, "x = 'here' must be numbers"),
+        (("here", 0.0, 0.1), {}, "x = 'here' must be real numbers"),
         ((0.0, 0.0, 0.1), {"body": "c"}, "body = 'c' must be one of the two bodies"),
         ((0.0, 0.0, 0.1), {"threads": 0}, "threads = 0 must be a whole number of at least 1"),
         (([0.0, 1.0], [0.0, 1.0, 2.0], 0.1), {}, "must broadcast against each other"),

@@ -15,9 +15,11 @@ from nonhertz.comparison.reasons import stretches
 from nonhertz.comparison.stations import stations
 from nonhertz.comparison.value import Comparison, Seconds
 from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
+from nonhertz.model.checks import callback, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.patch import PatchSolution
 from nonhertz.patch import solve as solve_patch
+from nonhertz.patch.resources import checked_cells
 from nonhertz.solution import Solution
 from nonhertz.solver import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
@@ -77,6 +79,11 @@ def compare(
     >>> abs(semi_elliptic) < 1e-3 < abs(parabolic)
     True
     """
+    callback("announce", announce)
+    if cells is not None:  # before anything is solved on strips
+        checked_cells(cells)
+    if threads is not None:
+        thread_count(threads)
     given: dict[str, Any] = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
 
     def on_strips(element: Element) -> tuple[Solution, float]:

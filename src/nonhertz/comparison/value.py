@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.errors import InputError
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.solution import EdgeKind, EdgePressure, Solution
@@ -201,12 +202,14 @@ class Comparison:
             If there is none.
         """
         for each in self.quantities:
-            if each.name.startswith(name):
+            if isinstance(name, str) and name and each.name.startswith(name):
                 return each
         raise KeyError(name)
 
     def along(self, solution: Solution) -> Array:
         """Return how far each strip is from the plane grid; see `differences`."""
+        if not isinstance(solution, Solution):
+            raise InputError("solution", solution, "be a solution on strips", "give one of those compared")
         return differences(solution, self.patch)
 
 

@@ -22,12 +22,12 @@ from nonhertz.life.capacity import Raceway, raceway
 from nonhertz.life.catalogue import MODELS, RATED, Model, VolumeModel, lundberg_palmgren, model
 from nonhertz.life.lamina import EXPONENT, LEFT_OUT, LaminaModel, laminae_of
 from nonhertz.life.volume import Exposure, exposure
-from nonhertz.model.checks import positive
+from nonhertz.model.checks import listed, positive, whole
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.singular import singular_ends
 from nonhertz.solution import ReadOnly, Solution
-from nonhertz.subsurface.evaluation import Running
+from nonhertz.subsurface.evaluation import Running, refuse_options
 from nonhertz.subsurface.inside import check_body
 from nonhertz.subsurface.reach import AnySolution, checked_solution, contact_ends
 
@@ -165,6 +165,7 @@ def assess(
     >>> round(life.relative, 2)
     0.76
     """
+    refuse_options("assess", options, Running)
     check_body(body)
     wanted = _wanted(models)
     spectrum = _spectrum(solution)
@@ -184,22 +185,19 @@ def assess(
 def _checked_rollers(rollers: int | None, contact: Contact) -> int | None:
     if rollers is None:
         return None
-    positive("rollers", rollers, _ROLLERS_REMEDY)
-    if rollers != int(rollers):
-        raise InputError("rollers", rollers, "be a whole number", _ROLLERS_REMEDY)
+    rollers = whole("rollers", rollers, 1, math.inf, _ROLLERS_REMEDY)
     ring, _ = raceway(contact)
     if ring is not None and rollers > ring.most_rollers:
         condition = f"fit side by side on the pitch circle of {ring.pitch_diameter:g} mm, {ring.most_rollers} at most"
         raise InputError("rollers", rollers, condition, _ROLLERS_REMEDY)
-    return int(rollers)
+    return rollers
 
 
 def _wanted(models: Model | str | Iterable[Model | str]) -> list[Model]:
     several = [models] if isinstance(models, str | VolumeModel | LaminaModel) else models
     remedy = f"give models or their names: {', '.join(MODELS)}"
-    if not isinstance(several, Iterable):
-        raise InputError("models", models, "be a fatigue model or several", remedy)
-    wanted = [model(each) if isinstance(each, str) else each for each in several or MODELS]
+    members = listed("models", several, "be a fatigue model or several", remedy)
+    wanted = [model(each) if isinstance(each, str) else each for each in members or MODELS]
     for each in wanted:
         if not isinstance(each, VolumeModel | LaminaModel):
             raise InputError("models", each, "be a fatigue model or several", remedy)

@@ -16,7 +16,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from nonhertz.errors import InputError
 from nonhertz.model.body import Body, Ring, Roller
+from nonhertz.model.checks import flag, one_of, positive, whole
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
 
@@ -51,6 +53,16 @@ class Raceway:
     inner: bool
     body: str = "b"
 
+    def __post_init__(self) -> None:
+        positive("roller_diameter", self.roller_diameter, "give the roller's diameter in mm")
+        positive("length", self.length, "give the length on which roller and ring can touch in mm")
+        positive("pitch_diameter", self.pitch_diameter, "give the diameter of the circle of roller centres in mm")
+        flag("inner", self.inner, "write True for an inner ring, False for an outer one")
+        one_of("body", self.body, ("a", "b"), "name the body that is the ring")
+        if self.pitch_diameter <= self.roller_diameter:
+            condition = f"exceed the roller's diameter of {self.roller_diameter:g} mm"
+            raise InputError("pitch_diameter", self.pitch_diameter, condition, "give that of the roller centres")
+
     @property
     def most_rollers(self) -> int:
         """The number of rollers that fit side by side on the pitch circle."""
@@ -64,6 +76,7 @@ class Raceway:
         >>> round(Raceway(10.0, 9.6, 65.0, True).load_rating(14), 1)
         48416.8
         """
+        rollers = self._checked(rollers)
         gamma = self.roller_diameter / self.pitch_diameter
         ratio = (1.0 - gamma) / (1.0 + gamma)
         of_geometry = gamma ** (2 / 9) * (1.0 - gamma) ** (29 / 27) / (1.0 + gamma) ** 0.25
@@ -86,10 +99,15 @@ class Raceway:
         >>> round(inner.capacity(14), 1), round(outer.capacity(14), 1)
         (11449.6, 17271.6)
         """
+        rollers = self._checked(rollers)
         gamma = self.roller_diameter / self.pitch_diameter
         other = (1.038 * ((1.0 - gamma) / (1.0 + gamma)) ** (143 / 108)) ** 4.5
         share = 0.378 * (1.0 + other) ** (-2 / 9) if self.inner else 0.364 * (1.0 + 1.0 / other) ** (-2 / 9)
         return float(self.load_rating(rollers) / (REDUCTION * share * rollers))
+
+    def _checked(self, rollers: int) -> int:
+        """Return a number of rollers, or refuse what does not fit side by side on the pitch circle."""
+        return whole("rollers", rollers, 1, self.most_rollers, "give the number of rollers in the bearing")
 
 
 def raceway(contact: Contact) -> tuple[Raceway | None, str]:
@@ -98,6 +116,8 @@ def raceway(contact: Contact) -> tuple[Raceway | None, str]:
     The ring is the one that is a `Ring`; of two bodies that are neither a ring nor a roller by name, the concave or
     larger one.
     """
+    if not isinstance(contact, Contact):
+        raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
     bodies = {"a": contact.a, "b": contact.b}
     if not all(isinstance(body.diameter, float | int) for body in bodies.values()):
         return None, "L10 is known only for a cylindrical roller on a cylindrical ring"

@@ -18,7 +18,7 @@ from typing import Any
 
 from nonhertz.errors import InputError
 from nonhertz.life.lamina import LaminaModel, iso_16281
-from nonhertz.model.checks import not_negative, one_of, positive
+from nonhertz.model.checks import not_negative, one_of, positive, text
 
 LINE_CONTACT_SLOPE = 9.0 / 8.0
 SLOPES = 0.2, 5.0  # far beyond what has been found; the powers stay within double precision
@@ -60,6 +60,8 @@ class VolumeModel:
     source: str
 
     def __post_init__(self) -> None:
+        text("name", self.name, "give the name of the model")
+        text("source", self.source, "say where it has been published")
         one_of("stress", self.stress, STRESSES, "choose what makes the material fatigue")
         positive("exponent", self.exponent, _EXPONENT_REMEDY)
         if self.exponent > MOST_EXPONENT:

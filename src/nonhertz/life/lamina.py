@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import one_of
+from nonhertz.model.checks import one_of, text, whole
 from nonhertz.model.contact import Contact
 from nonhertz.solution import Solution
 from nonhertz.subsurface.reach import AnySolution, edges_along, sharp_ends
@@ -48,6 +48,14 @@ class LaminaModel:
     edge_stress: str
     line_loads: str
     source: str
+
+    def __post_init__(self) -> None:
+        text("name", self.name, "give the name of the model")
+        text("source", self.source, "say where it has been published")
+        laminae = whole("laminae", self.laminae, FEWEST, MOST, "give the number of slices, 60 say")
+        object.__setattr__(self, "laminae", laminae)
+        one_of("edge_stress", self.edge_stress, EDGE_STRESS, "use 'pressure' for what was solved")
+        one_of("line_loads", self.line_loads, LINE_LOADS, "use 'solution' for what was solved")
 
     @property
     def slope(self) -> float:
@@ -73,12 +81,7 @@ def iso_16281(*, laminae: int = 60, edge_stress: str = "pressure", line_loads: s
     ISO/TS 16281:2008, Rolling bearings - Methods for calculating the modified reference rating life for universally
     loaded bearings, Eqs. (47), (48), (56) to (65), as quoted by others.
     """
-    remedy = "give the number of slices, 60 say"
-    if isinstance(laminae, bool) or not isinstance(laminae, int | np.integer) or not FEWEST <= laminae <= MOST:
-        raise InputError("laminae", laminae, f"be a whole number from {FEWEST} to {MOST}", remedy)
-    one_of("edge_stress", edge_stress, EDGE_STRESS, "use 'pressure' for what was solved")
-    one_of("line_loads", line_loads, LINE_LOADS, "use 'solution' for what was solved")
-    return LaminaModel("iso-16281", int(laminae), edge_stress, line_loads, "ISO/TS 16281:2008")
+    return LaminaModel("iso-16281", laminae, edge_stress, line_loads, "ISO/TS 16281:2008")
 
 
 @dataclass(frozen=True, eq=False)

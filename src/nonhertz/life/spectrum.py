@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from nonhertz.errors import InputError
 from nonhertz.many import Strips, solve_many
-from nonhertz.model.checks import above_zero, finite, positive
+from nonhertz.model.checks import above_zero, finite, listed, positive
 from nonhertz.model.contact import Contact
 from nonhertz.solution import Solution
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
@@ -88,6 +88,7 @@ def solve_spectrum(
     >>> [round(share, 3) for _, share in solve_spectrum(contact, cases, strips=41)]
     [0.2, 0.8]
     """
+    cases = listed("cases", cases, "be several LoadCase", "give a list of LoadCase(load=..., share=...)")
     for case in cases:
         if not isinstance(case, LoadCase):
             raise InputError("cases", case, "be a LoadCase", "make each with LoadCase(load=..., share=...)")

@@ -19,11 +19,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from nonhertz.errors import InputError
 from nonhertz.hertz import line_contact
 from nonhertz.life.catalogue import VolumeModel
 from nonhertz.life.lamina import LEFT_OUT
 from nonhertz.solution import ReadOnly, Solution
-from nonhertz.subsurface.evaluation import Running, across_at
+from nonhertz.subsurface.evaluation import Running, across_at, refuse_options
 from nonhertz.subsurface.inside import Inside
 from nonhertz.subsurface.reach import AnySolution, edges_along, sharp_ends
 from nonhertz.subsurface.rolling import QUANTITIES, passage, plane_strain_passage
@@ -80,6 +81,8 @@ class Exposure(ReadOnly):
 
     def density(self, model: VolumeModel) -> Array:
         """Return the integral over the depth of ``<s - s_u>^k / z^h`` [MPa^k mm^(1-h)] at every station."""
+        if not isinstance(model, VolumeModel):
+            raise InputError("model", model, "be an integral over the volume", "give a VolumeModel")
         depth, weight = depths()
         suffered = np.maximum(getattr(self, model.stress) - model.fatigue_limit, 0.0) ** model.exponent
         over_depth = np.where(self.counted, suffered, 0.0) @ (weight * depth**-model.depth_exponent)
@@ -127,6 +130,7 @@ def exposure(solution: AnySolution, body: str = "b", **options: Unpack[Running])
     InputError
         If nothing is in contact, or there is no such body.
     """
+    refuse_options("exposure", options, Running)
     inside = Inside.of(solution, body)
     y, width, half_width = _stations(solution, inside.body.faces)
     levels, fill = _levels()

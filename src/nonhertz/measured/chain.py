@@ -33,7 +33,7 @@ from nonhertz.measured.steps import (
     enough_points,
 )
 from nonhertz.measured.trace import Array, Points, Trace
-from nonhertz.model.checks import one_of
+from nonhertz.model.checks import flag, listed, one_of
 from nonhertz.model.profile import Profile, tabulated
 
 if TYPE_CHECKING:
@@ -79,6 +79,13 @@ class Measured:
     steps: tuple[Step, ...] = ()
 
     def __post_init__(self) -> None:
+        if not isinstance(self.trace, Trace):
+            raise InputError("trace", self.trace, "be a Trace", "make one with nonhertz.measured.Trace")
+        steps = listed("steps", self.steps, "be a list of steps", "give Level(), Align() and the like")
+        for step in steps:
+            if not (isinstance(getattr(step, "name", None), str) and callable(getattr(step, "apply", None))):
+                raise InputError("steps", step, "be a step", "give Level(), Align() and the like")
+        object.__setattr__(self, "steps", tuple(steps))
         names = [step.name for step in self.steps]
         twice = [name for name in names if names.count(name) > 1]
         if twice:
@@ -309,6 +316,7 @@ def prepare(
     InputError
         If a value is out of range.
     """
+    flag("level", level, "write False to leave the tilt")
     limit = Level().slope if slope is None else slope
     steps: list[Step] = []
     if level:

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.measured.trace import Array, Points
-from nonhertz.model.checks import one_of
+from nonhertz.model.checks import finite, flag, listed, one_of
 from nonhertz.model.profile import CATALOGUE, Profile
 
 _MOST_POINTS = 2000
@@ -125,7 +125,13 @@ def fit(
     >>> round(found.parameters["radius"]), found.rms < 1e-6
     (1000, True)
     """
+    if not isinstance(points, Points):
+        raise InputError("points", points, "be Points", "give a Trace, or the points of a Measured")
     _check(kind, shift, tilt, fixed)
+    for name, value in fixed.items():
+        finite(name, value, f"give the parameter of '{kind}' that is known")
+    if highest is not None:
+        finite("highest", highest, "give the height from which relief counts in mm")
     y, relief = _gathered(points, highest)
     free = {name: value for name, value in _start(kind, y, relief, fixed).items() if name not in fixed}
     return _solved(kind, y, relief, free, fixed, shift and kind not in _NO_SHIFT, tilt)
@@ -166,7 +172,14 @@ def fit_best(
     InputError
         As `fit`.
     """
-    wanted = tuple(kinds) if kinds is not None else tuple(k for k in KINDS if not (tilt and k in _TURNED))
+    remedy = "give names of kinds, or leave them out"
+    wanted = (
+        tuple(listed("kinds", kinds, "be a list of kinds", remedy))
+        if kinds is not None
+        else tuple(k for k in KINDS if not (tilt and k in _TURNED))
+    )
+    if not wanted:
+        raise InputError("kinds", kinds, "hold one kind at least", remedy)
     fits = [fit(points, kind, shift=shift, tilt=tilt, highest=highest) for kind in wanted]
     nearest = min(fits, key=lambda each: each.rms)
     judged = [_penalised(each, nearest.points) for each in fits]
@@ -175,6 +188,8 @@ def fit_best(
 
 def _check(kind: str, shift: bool, tilt: bool, fixed: Mapping[str, float]) -> None:
     one_of("kind", kind, KINDS, "name a kind that can be fitted")
+    flag("shift", shift, "write True if the profile may be moved along y")
+    flag("tilt", tilt, "write True if the profile may be turned")
     known = _known(kind)
     for name in fixed:
         one_of("fixed", name, known, f"name a parameter of '{kind}'")

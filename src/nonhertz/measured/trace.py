@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -9,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.model.checks import listed, numbers, text
 
 Array = NDArray[np.float64]
 
@@ -18,6 +20,7 @@ FEWEST_POINTS = 5
 _HOLE, _DROPOUT = 2.5, 1.5
 # A line is evenly spaced if many of its steps are the usual one within a tenth, and few between that and a hole.
 _EVEN, _UNEVEN, _TENTH = 0.25, 0.02, 0.1
+FARTHEST = 1e6  # mm; no machine measures a kilometre
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,6 +56,7 @@ class Points:
         if np.any(np.diff(y) <= 0.0):
             place = float(y[int(np.argmax(np.diff(y) <= 0.0)) + 1])
             raise InputError("y", place, "be greater than the position before it", "sort the points, each once")
+        object.__setattr__(self, "gaps", _checked_gaps(self.gaps))
         object.__setattr__(self, "y", y)
         object.__setattr__(self, "height", height)
         if self.gaps and not np.any(self.weights):
@@ -122,6 +126,13 @@ class Trace(Points):
     name: str = field(default="measured profile", kw_only=True)
     notes: tuple[str, ...] = field(default=(), kw_only=True)
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        text("name", self.name, "give the name of the file, say")
+        for note in listed("notes", self.notes, "be a list of sentences", "leave them out"):
+            text("notes", note, "give a sentence for each")
+        object.__setattr__(self, "notes", tuple(self.notes))
+
 
 def usual_step(y: Array) -> float:
     """Return the step [mm] of ascending positions that nine in ten do not exceed; several may share a position.
@@ -178,9 +189,17 @@ def _between(y: Array, steps: NDArray[np.intp]) -> tuple[tuple[float, float], ..
 
 
 def _read_only(name: str, values: ArrayLike) -> Array:
-    numbers = np.array(values, dtype=float)
-    if numbers.ndim != 1 or not np.all(np.isfinite(numbers)):
-        condition = "be a list of finite numbers"
-        raise InputError(name, f"an array of shape {numbers.shape}", condition, "leave out what was not measured")
-    numbers.setflags(write=False)
-    return numbers
+    remedy = "leave out what was not measured"
+    row = numbers(name, values, remedy, FARTHEST, "mm").copy()
+    if row.ndim != 1:
+        raise InputError(name, f"an array of shape {row.shape}", "be a list of finite numbers", remedy)
+    row.setflags(write=False)
+    return row
+
+
+def _checked_gaps(gaps: Iterable[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
+    remedy = "give intervals in mm, low end first"
+    pairs = [numbers("gaps", gap, remedy) for gap in listed("gaps", gaps, "be a list of intervals", remedy)]
+    if not all(pair.shape == (2,) and pair[0] <= pair[1] for pair in pairs):
+        raise InputError("gaps", gaps, "be pairs of ends that ascend", remedy)
+    return tuple((float(low), float(high)) for low, high in pairs)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import finite, positive
+from nonhertz.model.checks import finite, numbers, positive
 from nonhertz.model.finite import FEWEST_IMAGES, DepthRule, FaceRule, check_depth, check_images, face_weights
 from nonhertz.model.material import STEEL, Material
 from nonhertz.model.profile import Profile, Straight
@@ -46,19 +46,22 @@ class TabulatedDiameter:
     diameter: tuple[float, ...]
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "y", tuple(float(v) for v in self.y))
-        object.__setattr__(self, "diameter", tuple(float(v) for v in self.diameter))
+        for name in ("y", "diameter"):
+            row = numbers(name, getattr(self, name), "give a list of numbers in mm")
+            if row.ndim != 1:
+                raise InputError(name, getattr(self, name), "be a row of numbers", "give a list of numbers in mm")
+            object.__setattr__(self, name, tuple(row.tolist()))
         if len(self.y) != len(self.diameter) or len(self.y) < 2:
             raise InputError("y", self.y, "hold as many points as diameter, two at least", "give both lists")
-        if not np.all(np.isfinite(self.y)) or not np.all(np.diff(self.y) > 0.0):
+        if not np.all(np.diff(self.y) > 0.0):
             raise InputError("y", self.y, "be finite and ascend", "sort the points along the axis")
         signs = np.sign(self.diameter)
-        if not np.all(np.isfinite(self.diameter)) or signs[0] == 0.0 or np.any(signs != signs[0]):
+        if signs[0] == 0.0 or np.any(signs != signs[0]):
             raise InputError("diameter", self.diameter, "be finite and of one sign", _DIAMETER_REMEDY)
 
     def __call__(self, y: ArrayLike) -> Array:
         """Return the diameter [mm] at ``y`` [mm]; constant beyond the outer points."""
-        diameter: Array = np.interp(np.asarray(y, dtype=np.float64), self.y, self.diameter)
+        diameter: Array = np.interp(numbers("y", y, "give positions in mm"), self.y, self.diameter)
         return diameter
 
 
@@ -136,7 +139,7 @@ class Body:
         if self.effective_length is not None:
             self._check_effective_length(self.effective_length)
         finite("position", self.position, "give the axial position of the body's middle in mm")
-        if isinstance(self.side_faces, (list, np.ndarray)):
+        if isinstance(self.side_faces, list) or (isinstance(self.side_faces, np.ndarray) and self.side_faces.ndim):
             object.__setattr__(self, "side_faces", tuple(self.side_faces))
         asked = face_weights(self.side_faces, self.material.poisson)
         if self.length is None and self.side_faces != "mirror" and max(asked) > 0.0:
@@ -186,7 +189,7 @@ class Body:
         InputError
             If a diameter that varies along y is zero or not finite somewhere.
         """
-        y = np.asarray(y, dtype=float)
+        y = numbers("y", y, "give positions along the axis in mm")
         if self.diameter is None:
             return np.zeros_like(y)
         if not callable(self.diameter):

@@ -8,7 +8,12 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Iterable, Mapping
 from numbers import Integral
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
 
@@ -49,9 +54,62 @@ def not_negative(field: str, value: float, remedy: str) -> None:
         raise InputError(field, value, "not be negative", remedy)
 
 
+def whole(field: str, value: int, least: int, most: float, remedy: str) -> int:
+    """Return a whole number between two others, or refuse what is none."""
+    finite(field, value, remedy)
+    if value != int(value) or not least <= value <= most:
+        bounds = f"from {least} to {most:g}" if math.isfinite(most) else f"of at least {least}"
+        raise InputError(field, value, f"be a whole number {bounds}", remedy)
+    return int(value)
+
+
+def numbers(
+    field: str, value: ArrayLike, remedy: str, most: float = MOST, unit: str = "in size"
+) -> NDArray[np.float64]:
+    """Return real numbers as an array; refuse text, truth values, complex numbers, None and what is not finite."""
+    try:
+        found = np.asarray(value)
+    except ValueError:  # lists of unequal length in one another
+        found = np.asarray(None)
+    if found.dtype.kind not in "iuf" or np.ma.isMaskedArray(value):
+        raise InputError(field, value, "be real numbers", remedy)
+    if not np.all(np.isfinite(found)):
+        raise InputError(field, value, "be finite", remedy)
+    largest = max(float(found.max()), -float(found.min())) if found.size else 0.0
+    if largest > most:
+        raise InputError(field, largest, f"not exceed {most:g} {unit}", remedy)
+    return found.astype(float, copy=False)
+
+
+def flag(field: str, value: object, remedy: str) -> None:
+    """Refuse anything that is neither True nor False."""
+    if not isinstance(value, bool | np.bool_):
+        raise InputError(field, value, "be True or False", remedy)
+
+
+def text(field: str, value: object, remedy: str) -> None:
+    """Refuse anything that is not text."""
+    if not isinstance(value, str):
+        raise InputError(field, value, "be text", remedy)
+
+
+def callback(field: str, value: object) -> None:
+    """Refuse anything that is neither None nor can be called."""
+    if value is not None and not callable(value):
+        raise InputError(field, value, "be a function", "give what is to be called, or leave it out")
+
+
+def listed(field: str, value: Iterable[Any], condition: str, remedy: str) -> list[Any]:
+    """Return the members of a list or another iterable but text, or refuse what has none."""
+    try:
+        return list(None if isinstance(value, str | Mapping) else value)  # type: ignore[arg-type]
+    except TypeError:
+        raise InputError(field, value, condition, remedy) from None
+
+
 def one_of(field: str, value: object, allowed: tuple[str, ...], remedy: str) -> None:
     """Refuse a word that is not on the list."""
-    if value not in allowed:
+    if not isinstance(value, str) or value not in allowed:
         raise InputError(field, value, "be one of " + ", ".join(repr(word) for word in allowed), remedy)
 
 

@@ -37,9 +37,7 @@ class Material:
 
     def __post_init__(self) -> None:
         positive("modulus", self.modulus, "give Young's modulus in MPa, 207000 for steel")
-        finite("poisson", self.poisson, "give Poisson's ratio, 0.3 for steel")
-        if not -1.0 < self.poisson <= 0.5:
-            raise InputError("poisson", self.poisson, "lie in (-1, 0.5]", "give Poisson's ratio, 0.3 for steel")
+        check_poisson(self.poisson)
 
     @property
     def shear_modulus(self) -> float:
@@ -50,6 +48,14 @@ class Material:
     def compliance(self) -> float:
         """Half-space compliance K = (1 - nu^2) / (pi E) [1/MPa]."""
         return (1.0 - self.poisson**2) / (math.pi * self.modulus)
+
+
+def check_poisson(poisson: float) -> None:
+    """Refuse a Poisson's ratio that no elastic material has."""
+    remedy = "give Poisson's ratio, 0.3 for steel"
+    finite("poisson", poisson, remedy)
+    if not -1.0 < poisson <= 0.5:
+        raise InputError("poisson", poisson, "lie in (-1, 0.5]", remedy)
 
 
 # Handbook values at room temperature; a datasheet of the actual grade comes before them.

@@ -6,19 +6,20 @@ needed and the result does not depend on the number of threads.
 
 from __future__ import annotations
 
+import math
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from typing import TypedDict, Unpack
+from typing import Any, TypedDict, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import finite, thread_count
+from nonhertz.model.checks import callback, finite, flag, numbers, thread_count, whole
 from nonhertz.solution import Solution
 from nonhertz.subsurface.field import Field
-from nonhertz.subsurface.inside import Inside
+from nonhertz.subsurface.inside import Inside, check_body
 from nonhertz.subsurface.reach import AnySolution, checked_solution
 
 Array = NDArray[np.float64]
@@ -50,6 +51,24 @@ class Options(Within, total=False):
     """All that `stress` takes beside the points."""
 
     displacement: bool
+
+
+def refuse_options(verb: str, options: Mapping[str, Any], known: type) -> None:
+    """Refuse options that a verb does not know, and values that none of them can have, before anything is computed.
+
+    Raises
+    ------
+    TypeError
+        If there is an option that is not a key of ``known``, a `TypedDict`, as Python says it of any function.
+    InputError
+        If a value cannot be used.
+    """
+    for name in options:
+        if name not in known.__optional_keys__:  # type: ignore[attr-defined]
+            raise TypeError(f"{verb}() got an unexpected keyword argument {name!r}")
+    check_body(options.get("body", "a"))
+    thread_count(options.get("threads"))
+    callback("announce", options.get("announce"))
 
 
 _POINTS_REMEDY = "give finite numbers in mm, as arrays that broadcast against each other"
@@ -120,6 +139,8 @@ def stress(
     >>> (below.sigma_z / solution.max_pressure).round(2) + 0.0
     array([-1. , -0.8])
     """
+    flag("displacement", displacement, "write True for displacements too")
+    callback("announce", announce)
     inside = Inside.of(solution, body)
     places = broadcast(*(finite_numbers(name, value) for name, value in zip("xyz", (x, y, z), strict=True)))
     inside.refuse_outside(places[1], places[2])
@@ -175,6 +196,8 @@ def axial_plane(
     Field
         Of shape (m, n).
     """
+    refuse_options("axial_plane", options, Options)
+    finite("x", x, "give one place across the contact in mm")
     y = axial_range(solution, options.get("body", "a")) if y is None else _row("y", y)
     z = _depths(solution) if z is None else _row("z", z)
     return stress(solution, x, y[:, None], z, **options)
@@ -207,6 +230,7 @@ def cross_section(
     Field
         Of shape (m, n).
     """
+    refuse_options("cross_section", options, Options)
     middle, half_width = across_at(solution, np.asarray(one_station(station)))
     x = middle + WIDEST * half_width * np.linspace(-1.0, 1.0, ACROSS) if x is None else _row("x", x)
     z = DEEPEST * half_width * np.linspace(0.0, 1.0, LEVELS) if z is None else _row("z", z)
@@ -231,6 +255,7 @@ def volume(solution: AnySolution, x: ArrayLike, y: ArrayLike, z: ArrayLike, **op
         Of shape (l, m, n). Where that is more than memory holds, call it slice by slice: each point's stress is its
         own.
     """
+    refuse_options("volume", options, Options)
     across, along, below = _row("x", x), _row("y", y), _row("z", z)
     return stress(solution, across[:, None, None], along[:, None], below, **options)
 
@@ -243,6 +268,8 @@ def memory(points: int, *, displacement: bool = False) -> int:
     >>> round(memory(1_000_000) / 2**20)  # MiB
     56
     """
+    whole("points", points, 0, math.inf, "give the number of points")
+    flag("displacement", displacement, "write True for displacements too")
     beside = (os.cpu_count() or 1) * PORTION * DOUBLE * 40
     return DOUBLE * points * (9 if displacement else 6) + max(beside, 10 * 2**20)
 
@@ -303,15 +330,9 @@ def _depths(solution: AnySolution) -> Array:
 
 def finite_numbers(name: str, value: ArrayLike) -> Array:
     """Return numbers as an array, or refuse what is none or not finite."""
-    try:
-        numbers = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(name, value, "be numbers", _POINTS_REMEDY) from None
-    if not np.all(np.isfinite(numbers)):
-        raise InputError(name, value, "be finite", _POINTS_REMEDY)
-    if np.any(np.abs(numbers) > FARTHEST):
-        raise InputError(name, float(np.abs(numbers).max()), f"not exceed {FARTHEST:g} mm", _POINTS_REMEDY)
-    return numbers + 0.0  # a depth of -0 would be on the wrong side of a branch
+    return (
+        numbers(name, value, _POINTS_REMEDY, FARTHEST, "mm") + 0.0
+    )  # a depth of -0 would be on the wrong side of a branch
 
 
 def broadcast(*places: Array) -> tuple[Array, ...]:
@@ -324,7 +345,7 @@ def broadcast(*places: Array) -> tuple[Array, ...]:
 
 
 def _row(name: str, value: ArrayLike) -> Array:
-    numbers = finite_numbers(name, value)
-    if numbers.ndim != 1 or numbers.size == 0:
+    row = finite_numbers(name, value)
+    if row.ndim != 1 or row.size == 0:
         raise InputError(name, value, "be a row of numbers", "give a list of coordinates in mm")
-    return numbers
+    return row

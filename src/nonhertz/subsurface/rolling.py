@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.hertz import LineContact
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.solution import ReadOnly
-from nonhertz.subsurface.evaluation import Within, across_at, broadcast, finite_numbers, stress
+from nonhertz.subsurface.evaluation import Within, across_at, broadcast, finite_numbers, refuse_options, stress
 from nonhertz.subsurface.field import TAU_XZ, max_shear_of, orthogonal_shear_of, von_mises_of
 from nonhertz.subsurface.reach import AnySolution, checked_solution
 
@@ -95,6 +95,7 @@ def passage(solution: AnySolution, y: ArrayLike, z: ArrayLike, **options: Unpack
     Of a smooth field the values are within 1e-5 of the largest from a depth of 0.01 half-widths on. Steps of the
     pressure on the surface may hide narrower peaks above 0.05 half-widths.
     """
+    refuse_options("passage", options, Within)
     checked_solution(solution)
     along, below = broadcast(finite_numbers("y", y), finite_numbers("z", z))
     announce = options.pop("announce", None)

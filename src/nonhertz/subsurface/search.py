@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.solution import Solution
-from nonhertz.subsurface.evaluation import Within, across_at, one_station, stress
+from nonhertz.subsurface.evaluation import Within, across_at, one_station, refuse_options, stress
 from nonhertz.subsurface.inside import Inside
 from nonhertz.subsurface.reach import AnySolution, checked_solution, contact_ends, edges_along, sharp_ends
 from nonhertz.subsurface.rolling import QUANTITIES, Passage, Quantity, passage
@@ -106,6 +106,7 @@ def extremes(solution: AnySolution, station: float | None = None, **options: Unp
     >>> round(found.von_mises.max / solution.max_pressure, 3)
     0.562
     """
+    refuse_options("extremes", options, Within)
     checked_solution(solution)
     if station is not None:
         sections = np.array([one_station(station) + 0.0])

@@ -8,9 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.model.checks import finite
+from nonhertz.model.checks import finite, numbers
 
 Array = NDArray[np.float64]
+
+
+def places(y: ArrayLike) -> Array:
+    """Return axial positions [mm] as an array, or refuse what are none."""
+    return numbers("y", y, "give positions along the axis in mm")
 
 
 class Profile(ABC):
@@ -59,7 +64,7 @@ class Straight(Profile):
 
     def relief(self, y: ArrayLike) -> Array:
         """Return zeros."""
-        return np.zeros_like(np.asarray(y, dtype=float))
+        return np.zeros_like(places(y))
 
 
 @dataclass(frozen=True)
@@ -70,7 +75,7 @@ class Sum(Profile):
 
     def relief(self, y: ArrayLike) -> Array:
         """Return the sum of the parts' reliefs."""
-        y = np.asarray(y, dtype=float)
+        y = places(y)
         total = np.zeros_like(y)
         for part in self.parts:
             total += part.relief(y)
@@ -116,7 +121,7 @@ def moved_back(y: ArrayLike, by: float, extent: tuple[float, float]) -> Array:
 
     The difference alone would put an end outside by rounding, where there is no body.
     """
-    y = np.asarray(y, dtype=float)
+    y = places(y)
     low, high = extent
     within = (y >= low + by) & (y <= high + by)
     return np.where(within, np.clip(y - by, low, high), y - by)

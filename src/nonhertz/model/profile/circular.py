@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import finite, not_negative, positive
-from nonhertz.model.profile.base import Array, Profile
+from nonhertz.model.checks import finite, flag, not_negative, positive
+from nonhertz.model.profile.base import Array, Profile, places
 
 
 def _drop(radius: float, y: ArrayLike) -> Array:
     """Drop [mm] of a circle at the distance ``y`` from its summit; infinite where the circle has ended."""
-    size, distance = abs(radius), np.abs(np.asarray(y, dtype=float))
+    size, distance = abs(radius), np.abs(places(y))
     inside = np.maximum((size - distance) * (size + distance), 0.0)
     # R - sqrt(R^2 - y^2) would lose all digits of the few micrometres that matter out of metres of radius.
     drop = distance**2 / (size + np.sqrt(inside))
@@ -37,7 +37,7 @@ class Arcs(Profile):
 
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm]; infinite beyond the place where an arc turns vertical."""
-        distance = np.abs(np.asarray(y, dtype=float))
+        distance = np.abs(places(y))
         middle = _drop(self.radius, np.minimum(distance, self.junction))
         end = _drop(self.end_radius, np.maximum(distance, self.junction) - self.end_summit)
         return np.asarray(middle + end - _drop(self.end_radius, self.junction - self.end_summit))
@@ -128,6 +128,7 @@ def partial_crown(radius: float, straight: float, blended: bool = True) -> Profi
     >>> round(float(partial_crown(radius=500, straight=10, blended=False).relief(10.0)), 9)
     0.075009377
     """
+    flag("blended", blended, "write True for arcs that leave the middle without a slope")
     positive("radius", radius, "give the radius of the end arcs in mm")
     not_negative("straight", straight, "give the length of the straight middle in mm, 0 for none")
     half = 0.5 * float(straight)

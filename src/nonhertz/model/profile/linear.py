@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from nonhertz.errors import InputError
 from nonhertz.model.checks import finite, not_negative, positive
-from nonhertz.model.profile.base import Array, Profile, Straight
+from nonhertz.model.profile.base import Array, Profile, Straight, places
 
 _ANGLE_REMEDY = "give the angle in rad, 1 degree is 0.01745"
 
@@ -23,7 +23,7 @@ class Conical(Profile):
 
     def relief(self, y: ArrayLike) -> Array:
         """Return ``tan(angle) * y`` [mm]."""
-        return np.asarray(math.tan(self.angle) * np.asarray(y, dtype=float))
+        return np.asarray(math.tan(self.angle) * places(y))
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class TaperedEnds(Profile):
 
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm], zero in the straight middle."""
-        past = np.maximum(np.abs(np.asarray(y, dtype=float)) - 0.5 * self.straight, 0.0)
+        past = np.maximum(np.abs(places(y)) - 0.5 * self.straight, 0.0)
         return np.asarray(math.tan(self.angle) * past)
 
     @property

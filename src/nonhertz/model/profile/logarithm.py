@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from nonhertz.errors import InputError
 from nonhertz.model.checks import finite, not_negative, positive
-from nonhertz.model.profile.base import Array, Profile
+from nonhertz.model.profile.base import Array, Profile, places
 from nonhertz.model.profile.design_load import design_amplitude, design_half_width
 
 # Johns and Gohar fitted their logarithm to Lundberg's drop at the end with it; -ln 0.3033 = 1.1930.
@@ -44,7 +44,7 @@ class Logarithmic(Profile):
 
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm]; infinite at and beyond the pole of the logarithm."""
-        distance = np.minimum(np.abs(np.asarray(y, dtype=float)), _FAR)
+        distance = np.minimum(np.abs(places(y)), _FAR)
         half = 0.5 * self.curved
         share = np.minimum(np.maximum(distance - 0.5 * self.straight, 0.0) / half, _BEYOND)
         # 1 - s, counted from the end: a difference of numbers alike is exact, so that it is zero at the end itself and

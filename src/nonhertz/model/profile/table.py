@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from nonhertz.errors import InputError
 from nonhertz.model.checks import MOST, one_of
-from nonhertz.model.profile.base import Array, Profile
+from nonhertz.model.profile.base import Array, Profile, places
 
 _INTERPOLATIONS = ("pchip", "linear", "cubic")
 _MOST_BENDS = 20
@@ -33,7 +33,7 @@ class Tabulated(Profile):
 
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm]; infinite outside the table."""
-        y = np.asarray(y, dtype=float)
+        y = places(y)
         inside = (y >= self.y[0]) & (y <= self.y[-1])
         return np.where(inside, self._curve(np.where(inside, y, self.y[0])), np.inf)
 

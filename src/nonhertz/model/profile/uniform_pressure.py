@@ -19,7 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nonhertz.model.profile.base import Array, Profile
+from nonhertz.model.profile.base import Array, Profile, places
 from nonhertz.model.profile.design_load import design_amplitude, design_half_width
 
 # The table's range in t and its step in ln t. Outside, the first terms of the series are exact to 1e-11.
@@ -36,7 +36,7 @@ class UniformPressure(Profile):
 
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm]; finite everywhere, with a vertical tangent at both ends of the length."""
-        y = np.asarray(y, dtype=float)
+        y = places(y)
         half = 0.5 * self.length
         ends = np.stack([half - y, half + y]) / self.half_width
         middle = _displacement(np.array(half / self.half_width))

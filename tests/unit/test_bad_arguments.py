@@ -1,0 +1,528 @@
+"""Every public function and method against wrong types and values: the right answer or one sentence, nothing else."""
+
+from __future__ import annotations
+
+import inspect
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz import hertz, life, measured, profile, subsurface
+
+pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
+
+# Sorts of arguments
+NONSENSE: dict[str, Any] = {
+    "none": None,
+    "text": "abc",
+    "empty text": "",
+    "true": True,
+    "nan": float("nan"),
+    "inf": float("inf"),
+    "minus inf": -float("inf"),
+    "huge": 1e308,
+    "tiny": 1e-320,
+    "minus one": -1.0,
+    "zero": 0,
+    "three": 3,
+    "half": 0.5,
+    "empty": [],
+    "row": [1.0, 2.0, 3.0],
+    "square": [[1.0, 2.0], [3.0, 4.0]],
+    "ragged": [[1.0], [2.0, 3.0]],
+    "mixed": [1.0, None],
+    "words": ["a"],
+    "row with nan": [1.0, float("nan")],
+    "complex": 1j,
+    "complex array": np.array([1j]),
+    "array": np.array(1.0),
+    "dictionary": {},
+    "object": object(),
+    "function": lambda *_: None,
+}
+NO_NUMBER = {"text", "empty text", "true", "nan", "complex", "complex array", "dictionary", "object", "function"}
+NO_NUMBERS = NO_NUMBER | {"none", "ragged", "mixed", "words", "row with nan"}
+NUMBER = NO_NUMBERS | {"inf", "minus inf", "huge", "empty", "row", "square"}
+POSITIVE = NUMBER | {"minus one", "zero"}
+ALL = set(NONSENSE)
+#: What must be refused of every sort of argument; the rest may be in range or not.
+REFUSED: dict[str, set[str]] = {
+    "number": NUMBER,
+    "number?": NUMBER - {"none"},
+    "not negative": NUMBER | {"minus one"},
+    "positive": POSITIVE | {"tiny"},
+    "positive?": (POSITIVE | {"tiny"}) - {"none"},
+    "load": POSITIVE | {"tiny"},
+    "share": POSITIVE | {"three"},
+    "whole": POSITIVE | {"half"},
+    "whole?": (POSITIVE | {"half"}) - {"none"},
+    "count": NUMBER | {"minus one", "half"},
+    "numbers": NO_NUMBERS | {"inf", "minus inf", "huge"},
+    "positive numbers": NO_NUMBERS | {"inf", "minus inf", "huge", "zero", "minus one"},
+    "row": NO_NUMBERS | {"inf", "huge", "minus one", "zero", "three", "half", "empty", "square", "array"},
+    "row?": (NO_NUMBERS | {"inf", "huge", "minus one", "zero", "three", "half", "empty", "square", "array"}) - {"none"},
+    "table": ALL,
+    "many": NO_NUMBERS | {"inf", "minus inf", "huge", "empty"},
+    "many?": (NO_NUMBERS | {"inf", "minus inf", "huge", "empty"}) - {"none"},
+    "flag": ALL - {"true"},
+    "word": ALL,
+    "name": ALL - {"text", "empty text"},
+    "names": ALL - {"empty"},
+    "function?": ALL - {"none", "function"},
+    "strips": ALL - {"none", "three", "row"},
+    "cells": ALL - {"none"},
+    "models": ALL - {"empty"},
+    "thing": ALL,
+    "several": ALL,
+    "optional": ALL - {"none"},
+    "unbounded": POSITIVE - {"huge"},  # a contact knows its own bounds of a load
+    "intervals": ALL - {"empty", "square"},
+    "lines": ALL - {"empty", "words"},
+    "index": ALL - {"zero", "minus one"},
+    "diameter": NUMBER - {"none", "function"} | {"zero"},
+    "diameter?": NUMBER - {"none", "function"} | {"zero"},
+    "rule": ALL - {"zero", "half", "three", "tiny", "array"},
+    "depth": ALL - {"half", "three", "tiny", "array"},
+    "images": ALL - {"three", "array"},
+    "prepared": ALL - {"none", "true", "half", "three", "array", "tiny", "zero"},
+}
+
+
+# Entry points
+RING = nh.Ring(diameter=80)
+ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(2000))
+CONTACT = nh.Contact(ROLLER, RING)
+with warnings.catch_warnings():  # as coarse as it may be: nothing is read off these
+    warnings.simplefilter("ignore", nh.AccuracyWarning)
+    SOLUTION = nh.solve(CONTACT, load=6e3, strips=11)
+    PATCH = nh.patch.solve(CONTACT, load=6e3, cells=(12, 16))
+    SHARP = nh.solve(nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate()), load=2e4).edge_pressure[0]
+    COMPARISON = nh.compare(CONTACT, load=6e3, cells=(12, 16), strips=11)
+    MANY = nh.solve_many(CONTACT, load=[1e3, 2e3], strips=11)
+    PALMGREN = life.lundberg_palmgren()
+    LIFE = life.assess(SOLUTION, "iso-16281")[0]
+    EXPOSURE = life.exposure(SOLUTION)
+POINT = hertz.point_contact(load=1e3, radius_x=10.0, radius_y=100.0, compliance=2.8e-6)
+LINE = hertz.line_contact(line_load=1e3, radius=10.0, compliance=2.8e-6)
+RACEWAY = life.Raceway(10.0, 9.6, 65.0, True)
+CASES = [life.LoadCase(load=1e3, share=1.0)]
+Y = np.linspace(-10.0, 10.0, 401)
+TRACE = measured.Trace(Y, -(Y**2) / 4000.0)
+MEASURED = measured.Measured(TRACE)
+TABLE = profile.tabulated([-10.0, 0.0, 10.0], [0.01, 0.0, 0.01])
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A function with arguments that it takes, and the sort of each."""
+
+    call: Callable[..., Any]
+    good: dict[str, Any]
+    sorts: dict[str, str]
+    raises: tuple[type[Exception], ...] = ()
+
+
+def entry(call: Callable[..., Any], *, raises: tuple[type[Exception], ...] = (), **arguments: tuple[Any, str]) -> Entry:
+    return Entry(
+        call,
+        {name: good for name, (good, _) in arguments.items()},
+        {name: sort for name, (_, sort) in arguments.items()},
+        raises,
+    )
+
+
+STEEL = nh.MATERIALS["steel"]
+RUNNING = {"threads": (1, "whole?"), "announce": (None, "function?")}
+WITHIN = {"solution": (SOLUTION, "thing"), "body": ("a", "word"), **RUNNING}
+STRESS = {**WITHIN, "displacement": (False, "flag")}
+BODY = {
+    "material": (STEEL, "thing"),
+    "diameter": (20.0, "diameter"),
+    "length": (20.0, "positive?"),
+    "profile": (nh.profile.crown(100.0), "thing"),
+    "effective_length": (10.0, "positive?"),
+    "position": (0.0, "number"),
+    "side_faces": ("mirror", "rule"),
+    "images": (1, "images"),
+    "depth": ("none", "depth"),
+}
+PRESCRIBED = {
+    "approach": (None, "number?"),
+    "load": (6e3, "load"),
+    "tilt": (0.0, "number?"),
+    "moment": (None, "number?"),
+}
+DESIGN = {
+    "load": (1e3, "positive"),
+    "length": (20.0, "positive"),
+    "radius": (10.0, "positive"),
+    "compliance": (2.8e-6, "positive?"),
+}
+FIT = {"shift": (True, "flag"), "tilt": (False, "flag")}
+
+ENTRIES: dict[str, Entry] = {
+    "solve": entry(
+        nh.solve, contact=(CONTACT, "thing"), **PRESCRIBED, element=(nh.SEMI_ELLIPTIC, "thing"), strips=(11, "strips")
+    ),
+    "solve_many": entry(
+        nh.solve_many,
+        contacts=(CONTACT, "several"),
+        approach=(None, "many?"),
+        load=([6e3], "many"),
+        tilt=(0.0, "many?"),
+        moment=(None, "many?"),
+        element=(nh.SEMI_ELLIPTIC, "thing"),
+        strips=(11, "strips"),
+        threads=(1, "whole?"),
+    ),
+    "Solutions.__getitem__": entry(MANY.__getitem__, number=(0, "index"), raises=(IndexError,)),
+    "compare": entry(
+        nh.compare,
+        contact=(CONTACT, "thing"),
+        **PRESCRIBED,
+        cells=((12, 16), "cells"),
+        strips=(11, "strips"),
+        **RUNNING,
+    ),
+    "Comparison.quantity": entry(COMPARISON.quantity, name=("load", "word"), raises=(KeyError,)),
+    "Comparison.along": entry(COMPARISON.along, solution=(COMPARISON.semi_elliptic, "thing")),
+    "PatchSolution.across": entry(PATCH.across, y=(0.0, "number")),
+    "EdgePressure.at": entry(SHARP.at, distance=(0.1, "positive numbers")),
+    "Material": entry(nh.Material, modulus=(2e5, "positive"), poisson=(0.3, "number")),
+    "Contact": entry(nh.Contact, a=(ROLLER, "thing"), b=(RING, "thing")),
+    "Body": entry(nh.Body, **BODY),
+    "Roller": entry(nh.Roller, **BODY | {"length": (20.0, "positive")}),
+    "Ring": entry(nh.Ring, **BODY),
+    "Plate": entry(nh.Plate, **BODY | {"diameter": (None, "optional"), "depth": (1.0, "depth")}),
+    "Body.relief": entry(ROLLER.relief, y=(0.0, "numbers")),
+    "Body.curvature": entry(ROLLER.curvature, y=(0.0, "numbers")),
+    "Contact.separation": entry(CONTACT.separation, y=(0.0, "numbers")),
+    "Contact.curvature": entry(CONTACT.curvature, y=(0.0, "numbers")),
+    "TabulatedDiameter": entry(nh.TabulatedDiameter, y=((-1.0, 1.0), "table"), diameter=((10.0, 12.0), "table")),
+    "TabulatedDiameter.__call__": entry(nh.TabulatedDiameter((-1.0, 1.0), (10.0, 12.0)), y=(0.0, "numbers")),
+    "hertz.point_contact": entry(
+        hertz.point_contact,
+        radius_x=(10.0, "positive"),
+        radius_y=(100.0, "positive"),
+        compliance=(2.8e-6, "positive"),
+        load=(1e3, "positive"),
+        approach=(None, "positive?"),
+    ),
+    "hertz.line_contact": entry(
+        hertz.line_contact, line_load=(1e3, "positive"), radius=(10.0, "positive"), compliance=(2.8e-6, "positive")
+    ),
+    "hertz.plane_strain_cylinder_compression": entry(
+        hertz.plane_strain_cylinder_compression,
+        contact=(LINE, "thing"),
+        diameter=(20.0, "positive"),
+        material=(STEEL, "thing"),
+    ),
+    "hertz.half_space_line_compression": entry(
+        hertz.half_space_line_compression, contact=(LINE, "thing"), length=(20.0, "positive")
+    ),
+    "hertz.PointContact.pressure": entry(POINT.pressure, y=(0.0, "numbers"), x=(0.0, "numbers")),
+    "hertz.PointContact.half_width_at": entry(POINT.half_width_at, y=(0.0, "numbers")),
+    "hertz.PointContact.line_load_at": entry(POINT.line_load_at, y=(0.0, "numbers")),
+    "hertz.LineContact.pressure": entry(LINE.pressure, x=(0.0, "numbers")),
+    "hertz.LineContact.stress": entry(
+        LINE.stress, x=(0.0, "numbers"), z=(0.1, "numbers"), poisson=(0.3, "number")
+    ),
+    "subsurface.stress": entry(
+        subsurface.stress, **STRESS, **dict.fromkeys("xyz", (0.0, "numbers"))
+    ),
+    "subsurface.axial_plane": entry(
+        subsurface.axial_plane, **STRESS, y=([0.0], "row?"), z=([0.1], "row?"), x=(0.0, "number")
+    ),
+    "subsurface.cross_section": entry(
+        subsurface.cross_section, **STRESS, station=(0.0, "number"), x=([0.0], "row?"), z=([0.1], "row?")
+    ),
+    "subsurface.volume": entry(subsurface.volume, **STRESS, **dict.fromkeys("xyz", ([0.0], "row"))),
+    "subsurface.memory": entry(subsurface.memory, points=(10, "count"), displacement=(False, "flag")),
+    "subsurface.passage": entry(subsurface.passage, **WITHIN, y=(0.0, "numbers"), z=(0.1, "numbers")),
+    "subsurface.extremes": entry(subsurface.extremes, **WITHIN, station=(0.0, "number?")),
+    "life.assess": entry(life.assess, **WITHIN, models=("iso-16281", "models"), rollers=(10, "whole?")),
+    "life.exposure": entry(life.exposure, **WITHIN),
+    "life.Exposure.density": entry(EXPOSURE.density, model=(PALMGREN, "thing")),
+    "life.Exposure.damage": entry(EXPOSURE.damage, model=(PALMGREN, "thing")),
+    "life.Life.over": entry(LIFE.over, other=(LIFE, "thing")),
+    "life.model": entry(life.model, name=("weibull", "word"), exponent=(9.0, "positive")),
+    "life.lundberg_palmgren": entry(
+        life.lundberg_palmgren,
+        slope=(1.1, "positive"),
+        exponent=(10.0, "positive"),
+        depth_exponent=(2.0, "not negative"),
+    ),
+    "life.ioannides_harris": entry(
+        life.ioannides_harris,
+        fatigue_limit=(300.0, "not negative"),
+        slope=(1.1, "positive"),
+        exponent=(10.0, "positive"),
+        depth_exponent=(2.0, "not negative"),
+        stress=("orthogonal_shear", "word"),
+    ),
+    "life.zaretsky": entry(
+        life.zaretsky, slope=(1.1, "positive"), stress_life_exponent=(9.0, "positive"), stress=("shear", "word")
+    ),
+    "life.weibull": entry(life.weibull, slope=(1.1, "positive"), exponent=(9.0, "positive"), stress=("shear", "word")),
+    "life.iso_16281": entry(
+        life.iso_16281, laminae=(60, "thing"), edge_stress=("pressure", "word"), line_loads=("solution", "word")
+    ),
+    "life.VolumeModel": entry(
+        life.VolumeModel,
+        name=("own", "name"),
+        stress=("shear", "word"),
+        exponent=(9.0, "positive"),
+        depth_exponent=(0.0, "not negative"),
+        slope=(1.0, "positive"),
+        fatigue_limit=(0.0, "not negative"),
+        source=("own", "name"),
+    ),
+    "life.LaminaModel": entry(
+        life.LaminaModel,
+        name=("own", "name"),
+        laminae=(60, "thing"),
+        edge_stress=("pressure", "word"),
+        line_loads=("solution", "word"),
+        source=("own", "name"),
+    ),
+    "life.LoadCase": entry(
+        life.LoadCase, load=(1e3, "unbounded"), share=(0.5, "share"), tilt=(0.0, "number")
+    ),
+    "life.solve_spectrum": entry(
+        life.solve_spectrum,
+        contact=(CONTACT, "several"),
+        cases=(CASES, "thing"),
+        element=(nh.SEMI_ELLIPTIC, "thing"),
+        strips=(11, "strips"),
+        threads=(1, "whole?"),
+    ),
+    "life.Raceway": entry(
+        life.Raceway,
+        roller_diameter=(10.0, "positive"),
+        length=(9.6, "positive"),
+        pitch_diameter=(65.0, "positive"),
+        inner=(True, "flag"),
+        body=("b", "word"),
+    ),
+    "life.Raceway.load_rating": entry(RACEWAY.load_rating, rollers=(14, "whole")),
+    "life.Raceway.capacity": entry(RACEWAY.capacity, rollers=(14, "whole")),
+    "life.raceway": entry(life.raceway, contact=(CONTACT, "thing")),
+    "profile.straight": entry(profile.straight),
+    "profile.crown": entry(profile.crown, radius=(100.0, "number"), centre=(0.0, "number")),
+    "profile.partial_crown": entry(
+        profile.partial_crown, radius=(500.0, "positive"), straight=(5.0, "not negative"), blended=(True, "flag")
+    ),
+    "profile.two_radius": entry(
+        profile.two_radius, radius=(500.0, "positive"), end_radius=(100.0, "positive"), middle=(4.0, "positive")
+    ),
+    "profile.logarithmic": entry(
+        profile.logarithmic,
+        amplitude=(0.01, "not negative"),
+        length=(20.0, "positive"),
+        fraction=(0.5, "share"),
+        straight=(5.0, "not negative"),
+    ),
+    "profile.lundberg": entry(profile.lundberg, **DESIGN),
+    "profile.johns_gohar": entry(profile.johns_gohar, **DESIGN),
+    "profile.fujiwara_kawase": entry(
+        profile.fujiwara_kawase,
+        **DESIGN | {"radius": (10.0, "positive?")},
+        k1=(1.0, "positive"),
+        k2=(0.5, "share"),
+        zm=(0.03, "positive?"),
+    ),
+    "profile.iso_logarithmic": entry(profile.iso_logarithmic, diameter=(10.0, "positive"), length=(20.0, "positive")),
+    "profile.iso_tapered": entry(profile.iso_tapered, diameter=(10.0, "positive"), length=(20.0, "positive")),
+    "profile.iso_thrust": entry(profile.iso_thrust, diameter=(10.0, "positive"), length=(20.0, "positive")),
+    "profile.conical": entry(profile.conical, angle=(0.01, "number")),
+    "profile.tapered_ends": entry(profile.tapered_ends, straight=(5.0, "not negative"), angle=(0.01, "not negative")),
+    "profile.chamfer": entry(
+        profile.chamfer, length=(20.0, "positive"), width=(1.0, "positive"), angle=(0.01, "not negative")
+    ),
+    "profile.tabulated": entry(
+        profile.tabulated, y=([-1.0, 1.0], "table"), relief=([0.0, 1.0], "table"), interpolation=("pchip", "word")
+    ),
+    "profile.from_file": entry(profile.from_file, path=(None, "thing"), interpolation=("pchip", "word")),
+    "profile.Profile.shifted": entry(TABLE.shifted, by=(0.0, "number")),
+    "profile.Profile.scaled": entry(TABLE.scaled, by=(1.0, "number")),
+    "measured.Points": entry(
+        measured.Points, y=(Y, "table"), height=(Y, "table"), gaps=((), "intervals")
+    ),
+    "measured.Trace": entry(
+        measured.Trace,
+        y=(Y, "table"),
+        height=(Y, "table"),
+        gaps=((), "intervals"),
+        name=("a", "name"),
+        notes=((), "lines"),
+    ),
+    "measured.Measured": entry(measured.Measured, trace=(TRACE, "thing"), steps=((), "names")),
+    "measured.Level": entry(measured.Level, slope=(0.05, "positive")),
+    "measured.Align": entry(measured.Align, by=("ends", "word"), slope=(0.05, "positive")),
+    "measured.Trim": entry(measured.Trim, length=(5.0, "positive?"), slope=(0.05, "positive")),
+    "measured.Outliers": entry(measured.Outliers, threshold=(5.0, "positive")),
+    "measured.Smooth": entry(measured.Smooth, cutoff=(0.8, "positive"), method=("gaussian", "word")),
+    "measured.Thin": entry(measured.Thin, count=(201, "whole")),
+    "measured.prepare": entry(
+        measured.prepare,
+        trace=(TRACE, "thing"),
+        level=(True, "flag"),
+        align=(True, "prepared"),
+        trim=("auto", "prepared"),
+        outliers=(True, "prepared"),
+        smooth=("gaussian", "prepared"),
+        cutoff=(0.8, "positive"),
+        slope=(0.05, "positive?"),
+        points=("auto", "prepared"),
+    ),
+    "measured.fit": entry(
+        measured.fit, points=(TRACE, "thing"), kind=("crown", "word"), highest=(0.0, "number?"), **FIT
+    ),
+    "measured.fit_best": entry(
+        measured.fit_best, points=(TRACE, "thing"), kinds=(["crown"], "optional"), highest=(0.0, "number?"), **FIT
+    ),
+}  # fmt: skip
+for _kind in ("crown(100)", "straight()", "conical(.01)", "tapered_ends(5, .01)", "iso_logarithmic(10, 20)"):
+    ENTRIES[f"profile.{_kind}.relief"] = entry(eval(f"profile.{_kind}").relief, y=(0.0, "numbers"))
+ENTRIES["profile.lundberg().relief"] = entry(profile.lundberg(1e3, 20.0, 10.0).relief, y=(0.0, "numbers"))
+ENTRIES["profile.tabulated().relief"] = entry(TABLE.relief, y=(0.0, "numbers"))
+ENTRIES["profile.sum.relief"] = entry((TABLE.shifted(1.0) + TABLE.scaled(2.0)).relief, y=(0.0, "numbers"))
+
+#: Of these only what must be refused is tried.
+SLOW = {
+    "compare", "life.assess", "life.exposure", "measured.fit", "measured.fit_best", "measured.prepare",
+    "subsurface.extremes",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ENTRIES)
+def test_the_good_arguments_are_taken(name, tmp_path):
+    case = ENTRIES[name]
+    (tmp_path / "profile.csv").write_text("-1, 0\n1, 0\n", encoding="utf-8")
+    good = case.good | ({"path": tmp_path / "profile.csv"} if "path" in case.good else {})
+    case.call(**good)
+
+
+@pytest.mark.parametrize("name", ENTRIES)
+def test_nonsense_ends_in_the_right_answer_or_in_one_sentence(name):
+    case, wrong = ENTRIES[name], []
+    for argument, sort in case.sorts.items():
+        for what, value in NONSENSE.items():
+            if name in SLOW and what not in REFUSED[sort]:
+                continue
+            try:
+                case.call(**case.good | {argument: value})
+            except nh.InputError as error:
+                if " must " not in str(error) or len(str(error).splitlines()) > 1:
+                    wrong.append(f"{argument} = {what}: {error}")
+            except nh.ConvergenceError:
+                pass
+            except case.raises:
+                pass
+            except Exception as error:  # noqa: BLE001  (whatever it is, it is wrong)
+                wrong.append(f"{argument} = {what}: {error!r}")
+            else:
+                if what in REFUSED[sort]:
+                    wrong.append(f"{argument} = {what}: taken")
+    assert not wrong, "\n".join(wrong)
+
+
+@pytest.mark.parametrize("name", ENTRIES)
+def test_unknown_keywords_are_refused_by_name(name):
+    case = ENTRIES[name]
+    expected = (TypeError, nh.InputError) if name in {"life.model", "measured.fit"} else TypeError
+    with pytest.raises(expected, match="unknown_keyword"):
+        case.call(**case.good, unknown_keyword=1)
+
+
+def test_what_a_verb_does_not_return_is_no_option_of_it():
+    with pytest.raises(TypeError, match=r"passage\(\) got an unexpected keyword argument 'displacement'"):
+        subsurface.passage(SOLUTION, 0.0, 0.1, displacement=True)
+    with pytest.raises(TypeError, match=r"extremes\(\) got an unexpected keyword argument 'displacement'"):
+        subsurface.extremes(SOLUTION, displacement=True)
+
+
+@pytest.mark.parametrize("share", [1e308, 1e300, float("inf"), float("nan"), -1.0, None, "half"])
+def test_shares_out_of_range_are_refused(share):
+    with pytest.raises(nh.InputError, match=r"^share = "):
+        life.assess([(SOLUTION, share), (SOLUTION, share)], "iso-16281")
+
+
+@pytest.mark.parametrize("pairs", [[], [SOLUTION], [(SOLUTION,)], [(1.0, SOLUTION)], [(None, 1.0)], "ab", None, 3])
+def test_what_is_no_spectrum_is_refused(pairs):
+    with pytest.raises(nh.InputError, match=r"^solution = "):
+        life.assess(pairs, "iso-16281")
+
+
+def test_an_impossible_raceway_is_refused():
+    with pytest.raises(nh.InputError, match=r"pitch_diameter = 5\.0 must exceed the roller's diameter of 10 mm"):
+        life.Raceway(10.0, 9.6, 5.0, True)
+    with pytest.raises(nh.InputError, match="rollers = 21 must be a whole number from 1 to 20"):
+        RACEWAY.load_rating(21)
+
+
+# Nothing public is left out
+#: Made by the package and not by its users, who only read them.
+RESULTS = {
+    "Comparison", "EdgeKind", "EdgePressure", "ErrorEstimate", "Solution", "Solutions", "Status",
+    "hertz.LineContact", "hertz.PointContact",
+    "life.Exposure", "life.Life",
+    "measured.Fit", "measured.Roughness", "measured.State",
+    "subsurface.Extreme", "subsurface.Extremes", "subsurface.Field", "subsurface.Passage",
+    "AccuracyWarning", "CaseError", "ConvergenceError", "InputError", "NonhertzError",
+    *(f"profile.{name}" for name in (
+        "Arcs", "Conical", "Logarithmic", "Profile", "Scaled", "Shifted", "Straight", "Sum", "Tabulated", "TaperedEnds",
+        "UniformPressure",
+    )),
+}  # fmt: skip
+MODULES = {
+    "": nh,
+    "hertz.": hertz,
+    "life.": life,
+    "measured.": measured,
+    "profile.": profile,
+    "subsurface.": subsurface,
+}
+
+
+def public() -> dict[str, Any]:
+    found = {}
+    for prefix, module in MODULES.items():
+        home = "nonhertz" if module is nh else module.__name__
+        for name in dir(module):
+            value = getattr(module, name)
+            ours = callable(value) and getattr(value, "__module__", "").startswith(home)
+            if not name.startswith("_") and ours and (inspect.isclass(value) or inspect.isfunction(value)):
+                found[prefix + name] = value
+    return found
+
+
+@pytest.mark.parametrize("name", public())
+def test_every_public_name_is_in_the_table_with_all_its_arguments(name):
+    assert name in ENTRIES or name in RESULTS
+    if name in ENTRIES:
+        parameters = inspect.signature(public()[name]).parameters.values()
+        named = {each.name for each in parameters if each.kind is not each.VAR_KEYWORD}
+        assert named <= set(ENTRIES[name].sorts)
+
+
+#: Asked of a solution and not of a user, or in the table under another name.
+ELSEWHERE = {"life.Laminae", "measured.Measured", "Comparison.along"}
+
+
+@pytest.mark.parametrize("name", [name for name, value in public().items() if inspect.isclass(value)])
+def test_every_method_that_takes_arguments_is_in_the_table(name):
+    if name in ELSEWHERE or name.startswith(("measured.", "profile.")) or "Error" in name:
+        return
+    for method, function in vars(public()[name]).items():
+        if (
+            inspect.isfunction(function)
+            and not method.startswith("_")
+            and len(inspect.signature(function).parameters) > 1
+        ):
+            assert f"{name}.{method}" in ENTRIES
