@@ -103,5 +103,8 @@ class AccuracyWarning(UserWarning):
 
 def _shown(value: object) -> str:
     # NumPy's numbers are shown as plain ones.
-    text = repr(value.item() if hasattr(value, "item") and not hasattr(value, "__len__") else value)
+    try:
+        text = repr(value.item() if hasattr(value, "item") and not hasattr(value, "__len__") else value)
+    except ValueError:  # Python writes no integer of thousands of digits
+        text = f"<{type(value).__name__} too long to show>"
     return text if len(text) <= 60 else text[:57] + "..."

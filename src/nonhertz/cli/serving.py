@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from nonhertz.io.casefile import parsed, read_case, starting_case
+from nonhertz.io.casefile import case_in, case_text, parsed, starting_case
 
 
 def starting_document(path: Path | None) -> tuple[dict[str, Any], tuple[str, ...]]:
@@ -27,8 +27,9 @@ def starting_document(path: Path | None) -> tuple[dict[str, Any], tuple[str, ...
     from nonhertz.web.inlining import inlined  # noqa: PLC0415
     from nonhertz.web.limits import slow, unfit  # noqa: PLC0415
 
-    title = read_case(path).title
-    document, notes = inlined(parsed(path.read_text(encoding="utf-8-sig"), str(path)), path.parent)
+    document = parsed(case_text(path), str(path))
+    title = case_in(document, path).title
+    document, notes = inlined(document, path.parent)
     too_much = unfit(document) + slow(document)
     if too_much:
         raise case_error(too_much)

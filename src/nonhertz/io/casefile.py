@@ -6,6 +6,7 @@ All mistakes of a file are found at once and raised together, in the words that 
 from __future__ import annotations
 
 import contextlib
+import errno
 import inspect
 import sys
 import tomllib
@@ -16,10 +17,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from nonhertz.errors import CaseError, InputError
+from nonhertz.files import content
+from nonhertz.io.bounds import LARGEST_CASE, TOO_DEEP, excess, has_long_key
 from nonhertz.model.contact import Contact
 
 if TYPE_CHECKING:
     from nonhertz.io.document import LifeTable
+    from nonhertz.io.mistakes import Mistake
     from nonhertz.life import LoadCase, Model
 
 _OF_BOTH_BODIES = ("diameter", "length", "position")
@@ -130,7 +134,33 @@ def read_case(path: str | Path) -> Case:
         With every mistake in the file, one sentence each.
     """
     path = Path(path)
-    return case_in(_parsed(path), path)
+    return case_in(parsed(case_text(path), str(path)), path)
+
+
+def case_text(path: Path) -> str:
+    """Return the text of a case file, which is read once: a pipe gives it only once.
+
+    Raises
+    ------
+    CaseError
+        If it cannot be read, is no text, or is larger than any case.
+    """
+    try:
+        return content(path, LARGEST_CASE).decode("utf-8-sig")
+    except FileNotFoundError:
+        way_out = "give the path of a case file, or begin with one from 'nonhertz new'"
+        sentence = f"{path} must exist: {way_out}."
+    except IsADirectoryError:
+        sentence = f"{path} must be a file, not a directory: give the path of a case file."
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        sentence = f"{path}, line {line}, must be text in UTF-8: save the file with that encoding."
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        too_large = getattr(error, "errno", None) == errno.EFBIG
+        way_out = "put measured points into a file that it names" if too_large else "check path and permissions"
+        sentence = f"{path} must be readable ({reason[:1].lower()}{reason[1:]}): {way_out}."
+    raise CaseError([sentence])
 
 
 def case_in(document: dict[str, Any], path: Path, *, files: bool = True) -> Case:
@@ -160,8 +190,7 @@ def case_in(document: dict[str, Any], path: Path, *, files: bool = True) -> Case
     try:
         table = CaseTable.model_validate(document, context={"folder": path.parent if files else None})
     except ValidationError as error:
-        found = sorted(mistakes_in(error, CaseTable), key=lambda mistake: _position(document, mistake.place))
-        raise case_error(found) from None
+        raise case_error(_in_order(mistakes_in(error, CaseTable), document)) from None
     return Case(
         title=table.title or path.stem,
         contact=table.body.contact(),
@@ -178,17 +207,16 @@ def parsed(text: str, name: str) -> dict[str, Any]:
     Raises
     ------
     CaseError
-        If the text is no TOML.
+        If the text is no TOML, or holds more than a case can.
     """
-    try:
-        return tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        reason = str(error).rstrip(".")
-    except RecursionError:
-        reason = "lists or tables are nested too deeply"
-    except ValueError:  # Python's limit on the digits of an integer
-        reason = "a number has thousands of digits"
-    raise CaseError([f"{name} must be valid TOML: {reason[:1].lower()}{reason[1:]}."])
+    # Before the parser, which takes the square of the number of a key's parts.
+    if has_long_key(text):
+        raise CaseError([f"{name} must be a case file: {TOO_DEEP}."])
+    document = _tables(text, name)
+    too_much = excess(document)
+    if too_much:
+        raise CaseError([f"{name} must be a case file: {too_much}."])
+    return document
 
 
 def as_toml(document: dict[str, Any]) -> str:
@@ -267,33 +295,37 @@ def _life(table: LifeTable) -> LifeCase:
     return LifeCase(table.rollers, table.models, table.parameters(), spectrum)
 
 
-def _position(document: Any, place: tuple[str | int, ...]) -> tuple[int, ...]:
-    """Return where in the file a place comes, to sort by; what is missing comes after what is there."""
-    positions: list[int] = []
-    for part in place:
-        if isinstance(document, dict) and part in document:
-            positions.append(list(document).index(part))
-            document = document[part]
-        elif isinstance(document, list) and isinstance(part, int):
-            positions.append(part)
-            document = document[part - 1]
-        else:
-            return (*positions, sys.maxsize)
-    return tuple(positions)
+def _in_order(mistakes: Iterable[Mistake], document: dict[str, Any]) -> list[Mistake]:
+    """Return mistakes in the order in which the file has their places; what is missing comes after what is there."""
+    # Each table is numbered once: to look each key up would take the square of their number.
+    numbered: dict[int, dict[str, int]] = {}
+
+    def position(mistake: Mistake) -> tuple[int, ...]:
+        positions: list[int] = []
+        value: Any = document
+        for part in mistake.place:
+            if isinstance(value, dict) and part in value:
+                if id(value) not in numbered:
+                    numbered[id(value)] = {key: number for number, key in enumerate(value)}
+                positions.append(numbered[id(value)][str(part)])
+                value = value[part]
+            elif isinstance(value, list) and isinstance(part, int):
+                positions.append(part)
+                value = value[part - 1]
+            else:
+                return (*positions, sys.maxsize)
+        return tuple(positions)
+
+    return sorted(mistakes, key=position)
 
 
-def _parsed(path: Path) -> dict[str, Any]:
+def _tables(text: str, name: str) -> dict[str, Any]:
     try:
-        text = path.read_bytes().decode("utf-8-sig")
-    except FileNotFoundError:
-        way_out = "give the path of a case file, or begin with one from 'nonhertz new'"
-        raise CaseError([f"{path} must exist: {way_out}."]) from None
-    except IsADirectoryError:
-        raise CaseError([f"{path} must be a file, not a directory: give the path of a case file."]) from None
-    except UnicodeDecodeError as error:
-        line = error.object.count(b"\n", 0, error.start) + 1
-        raise CaseError([f"{path}, line {line}, must be text in UTF-8: save the file with that encoding."]) from None
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise CaseError([f"{path} must be readable ({reason.lower()}): check path and permissions."]) from None
-    return parsed(text, str(path))
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        reason = str(error).rstrip(".")
+    except RecursionError:
+        reason = TOO_DEEP
+    except ValueError:  # Python's limit on the digits of an integer
+        reason = "a number has thousands of digits"
+    raise CaseError([f"{name} must be valid TOML: {reason[:1].lower()}{reason[1:]}."])

@@ -30,6 +30,7 @@ from pydantic import (
 )
 
 from nonhertz.errors import InputError
+from nonhertz.io.bounds import LOADS, MISTAKES
 from nonhertz.io.mistakes import Mistake, TableError, missing, mistake_in, mistakes_in, nearest, unknown
 from nonhertz.io.profiles import BROKEN, profile_schema, quantity_schema, read_profile
 from nonhertz.io.units import begins_with_digits, in_unit
@@ -167,7 +168,7 @@ def _read_profile(value: Any, info: ValidationInfo) -> Profile:
 
 def _read_kind(value: Any) -> type[Body]:
     if not isinstance(value, str) or value not in _KINDS:
-        raise unknown("kind", value, "kind of body", str(value), _KINDS)
+        raise unknown("kind", value, "kind of body", value, _KINDS)
     return _KINDS[value]
 
 
@@ -385,7 +386,7 @@ def _read_element(value: Any) -> str:
     from nonhertz.strip.element import ELEMENTS  # noqa: PLC0415
 
     if not isinstance(value, str) or value not in ELEMENTS:
-        raise unknown("element", value, "element", str(value), ELEMENTS)
+        raise unknown("element", value, "element", value, ELEMENTS)
     return value
 
 
@@ -436,6 +437,8 @@ def _read_spectrum(value: Any) -> tuple[LoadCaseTable, ...]:
 
     if not isinstance(value, list) or not value:
         raise InputError("spectrum", value, "be a list of tables", _SPECTRUM_REMEDY)
+    if len(value) > LOADS:
+        raise InputError("spectrum", value, f"have at most {LOADS} loads", "join loads that hardly differ")
     cases, mistakes = [], []
     for position, entry in enumerate(value, start=1):
         if not isinstance(entry, dict):
@@ -458,8 +461,10 @@ def _read_models(value: Any) -> tuple[str, ...]:
 
     if not isinstance(value, list) or not value:
         raise InputError("models", value, "be a list of names", f"choose from {', '.join(MODELS)}")
+    if len(value) > MISTAKES:
+        raise InputError("models", value, f"have at most {MISTAKES} names", f"choose from {', '.join(MODELS)}")
     mistakes = [
-        Mistake((position,), unknown("models", name, "fatigue model", str(name), MODELS))
+        Mistake((position,), unknown("models", name, "fatigue model", name, MODELS))
         for position, name in enumerate(value, start=1)
         if not isinstance(name, str) or name not in MODELS
     ]

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.errors import AccuracyWarning, InputError
+from nonhertz.files import special
 from nonhertz.io.mistakes import Mistake, TableError, missing, nearest, unknown
 from nonhertz.io.traces import read_trace
 from nonhertz.io.units import in_unit
@@ -223,6 +224,8 @@ def _meaning(name: str) -> str:
 
 
 def _made(values: Mapping[str, Any], folder: Path) -> Profile:
+    if special(folder / values["file"]):
+        raise InputError("file", values["file"], "be a file, not a device or a pipe", "save the measured points in one")
     measured = measured_from(trace_from(folder / values["file"], values), values)
     for sentence in measured.warnings:
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)

@@ -16,6 +16,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from nonhertz.errors import CaseError, InputError
+from nonhertz.io.bounds import MISTAKES
 
 Place = tuple[str | int, ...]
 
@@ -68,9 +69,14 @@ class TableError(ValueError):
 
 
 def case_error(mistakes: Iterable[Mistake]) -> CaseError:
-    """Return one error of several mistakes, each with the key that it is about."""
+    """Return one error of several mistakes, each with the key that it is about; of too many the rest are counted."""
     found = tuple(mistakes)
-    return CaseError((mistake.sentence for mistake in found), (path_of(mistake.place) for mistake in found))
+    told, rest = found[:MISTAKES], len(found) - MISTAKES
+    sentences, places = [mistake.sentence for mistake in told], [path_of(mistake.place) for mistake in told]
+    if rest > 0:
+        sentences.append(f"There are {rest} more mistakes." if rest > 1 else "There is one more mistake.")
+        places.append("")
+    return CaseError(sentences, places)
 
 
 def path_of(place: Place) -> str:
@@ -100,10 +106,13 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
     return spelled[matches[0]] if matches else None
 
 
-def unknown(field: str, value: object, what: str, word: str, known: Iterable[str]) -> InputError:
-    """Return the complaint about a word that is not among the known ones; it suggests the nearest."""
+def unknown(field: str, value: object, what: str, word: object, known: Iterable[str]) -> InputError:
+    """Return the complaint about a word, or what stands in place of one, that is not among the known ones.
+
+    It suggests the nearest.
+    """
     known = tuple(known)
-    match = nearest(word, known)
+    match = nearest(word, known) if isinstance(word, str) else None
     remedy = f"the nearest is '{match}'" if match else "known are " + ", ".join(f"'{name}'" for name in known)
     return InputError(field, value, f"be a known {what}", remedy)
 

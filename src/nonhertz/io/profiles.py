@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.errors import InputError
+from nonhertz.io.bounds import PROFILES
 from nonhertz.io.measured import KIND, measured_schema, read_measured
 from nonhertz.io.mistakes import InFile, Mistake, TableError, missing, mistake_in, nearest, unknown
 from nonhertz.io.units import in_unit
@@ -28,6 +29,7 @@ _COMMON_MEANINGS = {
     "shift": "How far to move the profile towards positive y [mm].",
     "scale": "Factor on the relief.",
 }
+_FEWER_REMEDY = "add them up in one of kind 'tabulated'"
 _UPLOAD_REMEDY = "give y and relief, or upload the measured profile"
 _FILE_MEANING = "Text file of two columns, y and relief [mm]; its path is relative to the case file."
 # Parameters that say how large the body is; left out of a table, they are taken from the body.
@@ -62,6 +64,8 @@ def read_profile(value: Any, body: Mapping[str, Any], folder: Path | None) -> Pr
         return _read_table(value, body, folder)
     if not isinstance(value, list):
         raise InputError("profile", value, "be a list of tables", _LIST_REMEDY)
+    if len(value) > PROFILES:
+        raise InputError("profile", value, f"have at most {PROFILES} profiles", _FEWER_REMEDY)
     total: Profile = CATALOGUE["straight"]()
     mistakes: list[Mistake] = []
     for position, table in enumerate(value, start=1):
@@ -102,7 +106,7 @@ def _read_table(table: Any, body: Mapping[str, Any], folder: Path | None) -> Pro
     if kind == KIND:
         return read_measured(table, folder)
     if not isinstance(kind, str) or kind not in CATALOGUE:
-        raise TableError([Mistake(("kind",), unknown("kind", kind, "profile", str(kind), (*CATALOGUE, KIND)))])
+        raise TableError([Mistake(("kind",), unknown("kind", kind, "profile", kind, (*CATALOGUE, KIND)))])
     return _Reader(kind, table, body, folder).read()
 
 

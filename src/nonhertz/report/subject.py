@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.errors import AccuracyWarning
-from nonhertz.io.casefile import Case, parsed, read_case
+from nonhertz.io.casefile import Case, case_in, case_text, parsed
 from nonhertz.io.profiles import profile_tables
 
 MOST_ATTACHED = 10_000_000  # bytes of a file that a report carries
@@ -59,10 +59,10 @@ def read_subject(path: str | Path) -> Subject:
         With every mistake in the file.
     """
     path = Path(path)
+    text = case_text(path)
     with warnings.catch_warnings(record=True, action="always", category=AccuracyWarning) as caught:
-        case = read_case(path)
+        case = case_in(parsed(text, str(path)), path)
     notes = dict.fromkeys(str(each.message) for each in caught if issubclass(each.category, AccuracyWarning))
-    text = path.read_bytes().decode("utf-8-sig")
     named = Subject(case, text, path.name).files
     attachments = {
         name: file.read_bytes() for name in named if (file := path.parent / name).stat().st_size <= MOST_ATTACHED

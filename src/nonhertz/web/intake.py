@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
 from typing import Any
 
 import anyio
 from starlette.requests import ClientDisconnect, Request
 
-from nonhertz.web.limits import BODY_SECONDS, NESTING
+from nonhertz.io.bounds import NESTING, deeper
+from nonhertz.web.limits import BODY_SECONDS
 
 
 class RefusedError(Exception):
@@ -102,25 +102,9 @@ def _no_key_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return table
 
 
-def deeper(value: Any, most: int) -> bool:
-    """Return whether there are more than so many tables and lists within one another."""
-    level: Iterable[Any] = (value,)
-    for _ in range(most):
-        level = [inner for outer in level for inner in _entries(outer)]
-        if not level:
-            return False
-    return True
-
-
 def _refuse_half_characters(value: Any) -> None:
     """Refuse what JSON can escape and no text can hold: one half of a character of two."""
     try:
         json.dumps(value, ensure_ascii=False).encode()
     except UnicodeEncodeError:
         raise RefusedError(400, "The request must hold whole characters only.") from None
-
-
-def _entries(value: Any) -> Iterable[Any]:
-    if isinstance(value, dict):
-        return value.values()
-    return value if isinstance(value, list) else ()

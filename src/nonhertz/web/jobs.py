@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 import time
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 
@@ -21,15 +20,11 @@ from nonhertz.solution import Solution
 from nonhertz.web.answers import answer, drawable
 from nonhertz.web.depths import stress_answer
 from nonhertz.web.fields import is_number
-from nonhertz.web.intake import deeper
-from nonhertz.web.limits import NESTING, oversizes, slow, unfit
+from nonhertz.web.limits import oversizes, slow, unfit
 from nonhertz.web.replies import as_bytes, broken, excess, misfit
 from nonhertz.web.uploads import answer_to_file
 
 PATH = Path("case.toml")
-_KEY_PART = r"""(?:[\w-]+|"(?:[^"\\\n]|\\.)*"|'[^'\n]*')"""
-_LONG_KEY: Final = re.compile(rf"(?:^|[\[{{,])[ \t]*(?:{_KEY_PART}[ \t]*\.[ \t]*){{{NESTING}}}", re.MULTILINE)
-_TOO_DEEP: Final = "The file must be a case file: lists or tables are nested too deeply."
 
 
 def solve(document: dict[str, Any], stress: bool, body: str) -> bytes:
@@ -75,15 +70,10 @@ def document_in(content: bytes) -> bytes:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
         return as_bytes(broken([("", "The file must be text in UTF-8: save it with that encoding.")]))
-    # To read a key of so many parts takes the square of their number in memory.
-    if _LONG_KEY.search(text):
-        return as_bytes(broken([("", _TOO_DEEP)]))
     try:
         document = parsed(text, "The file")
     except CaseError as error:
         return as_bytes(misfit(error))
-    if deeper(document, NESTING):
-        return as_bytes(broken([("", _TOO_DEEP)]))
     document = as_json_has_it(document)
     too_large = oversizes(document)
     return as_bytes(excess(too_large) if too_large else {"ok": True, "document": document})

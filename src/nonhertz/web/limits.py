@@ -13,8 +13,6 @@ UPLOAD_BYTES: Final = 2 * 1024 * 1024
 UPLOAD_POINTS: Final = 30_000
 """Of a measured file, before its steps; what lies closer together is averaged."""
 HEADER_BYTES: Final = 32 * 1024
-NESTING: Final = 16
-"""Brackets within brackets; a case file has six at most."""
 
 STRIPS: Final = 300
 IMAGES: Final = 10

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import re
 from collections.abc import Callable, Sequence
@@ -13,12 +14,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from nonhertz.errors import InputError
+from nonhertz.files import content, special
 from nonhertz.model.checks import MOST, one_of
 from nonhertz.model.profile.base import Array, Profile, places
 
 _INTERPOLATIONS = ("pchip", "linear", "cubic")
 _MOST_BENDS = 20
 _CLOSEST = 1e-12  # of the farthest position: rounding of the positions would hide less
+LARGEST_FILE = 5_000_000  # bytes
+MOST_POINTS = 100_000  # strips follow some hundreds
+_FEWER_POINTS = "export fewer points; a few thousand are enough"
 _COLUMNS = "write one point a line, y and relief in mm"
 _SMALL_UNIT = re.compile(r"(?<![a-z])(um|µm|μm|nm|microns?|micromet(?:er|re)s?)(?![a-z])", re.IGNORECASE)
 
@@ -160,7 +165,8 @@ def from_file(path: str | os.PathLike[str], interpolation: str = "pchip") -> Pro
     Raises
     ------
     InputError
-        If the file cannot be read or a line is not two numbers; the sentence names file and line.
+        If the file cannot be read, is no file but a device or a pipe, is larger than 5 MB, holds more than 100,000
+        points, or a line is not two numbers; the sentence names file and line.
 
     References
     ----------
@@ -206,26 +212,33 @@ def _numbers(field: str, values: Sequence[float]) -> Array:
 
 
 def _read(path: Path) -> list[tuple[float, float]]:
+    if special(path):
+        raise InputError("path", str(path), "name a file, not a device or a pipe", "save the points in a file")
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        # Line ends of all systems.
+        lines = content(path, LARGEST_FILE).decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n").split("\n")
     except OSError as error:
-        reason = f"{path.name}: {(error.strerror or 'unreadable').lower()}"
-        raise InputError("path", str(path), f"name a file that can be read ({reason})", "check it") from None
+        why = error.strerror or "unreadable"
+        reason = f"{path.name}: {why[:1].lower()}{why[1:]}"
+        remedy = _FEWER_POINTS if error.errno == errno.EFBIG else "check it"
+        raise InputError("path", str(path), f"name a file that can be read ({reason})", remedy) from None
     except ValueError:  # not text, or a name that no file can have
         raise InputError("path", str(path), "name a text file in UTF-8", "export the points as CSV") from None
     points: list[tuple[float, float]] = []
     header_allowed = True
-    for number, line in enumerate(text.split("\n"), start=1):
-        content = line.split("#", 1)[0].strip()
-        if not content:
+    for number, line in enumerate(lines, start=1):
+        written = line.split("#", 1)[0].strip()
+        if not written:
             continue
-        cells = _cells(content)
+        cells = _cells(written)
         values = [_value(cell) for cell in cells]
         place = f"line {number} of {path.name}"
         if header_allowed and all(value is None for value in values):
-            _check_header(place, content)
+            _check_header(place, written)
+        elif len(points) < MOST_POINTS:
+            points.append(_point(place, written, values))
         else:
-            points.append(_point(place, content, values))
+            raise InputError("path", str(path), f"name a file of at most {MOST_POINTS} points", _FEWER_POINTS)
         header_allowed = False
     return points
 

@@ -1,0 +1,208 @@
+"""What a case file may hold at most, and that nothing is read, parsed or looked at beyond that."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+import nonhertz as nh
+from nonhertz.errors import CaseError
+from nonhertz.io import document, mistakes
+from nonhertz.io.bounds import KEYS, LARGEST_CASE, MISTAKES, NESTING, PROFILES, has_long_key
+from nonhertz.io.casefile import parsed, read_case
+from nonhertz.model.profile import table
+from nonhertz.model.profile.table import LARGEST_FILE, from_file
+
+BODIES = "[body.a]\ndiameter = 20.0\nlength = 20.0\n{keys}\n[body.b]\n"
+LOAD = "[load]\nload = 20000.0\n"
+CASE = BODIES.format(keys="") + LOAD
+posix = pytest.mark.skipif(os.name != "posix", reason="devices and pipes are files")
+NO_FILES = ("/dev/zero", "pipe")
+GUARD = 120  # s, against hanging for ever
+
+
+def mistakes_in(folder: Path, text: str) -> tuple[str, ...]:
+    path = folder / "case.toml"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(CaseError) as caught:
+        read_case(path)
+    return tuple(each.removeprefix(str(path)).strip() for each in caught.value.mistakes)
+
+
+def sentence_of(statement: str) -> str:
+    """Return what a Python of 2 GB at most says of the error that a statement ends in."""
+    program = (
+        "import resource\n"
+        "resource.setrlimit(resource.RLIMIT_AS, (2 * 10**9, 2 * 10**9))\n"
+        "from pathlib import Path\n"
+        "from nonhertz.errors import NonhertzError\n"
+        "from nonhertz.io.casefile import read_case\n"
+        "from nonhertz.model.profile.table import from_file\n"
+        f"try:\n    {statement}\nexcept NonhertzError as error:\n    print(error)\n"
+    )
+    source = str(Path(nh.__file__).parents[1])
+    ran = subprocess.run(
+        [sys.executable, "-c", program],
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=GUARD,
+        env=os.environ | {"PYTHONPATH": source, "OPENBLAS_NUM_THREADS": "1"},
+    )
+    return ran.stdout
+
+
+@posix
+def test_a_device_without_an_end_is_not_read_to_its_end() -> None:
+    assert sentence_of("read_case('/dev/zero')") == (
+        "/dev/zero must be readable (larger than 1 MB): put measured points into a file that it names.\n"
+    )
+
+
+@posix
+def test_a_pipe_that_nobody_writes_to_is_an_empty_case(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    assert sentence_of(f"read_case({str(tmp_path / 'pipe')!r})").startswith("body must be given")
+
+
+@posix
+def test_a_case_comes_through_a_pipe() -> None:
+    read, write = os.pipe()
+    os.write(write, CASE.encode())
+    os.close(write)
+    try:
+        assert read_case(f"/dev/fd/{read}").prescribed == {"load": 20000.0}
+    finally:
+        os.close(read)
+
+
+@posix
+def test_a_case_names_no_device_and_no_pipe(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    tables = [f"{{ kind = '{kind}', file = '{name}' }}" for kind in ("tabulated", "measured") for name in NO_FILES]
+    (tmp_path / "case.toml").write_text(BODIES.format(keys=f"profile = [{', '.join(tables)}]") + LOAD)
+    told = sentence_of(f"read_case({str(tmp_path / 'case.toml')!r})").splitlines()
+    assert len(told) == len(tables)
+    for number, (sentence, name) in enumerate(zip(told, NO_FILES * 2, strict=True), start=1):
+        assert sentence.startswith(f"body.a.profile[{number}].file = '{name}' must ")
+        assert "not a device or a pipe" in sentence
+
+
+def test_a_case_file_has_a_largest_size(tmp_path: Path) -> None:
+    largest = CASE + "#" * (LARGEST_CASE - len(CASE))
+    (tmp_path / "case.toml").write_text(largest)
+    assert read_case(tmp_path / "case.toml").prescribed == {"load": 20000.0}
+    assert mistakes_in(tmp_path, largest + "#") == (
+        "must be readable (larger than 1 MB): put measured points into a file that it names.",
+    )
+
+
+def test_a_tabulated_file_has_a_largest_size(tmp_path: Path) -> None:
+    path = tmp_path / "points.csv"
+    path.write_text("0 0\n1 0\n" + "#" * (LARGEST_FILE - 8))
+    assert from_file(path).extent == (0.0, 1.0)
+    path.write_text("0 0\n1 0\n" + "#" * (LARGEST_FILE - 7))
+    with pytest.raises(nh.InputError, match=re.escape("larger than 5 MB): export fewer points")):
+        from_file(path)
+
+
+def test_a_tabulated_file_has_most_points(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(table, "MOST_POINTS", 3)
+    path = tmp_path / "points.csv"
+    path.write_text("0 0\n1 0\n2 0\n")
+    assert from_file(path).extent == (0.0, 2.0)
+    path.write_text("0 0\n1 0\n2 0\n3 0\n")
+    with pytest.raises(nh.InputError, match="at most 3 points: export fewer points"):
+        from_file(path)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        ".".join("a" * 3000) + " = 1",
+        ".".join("a" * 400_000) + " = 1",
+        "[" + '."b c" . '.join("a" * (NESTING + 1)) + "]",
+        "[[" + ".".join("a" * 1000) + "]]",
+        "a = { " + ".".join("a" * 1000) + " = 1 }",
+        "a = { b = 1, " + ".".join("'a'" for _ in range(1000)) + " = 1 }",
+        "a = " + "[" * 100 + "]" * 100,
+    ],
+    ids=lambda text: text[:12],
+)
+def test_a_case_is_not_nested_without_end(tmp_path: Path, text: str) -> None:
+    assert mistakes_in(tmp_path, text) == ("must be a case file: lists or tables are nested too deeply.",)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["a = 1.5", "a = 'x.y.z'", ".".join("a" * NESTING) + " = 1", "a = [" + "1.0, " * 100 + "]", "a = 2020-01-01"],
+)
+def test_what_is_no_key_of_many_parts(text: str) -> None:
+    assert tomllib.loads(text)
+    assert not has_long_key(text)
+
+
+def test_many_unknown_keys_are_counted_and_not_told_one_by_one(tmp_path: Path) -> None:
+    number = 3000
+    told = mistakes_in(tmp_path, "".join(f"key{n} = 1\n" for n in range(number)) + CASE)
+    assert len(told) == MISTAKES + 1
+    assert told[0].startswith("key0 = 1 must be a known key")
+    assert told[MISTAKES - 1].startswith(f"key{MISTAKES - 1} = 1 must be a known key")
+    assert told[MISTAKES] == f"There are {number - MISTAKES} more mistakes."
+
+
+def test_one_mistake_more_is_one(tmp_path: Path) -> None:
+    told = mistakes_in(tmp_path, "".join(f"key{n} = 1\n" for n in range(MISTAKES + 1)) + CASE)
+    assert told[MISTAKES:] == ("There is one more mistake.",)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "".join(f"key{n} = 1\n" for n in range(KEYS + 1)),
+        "[[life.spectrum]]\nload = 1\nshare = 1\n" * KEYS,
+        "a = [" + "{ b = 1 }," * KEYS + "]\n",
+    ],
+    ids=["one table", "tables", "tables of a list"],
+)
+def test_a_case_has_so_many_keys(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str) -> None:
+    def compared(*_: object) -> None:
+        raise AssertionError("no key is looked at")
+
+    monkeypatch.setattr(mistakes, "nearest", compared)
+    assert mistakes_in(tmp_path, text) == (f"must be a case file: there are more than {KEYS} keys.",)
+
+
+def test_a_body_has_so_many_profiles(tmp_path: Path) -> None:
+    table = "{ kind = 'crown', radius = 4000.0 },"
+    read = parsed(BODIES.format(keys=f"profile = [{table * PROFILES}]") + LOAD, "case.toml")
+    assert len(read["body"]["a"]["profile"]) == PROFILES
+    (told,) = mistakes_in(tmp_path, BODIES.format(keys=f"profile = [{table * (PROFILES + 1)}]") + LOAD)
+    assert told.startswith("body.a.profile = [{")
+    assert told.endswith("must have at most 100 profiles: add them up in one of kind 'tabulated'.")
+
+
+def test_a_spectrum_has_so_many_loads(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(document, "LOADS", 4)
+    row = "[[life.spectrum]]\nload = 1000\nshare = 0.25\n"
+    (tmp_path / "case.toml").write_text(CASE + row * 4)
+    assert len(read_case(tmp_path / "case.toml").life.spectrum) == 4
+    (told,) = mistakes_in(tmp_path, CASE + row * 5)
+    assert told.endswith("must have at most 4 loads: join loads that hardly differ.")
+
+
+def test_many_models_are_not_looked_up(tmp_path: Path) -> None:
+    (told,) = mistakes_in(tmp_path, CASE + f"[life]\nmodels = {['x'] * 1000}\n")
+    assert told.startswith("life.models = ['x', ")
+
+
+@pytest.mark.parametrize("place", ["title", "solver.strips", "life.rollers", "life.laminae", "body.a.kind"])
+def test_a_number_of_thousands_of_digits_has_a_complaint(tmp_path: Path, place: str) -> None:
+    told = mistakes_in(tmp_path, f"{place} = 0x{'f' * 20_000}\n")
+    assert any(each.startswith(f"{place} = ") for each in told)
