@@ -6,11 +6,13 @@ Only what parses the arguments is imported before a command runs, so that ``--he
 from __future__ import annotations
 
 import contextlib
+import errno
 import io
 import os
 import sys
 import traceback
 from collections.abc import Sequence
+from pathlib import Path
 
 from nonhertz.errors import CaseError, InputError
 
@@ -36,22 +38,34 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns
     -------
     int
-        Exit code: 0 fine, 1 not converged or not verified, 2 bad input, 3 internal error, 130 interrupted.
+        Exit code: 0 fine, 1 not converged or not verified, 2 bad input, 3 internal error or output that cannot be
+        written, 130 interrupted, 141 nobody reads the output to its end.
     """
+    _fill_closed_streams()
+    # Figures are drawn into files, whatever screen is preferred, or misspelled, for other programs.
+    os.environ["MPLBACKEND"] = "agg"
     words = list(sys.argv[1:] if arguments is None else arguments)
     debug = "--debug" in words or os.environ.get("NONHERTZ_DEBUG", "0") not in {"", "0"}
     if isinstance(sys.stdout, io.TextIOWrapper):
         # A title in Greek must not end a solve on a terminal that knows ASCII only.
         sys.stdout.reconfigure(errors="replace")
     try:
+        if sys.stdout is None:
+            raise OSError(errno.EBADF, "standard output is closed")
         from nonhertz.cli.commands import run  # noqa: PLC0415  (its imports may be missing)
 
         code = run([word for word in words if word != "--debug"])
         sys.stdout.flush()
         return code
+    except SystemExit as error:
+        # What rich makes of a pipe that nobody reads on.
+        if isinstance(error.__context__, BrokenPipeError):
+            return _ended(error.__context__)
+        raise
     except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001  (the border: everything ends as a code)
         if debug:
-            traceback.print_exception(error)
+            with contextlib.suppress(OSError):
+                traceback.print_exception(error)
         return _ended(error)
 
 
@@ -92,7 +106,18 @@ def _verdict(error: BaseException) -> tuple[int, list[str]]:
     return verdict
 
 
+def _fill_closed_streams() -> None:
+    """Put nothing in the place of standard streams that are closed, where the next file to be opened would end up."""
+    for descriptor in range(3):
+        try:
+            os.fstat(descriptor)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)  # takes the lowest number that is free
+    if sys.stderr is None:
+        sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115  (until the process ends)
+
+
 def _close_output() -> None:
     """Let nothing more be written, not even by the interpreter when it ends."""
-    with contextlib.suppress(OSError, ValueError):
+    with contextlib.suppress(AttributeError, OSError, ValueError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
