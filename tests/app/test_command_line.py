@@ -299,6 +299,24 @@ def test_new_never_overwrites(case: str, capsys: pytest.CaptureFixture[str]) -> 
     assert len(capsys.readouterr().err.splitlines()) == 1
 
 
+@pytest.mark.skipif(os.name != "posix", reason="a file that may not grow stands for a full disk")
+def test_new_leaves_nothing_on_a_full_disk(tmp_path: Path) -> None:
+    import resource  # noqa: PLC0415  (Unix has it)
+
+    run = subprocess.run(
+        [sys.executable, "-m", "nonhertz", "new", "case.toml"],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=tmp_path,
+        env=environment(),
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100)),
+    )
+    assert run.returncode == 2
+    assert run.stderr == ("PATH = 'case.toml' must be a file to write to (file too large): choose another name.\n")
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_version(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--version"]) == 0
     assert capsys.readouterr().out == f"{nh.__version__}\n"

@@ -253,16 +253,26 @@ def write_starting_case(path: str | Path) -> None:
     InputError
         If there is such a file already, or it cannot be written.
     """
-    text = starting_case()
+    path = Path(path)
     try:
-        with Path(path).open("x", encoding="utf-8") as file:
-            file.write(text)
+        with path.open("x", encoding="utf-8") as file, _taken_away_unless_whole(path):
+            file.write(starting_case())
+            file.flush()
     except FileExistsError:
         remedy = "choose another name, since nothing is overwritten"
         raise InputError("PATH", str(path), "not exist yet", remedy) from None
     except (OSError, ValueError) as error:
         reason = (getattr(error, "strerror", None) or str(error)).lower()
         raise InputError("PATH", str(path), f"be a file to write to ({reason})", "choose another name") from None
+
+
+@contextlib.contextmanager
+def _taken_away_unless_whole(path: Path) -> Iterator[None]:
+    try:
+        yield
+    except BaseException:
+        path.unlink(missing_ok=True)
+        raise
 
 
 def placed(error: InputError) -> CaseError:

@@ -8,8 +8,6 @@ import io
 import json
 import math
 import os
-import shutil
-import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -17,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from nonhertz.errors import InputError
+from nonhertz.io.drafts import drafts_in
 from nonhertz.solution import EdgePressure, Solution
 
 #: Units of the numbers in a result; what has no unit is left out.
@@ -181,7 +180,7 @@ def write_files(directory: str | Path, write: Callable[[Path], object]) -> tuple
     """
     directory = Path(directory)
     try:
-        with _directory(directory), _drafts(directory) as drafts:
+        with _directory(directory), drafts_in(directory) as drafts:
             write(drafts)
             return _moved(drafts, directory)
     except OSError as error:
@@ -200,7 +199,7 @@ def refuse_unwritable(directory: Path) -> None:
     """
     made = _missing(directory)
     try:
-        with _directory(directory), _drafts(directory):
+        with _directory(directory), drafts_in(directory):
             pass
     except OSError as error:
         raise _unwritable(directory, error) from None
@@ -235,16 +234,6 @@ def _take_away(made: list[Path]) -> None:
     for path in made:
         with contextlib.suppress(OSError):
             path.rmdir()
-
-
-@contextlib.contextmanager
-def _drafts(directory: Path) -> Iterator[Path]:
-    # Inside the directory and not beside it: moving is only whole within one file system.
-    drafts = Path(tempfile.mkdtemp(prefix=".nonhertz-", dir=directory))
-    try:
-        yield drafts
-    finally:
-        shutil.rmtree(drafts, ignore_errors=True)
 
 
 def _moved(drafts: Path, directory: Path) -> tuple[Path, ...]:
