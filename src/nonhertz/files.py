@@ -38,6 +38,17 @@ def content(path: str | os.PathLike[str], most: int) -> bytes:
     return data
 
 
+def legible(name: str) -> str:
+    r"""Return the name of a file as text that any file can hold; one need not be text, but can be any bytes.
+
+    Examples
+    --------
+    >>> legible("roller\udcff.toml")
+    'roller\ufffd.toml'
+    """
+    return os.fsencode(name).decode("utf-8", "replace")
+
+
 def special(path: str | os.PathLike[str]) -> bool:
     """Return whether a path leads to a device, a pipe or a socket: to something that is neither file nor directory."""
     try:

@@ -18,6 +18,7 @@ from nonhertz.io.bounds import KEYS, LARGEST_CASE, MISTAKES, NESTING, PROFILES, 
 from nonhertz.io.casefile import parsed, read_case
 from nonhertz.model.profile import table
 from nonhertz.model.profile.table import LARGEST_FILE, from_file
+from nonhertz.report import read_subject
 
 BODIES = "[body.a]\ndiameter = 20.0\nlength = 20.0\n{keys}\n[body.b]\n"
 LOAD = "[load]\nload = 20000.0\n"
@@ -206,3 +207,28 @@ def test_many_models_are_not_looked_up(tmp_path: Path) -> None:
 def test_a_number_of_thousands_of_digits_has_a_complaint(tmp_path: Path, place: str) -> None:
     told = mistakes_in(tmp_path, f"{place} = 0x{'f' * 20_000}\n")
     assert any(each.startswith(f"{place} = ") for each in told)
+
+
+def test_a_number_beyond_all_floats_is_infinite_for_a_measured_profile_too(tmp_path: Path) -> None:
+    (tmp_path / "trace.txt").write_text("".join(f"{y} 0\n" for y in range(-9, 10)))
+    told = mistakes_in(
+        tmp_path,
+        BODIES.format(keys=f"profile = {{ kind = 'measured', file = 'trace.txt', cutoff = {'9' * 400} }}") + LOAD,
+    )
+    assert len(told) == 1
+    assert told[0].endswith("must be a finite number: give a wavelength in mm, such as 0.8.")
+
+
+def test_a_key_of_any_length_is_shown_in_a_line(tmp_path: Path) -> None:
+    (told,) = mistakes_in(tmp_path, f"{'key' * 1000} = 1\n{CASE}")
+    assert told.startswith('"keykey')
+    assert '..." = 1 must be a known key' in told
+    assert len(told) < 200
+
+
+@posix
+def test_a_name_that_is_no_text_makes_a_title_that_is(tmp_path: Path) -> None:
+    path = tmp_path / os.fsdecode(b"roller\xff.toml")
+    path.write_text(CASE)
+    assert read_case(path).title == "roller\ufffd"
+    assert read_subject(path).name == "roller\ufffd.toml"

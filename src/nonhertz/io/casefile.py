@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from nonhertz.errors import CaseError, InputError
-from nonhertz.files import content
+from nonhertz.files import content, legible
 from nonhertz.io.bounds import LARGEST_CASE, TOO_DEEP, excess, has_long_key
 from nonhertz.model.contact import Contact
 
@@ -192,7 +192,7 @@ def case_in(document: dict[str, Any], path: Path, *, files: bool = True) -> Case
     except ValidationError as error:
         raise case_error(_in_order(mistakes_in(error, CaseTable), document)) from None
     return Case(
-        title=table.title or path.stem,
+        title=table.title or legible(path.stem),
         contact=table.body.contact(),
         prescribed=table.load.prescribed(),
         solver={"element": ELEMENTS[table.solver.element], "strips": table.solver.strips},

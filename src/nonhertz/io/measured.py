@@ -5,6 +5,7 @@ The file stays as the machine wrote it; what is done to it stands in the table, 
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Mapping
 from pathlib import Path
@@ -143,7 +144,9 @@ def checked(name: str, value: Any) -> Any:
         return _checked_text(name, value)
     if not isinstance(value, int | float) or not _takes_numbers(name):
         raise InputError(name, value, f"be {_wanted(name)}", _meaning(name))
-    return float(value) if name in _LENGTHS else value
+    # An integer beyond every float is infinite, for the steps to refuse.
+    number = in_unit(name, value, "mm")
+    return number if name in _LENGTHS or math.isinf(number) else value
 
 
 def measured_from(trace: Trace, values: Mapping[str, Any]) -> Measured:

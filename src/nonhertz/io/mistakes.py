@@ -20,6 +20,7 @@ from nonhertz.io.bounds import MISTAKES
 
 Place = tuple[str | int, ...]
 
+_LONGEST_KEY = 60
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 
@@ -94,7 +95,8 @@ def path_of(place: Place) -> str:
         elif isinstance(part, InFile):
             path += f", {part}"
         else:
-            path += ("." if path else "") + (part if _BARE_KEY.fullmatch(part) else json.dumps(part))
+            shown = part if len(part) <= _LONGEST_KEY else part[: _LONGEST_KEY - 3] + "..."
+            path += ("." if path else "") + (shown if _BARE_KEY.fullmatch(shown) else json.dumps(shown))
     return path
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.errors import AccuracyWarning
+from nonhertz.files import legible
 from nonhertz.io.casefile import Case, case_in, case_text, parsed
 from nonhertz.io.profiles import profile_tables
 
@@ -63,18 +64,19 @@ def read_subject(path: str | Path) -> Subject:
     with warnings.catch_warnings(record=True, action="always", category=AccuracyWarning) as caught:
         case = case_in(parsed(text, str(path)), path)
     notes = dict.fromkeys(str(each.message) for each in caught if issubclass(each.category, AccuracyWarning))
-    named = Subject(case, text, path.name).files
+    name = legible(path.name)
+    named = Subject(case, text, name).files
     attachments = {
         name: file.read_bytes() for name in named if (file := path.parent / name).stat().st_size <= MOST_ATTACHED
     }
-    return Subject(case, text, path.name, attachments, tuple(notes))
+    return Subject(case, text, name, attachments, tuple(notes))
 
 
 def labels(subjects: Sequence[Subject]) -> list[str]:
     """Return what to call each subject in tables and keys: its file's name, longer or numbered where two have one."""
     told = [Path(each.name).stem for each in subjects]
     if len(set(told)) < len(told):
-        told = [str(each.case.path.with_suffix("")) for each in subjects]
+        told = [legible(str(each.case.path.with_suffix(""))) for each in subjects]
     if len(set(told)) < len(told):
         told = [f"{name} ({number})" for number, name in enumerate(told, start=1)]
     return told

@@ -10,6 +10,7 @@ import os
 from pathlib import Path
 
 from nonhertz.errors import InputError
+from nonhertz.files import legible
 from nonhertz.io.traces.columns import read_columns
 from nonhertz.io.traces.line import Line, Request, made
 from nonhertz.io.traces.mahr import is_marwin, read_marwin
@@ -80,7 +81,7 @@ def _content(source: str | os.PathLike[str] | bytes, name: str | None) -> tuple[
     if isinstance(source, bytes):
         return _bounded(source, name or "the measured profile"), name or "the measured profile"
     path = Path(source)
-    name = name or path.name or str(path)
+    name = name or legible(path.name or str(path))
     try:
         with path.open("rb") as file:
             data = file.read(LARGEST_FILE + 1)
