@@ -16,11 +16,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from rich.console import Console
+from rich.table import Table
 
 import nonhertz as nh
 import nonhertz.casework
 import nonhertz.plot
 from nonhertz.cli import main
+from nonhertz.cli.printing import print_table
 from nonhertz.solution import Solution
 
 CASE = Path(__file__).parents[2].joinpath("examples", "crowned-roller.toml").read_text(encoding="utf-8")
@@ -315,6 +318,18 @@ def test_new_leaves_nothing_on_a_full_disk(tmp_path: Path) -> None:
     assert run.returncode == 2
     assert run.stderr == ("PATH = 'case.toml' must be a file to write to (file too large): choose another name.\n")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_table_is_not_cut_to_a_narrow_terminal(capsys: pytest.CaptureFixture[str]) -> None:
+    cells = ["0.032151 mm", "20000 N", "some words that may be broken between lines", "2060.5"]
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    for position in range(len(cells)):
+        table.add_column(f"column {position}", no_wrap=position % 2 == 0)
+    table.add_row(*cells)
+    print_table(Console(width=20), table)
+    printed = capsys.readouterr().out
+    assert {word for cell in cells for word in cell.split()} <= set(printed.split())
+    assert "0.032151 mm" in printed
 
 
 def test_version(capsys: pytest.CaptureFixture[str]) -> None:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-import sys
 from pathlib import Path
 
-from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
 from nonhertz import comparison as methods
+from nonhertz.cli.printing import console, print_table
 from nonhertz.cli.solving import patience
 from nonhertz.cli.verification import Progress
 from nonhertz.comparison import Comparison, Quantity, Stretch
@@ -19,7 +18,6 @@ from nonhertz.io.casefile import Case, placed
 from nonhertz.tables.summary import digits
 
 _METHODS = 3
-WIDTH = 100  # of what is piped
 _COLUMNS = ("", "plane grid", "semi-elliptic", "difference", "parabolic", "difference")
 
 
@@ -56,18 +54,18 @@ def comparison_written(directory: Path, found: Comparison, title: str) -> tuple[
 
 def print_comparison(found: Comparison, title: str) -> None:
     """Print results side by side, times, where and why the methods differ, and warnings."""
-    console = Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH)
-    console.print(Text(title, style="bold"))
+    printing = console()
+    printing.print(Text(title, style="bold"))
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
     for position, name in enumerate(_COLUMNS):
         table.add_column(name, justify="right" if position else "left", no_wrap=bool(position))
     for row in comparison_rows(found):
         table.add_row(*map(Text, row))
-    console.print(table)
+    print_table(printing, table)
     for sentence in sentences(found):
-        console.print(Text(sentence), soft_wrap=True)
+        printing.print(Text(sentence), soft_wrap=True)
     for warning in found.warnings:
-        console.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
+        printing.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
 
 
 def comparison_rows(found: Comparison) -> list[tuple[str, ...]]:

@@ -13,6 +13,7 @@ from rich.text import Text
 
 from nonhertz.casework import assessed, models_for
 from nonhertz.cli import FINE, NOT_CONVERGED
+from nonhertz.cli.printing import console, print_table
 from nonhertz.cli.solving import spectrum_or_not
 from nonhertz.cli.verification import Progress
 from nonhertz.errors import InputError
@@ -87,33 +88,33 @@ def _lives_written(directory: Path, found: Assessment, other: Assessment | None)
 
 def print_lives(found: Assessment, other: Assessment | None) -> None:
     """Print the lives by all models, what they are relative to, those of another case, and warnings."""
-    console = Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH)
-    console.print(Text(found.title, style="bold"))
-    console.print(_table(LIFE_COLUMNS, life_rows(found), left=(0, 4)))
+    printing = console(WIDTH)
+    printing.print(Text(found.title, style="bold"))
+    print_table(printing, _table(LIFE_COLUMNS, life_rows(found), left=(0, 4)))
     for sentence in sentences(found):
-        console.print(Text(sentence), soft_wrap=True)
-    _print_spectrum(console, found)
-    _print_warnings(console, found)
+        printing.print(Text(sentence), soft_wrap=True)
+    _print_spectrum(printing, found)
+    _print_warnings(printing, found)
     if other is None:
         return
-    console.print()
-    console.print(Text(f"Compared with: {other.title}", style="bold"))
+    printing.print()
+    printing.print(Text(f"Compared with: {other.title}", style="bold"))
     head = ("", "life in a", "in b", REVOLUTIONS, "first / this, a", "first / this, b")
-    console.print(_table(head, ratio_rows(found, other), left=(0,)))
+    print_table(printing, _table(head, ratio_rows(found, other), left=(0,)))
     for sentence in [RATIO, *without_ratio(found, other), *sentences(other)[1:]]:
-        console.print(Text(sentence), soft_wrap=True)
-    _print_spectrum(console, other)
-    _print_warnings(console, other)
+        printing.print(Text(sentence), soft_wrap=True)
+    _print_spectrum(printing, other)
+    _print_warnings(printing, other)
 
 
-def _print_spectrum(console: Console, found: Assessment) -> None:
+def _print_spectrum(printing: Console, found: Assessment) -> None:
     if len(found.spectrum) > 1:
-        console.print(_table(SPECTRUM_COLUMNS, spectrum_rows(found), left=()))
+        print_table(printing, _table(SPECTRUM_COLUMNS, spectrum_rows(found), left=()))
 
 
-def _print_warnings(console: Console, found: Assessment) -> None:
+def _print_warnings(printing: Console, found: Assessment) -> None:
     for warning in found.warnings:
-        console.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
+        printing.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
 
 
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]], *, left: Sequence[int]) -> Table:

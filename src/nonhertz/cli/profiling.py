@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import math
 import re
-import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from nonhertz.cli.printing import console, print_table
 from nonhertz.errors import InputError
 from nonhertz.io.measured import checked, measured_from, trace_from
 from nonhertz.io.prepared import write_prepared
@@ -22,7 +21,6 @@ from nonhertz.model.checks import one_of
 from nonhertz.model.profile import PARAMETER_UNITS
 from nonhertz.tables.summary import digits
 
-WIDTH = 100  # of what is piped
 BEST = "best"
 _PLAIN_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 _NO, _YES = frozenset({"no", "false", "none"}), frozenset({"yes", "true"})
@@ -111,18 +109,18 @@ def written(
 
 def print_profile(measured: Measured, fits: Sequence[Fit]) -> None:
     """Print the steps, the roughness, the fits and warnings."""
-    console = Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH)
-    console.print(Text(measured.trace.name, style="bold"))
+    printing = console()
+    printing.print(Text(measured.trace.name, style="bold"))
     for note in measured.trace.notes:
-        console.print(Text(note), soft_wrap=True)
+        printing.print(Text(note), soft_wrap=True)
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=False)
     for row in profile_rows(measured):
         table.add_row(*map(Text, row))
-    console.print(table)
+    print_table(printing, table)
     if fits:
-        console.print(_fit_table(fits))
+        print_table(printing, _fit_table(fits))
     for warning in measured.warnings:
-        console.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
+        printing.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
 
 
 def profile_rows(measured: Measured) -> list[tuple[str, str]]:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-import sys
 from pathlib import Path
 
-from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
 from nonhertz.casework import largest_stresses
+from nonhertz.cli.printing import console, print_table
 from nonhertz.cli.verification import Progress
 from nonhertz.errors import InputError
 from nonhertz.io.stresses import all_warnings
@@ -19,7 +18,6 @@ from nonhertz.subsurface import Extremes
 from nonhertz.tables.stresses import COLUMNS, sentences, stress_rows
 
 _SEARCHES = 2  # for the largest stresses: in the whole body and in a cross-section
-WIDTH = 100  # of what is piped
 _STATION_REMEDY = "choose a place in the body, or leave it out for the cross-section of the largest von Mises stress"
 
 
@@ -90,19 +88,19 @@ def _stresses_written(
 
 def print_stresses(solution: Solution, overall: Extremes, section: Extremes, title: str) -> None:
     """Print the largest stresses and where they are, what a pass of the load does, and warnings."""
-    console = Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH)
-    console.print(Text(title, style="bold"))
+    printing = console()
+    printing.print(Text(title, style="bold"))
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
     for position, name in enumerate(COLUMNS):
         # As text: rich would take [mm] for markup.
         table.add_column(Text(name), justify="right" if position else "left", no_wrap=bool(position))
     for row in stress_rows(solution, overall, section):
         table.add_row(*map(Text, row))
-    console.print(table)
+    print_table(printing, table)
     for sentence in sentences(solution, section):
-        console.print(Text(sentence), soft_wrap=True)
+        printing.print(Text(sentence), soft_wrap=True)
     for warning in all_warnings(solution, overall, section):
-        console.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
+        printing.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
 
 
 def _check_station(solution: Solution, station: float, body: str) -> None:

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from nonhertz.cli.printing import console, print_table
 from nonhertz.solution import Solution
 from nonhertz.tables.summary import summary_rows
 
 
 def print_summary(solution: Solution, title: str) -> None:
     """Print what a solve found, with the errors that it estimates of itself."""
-    console = Console(highlight=False)
-    console.print(Text(title, style="bold"))
+    printing = console(80)
+    printing.print(Text(title, style="bold"))
     table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
     for row in summary_rows(solution):
         table.add_row(*(Text(cell) for cell in row))
-    console.print(table)
+    print_table(printing, table)
     for warning in solution.warnings:
-        console.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
+        printing.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)

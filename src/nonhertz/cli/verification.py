@@ -4,21 +4,20 @@ from __future__ import annotations
 
 import sys
 
-from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from nonhertz.cli.printing import console, print_table
 from nonhertz.verify.claim import Section
 from nonhertz.verify.page import COLUMNS, row
 
-WIDTH = 100  # of what is piped
 _WIDTHS = {"claim": 3, "source": 2}  # shares of what the numbers leave
 _COLOURS = {"pass": "green", "FAIL": "bold red", "shown": "cyan"}
 
 
 def print_section(name: str, section: Section) -> None:
     """Print a section's checks as a table."""
-    console = Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH)
+    printing = console()
     table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="dim", expand=True)
     for column in COLUMNS:
         if column in _WIDTHS:
@@ -28,9 +27,9 @@ def print_section(name: str, section: Section) -> None:
     for check in section.checks:
         *cells, verdict = row(check)
         table.add_row(*map(Text, cells), Text(verdict, style=_COLOURS[verdict]))
-    console.print(Text.assemble((section.title, "bold"), (f"  ({name})", "dim")))
-    console.print(table)
-    console.print()
+    printing.print(Text.assemble((section.title, "bold"), (f"  ({name})", "dim")))
+    print_table(printing, table)
+    printing.print()
 
 
 class Progress:

@@ -1,0 +1,37 @@
+"""What commands print for people."""
+
+from __future__ import annotations
+
+import sys
+
+from rich.console import Console
+from rich.measure import Measurement
+from rich.table import Table
+
+
+def console(piped: int = 100) -> Console:
+    """Return what prints to standard output: as wide as the terminal, or so many columns where there is none."""
+    return Console(highlight=False, width=None if sys.stdout.isatty() else piped)
+
+
+def print_table(printing: Console, table: Table) -> None:
+    """Print a table, wider than the terminal if it must be: half a number looks like another one."""
+    for column in table.columns:
+        column.overflow = "fold"
+    whole = Console(highlight=False, width=max(printing.width, _least_width(printing, table)))
+    whole.print(table)
+
+
+def _least_width(printing: Console, table: Table) -> int:
+    """Return the width at which no cell is cut and no word is broken."""
+    options = printing.options.update(width=sys.maxsize)
+    _, right, _, left = table.padding
+    return sum(
+        right + left + max(_least(Measurement.get(printing, options, cell), column.no_wrap) for cell in cells)
+        for column in table.columns
+        if (cells := [column.header, *column.cells])
+    )
+
+
+def _least(cell: Measurement, whole: bool) -> int:
+    return cell.maximum if whole else cell.minimum
