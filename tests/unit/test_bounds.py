@@ -219,6 +219,11 @@ def test_a_number_beyond_all_floats_is_infinite_for_a_measured_profile_too(tmp_p
     assert told[0].endswith("must be a finite number: give a wavelength in mm, such as 0.8.")
 
 
+def test_a_list_with_a_number_of_thousands_of_digits_has_a_complaint(tmp_path: Path) -> None:
+    told = mistakes_in(tmp_path, f"life.models = ['x', 0x{'f' * 20_000}]\n{CASE}")
+    assert [each.partition(" = ")[0] for each in told] == ["life.models[1]", "life.models[2]"]
+
+
 def test_a_key_of_any_length_is_shown_in_a_line(tmp_path: Path) -> None:
     (told,) = mistakes_in(tmp_path, f"{'key' * 1000} = 1\n{CASE}")
     assert told.startswith('"keykey')

@@ -68,6 +68,10 @@ class TableError(ValueError):
         self.mistakes = tuple(mistakes)
         super().__init__(self.mistakes)
 
+    def __str__(self) -> str:
+        # pydantic asks at every level of the file, and shows it to nobody: values are not written out for that.
+        return f"{len(self.mistakes)} mistakes"
+
 
 def case_error(mistakes: Iterable[Mistake]) -> CaseError:
     """Return one error of several mistakes, each with the key that it is about; of too many the rest are counted."""
