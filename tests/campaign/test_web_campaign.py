@@ -22,13 +22,17 @@ from typing import Any
 
 import httpx
 import pytest
+from case_texts import is_sentence
+from page_requests import PATHS, Requests
 
 from nonhertz.io.casefile import starting_case
 from nonhertz.web.form import Field, form
 
-EDITS, HOSTILE = 2_000, 200
+EDITS, HOSTILE, CHANGED = 2_000, 200, 10_000
 SLOWEST = 2.0
 """s, for any answer."""
+MEMORY = 500.0
+"""MB, of any process."""
 GROWTH, SHARE = 20.0, 0.05
 """MB, or share, that memory may grow by over the second half."""
 STARTING = tomllib.loads(starting_case())
@@ -83,6 +87,17 @@ def memory_of(pid: int) -> float:
             text = Path(f"/proc/{each}/smaps_rollup").read_text()
             total += sum(int(kB) for kB in re.findall(r"^Private_\w+: +(\d+) kB", text, re.MULTILINE))
     return total / 1024
+
+
+def largest_of(pid: int) -> float:
+    """Return the memory [MB] of the largest of a process and its children, shared pages included."""
+    children = [path.read_text().split() for path in Path(f"/proc/{pid}/task").glob("*/children")]
+    largest = 0
+    for each in [pid, *(int(child) for of_thread in children for child in of_thread)]:
+        with contextlib.suppress(FileNotFoundError, ProcessLookupError):
+            text = Path(f"/proc/{each}/status").read_text()
+            largest = max([largest, *(int(kB) for kB in re.findall(r"^VmHWM:\s+(\d+) kB", text, re.MULTILINE))])
+    return largest / 1024
 
 
 class Walk:
@@ -292,6 +307,42 @@ def test_hostile_requests(server, capsys):
         print(f"\n{HOSTILE} hostile requests: {dict(sorted(statuses.items()))}, longest {1e3 * max(times):.0f} ms")
     assert max(times) < SLOWEST
     assert memory_of(pid) - before < 2 * GROWTH
+
+
+def test_changed_requests(server, capsys):
+    port, pid = server
+    requests, outcomes, times, memory = Requests(), Counter[str](), [], 0.0
+    with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=60.0) as client:
+        for number in range(CHANGED):
+            sent = requests.request(number)
+            begun = time.perf_counter()
+            answer = client.post(sent.path, content=sent.content, headers={"content-type": sent.kind})
+            times.append(time.perf_counter() - begun)
+            path = sent.path.partition("?")[0]
+            outcomes[f"{path} {answer.status_code}"] += 1
+            assert answer.status_code in {200, 400, 413, 415, 422, 503}, (number, answer.text[:500])
+            assert all(is_sentence(each) for each in sentences_in(path, answer)), (number, answer.text[:500])
+            assert times[-1] < SLOWEST, (number, times[-1])
+            if number % 100 == 99:
+                memory = max(memory, largest_of(pid))
+    with capsys.disabled():
+        print(f"\n{CHANGED} changed requests: {dict(sorted(outcomes.items()))}")
+        print(f"longest {1e3 * max(times):.0f} ms, largest process {memory:.0f} MB")
+    for path in PATHS:
+        assert outcomes[f"{path} 200"] > 0
+    assert memory < MEMORY
+
+
+def sentences_in(path: str, answer: httpx.Response) -> list[str]:
+    """Return what an answer says is wrong; its body must be what the path answers with."""
+    if answer.status_code == 200 and (path == "/form" or path.startswith("/download/")):
+        return []
+    body = answer.json()
+    if body["ok"]:
+        return []
+    assert not body.get("internal"), answer.text
+    assert body["mistakes"]
+    return [mistake["sentence"] for mistake in body["mistakes"]]
 
 
 def test_a_report_is_made_while_cases_are_solved(server):

@@ -1,0 +1,285 @@
+"""Texts of case files, sound ones changed at random, each reproducible from its number; and what is said of them."""
+
+import contextlib
+import random
+import re
+import resource
+import time
+import warnings
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from nonhertz.errors import CaseError
+from nonhertz.io.bounds import MISTAKES
+from nonhertz.io.casefile import case_in, parsed, read_case, starting_case
+
+SEED = 20261
+MANY = 0.01
+# Of texts, share that goes through a file; the others spare the disk.
+ON_DISK = 0.05
+EXAMPLES = Path(__file__).parents[2] / "examples"
+# Every key of a case file at least once.
+WHOLE = """\
+title = "all keys"
+[body.a]
+kind = "roller"
+diameter = 20.0
+length = "2 cm"
+effective_length = 19
+position = "10 um"
+material = { modulus = "207 GPa", poisson = 0.3 }
+profile = [
+  { kind = "crown", radius = 4000.0, centre = 0.1, shift = "1 mm", scale = 0.5 },
+  { kind = "logarithmic", amplitude = 0.002, straight = 5 },
+  { kind = "lundberg", load = "20 kN", radius = 10 },
+  { kind = "tabulated", y = [-10, 0, 10], relief = ["10 um", 0, 0.01], interpolation = "linear" },
+  { kind = "tabulated", file = "points.csv", interpolation = "cubic" },
+  { kind = "partial-crown", radius = 1000, straight = 5, blended = true },
+]
+side_faces = ["calibrated", 1.2]
+images = "series"
+depth = "plane-strain"
+[body.b]
+kind = "ring"
+diameter = { y = [-10, 10], diameter = [-80, -81.5] }
+side_faces = "none"
+[[body.b.profile]]
+kind = "measured"
+file = "trace.txt"
+height_unit = "um"
+sense = "height"
+level = true
+align = "symmetry"
+trim = false
+outliers = 5
+smooth = "gaussian"
+cutoff = 4
+points = 20
+[load]
+load = "20 kN"
+tilt = "0.5 mrad"
+[solver]
+element = "parabolic"
+strips = 41
+[life]
+rollers = 14
+models = ["zaretsky", "iso-16281"]
+slope = 1.5
+fatigue_limit = "0.3 GPa"
+laminae = 40
+edge_stress = "none"
+line_loads = "standard"
+[[life.spectrum]]
+load = 1e4
+share = 0.25
+tilt = -1e-3
+[[life.spectrum]]
+load = 5000
+share = 0.75
+"""
+FILES = {
+    "points.csv": "y, relief\n-10, 0.01\n-3, 0\n3, 0\n10, 0.01\n",
+    "trace.txt": "y [mm]; z [um]\n" + "".join(f"{y / 20}; {-(y**2) / 1000}\n" for y in range(-200, 201, 10)),
+}
+NUMBERS = """
+    0 -0.0 1 -1 0.5 2 7 100 101 2000 2001 1e-320 5e-324 1e-300 1e-12 1e-6 1e6 1e12 1e154 1e300
+    1.7976931348623157e308 1e309 -1e309 inf -inf nan 9223372036854775807 -9223372036854775809 0b1 0o7 1_000
+    1979-05-27 07:32:00
+""".split()  # noqa: SIM905
+NUMBERS += ["0x" + "f" * 300, "9" * 400, "0x" + "f" * 5000, "9" * 5000, "1e" + "9" * 50, "0." + "1" * 3000]
+WORDS = """none mirror calibrated series plane-strain diameter auto steel crown tabulated measured roller ring plate
+    20 20\\u0020kg 5\\u0020mm 1e999\\u0020m -5\\u0020um 9**9**9\\u0020mm 1\\u0020mm/mm . .. /dev/zero
+    /dev/null /etc/passwd points.csv trace.txt nowhere.csv \\u0000 \\ud7ff \\uffff \\U0010FFFF a\\nb
+    \\u001b[31m $x$ ü 漢""".split()  # noqa: SIM905
+VALUES = [
+    "true",
+    "false",
+    "[]",
+    "{}",
+    "[[]]",
+    "[1, 2]",
+    "['a', 1]",
+    "[nan, inf]",
+    "{ kind = 'crown' }",
+    "''",
+    "'''\n'''",
+]
+LINES = [
+    "[",
+    "]",
+    "[]",
+    "=",
+    "[body]",
+    "[body.a]",
+    "[[body]]",
+    "[[body.a.profile]]",
+    "a.b.c = 1",
+    '"" = 1',
+    "[a.b]",
+    "#",
+]
+_NUMBER = re.compile(r"(?<![\w.])-?\d[\d.e-]*")
+_TEXT = re.compile(r'"[^"\n]*"')
+_KEY = re.compile(r"\b[a-z_]+(?= =)")
+_VALUE = re.compile(r"(?<== )[^\n]+")
+
+
+def sound_texts() -> list[str]:
+    """Return case files that nothing is wrong with, in a folder that holds `FILES`."""
+    return [starting_case(), WHOLE, (EXAMPLES / "crowned-roller.toml").read_text(encoding="utf-8")] + [
+        (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8")
+        for name in ("cylindrical-roller-bearing", "elliptical-point-contact")
+    ]
+
+
+class Mutator:
+    """Changes texts at random, in one place or in several."""
+
+    def __init__(self, number: int, texts: list[str]) -> None:
+        self.random = random.Random(SEED * 1_000_003 + number)
+        self.texts = texts
+
+    def text(self) -> str:
+        """Return a case file with mistakes, now and then without."""
+        text = self.random.choice(self.texts)
+        changes: list[Callable[[str], str]] = [self.number, self.word, self.value, self.key, self.line, self.cut]
+        changes += [self.characters, self.copy, self.nest]
+        for _ in range(self.random.choice([1, 1, 1, 2, 3, 8])):
+            text = self.random.choices(changes, [30, 15, 15, 10, 10, 3, 5, 5, 2])[0](text)
+        # At last, so that what comes after it need not go through a megabyte.
+        return self.many(text) if self.random.random() < MANY else text
+
+    def replaced(self, pattern: re.Pattern[str], text: str, new: str) -> str:
+        found = list(pattern.finditer(text))
+        if not found:
+            return text
+        place = self.random.choice(found)
+        return text[: place.start()] + new + text[place.end() :]
+
+    def number(self, text: str) -> str:
+        magnitude = f"{self.random.choice([-1, 1]) * 10 ** self.random.uniform(-9, 9):.6g}"
+        return self.replaced(_NUMBER, text, self.random.choice([magnitude, self.random.choice(NUMBERS)]))
+
+    def word(self, text: str) -> str:
+        return self.replaced(_TEXT, text, f'"{self.random.choice(WORDS)}"')
+
+    def value(self, text: str) -> str:
+        new = self.random.choice([*VALUES, self.random.choice(NUMBERS), f'"{self.random.choice(WORDS)}"'])
+        return self.replaced(_VALUE, text, new)
+
+    def key(self, text: str) -> str:
+        other = self.random.choice(_KEY.findall(text) or ["x"])
+        return self.replaced(
+            _KEY, text, self.random.choice([other, other[:-1], other * 2, '"a b"', "ü", "'a.b'", "a.b"])
+        )
+
+    def line(self, text: str) -> str:
+        """Move, repeat, drop or put in a line."""
+        lines = text.split("\n")
+        here, there = self.random.randrange(len(lines)), self.random.randrange(len(lines) + 1)
+        taken = self.random.choice([[lines[here]], [lines[here]], [self.random.choice(LINES)]])
+        if self.random.random() < 0.4:
+            del lines[here]
+        lines[there:there] = taken * self.random.choice([0, 1, 1, 2])
+        return "\n".join(lines)
+
+    def cut(self, text: str) -> str:
+        low, high = sorted(self.random.randrange(len(text) + 1) for _ in range(2))
+        return self.random.choice([text[:low], text[low:], text[:low] + text[high:]])
+
+    def characters(self, text: str) -> str:
+        for _ in range(self.random.choice([1, 2, 10])):
+            here = self.random.randrange(len(text) + 1)
+            new = self.random.choice(
+                ["", '"', "'", "[", "]", "{", "}", ",", "=", ".", "\n", "\r", "\x00", "\t", "é", "\ufeff"]
+            )
+            text = text[:here] + new + text[here + 1 :]
+        return text
+
+    def copy(self, text: str) -> str:
+        low, high = sorted(self.random.randrange(len(text) + 1) for _ in range(2))
+        here = self.random.randrange(len(text) + 1)
+        return text[:here] + text[low:high] + text[here:]
+
+    def nest(self, text: str) -> str:
+        """Put tables or lists within one another, or give a key many parts."""
+        depth = self.random.choice([2, 15, 16, 17, 100, 3000])
+        nested = ["[" * depth + "]" * depth, "{a = " * depth + "1" + "}" * depth, "[{a = " * depth + "1" + "}]" * depth]
+        if self.random.random() < 0.5:
+            return self.replaced(_VALUE, text, self.random.choice(nested))
+        parts = ".".join(self.random.choice(["a", '"a b"', "1"]) for _ in range(depth))
+        return self.random.choice([f"{parts} = 1\n{text}", f"{text}\n[{parts}]\n", f"{text}\n[[{parts}]]\n"])
+
+    def many(self, text: str) -> str:
+        """Repeat something so often that it meets a bound, or is just below one."""
+        count = int(10 ** self.random.uniform(1, 5.5))
+        tables = "{ kind = 'crown', radius = 4000.0 }," * min(count, 30_000)
+        return self.random.choice([
+            "".join(f"key{n} = {n}\n" for n in range(min(count, 60_000))) + text,
+            text + "".join(f"\n[t{n}]" for n in range(min(count, 60_000))),
+            text + "\n[[life.spectrum]]\nload = 1\nshare = 0.1" * min(count, 30_000),
+            self.replaced(re.compile(r"(?<=profile = )[^\n]+"), text, f"[{tables}]"),
+            self.replaced(_VALUE, text, f"[{'0.5, ' * min(count, 150_000)}]"),
+            self.replaced(_VALUE, text, "'" + "x" * count + "'"),
+            self.replaced(_KEY, text, "x" * count),
+            text + "#" * 4 * count,
+        ])  # fmt: skip
+
+
+@dataclass
+class Outcome:
+    """What came of many texts: how many were sound, what was amiss, and what the dearest cost."""
+
+    counts: Counter[str] = field(default_factory=Counter)
+    amiss: list[str] = field(default_factory=list)
+    slowest: tuple[float, int] = (0.0, -1)
+    memory: float = 0.0
+
+
+def read_all(numbers: range, folder: str) -> Outcome:
+    """Read the case files of these numbers in a folder of their own, and return what came of them."""
+    home = Path(folder, f"{numbers.start}")
+    home.mkdir()
+    for name, content in FILES.items():
+        (home / name).write_text(content, encoding="utf-8")
+    outcome, texts, path = Outcome(), sound_texts(), home / "case.toml"
+    with contextlib.chdir(home), warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        # What goes on to a person as a warning must have been meant for one.
+        warnings.simplefilter("error", RuntimeWarning)
+        for number in numbers:
+            mutator = Mutator(number, texts)
+            text = mutator.text().encode("utf-8", "surrogatepass")
+            on_disk = mutator.random.random() < ON_DISK
+            if on_disk:
+                path.write_bytes(text)
+            begun = time.process_time()
+            found = complaints(path if on_disk else text)
+            outcome.slowest = max(outcome.slowest, (time.process_time() - begun, number))
+            outcome.counts["refused" if found else "sound"] += 1
+            outcome.amiss += (f"{number}: {each[:300]!r}" for each in found if not is_sentence(each))
+            if len(found) > MISTAKES + 1:
+                outcome.amiss.append(f"{number}: {len(found)} mistakes")
+    outcome.memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    return outcome
+
+
+def complaints(file: Path | bytes) -> tuple[str, ...]:
+    """Return what is said of a case file or of the bytes in one; an error of another kind by its name."""
+    try:
+        if isinstance(file, Path):
+            read_case(file)
+        else:
+            case_in(parsed(file.decode("utf-8-sig", "replace"), "case.toml"), Path("case.toml"))
+    except CaseError as error:
+        return error.mistakes or ("no mistake is named",)
+    except Exception as error:  # noqa: BLE001  (whatever it is, it is what is looked for)
+        return (f"{type(error).__name__}: {error}",)
+    return ()
+
+
+def is_sentence(text: str) -> bool:
+    """Return whether a complaint is one: on one line, ended, and no longer than a person reads."""
+    return text.endswith(".") and "\n" not in text and len(text) < 1000 and not text.partition(":")[0].endswith("Error")
