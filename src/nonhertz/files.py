@@ -39,14 +39,15 @@ def content(path: str | os.PathLike[str], most: int) -> bytes:
 
 
 def legible(name: str) -> str:
-    r"""Return the name of a file as text that any file can hold; one need not be text, but can be any bytes.
+    r"""Return the name of a file as a line of text; a name can be any bytes and hold the end of a line.
 
     Examples
     --------
     >>> legible("roller\udcff.toml")
     'roller\ufffd.toml'
     """
-    return os.fsencode(name).decode("utf-8", "replace")
+    text = os.fsencode(name).decode("utf-8", "replace")
+    return "".join(character if character.isprintable() else "\ufffd" for character in text)
 
 
 def special(path: str | os.PathLike[str]) -> bool:

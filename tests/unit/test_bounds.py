@@ -237,3 +237,12 @@ def test_a_name_that_is_no_text_makes_a_title_that_is(tmp_path: Path) -> None:
     path.write_text(CASE)
     assert read_case(path).title == "roller\ufffd"
     assert read_subject(path).name == "roller\ufffd.toml"
+
+
+@posix
+def test_a_file_whose_name_has_two_lines_is_complained_of_in_one(tmp_path: Path) -> None:
+    (tmp_path / "a\nb").write_text("0 0\n1 nan\n")
+    for name in ("a\\nb", "no\\nfile"):
+        keys = f'profile = {{ kind = "tabulated", file = "{name}" }}'
+        (told,) = mistakes_in(tmp_path, BODIES.format(keys=keys) + LOAD)
+        assert len(told.splitlines()) == 1

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from nonhertz.errors import InputError
-from nonhertz.files import content, special
+from nonhertz.files import content, legible, special
 from nonhertz.model.checks import MOST, one_of
 from nonhertz.model.profile.base import Array, Profile, places
 
@@ -186,13 +186,13 @@ def from_file(path: str | os.PathLike[str], interpolation: str = "pchip") -> Pro
     path = Path(path)
     points = _read(path)
     if len(points) < 2:
-        found = f"{path.name} holds {'one point only' if points else 'no data'}"
+        found = f"{legible(path.name)} holds {'one point only' if points else 'no data'}"
         raise InputError("path", str(path), f"name a file of two points at least ({found})", _COLUMNS)
     y, relief = zip(*points, strict=True)
     try:
         return tabulated(y, relief, interpolation)
     except InputError as error:
-        raise error.within(path.name) from None
+        raise error.within(legible(path.name)) from None
 
 
 def _numbers(field: str, values: Sequence[float]) -> Array:
@@ -219,7 +219,7 @@ def _read(path: Path) -> list[tuple[float, float]]:
         lines = content(path, LARGEST_FILE).decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n").split("\n")
     except OSError as error:
         why = error.strerror or "unreadable"
-        reason = f"{path.name}: {why[:1].lower()}{why[1:]}"
+        reason = f"{legible(path.name)}: {why[:1].lower()}{why[1:]}"
         remedy = _FEWER_POINTS if error.errno == errno.EFBIG else "check it"
         raise InputError("path", str(path), f"name a file that can be read ({reason})", remedy) from None
     except ValueError:  # not text, or a name that no file can have
@@ -232,7 +232,7 @@ def _read(path: Path) -> list[tuple[float, float]]:
             continue
         cells = _cells(written)
         values = [_value(cell) for cell in cells]
-        place = f"line {number} of {path.name}"
+        place = f"line {number} of {legible(path.name)}"
         if header_allowed and all(value is None for value in values):
             _check_header(place, written)
         elif len(points) < MOST_POINTS:
