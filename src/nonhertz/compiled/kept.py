@@ -1,0 +1,123 @@
+"""Machine code between processes, in the place of Numba's own cache.
+
+Numba asks whether the file of a function has changed, but not the files of those that it calls; it wants a folder that
+can be written before anything is compiled; and a damaged file ends the program. Here whatever is not found in order is
+compiled anew, and replaced.
+"""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import pickle
+import platform
+import weakref
+from collections.abc import Callable
+from importlib import resources
+from typing import Any
+
+import llvmlite
+import llvmlite.binding
+import numba.core.config
+import numpy as np
+from numba.core.compiler import CompileResult
+from numba.core.serialize import dumps
+from numba.core.types import Callable as CallableType
+
+from nonhertz.compiled.folders import UnwritableError, folders, read, write
+from nonhertz.compiled.meaning import meanings
+from nonhertz.compiled.notices import tell_unkept
+
+# Settings of Numba's that change machine code.
+_SETTINGS = (
+    "OPT", "LOOP_VECTORIZE", "BOUNDSCHECK", "DEBUGINFO_DEFAULT", "ENABLE_AVX", "USING_SVML", "LLVM_REFPRUNE_PASS",
+    "LLVM_REFPRUNE_FLAGS",
+)  # fmt: skip
+
+# What functions meant when they were first compiled or read here. The compiler does not look at them again.
+_first_meanings: weakref.WeakKeyDictionary[Callable[..., object], str] = weakref.WeakKeyDictionary()
+# The keys of symbols in this process. A second symbol of the same name would never be called.
+_symbols: dict[str, bytes] = {}
+
+
+class Kept:
+    """The machine code of one function, for any types of its arguments; has what Numba asks of a cache.
+
+    Parameters
+    ----------
+    function : callable
+        The function in Python.
+    """
+
+    def __init__(self, function: Callable[..., object]) -> None:
+        self._function = function
+        self._keys: dict[Any, bytes] = {}
+
+    @property
+    def cache_path(self) -> str:
+        """Where machine code is written first."""
+        return str(folders()[0])
+
+    def load_overload(self, signature: Any, target: Any) -> Any:
+        """Return what was compiled for a signature, or None if it is not there or not in order."""
+        target.refresh()
+        key = self._key(signature, target)
+        if key is None:
+            return None
+        self._keys[signature] = key
+        content = read(self._name(key), key)
+        return None if content is None else _revived(content, key, target)
+
+    def save_overload(self, signature: Any, result: Any) -> None:
+        """Write what was compiled for a signature, or say once that it cannot be."""
+        key = self._keys.get(signature)
+        if key is None or result.library.has_dynamic_globals:
+            return
+        _symbols[result.fndesc.llvm_func_name] = key
+        try:
+            write(self._name(key), key, dumps(result._reduce()))
+        except UnwritableError as error:
+            tell_unkept(str(error))
+
+    def flush(self) -> None:
+        """Do nothing: what is compiled anew on request replaces what is there."""
+
+    def _name(self, key: bytes) -> str:
+        function = f"{self._function.__module__}.{self._function.__qualname__}".replace("<", "").replace(">", "")
+        return f"{function}-{hashlib.sha256(key).hexdigest()[:32]}"
+
+    def _key(self, signature: Any, target: Any) -> bytes | None:
+        """Return what belongs to this machine code alone, or None if it cannot be told."""
+        found = meanings(self._function)
+        if any(_first_meanings.setdefault(each, meaning) != meaning for each, meaning in found.items()):
+            return None
+        if any(isinstance(each, CallableType) for each in signature):
+            return None
+        codegen: Any = target.codegen()
+        return repr((found[self._function], signature, codegen.magic_tuple(), _compiler())).encode()
+
+
+def _compiler() -> tuple[object, ...]:
+    settings: Any = numba.core.config
+    return (
+        platform.python_implementation(), platform.python_version(), np.__version__, numba.__version__,
+        llvmlite.__version__, llvmlite.binding.llvm_version_info, _ourselves(),
+        *(str(getattr(settings, name, None)) for name in _SETTINGS),
+    )  # fmt: skip
+
+
+@functools.cache
+def _ourselves() -> str:
+    """Return a digest of how we compile."""
+    sources = {each.name: each.read_bytes() for each in resources.files(__package__).iterdir() if each.is_file()}
+    return hashlib.sha256(repr(sorted(sources.items())).encode()).hexdigest()
+
+
+def _revived(content: bytes, key: bytes, target: Any) -> Any:
+    try:
+        parts = pickle.loads(content)
+        if _symbols.setdefault(parts[1].llvm_func_name, key) != key:
+            return None
+        return CompileResult._rebuild(target, *parts)
+    except Exception:  # noqa: BLE001  (another build of Numba may have written it)
+        return None
