@@ -1,0 +1,252 @@
+"""Machine code on disk through whatever befalls it: the right answer, and never an old one.
+
+Each situation is played by processes of their own: in most of them by a package of two small functions that stands
+beside a copy of our compiler, so that the folders around both can be spoilt.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nonhertz
+
+pytestmark = pytest.mark.campaign
+
+INNER = """
+from nonhertz.compiled import compiled
+RATE = 2.0
+@compiled
+def inner(x):
+    return RATE * x * x
+"""
+OUTER = """
+from nonhertz.compiled import compiled
+from press.inner import inner
+@compiled
+def outer(x):
+    return inner(x) + 1.0
+"""
+RUN = """
+from press.outer import outer
+print(outer(2.0), "read" if sum(outer.stats.cache_hits.values()) else "compiled")
+"""
+COMPILED, READ = "9.0 compiled\n", "9.0 read\n"
+WAY_OUT = r"The compiled solver cannot be kept, .*: nothing can be written in (.*)\. Set NUMBA_CACHE_DIR .*\n"
+
+
+class Machine:
+    """A machine on which our compiler, a package that uses it, and a user's home are put up anew."""
+
+    def __init__(self, root: Path) -> None:
+        self.site, self.home = root / "site", root / "home"
+        self.home.mkdir()
+        self.package = self.site / "nonhertz"
+        shutil.copytree(Path(nonhertz.__file__).parent, self.package, ignore=shutil.ignore_patterns("__pycache__"))
+        self.with_package = self.package / "__pycache__/machine-code"
+        self.with_user = self.home / ".cache/nonhertz/machine-code"
+        self.write("inner", INNER)
+        self.write("outer", OUTER)
+        self.environment = {
+            name: value for name, value in os.environ.items() if not name.startswith(("NUMBA_", "XDG_", "PYTHON"))
+        } | {"HOME": str(self.home), "PYTHONPATH": str(self.site), "PYTHONWARNINGS": "error"}
+
+    def write(self, name: str, source: str) -> Path:
+        """Write a file of the package that uses the compiler."""
+        path = self.site / "press" / f"{name}.py"
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(source)
+        return path
+
+    def start(self, before: str = "") -> subprocess.Popen[str]:
+        """Start the program, with a line of Python ``before`` it."""
+        return subprocess.Popen(
+            [sys.executable, "-c", f"{before}\n{RUN}"],
+            env=self.environment, cwd=self.home, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        )  # fmt: skip
+
+    def run(self, before: str = "") -> str:
+        """Return what the program prints; it ends well and has nothing else to say."""
+        said, complaints = self.run_complaining(before)
+        assert complaints == ""
+        return said
+
+    def run_complaining(self, before: str = "") -> tuple[str, str]:
+        """Return what the program prints, and what it prints beside that."""
+        with self.start(before) as process:
+            found = process.communicate(timeout=300.0)
+            assert process.returncode == 0, found
+        return found
+
+    def kept(self, name: str = "outer") -> Path:
+        """Return the file that holds a function."""
+        (path,) = self.with_package.glob(f"press.{name}.*")
+        return path
+
+
+@pytest.fixture
+def fresh(tmp_path):
+    return Machine(tmp_path)
+
+
+@pytest.fixture
+def machine(fresh):
+    """One on which the program has run."""
+    assert fresh.run() == COMPILED
+    return fresh
+
+
+def blocked(folder: Path) -> None:
+    """Let nothing be written in a folder, not even by root."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.touch()
+
+
+def test_the_second_process_reads(machine):
+    assert machine.run() == READ
+
+
+def test_a_read_only_package(fresh):
+    blocked(fresh.package / "__pycache__")
+    assert fresh.run() == COMPILED
+    assert fresh.run() == READ
+    assert list(fresh.with_user.iterdir())
+
+
+def test_a_read_only_package_and_home(fresh):
+    blocked(fresh.package / "__pycache__")
+    blocked(fresh.home / ".cache")
+    for _ in range(2):
+        said, complaints = fresh.run_complaining()
+        assert said == COMPILED
+        (places,) = re.fullmatch(WAY_OUT, complaints).groups()
+        assert places == f"{fresh.with_package} (Not a directory), {fresh.with_user} (Not a directory)"
+
+
+def test_no_home(fresh):
+    blocked(fresh.package / "__pycache__")
+    del fresh.environment["HOME"]
+    nobody = "import pwd\ndef unknown(number): raise KeyError\npwd.getpwuid = unknown"
+    said, complaints = fresh.run_complaining(nobody)
+    assert said == COMPILED
+    assert re.fullmatch(WAY_OUT, complaints)
+    assert list(fresh.home.iterdir()) == []
+
+
+def test_a_filled_folder_that_can_no_longer_be_written(machine):
+    # As in a container whose image was built after a first solve. Root may write whatever the permissions say.
+    written = machine.kept().stat().st_mtime_ns
+    refuse = "import os\ndef refuse(*a, **k): raise PermissionError\nos.utime = os.replace = os.rename = refuse"
+    assert machine.run(refuse) == READ
+    assert machine.kept().stat().st_mtime_ns == written
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        lambda path: os.truncate(path, path.stat().st_size // 2),
+        lambda path: os.truncate(path, 0),
+        lambda path: path.write_bytes(np.random.default_rng(1).bytes(20_000)),
+        lambda path: shutil.copy(next(path.parent.glob("press.inner.*")), path),
+        lambda path: path.unlink(),
+    ],
+    ids=["cut", "empty", "random", "another's", "missing"],
+)
+def test_a_damaged_file(machine, damage):
+    damage(machine.kept())
+    assert machine.run() == COMPILED
+    assert machine.run() == READ
+
+
+def test_permission_lost(machine):
+    path = machine.kept()
+    path.unlink()
+    path.mkdir(mode=0o000)
+    blocked(machine.home / ".cache")
+    said, complaints = machine.run_complaining()
+    assert said == COMPILED
+    assert re.fullmatch(WAY_OUT, complaints)
+
+
+def test_a_full_disk(fresh):
+    # Python leaves a cut file of its own bytecode where a disk is full, so all imports come before.
+    full = "import resource, press.outer; resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000))"
+    said, complaints = fresh.run_complaining(full)
+    assert said == COMPILED
+    assert "File too large" in re.fullmatch(WAY_OUT, complaints)[1]
+    assert [*fresh.with_package.iterdir(), *fresh.with_user.iterdir()] == []
+    assert fresh.run() == COMPILED
+    assert fresh.run() == READ
+
+
+def test_many_at_once(fresh):
+    processes = [fresh.start() for _ in range(6)]
+    for process in processes:
+        said, complaints = process.communicate(timeout=300.0)
+        assert (process.returncode, complaints) == (0, "")
+        assert said in {COMPILED, READ}
+    assert len(list(fresh.with_package.iterdir())) == 2
+    assert fresh.run() == READ
+
+
+# In the compiler, and between writing a file and moving it to its place.
+MOMENTS = ["numba.core.codegen.JITCodeLibrary._finalize_final_module", "pathlib.Path.replace"]
+
+
+def ending(moment: str, number: signal.Signals) -> str:
+    """Return code that sends the process a signal at a moment."""
+    owner, _, name = moment.rpartition(".")
+    module, _, kind = owner.rpartition(".")
+    return (
+        f"import os, {module}\ndef end(*a): os.kill(os.getpid(), {number:d}); print('went on')\n"
+        f"{module}.{kind}.{name} = end"
+    )
+
+
+@pytest.mark.parametrize("moment", MOMENTS)
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGKILL])
+def test_a_process_that_is_ended_halfway(fresh, moment, number):
+    with fresh.start(ending(moment, number)) as process:
+        said, _ = process.communicate(timeout=300.0)
+    assert (process.returncode, said) == (-number, "")
+    left = list(fresh.with_package.iterdir()) if fresh.with_package.exists() else []
+    killed_writing = number == signal.SIGKILL and moment == "pathlib.Path.replace"
+    assert [path.name[:7] for path in left] == [".draft-"] * killed_writing
+    assert fresh.run() == COMPILED
+    assert fresh.run() == READ
+
+
+def test_an_upgraded_compiler(machine):
+    assert machine.run("import numba; numba.__version__ = '1000.0'") == COMPILED
+    assert machine.run() == READ
+
+
+def test_an_upgrade_of_how_we_compile(machine):
+    with (machine.package / "compiled/decorator.py").open("a") as file:
+        file.write("# Another version.\n")
+    assert machine.run() == COMPILED
+
+
+@pytest.mark.parametrize("with_setting", [False, True])
+@pytest.mark.parametrize("year", [None, 1990, 2030])
+def test_an_edited_source(fresh, with_setting, year):
+    # What calls is in another file than what is called, and the edited one may be older than all that is kept.
+    if with_setting:
+        fresh.environment["NUMBA_CACHE_DIR"] = str(fresh.home / "elsewhere")
+    assert fresh.run() == COMPILED
+    path = fresh.write("inner", INNER.replace("2.0", "3.0"))
+    if year is not None:
+        os.utime(path, ((year - 1970) * 31_557_600.0,) * 2)
+    assert fresh.run() == "13.0 compiled\n"
+    # Both versions are kept, such as of two branches.
+    fresh.write("inner", INNER)
+    assert fresh.run() == READ
+    assert fresh.with_package.exists() != with_setting
