@@ -1,4 +1,4 @@
-"""Machine code on disk through whatever befalls it: the right answer, and never an old one.
+"""Machine code on disk through whatever befalls it: the right answer, never an old one, and the same last digits.
 
 Each situation is played by processes of their own: in most of them by a package of two small functions that stands
 beside a copy of our compiler, so that the folders around both can be spoilt.
@@ -198,7 +198,7 @@ def test_many_at_once(fresh):
 
 
 # In the compiler, and between writing a file and moving it to its place.
-MOMENTS = ["numba.core.codegen.JITCodeLibrary._finalize_final_module", "pathlib.Path.replace"]
+MOMENTS = ["nonhertz.compiled.decorator._OwnCopies._finalize_final_module", "pathlib.Path.replace"]
 
 
 def ending(moment: str, number: signal.Signals) -> str:
@@ -250,3 +250,56 @@ def test_an_edited_source(fresh, with_setting, year):
     fresh.write("inner", INNER)
     assert fresh.run() == READ
     assert fresh.with_package.exists() != with_setting
+
+
+DIGITS = """
+import hashlib, sys
+import numpy as np
+import nonhertz as nh
+
+contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000)), nh.Plate())
+sharp = nh.Contact(nh.Roller(diameter=20, length=20), nh.Ring(diameter=80))
+
+def solve():
+    found = [nh.solve(contact, load=20e3), nh.solve(sharp, load=3e4, tilt=1e-3), nh.solve(sharp, load=3e4, strips=50)]
+    return [value for each in found for value in (each.approach, each.moment, each.line_load, each.half_width)]
+
+def many():
+    found = nh.solve_many(contact, load=np.linspace(1e3, 3e4, 9), tilt=np.linspace(0.0, 1e-3, 9), strips=41)
+    return [found.approach, found.moment]
+
+def below():
+    solution = nh.solve(sharp, load=3e4)
+    points = {"x": [0.0, 0.1, 0.2], "y": [0.0, 3.0, 9.9], "z": [0.05, 0.2, 0.3]}
+    return [nh.subsurface.stress(solution, **points, body=body, displacement=True).displacement for body in "ab"]
+
+def grid():
+    solution = nh.patch.solve(contact, load=3e3, cells=(16, 32))
+    return [solution.pressure, nh.subsurface.stress(solution, x=[0.0, 0.1], y=[0.0, 1.0], z=[0.05, 0.3]).stress]
+
+for name in sys.argv[1:]:
+    values = b"".join(np.ascontiguousarray(value).tobytes() for value in globals()[name]())
+    print(name, hashlib.sha256(values).hexdigest())
+"""
+
+
+def digits(folder: Path, *names: str) -> dict[str, str]:
+    """Return digests of results that a process finds one after the other."""
+    ended = subprocess.run(
+        [sys.executable, "-c", DIGITS, *names],
+        env=os.environ | {"NUMBA_CACHE_DIR": str(folder)}, capture_output=True, text=True, check=True, timeout=1800.0,
+    )  # fmt: skip
+    return dict(line.split() for line in ended.stdout.splitlines())
+
+
+def test_results_are_the_same_bytes_wherever_machine_code_comes_from(tmp_path):
+    names = "solve", "many", "below", "grid"
+    compiling = digits(tmp_path / "one", *names)
+    files = {path: path.stat().st_ino for path in (tmp_path / "one/nonhertz").iterdir()}
+    assert set(compiling) == set(names)
+    # Another order of loading, each alone, and another order of compiling.
+    assert digits(tmp_path / "one", *reversed(names)) == compiling
+    assert {name: digits(tmp_path / "one", name)[name] for name in names} == compiling
+    # Nothing was compiled by those that read.
+    assert {path: path.stat().st_ino for path in (tmp_path / "one/nonhertz").iterdir()} == files
+    assert digits(tmp_path / "two", *reversed(names)) == compiling

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from numba.core.codegen import JITCPUCodegen
 
-from nonhertz.compiled import compiled, folders, notices
+from nonhertz.compiled import compiled, decorator, folders, notices
 from nonhertz.compiled.meaning import meanings
 
 SOURCE = """
@@ -60,7 +60,7 @@ def seen_while_compiling(monkeypatch, function):
     plain = numba.core.codegen.CPUCodegen._function_pass_manager
 
     def watched(codegen, **options):
-        seen.append(numba.core.config.SLP_VECTORIZE)
+        seen.append((numba.core.config.SLP_VECTORIZE, codegen._library_class))
         return plain(codegen, **options)
 
     monkeypatch.setattr(numba.core.codegen.CPUCodegen, "_function_pass_manager", watched)
@@ -71,9 +71,9 @@ def seen_while_compiling(monkeypatch, function):
 def test_settings_are_for_our_functions_alone(monkeypatch):
     before = numba.core.config.SLP_VECTORIZE
     ours, theirs = compiled(lambda x: x + 1.0), numba.njit(lambda x: x + 2.0)
-    assert seen_while_compiling(monkeypatch, lambda: ours(1.0)) == {1}
+    assert seen_while_compiling(monkeypatch, lambda: ours(1.0)) == {(1, decorator._OwnCopies)}
     assert before == numba.core.config.SLP_VECTORIZE
-    assert seen_while_compiling(monkeypatch, lambda: theirs(1.0)) == {before}
+    assert seen_while_compiling(monkeypatch, lambda: theirs(1.0)) == {(before, JITCPUCodegen._library_class)}
 
 
 def test_settings_come_back_after_a_failure():
@@ -82,6 +82,19 @@ def test_settings_come_back_after_a_failure():
     with pytest.raises(numba.core.errors.TypingError):
         hopeless(np.ones(3))
     assert before == numba.core.config.SLP_VECTORIZE
+
+
+def test_no_module_calls_the_copy_of_another():
+    # Long enough to be called and not put in place of the call.
+    sums = "".join(f"    x = (x * x + {n}.0) / (x + {n}.0)\n" for n in range(30))
+    outer = pair(source=f"def inner(x):\n{sums}    return x\ndef outer(x):\n    return inner(x) * inner(-x)")
+    outer(X)
+    (result,) = outer.overloads.values()
+    functions = [each for each in result.library._final_module.functions if not each.is_declaration]
+    copies = [each for each in functions if "inner" in each.name]
+    assert copies
+    assert {each.linkage.name for each in copies} == {"internal"}
+    assert not [each.name for each in functions if each.linkage.name.startswith(("linkonce", "weak"))]
 
 
 def test_what_was_compiled_is_read_by_the_next(kept):
@@ -225,7 +238,7 @@ def test_an_interrupted_compiler_starts_anew(kept, monkeypatch):
 
     outer = pair()
     with monkeypatch.context() as patch:
-        patch.setattr(numba.core.codegen.JITCodeLibrary, "_finalize_final_module", interrupted)
+        patch.setattr(decorator._OwnCopies, "_finalize_final_module", interrupted)
         with pytest.raises(KeyboardInterrupt):
             outer(X)
     assert outer(X) == ANSWER[2.0]
