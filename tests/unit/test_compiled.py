@@ -311,3 +311,13 @@ def test_a_function_that_calls_itself_has_a_meaning():
         return list(meanings(module["down"].py_func).values())
 
     assert meaning(0) == meaning(0) != meaning(1)
+
+
+@pytest.mark.parametrize("watched", [True, False])
+def test_who_waits_at_a_terminal_is_told_why_once(monkeypatch, capsys, watched):
+    monkeypatch.setattr(notices, "_SILENCE", 0.0)
+    monkeypatch.setattr("sys.stderr.isatty", lambda: watched, raising=False)
+    pair()(X)
+    pair(rate=3.0)(X)
+    said = "The first solve on a machine compiles the solver, which takes about half a minute.\n"
+    assert capsys.readouterr() == ("", said if watched else "")

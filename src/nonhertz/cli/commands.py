@@ -250,7 +250,6 @@ def report(
         Look below the surface.
     """
     from nonhertz.cli.reporting import made, read_subjects, target, write  # noqa: PLC0415
-    from nonhertz.cli.solving import patience  # noqa: PLC0415
     from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
 
     if not cases:
@@ -258,7 +257,7 @@ def report(
     path = target(out, cases)
     subjects = read_subjects(cases)
     refuse_unwritable(path.parent)
-    text, found = made(subjects, life, stress, patience())
+    text, found = made(subjects, life, stress)
     write(path, text)
     print(f"wrote {path}")
     complaints = [f"{each.label}: {each.complaint}" for each in found if each.complaint]

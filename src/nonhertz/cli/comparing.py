@@ -10,7 +10,6 @@ from rich.text import Text
 
 from nonhertz import comparison as methods
 from nonhertz.cli.printing import console, print_table
-from nonhertz.cli.solving import patience
 from nonhertz.cli.verification import Progress
 from nonhertz.comparison import Comparison, Quantity, Stretch
 from nonhertz.errors import InputError
@@ -30,10 +29,9 @@ def compared(case: Case, cells: tuple[int, int] | None) -> Comparison:
     """
     progress = Progress(_METHODS)
     try:
-        with patience():
-            return methods.compare(
-                case.contact, **case.prescribed, strips=case.solver["strips"], cells=cells, announce=progress.announce
-            )
+        return methods.compare(
+            case.contact, **case.prescribed, strips=case.solver["strips"], cells=cells, announce=progress.announce
+        )
     except InputError as error:
         if error.field == "cells":
             raise InputError("--cells", error.value, error.condition, "give two whole numbers such as 64 256") from None

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import AbstractContextManager
 from pathlib import Path
 
 from nonhertz.cli.verification import Progress
@@ -55,12 +54,9 @@ def target(out: Path | None, cases: Sequence[Path]) -> Path:
     return path
 
 
-def made(
-    subjects: Sequence[Subject], life: bool | None, stress: bool, patience: AbstractContextManager[None]
-) -> tuple[str, tuple[Finding, ...]]:
-    """Return the report on subjects as text and what it tells of; ``patience`` is for the first solve."""
-    with patience:
-        found = settled(subjects)
+def made(subjects: Sequence[Subject], life: bool | None, stress: bool) -> tuple[str, tuple[Finding, ...]]:
+    """Return the report on subjects as text and what it tells of."""
+    found = settled(subjects)
     progress = Progress(steps(found, life=life, stress=stress) + 1)
     try:
         found = examined(found, life=life, stress=stress, announce=progress.announce)

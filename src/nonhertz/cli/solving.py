@@ -1,11 +1,7 @@
-"""Solving a case for a command: whoever waits is told why, and what comes of it is written."""
+"""Solving a case for a command, and writing what comes of it."""
 
 from __future__ import annotations
 
-import contextlib
-import sys
-import threading
-from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,40 +12,22 @@ if TYPE_CHECKING:
     from nonhertz.io.casefile import Case
     from nonhertz.solution import Solution
 
-_SILENCE = 2.0  # s, before whoever waits is told why
-
-
-@contextlib.contextmanager
-def patience() -> Iterator[None]:
-    """Tell whoever waits at a terminal why: the first solve on a machine compiles the solver."""
-    text = "The first solve on a machine compiles the solver, which takes about half a minute."
-    notice = threading.Timer(_SILENCE, print, [text], {"file": sys.stderr, "flush": True})
-    notice.daemon = True
-    if sys.stderr.isatty():
-        notice.start()
-    try:
-        yield
-    finally:
-        notice.cancel()
-
 
 def solved_or_not(case: Case) -> tuple[Solution, str]:
     """Return the solution and, if it has not converged, what to say about that."""
     from nonhertz.casework import attempted  # noqa: PLC0415
 
-    with patience():
-        return attempted(case)
+    return attempted(case)
 
 
 def spectrum_or_not(case: Case) -> tuple[Spectrum, str]:
     """Return the solutions of all loads with their shares, or what to say about why there are none."""
     from nonhertz.casework import spectrum_solved  # noqa: PLC0415
 
-    with patience():
-        try:
-            return spectrum_solved(case), ""
-        except ConvergenceError as error:
-            return (), str(error)
+    try:
+        return spectrum_solved(case), ""
+    except ConvergenceError as error:
+        return (), str(error)
 
 
 def results_written(directory: Path, solution: Solution, title: str) -> tuple[Path, ...]:

@@ -24,6 +24,7 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler_lock import global_compiler_lock
 
 from nonhertz.compiled.kept import Kept
+from nonhertz.compiled.notices import patience
 
 Function = TypeVar("Function", bound=Callable[..., object])
 
@@ -41,7 +42,7 @@ def compiled(function: Function) -> Function:
     compile_plainly = made.compile
 
     def compile_alone(signature: Any) -> Any:
-        with _settings(made.targetctx.codegen()):
+        with _settings(made.targetctx.codegen()), patience():
             return compile_plainly(signature)
 
     made.compile = compile_alone

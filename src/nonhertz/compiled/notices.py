@@ -1,15 +1,39 @@
-"""What users are told about compiling: what to do if they would wait for it every time."""
+"""What users are told about compiling: why they wait, and what to do if they would wait every time."""
 
 from __future__ import annotations
 
+import contextlib
 import logging
+import sys
+import threading
+from collections.abc import Iterator
 
+_SILENCE = 2.0  # s, before whoever waits is told why
+_WAIT = "The first solve on a machine compiles the solver, which takes about half a minute."
 _UNKEPT = (
     "The compiled solver cannot be kept, so every process compiles it again, which takes about half a minute: "
     "nothing can be written in %s. Set NUMBA_CACHE_DIR to a folder that can be written."
 )
 
 _said: set[str] = set()
+_waiting = threading.local()
+
+
+@contextlib.contextmanager
+def patience() -> Iterator[None]:
+    """Tell whoever waits at a terminal or in a notebook why, once."""
+    if _WAIT in _said or getattr(_waiting, "now", False) or not _watched():
+        yield
+        return
+    notice = threading.Timer(_SILENCE, _tell_why)
+    notice.daemon = True
+    notice.start()
+    _waiting.now = True
+    try:
+        yield
+    finally:
+        notice.cancel()
+        _waiting.now = False
 
 
 def tell_unkept(places: str) -> None:
@@ -17,3 +41,15 @@ def tell_unkept(places: str) -> None:
     if _UNKEPT not in _said:
         _said.add(_UNKEPT)
         logging.getLogger("nonhertz").warning(_UNKEPT, places)
+
+
+def _watched() -> bool:
+    # A notebook's standard error is no terminal, but its interpreter has a prompt.
+    return hasattr(sys, "ps1") or (sys.stderr is not None and sys.stderr.isatty())
+
+
+def _tell_why() -> None:
+    _said.add(_WAIT)
+    # The stream may have been closed in the meantime.
+    with contextlib.suppress(OSError, ValueError):
+        print(_WAIT, file=sys.stderr, flush=True)
