@@ -111,7 +111,11 @@ def test_other_types_of_arguments_are_other_code():
     assert loaded(second)
 
 
-@pytest.mark.parametrize("changed", [{"rate": 3.0}, {"source": SOURCE.replace("x * x", "x * 3.0")}])
+@pytest.mark.parametrize(
+    "changed",
+    [{"rate": 3.0}, {"source": SOURCE.replace("x * x", "x * 3.0")}, {"source": SOURCE.replace("1.0", "2.0")}],
+    ids=["global", "code", "constant"],
+)
 def test_a_change_in_what_is_called_is_a_change(changed):
     pair()(X)
     second = pair(**changed)
@@ -154,7 +158,7 @@ DAMAGE = {
     "empty": lambda data, other: b"",
     "cut": lambda data, other: data[: len(data) // 2],
     "random": lambda data, other: np.random.default_rng(1).bytes(len(data)),
-    "one bit": lambda data, other: data[:-9] + bytes([data[-9] ^ 1]) + data[-8:],
+    "one byte": lambda data, other: data[: len(data) // 4] + b"\xcc" + data[len(data) // 4 + 1 :],
     "another's": lambda data, other: other,
 }
 
@@ -245,6 +249,12 @@ def test_an_interrupted_compiler_starts_anew(kept, monkeypatch):
     second = pair()
     assert second(X) == ANSWER[2.0]
     assert loaded(second)
+
+
+def test_a_file_is_read_under_its_key_alone():
+    folders.write("name", b"key", b"content")
+    assert folders.read("name", b"key") == b"content"
+    assert folders.read("name", b"another") is None
 
 
 def test_what_a_killed_process_was_writing_is_swept(kept):
