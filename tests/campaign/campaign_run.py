@@ -144,7 +144,10 @@ def many_faults(case, ending):
     if isinstance(case["strips"], list) and turned["strips"] != case["strips"]:
         cases[1] = case
     endings = [ending, solved(cases[1]) if cases[1] is not case else ending, ending, solved(cases[3])]
-    contacts = [plain_case.arguments(one)[0] for one in cases]
+    try:
+        contacts = [plain_case.arguments(one)[0] for one in cases]
+    except nh.InputError:  # a mirror image can be refused by the rounding of its position
+        return []
     given = {name: [one["given"][name] for one in cases] for name in case["given"]}
     with warnings.catch_warnings():
         warnings.simplefilter("error")

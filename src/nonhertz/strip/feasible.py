@@ -13,6 +13,7 @@ from nonhertz.strip.state import Problem, sprung
 
 Array = NDArray[np.float64]
 
+CLOSER_LOOKS = 4
 FINE_STRIPS = 2000  # of springs, to find a contact that a grid's strip centres miss
 
 
@@ -77,13 +78,23 @@ def refuse_no_contact(problem: Problem, edges: Array, *, chosen: bool = True) ->
         raise InputError("strips", edges.size - 1, "put the centre of a strip into the contact", remedy)
     tilt = 0.0 if problem.prescribed[1] else problem.target[1]
     # The strips themselves are the finer ones where they narrow towards a place.
-    y = np.concatenate([fine.y, edges])
-    separation = problem.separation(y)
-    refuse_endless_relief(y, separation)
-    needed, given = float(np.min(separation - tilt * y)), float(problem.target[0])
+    needed, given = _first_touch(problem, tilt, np.unique(np.concatenate([fine.y, edges]))), float(problem.target[0])
     if given > needed:
         raise InputError("approach", given, "lead to a contact that strips can resolve", "raise it")
     condition = f"exceed {needed:.6g} mm, where the bodies begin to touch"
     if chosen:
         condition += f" between y = {edges[0]:.6g} and {edges[-1]:.6g} mm"
     raise InputError("approach", given, condition, "raise it, or prescribe the load")
+
+
+def _first_touch(problem: Problem, tilt: float, y: Array) -> float:
+    """Return the least approach [mm] at which the bodies touch, looked for ever nearer around the best of places."""
+    least = math.inf
+    for _ in range(CLOSER_LOOKS):
+        separation = problem.separation(y)
+        refuse_endless_relief(y, separation)
+        needed = separation - tilt * y
+        best = int(np.argmin(needed))
+        least = min(least, float(needed[best]))
+        y = np.linspace(y[max(best - 1, 0)], y[min(best + 1, y.size - 1)], 101)
+    return least
