@@ -2,39 +2,25 @@
 
 from __future__ import annotations
 
-import itertools
-import math
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.edge import SHARP_END_ERROR, edge_pressures, sharp_end_error
-from nonhertz.errors import ConvergenceError, InputError
-from nonhertz.finite import depth_below
-from nonhertz.model.body import Body
+from nonhertz.edge import edge_pressures
+from nonhertz.errors import ConvergenceError
+from nonhertz.estimate import error_estimate
 from nonhertz.model.contact import Contact
-from nonhertz.model.finite import SERIES
-from nonhertz.solution import EdgeKind, EdgePressure, ErrorEstimate, Solution, Status
+from nonhertz.solution import Solution, Status
+from nonhertz.strains import refuse_thin_bodies, refuse_wide_series, singularities, strains
 from nonhertz.strip.acceptance import shortfall
-from nonhertz.strip.batch import States
 from nonhertz.strip.grid import kinks
-from nonhertz.strip.levels import SAFETY, Levels
+from nonhertz.strip.levels import Levels
 from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, STAGNATED
-from nonhertz.strip.resolution import departures, overlapping, roughness, within
-from nonhertz.strip.state import SCARCELY, Problem, State, sprung
+from nonhertz.strip.state import Problem, State
 
 Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
-MOST_OF_RADIUS = 0.3
-LEAST_DEPTH = 3.0  # half-widths
-WIDEST_SERIES = 2.0  # lengths; a line load 17 lengths away is then good to 0.2 %
-HEAVIEST = 1.0 + 1e-9
-LARGE_ERROR, LARGE_PRESSURE_ERROR = 0.05, 0.2  # estimated; a result worse than that is no design figure
-MISSED = 0.02  # of the deepest interference, overlapped where strips say that there is no contact
-WIDER_THAN_LONG = 1.02  # so that a circle is not called wide for its rounding
 _WAY_OUT = "Try another number of strips, or a smaller load first."
 _STATUS = {CONVERGED: Status.CONVERGED, ITERATION_LIMIT: Status.ITERATION_LIMIT, STAGNATED: Status.STAGNATED}
 
@@ -50,15 +36,15 @@ def outcome(contact: Contact, problem: Problem, levels: Levels) -> tuple[Solutio
         If the Newton loop failed, or if what it calls a solution does not meet what was prescribed.
     """
     solution = _solution(contact, problem, levels)
-    _refuse_thin_bodies(solution, problem)
-    _refuse_wide_series(solution)
+    refuse_thin_bodies(solution, problem)
+    refuse_wide_series(solution)
     if solution.status is not Status.CONVERGED:
         raise ConvergenceError(f"{solution.status.value} {_WAY_OUT}", solution)
     unmet = _shortfall(solution, problem)
     if unmet is not None:
         raise ConvergenceError(f"{unmet} {_WAY_OUT}", replace(solution, status=Status.REFUTED))
-    strains = _strains(solution, problem, levels.finest)
-    return replace(solution, warnings=(*strains, *_singularities(solution))), strains
+    found = strains(solution, problem, levels.finest)
+    return replace(solution, warnings=(*found, *singularities(solution))), found
 
 
 def _shortfall(solution: Solution, problem: Problem) -> str | None:
@@ -67,81 +53,6 @@ def _shortfall(solution: Solution, problem: Problem) -> str | None:
         return "The stiffness of the state reached is not finite."
     motion = np.array([solution.approach, solution.tilt])
     return shortfall(problem, solution.edges, solution.line_load, solution.element_half_width, solution.gap, motion)
-
-
-def suspected(contact: Contact, problem: Problem, levels: Sequence[States]) -> Flags:
-    """Return which of many cases may strain the model, at little cost; `outcome` tells whether they do.
-
-    Parameters
-    ----------
-    contact, problem
-        What the cases share.
-    levels : sequence of States
-        The states of all cases on every grid, finest first.
-    """
-    finest = levels[0]
-    y, width = 0.5 * (finest.edges[1:] + finest.edges[:-1]), np.diff(finest.edges)
-    half_width = problem.element.hertz_ratio * np.sqrt(finest.m)
-    # A contact in two places is shorter than its strips in sum, but those are rarely wide.
-    wide = 2.0 * half_width.max(axis=1) > 0.25 * ((finest.m > 0.0) @ width)
-    flat = np.any(half_width * _sharper_curvature(contact, y) > MOST_OF_RADIUS, axis=1)
-    thin = np.any(problem.influence.shallowest(y) < LEAST_DEPTH * half_width, axis=1)
-    coarse = _may_be_uncertain(problem, levels) | _may_miss_contact(problem, finest)
-    suspects: Flags = wide | flat | thin | coarse | bool(_heavy_images(problem))
-    return suspects
-
-
-def _may_be_uncertain(problem: Problem, levels: Sequence[States]) -> Flags:
-    """Return which cases may have a large estimated error: all that a coarser grid has no solution of, too."""
-    finest = levels[0]
-    unsure: Flags = np.full(finest.status.shape, len(levels) == 1)
-    width = np.diff(finest.edges)
-    loads, pressures = finest.r * finest.m * width, finest.r * np.sqrt(finest.m)
-    mean, ripple = roughness(departures(within(problem, finest.edges)[1]), width, loads, pressures)
-    for known, left in ((finest.rigid[:, 0], mean), (np.sum(loads, axis=1), finest.stiffness[:, 0, 0] * mean)):
-        unsure |= left > 0.5 * LARGE_ERROR * np.abs(known)
-    unsure |= ripple > 0.5 * LARGE_PRESSURE_ERROR
-    ends = SHARP_END_ERROR * (width[0] * (loads[:, 0] > 0.0) + width[-1] * (loads[:, -1] > 0.0))
-    unsure |= ends > 0.5 * LARGE_ERROR * ((finest.m > 0.0) @ width)
-    for fine, coarse in itertools.pairwise(levels[:3]):
-        unsure |= coarse.status != CONVERGED
-        for value, large in ((_approaches, LARGE_ERROR), (_loads, LARGE_ERROR), (_pressures, LARGE_PRESSURE_ERROR)):
-            with np.errstate(invalid="ignore"):
-                unsure |= ~(SAFETY * np.abs(value(fine) - value(coarse)) <= 0.5 * large * np.abs(value(finest)))
-    return unsure
-
-
-def _approaches(states: States) -> Array:
-    return states.rigid[:, 0]
-
-
-def _loads(states: States) -> Array:
-    loads: Array = (states.r * states.m) @ np.diff(states.edges)
-    return loads
-
-
-def _pressures(states: States) -> Array:
-    pressures: Array = (states.r * np.sqrt(states.m)).max(axis=1)
-    return pressures
-
-
-def _may_miss_contact(problem: Problem, finest: States) -> Flags:
-    """Return which cases may touch beside the centres of strips that are out of contact."""
-    places, separation = within(problem, finest.edges)
-    y = 0.5 * (finest.edges[1:] + finest.edges[:-1])
-    with np.errstate(invalid="ignore"):  # both infinite
-        lower = np.nan_to_num(np.interp(places, y, problem.separation(y)) - separation, posinf=np.inf)
-    deepest = np.max(finest.rigid[:, :1] + finest.rigid[:, 1:] * y - problem.separation(y), axis=1)
-    missed: Flags = np.zeros(deepest.shape, dtype=bool)
-    for strip in np.flatnonzero(np.max(lower, axis=1) > MISSED * np.min(deepest)):
-        depth = finest.rigid[:, :1] + finest.rigid[:, 1:] * places[strip] - separation[strip]
-        bump = (depth > 0.0) & (lower[strip] > MISSED * deepest[:, None])
-        missed |= (finest.m[:, strip] == 0.0) & np.any(bump, axis=1)
-    return missed
-
-
-def _sharper_curvature(contact: Contact, y: Array) -> Array:
-    return np.maximum(np.abs(contact.a.curvature(y)), np.abs(contact.b.curvature(y)))
 
 
 def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
@@ -169,47 +80,9 @@ def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
         edge_pressure=edges,
         peaks_at_corner=at_corner,
         iterations=state.steps,
-        error_estimate=_error_estimate(problem, levels, edges, at_corner),
+        error_estimate=error_estimate(problem, levels, edges, at_corner),
         warnings=(),
     )
-
-
-def _error_estimate(
-    problem: Problem, levels: Levels, edges: tuple[EdgePressure, ...], at_corner: bool
-) -> ErrorEstimate:
-    state = levels.finest
-    if not state.converged:
-        return ErrorEstimate(math.inf, math.inf, math.inf)
-    by_load = bool(problem.prescribed[0])
-    floor = sharp_end_error(edges, sum(high - low for low, high in state.contact))
-    singular = at_corner or not all(edge.converges for edge in edges)
-    places, separation = within(problem, state.edges)
-    # What stands back farther than the bodies come together is out of contact, however far it does.
-    near = np.minimum(separation, np.maximum(state.rigid[0] + state.rigid[1] * places, np.min(separation)))
-    departure = departures(near)
-    mean, ripple = roughness(departure, state.width, state.r * state.m * state.width, state.pressure)
-    unseen = _relative(mean, state.rigid[0]), _relative(mean * state.stiffness[0, 0], state.load)
-    return ErrorEstimate(
-        approach=max(floor, levels.difference(_approach) + unseen[0]) if by_load else 0.0,
-        load=0.0 if by_load else max(floor, levels.difference(_load) + unseen[1]),
-        max_pressure=math.inf if singular else levels.difference(_pressure) + float(ripple),
-    )
-
-
-def _relative(part: Array, whole: float) -> float:
-    return float(part) / abs(float(whole)) if whole != 0.0 else math.inf
-
-
-def _approach(state: State) -> float:
-    return float(state.rigid[0])
-
-
-def _load(state: State) -> float:
-    return state.load
-
-
-def _pressure(state: State) -> float:
-    return float(np.max(state.pressure))
 
 
 def _peaks_at_kink(contact: Contact, state: State) -> bool:
@@ -219,150 +92,3 @@ def _peaks_at_kink(contact: Contact, state: State) -> bool:
         abs(place - state.y[at]) <= 1.5 * state.width[at]
         for place, _ in kinks(contact.separation, contact.bends, state)
     )
-
-
-def _strains(solution: Solution, problem: Problem, state: State) -> tuple[str, ...]:
-    """Return a sentence for every way in which the result leaves the model's validity."""
-    sentences = []
-    widest = 2.0 * float(np.max(solution.half_width))
-    longest = max(end - start for start, end in solution.contact_y)
-    if widest > WIDER_THAN_LONG * longest:
-        sentences.append(
-            f"The contact is wider than long: width / length = {widest / longest:.2f}, and strips should be "
-            "long against their width in sum; expect errors where the contact ends."
-        )
-    touching = solution.line_load > 0.0
-    curvature = _sharper_curvature(solution.contact, solution.y[touching])
-    ratio = float(np.max(solution.half_width[touching] * curvature))
-    if ratio > MOST_OF_RADIUS:
-        sentences.append(
-            f"The half-width is {ratio:.2f} of the smaller radius of curvature, over {MOST_OF_RADIUS}: neither "
-            "half-spaces nor a parabolic separation describe such a contact."
-        )
-    sentences.extend(_thin_bodies(solution))
-    sentences.extend(_heavy_images(problem))
-    sentences.extend(_large_errors(solution))
-    sentences.extend(_missed_contact(solution, problem, state))
-    return tuple(sentences)
-
-
-def _large_errors(solution: Solution) -> list[str]:
-    """Return a sentence for every result whose estimated error is large; a singular maximum has its own."""
-    estimate = solution.error_estimate
-    sentences = [_uncertain("approach", estimate.approach), _uncertain("load", estimate.load)]
-    if not solution.peaks_at_corner and all(edge.converges for edge in solution.edge_pressure):
-        sentences.append(_uncertain("maximum pressure", estimate.max_pressure, LARGE_PRESSURE_ERROR))
-    return [sentence for sentence in sentences if sentence]
-
-
-def _uncertain(quantity: str, error: float, least: float = LARGE_ERROR) -> str:
-    if not error > least:
-        return ""
-    if math.isinf(error):
-        return f"The discretisation error of the {quantity} is not known, for want of a solution on fewer strips."
-    size = f"{100.0 * error:.2g} %" if error < 1.0 else "more than its own size"
-    return f"The {quantity} is uncertain: its discretisation error is estimated at {size}; give more strips."
-
-
-def _missed_contact(solution: Solution, problem: Problem, state: State) -> list[str]:
-    """Return a sentence where the bodies overlap although no strip there is in contact."""
-    low, high = float(state.edges[0]), float(state.edges[-1])
-    interval = solution.contact.interval
-    region = max(interval[0], 2.0 * low - high), min(interval[1], 2.0 * high - low)
-    y, overlap = overlapping(problem, state, region, solution.contact.bends)
-    deepest = float(np.max(solution.interference[solution.line_load > 0.0]))
-    if not np.any(overlap > MISSED * deepest):
-        return []
-    worst = int(np.argmax(overlap))
-    return [
-        f"The bodies overlap by {1e3 * overlap[worst]:.2g} um at y = {y[worst]:.6g} mm, where no strip has its centre: "
-        "a place of contact is missed; give narrower strips there."
-    ]
-
-
-def _refuse_thin_bodies(solution: Solution, problem: Problem) -> None:
-    """Refuse a depth so small that the points at depth move as much as the surface."""
-    converged = solution.status is Status.CONVERGED
-    # A loop that failed leaves half-widths that mean nothing; those of springs may be too small by a half.
-    half_width = solution.half_width
-    if not converged:
-        half_width = solution.element.hertz_ratio * np.sqrt(sprung(problem, solution.edges).m)
-    least = 1.0 if converged else SCARCELY
-    widest = float(np.max(half_width))
-    for name, body, ratio in _depths(solution, half_width):
-        if ratio < least:
-            shown = ratio * widest if isinstance(body.depth, str) else body.depth
-            condition = f"be large against the half-width of the contact, about {widest:.2g} mm"
-            remedy = "give the thickness of the body, or 'none'"
-            raise InputError("depth", shown, condition, remedy).within(f"body.{name}")
-
-
-def _refuse_wide_series(solution: Solution) -> None:
-    """Refuse a series of images under a contact so wide that the far ones are no line loads any more."""
-    widest = float(np.max(solution.half_width))
-    for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
-        if body.images == SERIES and body.length is not None and widest > WIDEST_SERIES * body.length:
-            condition = (
-                f"only be asked where the half-width, {widest:.3g} mm here, is at most {WIDEST_SERIES:g} times the "
-                f"body's length of {body.length:g} mm"
-            )
-            raise InputError("images", SERIES, condition, "give a number of images").within(f"body.{name}")
-
-
-def _thin_bodies(solution: Solution) -> list[str]:
-    """Return a sentence for each body whose depth is not large against the half-width."""
-    return [
-        f"The depth of body {name} is only {ratio:.2f} half-widths, less than {LEAST_DEPTH:g}: the body is so thin "
-        "that neither half-spaces nor line loads describe it."
-        for name, _, ratio in _depths(solution, solution.half_width)
-        if ratio < LEAST_DEPTH
-    ]
-
-
-def _depths(solution: Solution, half_width: Array) -> list[tuple[str, Body, float]]:
-    """Return name, body and least depth in half-widths of each body that has a depth."""
-    touching = half_width > 0.0
-    if not np.any(touching):
-        return []
-    found = []
-    for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
-        below = depth_below(body, solution.element)
-        if below is not None:
-            found.append((name, body, float(np.min(below(solution.y[touching]) / half_width[touching]))))
-    return found
-
-
-def _heavy_images(problem: Problem) -> list[str]:
-    """Return a sentence for each place at which images had to weigh less than asked."""
-    return [
-        f"The images about the side face at y = {end.y:.6g} mm would weigh {end.wanted:.3g} of the surface, a face of "
-        "the other body at the same place counted in, and above 1 refinement leads nowhere: their weights were lowered "
-        "until it is 1. The pressure up to that end is finite only by this."
-        for end in problem.influence.ends
-        if end.wanted > HEAVIEST
-    ]
-
-
-def _singularities(solution: Solution) -> tuple[str, ...]:
-    """Return a sentence for every sharp end that the contact reaches, and for a corner that bears the maximum."""
-    sentences = []
-    for edge in solution.edge_pressure:
-        if edge.kind is EdgeKind.SINGULAR:
-            known = "" if edge.strength is None else f" with K = {edge.strength:.4g} MPa mm^{edge.exponent:.3g}"
-            sentences.append(
-                f"The contact reaches the sharp end at y = {edge.y:.6g} mm ({edge.convention}), where the pressure is "
-                f"singular, p ~ K / s^{edge.exponent:.3g} at small distances s{known}: the value there is that of a "
-                f"strip {edge.strip_width:.3g} mm wide, not a limit."
-            )
-        elif edge.kind is EdgeKind.CUT_OFF:
-            sentences.append(
-                f"The strips end at y = {edge.y:.6g} mm while the contact goes on: the pressure there is that of "
-                "bodies cut off; give strips up to the end of the contact, or leave them out."
-            )
-    if solution.peaks_at_corner:
-        width = float(solution.strip_width[solution.peak_pressure.argmax()])
-        sentences.append(
-            f"The largest pressure is at a corner of the profile near y = {solution.max_pressure_y:.6g} mm, where it "
-            f"is singular: it is that of a strip {width:.3g} mm wide, not a limit; give the corner a radius."
-        )
-    return tuple(sentences)

@@ -16,11 +16,11 @@ from numpy.typing import NDArray
 
 from nonhertz.comparison.reasons import TOLD
 from nonhertz.finite import depth_below, ends
-from nonhertz.outcome import HEAVIEST, LEAST_DEPTH, MOST_OF_RADIUS, WIDER_THAN_LONG
 from nonhertz.report.finding import Finding
 from nonhertz.report.numerals import given
 from nonhertz.singular import largest_away, singular_ends
 from nonhertz.solution import EdgeKind, EdgePressure, Solution, Status
+from nonhertz.strains import HEAVIEST, LEAST_DEPTH, MOST_OF_RADIUS, WIDER_THAN_LONG
 from nonhertz.strip.element import SEMI_ELLIPTIC
 from nonhertz.tables.summary import digits
 
