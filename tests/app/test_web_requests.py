@@ -5,9 +5,11 @@ import json
 import re
 import socket
 import threading
+import time
 import tomllib
 from importlib import resources
 
+import anyio
 import httpx
 import numpy as np
 import pytest
@@ -25,9 +27,26 @@ BINARY = {"content-type": "application/octet-stream"}
 
 
 @pytest.fixture(scope="module")
-def client():
+def page():
     with running(STARTING) as port, httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=60.0) as made:
         yield made
+
+
+@pytest.fixture
+def client(page):
+    """Return a client of the one page, once its process is free: a test before may have had it ended and replaced."""
+    asked_again(page, "/open", content=b"", headers={"content-type": "application/toml"})
+    return page
+
+
+def asked_again(client, path, **request):
+    """Return the answer to a request that is sent until the page is not busy, as its script does."""
+    for _ in range(600):
+        response = client.post(path, **request)
+        if response.status_code != 503:
+            return response
+        time.sleep(0.1)
+    raise AssertionError(f"{path} is still answered by {response.text}")
 
 
 def refused(response, status):
@@ -443,8 +462,18 @@ def test_what_arrives_too_slowly_is_given_up(client, monkeypatch):
 
 
 def test_long_headers_are_refused(client):
-    response = client.get("/", headers={"x": "y" * 100_000})
-    assert response.status_code == 431
+    # By the HTTP library where they arrive in pieces, by the page where all of them come at once.
+    assert client.get("/", headers={"x": "y" * 100_000}).status_code in {400, 431}
+
+
+def test_long_headers_that_arrive_at_once_are_refused_by_the_page():
+    async def ask():
+        page = httpx.ASGITransport(app.application(STARTING, 80, workers=0))
+        async with httpx.AsyncClient(transport=page, base_url="http://127.0.0.1:80") as asking:
+            long = {"host": "127.0.0.1:80", "x": "y" * limits.HEADER_BYTES}
+            return await asking.get("/", headers=long)
+
+    assert refused(anyio.run(ask), 431) == "The headers of the request are too long."
 
 
 def test_methods_and_addresses(client):
@@ -475,7 +504,8 @@ def test_more_than_can_wait_is_told_to_come_again(client, monkeypatch):
         thread.join()
     assert {response.status_code for response in found} == {200, 503}
     assert {response.headers["retry-after"] for response in found if response.status_code == 503} == {"1"}
-    assert client.post("/solve", json={"document": STARTING}).json()["ok"], "and then it goes on"
+    # On a busy machine one of the six may have taken too long, and its process is replaced first.
+    assert asked_again(client, "/solve", json={"document": STARTING}).json()["ok"], "and then it goes on"
 
 
 def test_a_case_that_takes_too_long_is_given_up(client, monkeypatch):
@@ -486,11 +516,15 @@ def test_a_case_that_takes_too_long_is_given_up(client, monkeypatch):
     assert response.json() == {"ok": False, "mistakes": [{"path": "", "sentence": sentence}]}
 
 
+async def mistaken(self, job, *arguments, seconds):
+    raise TypeError("an error of ours")
+
+
 def test_an_error_of_ours_is_told_without_a_traceback(client, monkeypatch):
-    monkeypatch.setattr(app, "LIVE_SECONDS", "no number")
+    monkeypatch.setattr(workers.Workers, "run", mistaken)
     response = client.post("/solve", json={"document": STARTING})
     assert response.status_code == 500
     assert response.json()["internal"]
-    assert "error in nonhertz" in response.json()["mistakes"][0]["sentence"]
+    assert "error in nonhertz (an error of ours)" in response.json()["mistakes"][0]["sentence"]
     assert "Traceback" not in response.text
     assert response.headers["x-content-type-options"] == "nosniff"
