@@ -230,6 +230,19 @@ def test_the_standards_slices_bear_load_and_tilt(logarithmic):
     assert cut.load[-5:].sum() > 1.2 * cut.load[:5].sum()
 
 
+def test_the_standards_slices_are_as_stiff_as_both_contacts_in_a_row():
+    """Under a tilt the loads of the ends tell the deflection that they were made of, and so the stiffness."""
+    solution = solved(profile=nh.profile.straight(), tilt=2e-4)
+    cut = laminae_of(solution, iso_16281(laminae=60, line_loads="standard", edge_stress="none"))
+    y = 0.5 * (cut.edges[1:] + cut.edges[:-1])
+    ratio = (cut.load[-1] / cut.load[0]) ** 0.9
+    deflection = 2e-4 * (y[-1] - ratio * y[0]) / (ratio - 1.0)
+    # One contact yields 3.9707e-5 Q^0.9 / L^0.8 [mm, N]; Palmgren's own constant is 3.84e-5.
+    evenly = cut.load * (deflection / (deflection + 2e-4 * y)) ** (10 / 9)
+    np.testing.assert_allclose(evenly, evenly[0], rtol=1e-9)
+    np.testing.assert_allclose(deflection, 3.9707e-5 * evenly.sum() ** 0.9 / 12.0**0.8, rtol=1e-4)
+
+
 # Capacities and revolutions
 
 

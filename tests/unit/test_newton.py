@@ -139,6 +139,97 @@ def test_a_loop_that_fails_raises_with_the_solution_so_far(monkeypatch, impaired
     assert solution.error_estimate == nh.ErrorEstimate(np.inf, np.inf, np.inf)
 
 
+def test_a_contact_may_be_much_wider_than_long():
+    """The loop gives up on half-widths that diverge, and on nothing that a disc can have."""
+    disc = nh.Roller(diameter=4000.0, length=0.5, side_faces="none", depth="none")
+    with pytest.warns(nh.AccuracyWarning):
+        solution = nh.solve(nh.Contact(disc, nh.Plate()), load=2500.0, strips=5)
+    assert solution.half_width.min() > 10.0 * 0.25
+    # To the loop's tolerance.
+    np.testing.assert_allclose(solution.line_load @ np.diff(solution.edges), 2500.0, rtol=1e-11)
+
+
+# What is checked once it has converged
+
+
+def check(r, m, rigid, separation=Y**2 / (2.0 * CROWN), gap=None):
+    """Return what the last check finds wrong with a state on half-spaces under the load, and fill ``gap``."""
+    return loop._check(
+        Y,
+        EDGES[:-1],
+        EDGES[1:],
+        separation,
+        np.array([True, False]),
+        np.array([K_LOAD, TILT]),
+        rigid,
+        r,
+        m,
+        HALF_SPACES.terms,
+        HALF_SPACES.at_depth(Y, EDGES),
+        nh.SEMI_ELLIPTIC.table,
+        np.zeros(STRIPS) if gap is None else gap,
+    )
+
+
+def deepest(rigid):
+    return np.max(rigid[0] + rigid[1] * Y - Y**2 / (2.0 * CROWN))
+
+
+def test_the_check_passes_the_answer():
+    assert check(*answer()) < loop.TOLERANCE
+
+
+@pytest.mark.parametrize("error", [1e-3, -1e-3])
+def test_the_check_sees_a_gap_or_an_overlap_in_contact(error):
+    r, m, rigid = answer()
+    scale = deepest(rigid)
+    separation = Y**2 / (2.0 * CROWN)
+    # Beside the deepest strip, so that the depth it is measured by stays as it is.
+    separation[np.argmax(m) + 2] -= error * scale
+    np.testing.assert_allclose(check(r, m, rigid, separation), 1e-3, rtol=1e-6)
+
+
+def test_the_check_sees_an_overlap_out_of_contact():
+    r, m, rigid = answer()
+    gap, separation = np.zeros(STRIPS), Y**2 / (2.0 * CROWN)
+    check(r, m, rigid, gap=gap)
+    separation[0] -= gap[0] + 1e-3 * deepest(rigid)
+    assert gap[0] > 0.0
+    np.testing.assert_allclose(check(r, m, rigid, separation), 1e-3, rtol=1e-6)
+
+
+def test_the_check_sees_another_load():
+    r, m, rigid = answer()
+    # Loads a thousandth higher move the surface a thousandth further.
+    np.testing.assert_allclose(check(1.001 * r, m, rigid), 1e-3, rtol=1e-6)
+
+
+# A lone strip
+
+
+def kept(arm, at, moment=True):
+    """Return which strips are in contact after a lone one at ``at`` is asked for a load at ``arm``."""
+    m = np.zeros(STRIPS)
+    r = np.zeros(STRIPS)
+    r[at], m[at] = 0.025, 0.05
+    target = K_LOAD * np.array([1.0, Y[at] + arm])
+    loop._keep_two(Y, np.diff(EDGES), np.array([True, moment]), target, r, m)
+    assert np.array_equal(r > 0.0, m > 0.0)
+    return np.flatnonzero(m).tolist()
+
+
+@pytest.mark.parametrize(
+    ("arm", "at", "expected"),
+    [(0.1, 5, [5, 6]), (-0.1, 5, [4, 5]), (0.0, 5, [5]), (0.1, STRIPS - 1, [STRIPS - 1]), (-0.1, 0, [0])],
+)
+def test_the_neighbour_on_the_side_of_the_load_joins_a_lone_strip(arm, at, expected):
+    assert kept(arm, at) == expected
+
+
+def test_a_lone_strip_stays_alone_where_the_tilt_is_given():
+    assert kept(0.1, 5, moment=False) == [5]
+
+
 # How fast it gets there
 
 
