@@ -1,11 +1,14 @@
 # Every target sets up what it needs: a virtual environment in .venv, with the exact versions of constraints.txt.
 
 PYTHON ?= python3
+PYTHONS ?= python3.11 python3.12 python3.13
+ORDERS ?= 1 2 3 4 5
+MUTANTS ?= --count 200
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo test campaign campaign-all browser verify lint docs bench docs-numbers clean
+.PHONY: demo test test-orders test-versions mutants campaign campaign-all browser verify lint docs bench docs-numbers clean
 
 demo: $(READY)
 	$(BIN)/nonhertz solve examples/cylindrical-roller-bearing.toml --out out/demo
@@ -13,6 +16,21 @@ demo: $(READY)
 
 test: $(READY)
 	$(BIN)/python -m pytest -n auto
+
+# The same tests in other orders, one for each number.
+test-orders: $(READY)
+	for order in $(ORDERS); do \
+	  $(BIN)/python -m pytest -n auto --random-order --random-order-seed=$$order || exit 1; \
+	done
+
+# The lowest and the newest versions of what the package needs, on every Python; says which Pythons are not there.
+test-versions: $(READY)
+	$(BIN)/python -m pip install --quiet --constraint constraints.txt --group versions
+	$(BIN)/python tests/versions.py $(PYTHONS)
+
+# Whether the tests notice small mistakes in the sources; survivors are listed in out/mutants. Takes hours on two cores.
+mutants: $(READY)
+	$(BIN)/python tests/mutation/run.py $(MUTANTS) --out out/mutants
 
 campaign: $(READY)
 	$(BIN)/python -m pytest -m campaign -s tests
