@@ -59,9 +59,9 @@ def seen_while_compiling(monkeypatch, function):
     seen = []
     plain = numba.core.codegen.CPUCodegen._function_pass_manager
 
-    def watched(codegen, **options):
+    def watched(codegen, *modules, **options):  # a module where Numba is older than 0.61
         seen.append((numba.core.config.SLP_VECTORIZE, codegen._library_class))
-        return plain(codegen, **options)
+        return plain(codegen, *modules, **options)
 
     monkeypatch.setattr(numba.core.codegen.CPUCodegen, "_function_pass_manager", watched)
     function()
