@@ -26,9 +26,23 @@ JSON = {"content-type": "application/json"}
 BINARY = {"content-type": "application/octet-stream"}
 
 
+PATIENCE = 20.0
+"""How many times as long as its users the page waits here: the machine may be busy with other tests."""
+
+
 @pytest.fixture(scope="module")
 def page():
-    with running(STARTING) as port, httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=60.0) as made:
+    with pytest.MonkeyPatch.context() as patience:
+        for name in ("LIVE_SECONDS", "UPLOAD_SECONDS"):
+            patience.setattr(app, name, PATIENCE * getattr(limits, name))
+        yield from opened()
+
+
+def opened():
+    with (
+        running(STARTING) as port,
+        httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=workers.WARM_UP_SECONDS) as made,
+    ):
         yield made
 
 
@@ -269,7 +283,7 @@ def test_of_more_points_than_the_page_takes_neighbours_are_averaged(client, monk
 
 
 async def too_slow(self, job, *arguments, seconds):
-    assert 0.0 < seconds < 2.0
+    assert 0.0 < seconds < PATIENCE * 2.0
     raise workers.TooSlowError
 
 
@@ -504,7 +518,6 @@ def test_more_than_can_wait_is_told_to_come_again(client, monkeypatch):
         thread.join()
     assert {response.status_code for response in found} == {200, 503}
     assert {response.headers["retry-after"] for response in found if response.status_code == 503} == {"1"}
-    # On a busy machine one of the six may have taken too long, and its process is replaced first.
     assert asked_again(client, "/solve", json={"document": STARTING}).json()["ok"], "and then it goes on"
 
 
