@@ -1,16 +1,32 @@
 """Finer strips than a solution has, for the field right below them.
 
-The solution gives a load and a half-width at the centre of every strip. Between the strips they jump, which the
-approach or the load do not feel, but a place does that lies nearer to the surface than a strip is wide. What the solver
-solves for, the square of the half-width m = b^2 and r = q / b^2, is smooth, also where a contact runs out: there m
-falls linearly to zero. So monotone cubics through both give the pressure between the centres, and each strip is cut
-where it changes. The pressure at the centres stays what it is. The load does not to the last digit: to hold strips to
-theirs would cost more at a run-out, where a strip bears for what lies beyond the contact, than it gains.
+The solution gives a load q and a half-width b at the centre of every strip. Between the strips they jump, which neither
+approach nor load depend on, but a point does that lies nearer to the surface than a strip is wide. What the solver
+solves for, m = b^2 and r = q / b^2, is smooth, also where a contact runs out: there m falls linearly to zero. So
+monotone cubics (PCHIP) through the centres give both at the edges between strips. At either end of a contact they are
+continued linearly from the last two centres to the edge of the last strip, m to between zero and twice, r to between
+half and twice the last value: near zero at a run-out, but not at a side face or at a corner of the profile. Within a
+strip, t from -1 to 1, load and m follow
+
+    q(t) / q = 1 + alpha t + epsilon t^2 (5 t^2 - 3) / 2
+
+with the values of the cubics at both edges, that of the solution at the centre, and the load of the strip: the last
+term has no mean. Where it would be negative, alpha and epsilon are lowered together until it is not.
+
+Where a contact runs out, in the last strip or short of the centre of the next one, the load falls linearly through
+the last centre to zero there. Such a line bears another load than the strip, because the solver counts a strip as
+touching all along or not at all. It is followed as far as all ends together add no more than LOAD_SHARE, and all loads
+are then scaled to the sum of the strips'.
+
+The moment about the centre of a strip that alpha adds is what finer strips would have, too. Where strips are so coarse
+that it comes to more than MOMENT_SHARE, all alphas are lowered. And no piece is under more pressure than the centre or
+the edges of its strip.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,10 +38,15 @@ Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 # Pieces differ by so much, or are so narrow in half-widths, that the depth evens them out; at most so many a strip.
-CHANGE, NARROW, MOST = 0.004, 0.06, 12
-FEW = 4  # strips of a contact that all count
-# Bounds to what the values of the last strip are continued to at a sharp end.
-LOWEST, HIGHEST = 0.5, 2.0
+# Odd, so that the centre of a strip is that of a piece.
+CHANGE, NARROW, MOST = 0.004, 0.06, 13
+HIGHEST, LOWEST_RATIO = 2.0, 0.5  # of the last value, for what m and r are continued to at an end of a contact
+LEAST_SQUARE = 1e-4  # of the m of a strip: what is narrower bears nothing that counts
+BEYOND = 5  # pieces between the last strip and where the contact runs out
+LOAD_SHARE = 2e-4  # of the load
+# Of the load times half the length of the contact: what slopes may add, and what all may differ by.
+MOMENT_SHARE, MOMENT_TOLERANCE = 2.5e-4, 1e-3
+ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +56,7 @@ class Lamination:
     Attributes
     ----------
     low, high : ndarray, shape (strips + pieces,)
-        Their ends [mm]. Where a contact runs out, its last strip ends with it.
+        Their ends [mm]. Where a contact runs out beyond its last strip, that ends with it.
     line_load, half_width : ndarray, shape (strips + pieces,)
         q [N/mm], and the half-width b [mm] of the semi-ellipse of that load.
     first : ndarray of int, shape (strips + 1,)
@@ -49,8 +70,69 @@ class Lamination:
     first: Integers
 
 
+@dataclass(frozen=True, eq=False)
+class Strips:
+    """Strips in contact, and what their neighbours say of their edges.
+
+    Attributes
+    ----------
+    low, high, line_load, half_width : ndarray, shape (strips,)
+        As in `Lamination`.
+    load_edges, square_edges : ndarray, shape (2, strips)
+        Load and m at the low and at the high edge, over those at the centre.
+    run_out : ndarray, shape (strips,)
+        Where the contact runs out, as t; infinite where it does not.
+    """
+
+    low: Array
+    high: Array
+    line_load: Array
+    half_width: Array
+    load_edges: Array
+    square_edges: Array
+    run_out: Array
+
+    @classmethod
+    def of(cls, solution: Solution) -> Strips:
+        """Return the strips of a solution that are in contact."""
+        touching = np.flatnonzero(solution.line_load > 0.0)
+        runs = np.split(touching, np.flatnonzero(np.diff(touching) > 1) + 1)
+        square, ratio = solution.half_width**2, np.zeros_like(solution.line_load)
+        ratio[touching] = solution.line_load[touching] / square[touching]
+        m, r = (
+            np.concatenate([_at_edges(solution, run, values, least) for run in runs], axis=1)
+            for values, least in ((square, 0.0), (ratio, LOWEST_RATIO))
+        )
+        run_out = np.concatenate([_run_outs(solution, *each) for each in zip(runs, solution.contact_y, strict=True)])
+        low, high = solution.edges[:-1][touching], solution.edges[1:][touching]
+        return cls(low, high, solution.line_load[touching], solution.half_width[touching], m * r, m, run_out)
+
+    @cached_property
+    def load(self) -> Array:
+        """Load of each strip [N]."""
+        return self.line_load * (self.high - self.low)
+
+    @cached_property
+    def added(self) -> Array:
+        """Load [N] by which the line to where the contact runs out exceeds that of the strip."""
+        distance = np.abs(self.run_out)
+        share = np.zeros_like(distance)
+        np.divide((1.0 - distance) ** 2, 4.0 * distance, out=share, where=np.isfinite(distance))
+        return self.load * share
+
+    @cached_property
+    def pressure_edges(self) -> Array:
+        """Pressure at the low and at the high edge, over that at the centre."""
+        return self.load_edges / np.sqrt(np.maximum(self.square_edges, LEAST_SQUARE))
+
+    @property
+    def unit_of_moment(self) -> float:
+        """Load times half the length [N mm]."""
+        return 0.5 * float(self.load.sum()) * float(self.high[-1] - self.low[0])
+
+
 def laminated(solution: Solution) -> Lamination:
-    """Return the strips of a solution and their pieces.
+    """Return the strips of a solution and their pieces, which together bear its load.
 
     Parameters
     ----------
@@ -62,59 +144,140 @@ def laminated(solution: Solution) -> Lamination:
     Lamination
         Strips out of contact are left out.
     """
-    touching = np.flatnonzero(solution.line_load > 0.0)
-    runs = np.split(touching, np.flatnonzero(np.diff(touching) > 1) + 1) if touching.size else []
-    strips: list[tuple[Array, ...]] = [(np.empty(0),) * 4]
-    pieces: list[tuple[Array, ...]] = [(np.empty(0),) * 4]
-    counts: list[Integers] = [np.empty(0, dtype=np.int64)]
-    for run, ends in zip(runs, solution.contact_y, strict=True):
-        of_strips, of_pieces, count = _cut(solution, run, ends)
-        strips.append(of_strips)
-        pieces.append(of_pieces)
-        counts.append(count)
-    low, high, line_load, half_width = (np.concatenate(column) for column in zip(*strips, *pieces, strict=True))
-    first = np.cumsum(np.concatenate([[touching.size], *counts]), dtype=np.int64)
-    return Lamination(low, high, line_load, half_width, first)
+    if not np.any(solution.line_load > 0.0):
+        return Lamination(*(np.empty(0),) * 4, np.zeros(1, dtype=np.int64))
+    strips = Strips.of(solution)
+    with np.errstate(over="ignore", invalid="ignore"):  # what comes of it is looked at
+        found = _pieces(strips)
+    return found if bears(found, strips) else uncut(strips)
 
 
-def _cut(
-    solution: Solution, run: Integers, ends: tuple[float, float]
-) -> tuple[tuple[Array, ...], tuple[Array, ...], Integers]:
-    """Return neighbours in contact between two ends, their pieces, and how many of these each has."""
-    y, q, a = solution.y[run], solution.line_load[run], solution.half_width[run]
-    edges = solution.edges[run[0] : run[-1] + 2].copy()
-    runs_out = edges[[0, -1]] != ends
-    edges[[0, -1]] = ends
-    if run.size == 1:
-        return (edges[:-1], edges[1:], q, a), (edges[:-1], edges[1:], q, a), np.ones(1, dtype=np.int64)
-    # At a run-out the last strip is the least certain one: the contact may end anywhere in it.
-    kept = np.ones(run.size, dtype=bool)
-    if run.size > FEW:
-        kept[[0, -1]] = ~runs_out
-    square, ratio = (
-        _between(y[kept], value[kept], edges, runs_out, there) for value, there in ((a**2, 0.0), (q / a**2, 1.0))
+def uncut(strips: Strips) -> Lamination:
+    """Return each strip as its own and only piece."""
+    columns = (strips.low, strips.high, strips.line_load, strips.half_width)
+    count = strips.low.size
+    return Lamination(*(np.concatenate([each, each]) for each in columns), np.arange(count, 2 * count + 1))
+
+
+def bears(found: Lamination, strips: Strips) -> bool:
+    """Return whether pieces press, and bear the load of strips and, as good as, their moment."""
+    low, high, line_load, half_width = (
+        each[found.first[0] :] for each in (found.low, found.high, found.line_load, found.half_width)
     )
-    change = np.abs(np.diff(np.sqrt(np.maximum(square(edges), 0.0)) * ratio(edges))) / (q / a)
-    count = np.clip(np.ceil(np.minimum(change / CHANGE, np.diff(edges) / (NARROW * a))), 1, MOST).astype(np.int64)
-    strip = np.repeat(np.arange(run.size), count)
-    width = (np.diff(edges) / count)[strip]
-    low = edges[strip] + width * (np.arange(strip.size) - (np.cumsum(count) - count)[strip])
-    # Neighbours share their edge to the last digit: a point must not fall between them.
-    high = np.append(low[1:], edges[-1])
-    centre = low + 0.5 * width
-    load = ratio(centre) * square(centre)
-    # A strip bears from afar what its pieces bear from near.
-    of_strips = np.bincount(strip, load * (high - low)) / np.diff(edges)
-    return (edges[:-1], edges[1:], of_strips, a), (low, high, load, np.sqrt(square(centre))), count
+    valid = np.isfinite(half_width) & (half_width > 0.0) & (line_load >= 0.0) & (high > low)
+    load = line_load * (high - low)
+    whole, middle = float(strips.load.sum()), 0.5 * (strips.low[0] + strips.high[-1])
+    moment = load @ (0.5 * (low + high) - middle) - strips.load @ (0.5 * (strips.low + strips.high) - middle)
+    return bool(
+        np.all(valid)
+        and abs(load.sum() - whole) <= ROUNDING * whole
+        and abs(moment) <= MOMENT_TOLERANCE * strips.unit_of_moment
+    )
 
 
-def _between(y: Array, value: Array, edges: Array, runs_out: NDArray[np.bool_], at_run_out: float) -> PchipInterpolator:
-    """Return a positive quantity along neighbours in contact.
+def _at_edges(solution: Solution, run: Integers, values: Array, least: float) -> Array:
+    """Return a quantity at the low and the high edges of neighbours in contact, over its values at their centres."""
+    y, value, edges = solution.y[run], values[run], solution.edges[run[0] : run[-1] + 2]
+    if run.size == 1:
+        return np.ones((2, 1))
+    inwards = np.array([1, -2])
+    slope = (value[inwards] - value[[0, -1]]) / (y[inwards] - y[[0, -1]])
+    led = value[[0, -1]] + slope * (edges[[0, -1]] - y[[0, -1]])
+    low, high = np.clip(led, least * value[[0, -1]], HIGHEST * value[[0, -1]])
+    places = np.concatenate([edges[:1], y, edges[-1:]])
+    curve = PchipInterpolator(places, np.concatenate([[low], value, [high]]))
+    at_edges = np.maximum(curve(edges), 0.0)  # rounding at a run-out
+    return np.stack([at_edges[:-1], at_edges[1:]]) / value
 
-    Where they run out it ends with ``at_run_out`` times the value of the last strip, at a sharp end with what the last
-    two strips lead to.
+
+def _run_outs(solution: Solution, run: Integers, ends: tuple[float, float]) -> Array:
+    """Return where, as t, neighbours in contact run out; infinite for those in the middle.
+
+    An end at the edge of a strip is no run-out, nor is one at the centre of the next: m has not vanished there, but the
+    surfaces are apart.
     """
-    led = value[[0, -1]] + (edges[[0, -1]] - y[[0, -1]]) * (value[[0, -1]] - value[[1, -2]]) / (y[[0, -1]] - y[[1, -2]])
-    bounded = np.clip(led, LOWEST * value[[0, -1]], HIGHEST * value[[0, -1]])
-    low, high = np.where(runs_out, at_run_out * value[[0, -1]], bounded)
-    return PchipInterpolator(np.concatenate([edges[:1], y, edges[-1:]]), np.concatenate([[low], value, [high]]))
+    found = np.full(run.size, np.inf)
+    for at, end, outwards in ((0, ends[0], -1), (-1, ends[1], 1)):
+        edge = solution.edges[run[at] + (outwards > 0)]
+        beyond = run[at] + outwards
+        limit = solution.y[beyond] if 0 <= beyond < solution.y.size else edge
+        if run.size > 1 and end not in {edge, limit}:
+            found[at] = (end - solution.y[run[at]]) / (0.5 * solution.strip_width[run[at]])
+    return found
+
+
+def _pieces(strips: Strips) -> Lamination:
+    """Return the strips and their pieces."""
+    strip, begin, end = _divided(strips)
+    load, square = _means(strips, strip, begin, end)
+    line, followed = _falling(strips.run_out[strip], begin, end), _followed(strips)
+    on_line = np.isfinite(strips.run_out[strip])
+    load, square = (np.where(on_line, followed * line + (1.0 - followed) * each, each) for each in (load, square))
+    highest = np.where(on_line, np.inf, np.maximum(strips.pressure_edges.max(axis=0), 1.0)[strip])
+    square = np.maximum(square, np.maximum((load / highest) ** 2, LEAST_SQUARE))
+    low, high = _places(strips, strip, begin), _places(strips, strip, end)
+    first = np.append(np.flatnonzero(np.diff(strip, prepend=-1)), strip.size)
+    total = float(strips.load.sum())
+    borne = strips.line_load[strip] * load * (total / (total + followed * float(strips.added.sum())))
+    # A strip bears from afar what its pieces bear from near.
+    ends = low[first[:-1]], high[first[1:] - 1]
+    whole = np.add.reduceat(borne * (high - low), first[:-1]) / (ends[1] - ends[0])
+    of_strips, of_pieces = (
+        (*ends, whole, strips.half_width),
+        (low, high, borne, strips.half_width[strip] * np.sqrt(square)),
+    )
+    columns = (np.concatenate(pair) for pair in zip(of_strips, of_pieces, strict=True))
+    return Lamination(*columns, first + first.size - 1)
+
+
+def _divided(strips: Strips) -> tuple[Integers, Array, Array]:
+    """Return the strip of each piece, and the t at which it begins and ends."""
+    change = np.abs(strips.pressure_edges - 1.0).sum(axis=0)
+    wanted = np.minimum(change / CHANGE, (strips.high - strips.low) / (NARROW * strips.half_width))
+    count = np.clip(np.ceil(wanted), 1, MOST).astype(np.int64) | 1
+    cuts = [np.linspace(-1.0, 1.0, n + 1) for n in count]
+    for k in np.flatnonzero(np.isfinite(strips.run_out) & (np.abs(strips.run_out) > 1.0)):
+        beyond = np.linspace(np.sign(strips.run_out[k]), strips.run_out[k], BEYOND + 1)[1:]
+        cuts[k] = np.sort(np.concatenate([cuts[k], beyond]))
+    strip = np.repeat(np.arange(count.size), [cut.size - 1 for cut in cuts])
+    return strip, np.concatenate([cut[:-1] for cut in cuts]), np.concatenate([cut[1:] for cut in cuts])
+
+
+def _places(strips: Strips, strip: Integers, t: Array) -> Array:
+    """Return where pieces begin or end [mm].
+
+    Neighbours share their edges to the last digit: a point must not fall between them.
+    """
+    low, high = strips.low[strip], strips.high[strip]
+    return np.where(t == -1.0, low, np.where(t == 1.0, high, 0.5 * (low + high) + t * (0.5 * (high - low))))
+
+
+def _means(strips: Strips, strip: Integers, begin: Array, end: Array) -> tuple[Array, Array]:
+    """Return the means over pieces of load and m, over those of their strips, as the edges have it."""
+    (slope, bend), (square_slope, square_bend) = (
+        (0.5 * (high - low), 0.5 * (high + low) - 1.0) for low, high in (strips.load_edges, strips.square_edges)
+    )
+    t = np.linspace(-1.0, 1.0, 4 * MOST + 1)[:, None]
+    lowest = np.min(slope * t + bend * t**2 * (2.5 * t**2 - 1.5), axis=0)
+    bends = 1.0 / np.maximum(1.0, -lowest)
+    moment = abs(float(np.sum(strips.load * bends * slope * (strips.high - strips.low)))) / 6.0
+    allowed = MOMENT_SHARE * strips.unit_of_moment
+    slopes = bends * (allowed / moment if moment > allowed else 1.0)
+    along, curved = 0.5 * (begin + end), 0.5 * (end**5 - begin**5 - end**3 + begin**3) / (end - begin)
+    load = 1.0 + (slopes * slope)[strip] * along + (bends * bend)[strip] * curved
+    square = 1.0 + (slopes * square_slope)[strip] * along + (bends * square_bend)[strip] * curved
+    beyond = np.abs(along) > 1.0
+    return np.where(beyond, 0.0, np.maximum(load, 0.0)), np.where(beyond, 0.0, np.maximum(square, 0.0))
+
+
+def _falling(run_out: Array, begin: Array, end: Array) -> Array:
+    """Return the means over pieces of lines from 1 at the centre to 0 where the contact runs out."""
+    first = np.where(run_out < 0.0, np.maximum(begin, run_out), begin)
+    last = np.where(run_out > 0.0, np.minimum(end, run_out), end)
+    return np.asarray(np.maximum(last - first, 0.0) * (1.0 - 0.5 * (first + last) / run_out) / (end - begin))
+
+
+def _followed(strips: Strips) -> float:
+    """Return how far lines to run-outs are followed: fully, or as far as the load that they add allows."""
+    added, allowed = float(strips.added.sum()), LOAD_SHARE * float(strips.load.sum())
+    return allowed / added if added > allowed else 1.0
