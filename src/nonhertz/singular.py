@@ -5,11 +5,20 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.model.contact import Contact
 from nonhertz.solution import EdgeKind, EdgePressure, Solution
+from nonhertz.strip.state import runs
 
+Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 SAME = 1e-6
+# A contact that goes on past a corner by less than this, in half-widths, ends there: fine strips reach round it.
+PAST_CORNER = 0.1
+# The pressure at a corner that turns by theta grows by theta / (2 pi^2 K) whenever the distance falls to 1/e. Where
+# that is less than this share of it, refinement changes nothing that counts.
+COUNTS = 0.02
+STEP = 1e-5  # of the length, across which a corner is told from a curve
 
 
 def singular_ends(solution: Solution) -> list[EdgePressure]:
@@ -44,3 +53,59 @@ def largest_away(solution: Solution) -> tuple[int, ...]:
 def at_corner(solution: Solution, strip: int) -> bool:
     """Return whether a strip is the largest pressure and at a corner of the profile, where it has no limit either."""
     return solution.peaks_at_corner and bool(solution.peak_pressure[strip] >= (1.0 - SAME) * solution.max_pressure)
+
+
+def corner_ends(contact: Contact, edges: Array, pressure: Array, half_width: Array) -> tuple[float, ...]:
+    """Return the corners of the profile at which a contact ends under pressure [mm], ascending.
+
+    There the pressure has no limit, as at a sharp end: it does not fall towards the corner, and beyond it the surfaces
+    are apart. A contact that runs out next to a corner does not end at it, because its pressure falls to zero.
+
+    Parameters
+    ----------
+    contact : Contact
+        What was solved.
+    edges : ndarray, shape (n + 1,)
+        Edges of strips, or of rows of cells [mm].
+    pressure, half_width : ndarray, shape (n,)
+        The largest pressure of each [MPa] and its half-width [mm], zero out of contact.
+    """
+    found: set[float] = set()
+    y = 0.5 * (edges[1:] + edges[:-1])
+    for first, last in runs(pressure > 0.0):
+        room = PAST_CORNER * float(half_width[first : last + 1].max())
+        # Outermost first; positions are measured outwards.
+        for side, run in ((-1.0, np.arange(first, last + 1)), (1.0, np.arange(last, first - 1, -1))):
+            beyond = run[0] + int(side)
+            outermost = y[beyond] if 0 <= beyond < y.size else edges[run[0] + (side > 0.0)]
+            inner = min(side * edges[run[0] + (side < 0.0)], side * edges[run[0] + (side > 0.0)] - room)
+            near = [bend for bend in contact.bends if inner < side * bend < side * outermost]
+            found.update(bend for bend in near if _presses(contact, bend, side, y, pressure, run, float(outermost)))
+    return tuple(sorted(found))
+
+
+def _presses(
+    contact: Contact, bend: float, side: float, y: Array, pressure: Array, run: NDArray[np.int64], outermost: float
+) -> bool:
+    """Return whether a bend is a corner that a contact presses against, its strips given from the outermost inwards."""
+    within = run[side * y[run] < side * bend]
+    if within.size == 0:
+        return False
+    step = STEP * float(np.ptp(y)) if y.size > 1 else STEP
+    turn = min(_turn(contact, bend, step), 2.0 * _turn(contact, bend, 0.1 * step))
+    if turn < COUNTS * 2.0 * np.pi**2 * contact.compliance * float(pressure[within[0]]):
+        return False
+    if within.size == 1 or pressure[within[0]] >= pressure[within[1]]:
+        return True
+    if within[0] != run[0]:
+        return False
+    # The square of the pressure falls linearly to zero where a contact runs out.
+    outer, next_in = pressure[within[:2]] ** 2
+    fall = (next_in - outer) / abs(y[within[1]] - y[within[0]])
+    return bool(outer > fall * abs(outermost - y[within[0]]))
+
+
+def _turn(contact: Contact, place: float, step: float) -> float:
+    """Return by how much the slope of the separation rises around a place [rad]."""
+    before, there, after = contact.separation(np.array([place - step, place, place + step])).tolist()
+    return float((after - there) / step + (before - there) / step) if np.isfinite(there) else 0.0

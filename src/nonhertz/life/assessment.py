@@ -25,11 +25,19 @@ from nonhertz.life.volume import Exposure, exposure
 from nonhertz.model.checks import listed, positive, whole
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.singular import singular_ends
 from nonhertz.solution import ReadOnly, Solution
 from nonhertz.subsurface.evaluation import Running, refuse_options
 from nonhertz.subsurface.inside import check_body
-from nonhertz.subsurface.reach import AnySolution, checked_solution, contact_ends
+from nonhertz.subsurface.reach import (
+    AnySolution,
+    LimitlessEnd,
+    checked_solution,
+    contact_ends,
+    ends_in_words,
+    largest_half_width,
+    limitless_ends,
+    step_at,
+)
 
 Array = NDArray[np.float64]
 Spectrum = Sequence[tuple[AnySolution, float]]
@@ -152,9 +160,9 @@ def assess(
 
     Notes
     -----
-    Against grids four times as fine, relative lives are within 0.5 % where the pressure is smooth. Towards a sharp end
-    none of the models has a limit; the volume nearer than a tenth of the largest half-width is then left out, and a
-    warning says so.
+    Against grids four times as fine, relative lives are within 0.5 % where the pressure is smooth. Towards a sharp end,
+    or a corner of the profile where the contact ends, none of the models has a limit; the volume nearer than a tenth of
+    the largest half-width is then left out, and a warning says so.
 
     Examples
     --------
@@ -267,32 +275,30 @@ def _by_laminae(wanted: LaminaModel, spectrum: Spectrum, shares: Array, body: st
 
 
 def _warnings(spectrum: Spectrum, sharp: set[float]) -> tuple[str, ...]:
-    """Return what the solutions warn of, each sentence once, and what sharp ends do to a damage."""
+    """Return what the solutions warn of, each sentence once, and what ends without a limit do to a damage."""
     sentences = dict.fromkeys(sentence for each, _ in spectrum for sentence in each.warnings)
     if not sharp:
         return tuple(sentences)
-    many = len(sharp) > 1
-    places = " and ".join(f"{end:.5g}" for end in sorted(sharp))
+    found = [(each, limitless_ends(each)) for each, _ in spectrum]
+    named = {end for _, ends in found for end in ends}
     sentences[
-        f"The damage has no limit towards the sharp end{'s' * many} at y = {places} mm: nearer to "
-        f"{'them' if many else 'it'} than {LEFT_OUT:g} of the largest half-width nothing was counted, so that the life "
-        "may come out too long, even above 1."
+        f"The damage has no limit towards {ends_in_words(named)}: nearer to {'them' if len(named) > 1 else 'it'} than "
+        f"{LEFT_OUT:g} of the largest half-width nothing was counted, so that the life may come out too long, even "
+        "above 1."
     ] = None
-    steps = [(_step_at_sharp_ends(each), float(each.half_width.max()), each) for each, _ in spectrum]
-    if any(step > LEFT_OUT * half_width for step, half_width, _ in steps):
-        sentences["The strips or cells at a sharp end are longer than what was left out: use finer ones."] = None
-    if any(np.ptp(contact_ends(each)) < SHORT * half_width for _, half_width, each in steps):
+    if any(_is_coarse(each, end) for each, ends in found for end in ends):
+        what = "a corner" if all(end.at_corner for end in named) else "a sharp end"
+        sentences[f"The strips or cells at {what} are longer than what was left out: use finer ones."] = None
+    if any(np.ptp(contact_ends(each)) < SHORT * float(each.half_width.max()) for each, _ in spectrum):
         sentences[
             f"The contact is shorter than {SHORT:g} half-widths between its ends: hardly anything is left to count."
         ] = None
     return tuple(sentences)
 
 
-def _step_at_sharp_ends(solution: AnySolution) -> float:
-    """Return the widest strip, or the length of a cell, at a sharp end [mm]."""
-    if isinstance(solution, Solution):
-        return max((end.strip_width for end in singular_ends(solution)), default=0.0)
-    return solution.dy
+def _is_coarse(solution: AnySolution, end: LimitlessEnd) -> bool:
+    """Return whether the strip or row at an end is longer than what is left out there."""
+    return step_at(solution, end) > LEFT_OUT * largest_half_width(solution, [end.y])
 
 
 def _over(density: Array, mean: float) -> Array:

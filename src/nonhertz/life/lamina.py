@@ -27,14 +27,14 @@ from nonhertz.errors import InputError
 from nonhertz.model.checks import one_of, text, whole
 from nonhertz.model.contact import Contact
 from nonhertz.solution import Solution
-from nonhertz.subsurface.reach import AnySolution, edges_along, sharp_ends
+from nonhertz.subsurface.reach import AnySolution, edges_along, largest_half_width, limitless_ends
 
 Array = NDArray[np.float64]
 FEWEST, MOST = 30, 2000
 SLOPE, EXPONENT = 9.0 / 8.0, 4.5
 EDGE_STRESS = ("pressure", "standard", "none")
 LINE_LOADS = ("solution", "standard")
-LEFT_OUT = 0.1  # around a sharp end, of the largest half-width
+LEFT_OUT = 0.1  # around an end where the pressure has no limit, of the largest half-width
 # Load of a lamina of length L / n_s: c_s delta^(10/9), c_s = STIFFNESS L^(8/9) / n_s, for roller and two raceways.
 STIFFNESS, STIFFENING = 35948.0, 10.0 / 9.0
 
@@ -97,7 +97,7 @@ class Laminae:
     factor : ndarray, shape (laminae,)
         f_k [-].
     sharp : tuple of float
-        Where pressures near a sharp end were left out [mm].
+        Where pressures were left out, near a sharp end or near a corner of the profile at which the contact ends [mm].
     """
 
     edges: Array
@@ -151,7 +151,7 @@ def laminae_of(solution: AnySolution, model: LaminaModel) -> Laminae:
     edges = np.linspace(low, high, model.laminae + 1)
     load = _slices(solution, edges) if model.line_loads == "standard" else _shares(edges, *_line_load(solution))
     if model.edge_stress == "pressure":
-        sharp = sharp_ends(solution)
+        sharp = tuple(end.y for end in limitless_ends(solution))
         return Laminae(edges, load, _factors(solution, edges, load, sharp), sharp)
     factor = edge_function(model.laminae) if model.edge_stress == "standard" else np.ones(model.laminae)
     return Laminae(edges, load, factor)
@@ -170,16 +170,17 @@ def _shares(edges: Array, fine: Array, density: Array) -> Array:
 def _factors(solution: AnySolution, edges: Array, load: Array, sharp: tuple[float, ...]) -> Array:
     """Return f_k from the pressures: what Hertz's line contact bears under them, over the lamina's load.
 
-    A lamina's pressure counts by the power that its load counts by, and not at all right at a sharp end, where it has
-    no limit.
+    A lamina's pressure counts by the power that its load counts by, and not at all right at an end where it has no
+    limit.
     """
     fine, density = _line_load(solution)
     pressure = solution.peak_pressure if isinstance(solution, Solution) else solution.pressure.max(axis=0)
     contact = solution.contact
     as_in_hertz = np.pi**2 * contact.compliance / contact.curvature(solution.y) * pressure**2
     counted = np.ones(pressure.size)
+    left_out = LEFT_OUT * largest_half_width(solution, sharp)
     for end in sharp:
-        counted[np.abs(solution.y - end) < LEFT_OUT * float(solution.half_width.max())] = 0.0
+        counted[np.abs(solution.y - end) < left_out] = 0.0
     suffered, borne = (_shares(edges, fine, each) for each in (counted * as_in_hertz**EXPONENT, counted * density))
     length = _shares(edges, fine, counted)
     mean = np.divide(suffered, length, out=np.zeros_like(load), where=length > 0.0) ** (1.0 / EXPONENT)

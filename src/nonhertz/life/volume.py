@@ -5,8 +5,9 @@ contact, at equal steps of the root of the depth, in which the amplitude of the 
 the surface. A spline through them gives the stress at many more depths, so that powers of ten and fatigue limits are
 integrated as well as the stress is.
 
-Towards a sharp end the stress grows without bound, and so fast that its tenth power has no integral. The volume around
-such an end is left out, to a tenth of the largest half-width: the strip model, too, says nothing about it.
+Towards a sharp end, or a corner of the profile where the contact ends, the stress grows without bound, and so fast that
+its tenth power has no integral. The volume around such an end is left out, to a tenth of the largest half-width: the
+strip model, too, says nothing about it.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from nonhertz.life.lamina import LEFT_OUT
 from nonhertz.solution import ReadOnly, Solution
 from nonhertz.subsurface.evaluation import Running, across_at, refuse_options
 from nonhertz.subsurface.inside import Inside
-from nonhertz.subsurface.reach import AnySolution, edges_along, sharp_ends
+from nonhertz.subsurface.reach import AnySolution, edges_along, largest_half_width, limitless_ends
 from nonhertz.subsurface.rolling import QUANTITIES, passage, plane_strain_passage
 
 Array = NDArray[np.float64]
@@ -55,12 +56,13 @@ class Exposure(ReadOnly):
     orthogonal_shear, shear, von_mises : ndarray, shape (stations, depths)
         Largest values over a pass [MPa] at the depths ``half_width * depth``.
     counted : ndarray of bool, shape (stations, depths)
-        False within a tenth of the largest half-width of a sharp end.
+        False within a tenth of the largest half-width of an end in ``sharp``.
     reference : Exposure or None
         That of the same contact under an ideal pressure: Hertz's line contact everywhere, the load per unit length the
         same from end to end. None where the bodies can touch on an unlimited length.
     sharp : tuple of float
-        Where the contact has a sharp end [mm].
+        Where the contact has an end towards which the stress has no limit [mm]: a sharp end of a body, or a corner of
+        the profile.
     """
 
     body: str
@@ -136,11 +138,11 @@ def exposure(solution: AnySolution, body: str = "b", **options: Unpack[Running])
     levels, fill = _levels()
     seen = passage(solution, y[:, None], half_width[:, None] * levels, body=body, **options)
     amplitudes = {name: np.maximum(getattr(seen, name) @ fill.T, 0.0) for name in QUANTITIES}
-    sharp = sharp_ends(solution)
+    sharp = tuple(end.y for end in limitless_ends(solution))
     counted = np.ones(amplitudes["shear"].shape, dtype=bool)
+    left_out = LEFT_OUT * largest_half_width(solution, sharp)
     for end in sharp:
-        distance = np.hypot(y[:, None] - end, half_width[:, None] * depths()[0])
-        counted &= distance >= LEFT_OUT * float(half_width.max())
+        counted &= np.hypot(y[:, None] - end, half_width[:, None] * depths()[0]) >= left_out
     return Exposure(
         body, y, width, half_width, **amplitudes, counted=counted, reference=_ideal(solution, body), sharp=sharp
     )

@@ -36,6 +36,7 @@ from nonhertz.solution import Solution
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
+Columns = tuple[Array, Array, Array, Array]  # low, high, line load, half-width
 
 # Pieces differ by so much, or are so narrow in half-widths, that the depth evens them out; at most so many a strip.
 # Odd, so that the centre of a strip is that of a piece.
@@ -145,7 +146,8 @@ def laminated(solution: Solution) -> Lamination:
         Strips out of contact are left out.
     """
     if not np.any(solution.line_load > 0.0):
-        return Lamination(*(np.empty(0),) * 4, np.zeros(1, dtype=np.int64))
+        nothing = np.empty(0)
+        return Lamination(nothing, nothing, nothing, nothing, np.zeros(1, dtype=np.int64))
     strips = Strips.of(solution)
     with np.errstate(over="ignore", invalid="ignore"):  # what comes of it is looked at
         found = _pieces(strips)
@@ -155,8 +157,7 @@ def laminated(solution: Solution) -> Lamination:
 def uncut(strips: Strips) -> Lamination:
     """Return each strip as its own and only piece."""
     columns = (strips.low, strips.high, strips.line_load, strips.half_width)
-    count = strips.low.size
-    return Lamination(*(np.concatenate([each, each]) for each in columns), np.arange(count, 2 * count + 1))
+    return _joined(columns, columns, np.arange(strips.low.size + 1))
 
 
 def bears(found: Lamination, strips: Strips) -> bool:
@@ -226,8 +227,13 @@ def _pieces(strips: Strips) -> Lamination:
         (*ends, whole, strips.half_width),
         (low, high, borne, strips.half_width[strip] * np.sqrt(square)),
     )
-    columns = (np.concatenate(pair) for pair in zip(of_strips, of_pieces, strict=True))
-    return Lamination(*columns, first + first.size - 1)
+    return _joined(of_strips, of_pieces, first)
+
+
+def _joined(of_strips: Columns, of_pieces: Columns, first: Integers) -> Lamination:
+    """Return strips, then pieces; ``first`` counts the pieces alone."""
+    low, high, line_load, half_width = (np.concatenate(pair) for pair in zip(of_strips, of_pieces, strict=True))
+    return Lamination(low, high, line_load, half_width, first + first.size - 1)
 
 
 def _divided(strips: Strips) -> tuple[Integers, Array, Array]:

@@ -16,7 +16,14 @@ from nonhertz.errors import InputError
 from nonhertz.solution import Solution
 from nonhertz.subsurface.evaluation import Within, across_at, one_station, refuse_options, stress
 from nonhertz.subsurface.inside import Inside
-from nonhertz.subsurface.reach import AnySolution, checked_solution, contact_ends, edges_along, sharp_ends
+from nonhertz.subsurface.reach import (
+    AnySolution,
+    checked_solution,
+    contact_ends,
+    edges_along,
+    ends_in_words,
+    limitless_ends,
+)
 from nonhertz.subsurface.rolling import QUANTITIES, Passage, Quantity, passage
 
 Array = NDArray[np.float64]
@@ -92,10 +99,10 @@ def extremes(solution: AnySolution, station: float | None = None, **options: Unp
 
     Notes
     -----
-    Over the whole body, places nearer than a half-width to a sharp end are left out, as they are for the largest
-    pressure: the stress there has no limit. In a smooth field the values are within 1e-5 of the largest; near the
-    surface, steps of the pressure between strips or cells are part of the field. What lies beyond the contact is not
-    searched.
+    Over the whole body, places nearer than a half-width to a sharp end, or to a corner of the profile where the contact
+    ends, are left out, as they are for the largest pressure: the stress there has no limit. In a smooth field the
+    values are within 1e-5 of the largest; near the surface, steps of the pressure between strips or cells are part of
+    the field. What lies beyond the contact is not searched.
 
     Examples
     --------
@@ -110,15 +117,17 @@ def extremes(solution: AnySolution, station: float | None = None, **options: Unp
     checked_solution(solution)
     if station is not None:
         sections = np.array([one_station(station) + 0.0])
+        stretches = [(float(sections[0]), float(sections[0]))]
         _refuse_outside(solution, station, options.get("body", "a"))
     else:
-        sections = _sections(solution)
+        stretches = _stretches(solution)
+        sections = _sections(solution, stretches)
     depths = across_at(solution, sections)[1][:, None] * DEPTHS
     if station is not None:  # off contact the stress comes from further away and is largest further down
         depths = np.unique(np.concatenate([depths, _distances(solution, sections) * DEPTHS], axis=None))[None, :]
     coarse = passage(solution, sections[:, None], depths, **options)
     options.pop("announce", None)  # what follows is short
-    largest = {name: _largest(solution, name, coarse, sections, options) for name in QUANTITIES}
+    largest = {name: _largest(solution, name, coarse, stretches, options) for name in QUANTITIES}
     warnings = tuple(_warnings(solution)) if station is None else ()
     return Extremes(body=options.get("body", "a"), warnings=warnings, **largest)
 
@@ -132,20 +141,27 @@ def _refuse_outside(solution: AnySolution, station: float, body: str) -> None:
         raise InputError("station", station, error.condition, error.remedy) from None
 
 
-def _limits(solution: AnySolution) -> tuple[float, float]:
-    """Return between where to search: the ends of the contact, half-widths inside them where they are sharp."""
-    low, high = contact_ends(solution)
-    inset = [
-        float(across_at(solution, np.array([end]))[1][0]) if end in sharp_ends(solution) else 0.0 for end in (low, high)
-    ]
-    return (low + inset[0], high - inset[1]) if low + inset[0] < high - inset[1] else (low, high)
+def _stretches(solution: AnySolution) -> list[tuple[float, float]]:
+    """Return where to search: the contact but for a half-width around ends without a limit; all of it if that is all.
+
+    A corner of the profile may have contact on either side.
+    """
+    stretches = [contact_ends(solution)]
+    for end in limitless_ends(solution):
+        inset = float(across_at(solution, np.array([end.y]))[1][0])
+        cut = [
+            part
+            for low, high in stretches
+            for part in ((low, min(high, end.y - inset)), (max(low, end.y + inset), high))
+        ]
+        stretches = [(low, high) for low, high in cut if low < high]
+    return stretches or [contact_ends(solution)]
 
 
-def _sections(solution: AnySolution) -> Array:
+def _sections(solution: AnySolution, stretches: list[tuple[float, float]]) -> Array:
     """Return the stations to search: strips and their edges, or rows, and where the search ends."""
-    low, high = _limits(solution)
-    touching = (solution.line_load > 0.0) & (solution.y > low) & (solution.y < high)
-    rows = np.flatnonzero(touching)
+    searched = _within(solution.y, stretches)
+    rows = np.flatnonzero((solution.line_load > 0.0) & searched)
     most = MOST_STATIONS if isinstance(solution, Solution) else MOST_ROWS
     if rows.size > most:
         even = rows[np.linspace(0, rows.size - 1, most).astype(int)]
@@ -155,15 +171,22 @@ def _sections(solution: AnySolution) -> Array:
         highest = crests[pressure[crests].argsort()[-most // 4 :]]
         rows = np.unique(np.concatenate([even, highest]))
     between = edges_along(solution) if rows.size < FEW else np.empty(0)
-    between = between[(between > low) & (between < high)]
-    return np.unique(np.concatenate([[low], solution.y[rows], between, [high]]))
+    between = between[_within(between, stretches)]
+    return np.unique(np.concatenate([np.ravel(stretches), solution.y[rows], between]))
 
 
-def _largest(solution: AnySolution, name: str, coarse: Passage, sections: Array, options: Within) -> Extreme:
+def _within(y: Array, stretches: list[tuple[float, float]]) -> NDArray[np.bool_]:
+    found: NDArray[np.bool_] = np.any([(y > low) & (y < high) for low, high in stretches], axis=0)
+    return found
+
+
+def _largest(
+    solution: AnySolution, name: str, coarse: Passage, stretches: list[tuple[float, float]], options: Within
+) -> Extreme:
     """Return the largest value near the best places of a net."""
     values = getattr(coarse, name)
     found = [
-        _refined(solution, name, coarse, sections, place, options)
+        _refined(solution, name, coarse, stretches, place, options)
         for place in [_first_of_equals(values, coarse.y), *_other_crests(values)]
     ]
     # Of equal ones the first.
@@ -199,14 +222,15 @@ def _refined(
     solution: AnySolution,
     name: str,
     coarse: Passage,
-    sections: Array,
+    stretches: list[tuple[float, float]],
     place: tuple[int, int],
     options: Within,
 ) -> Extreme:
     """Return the largest value near one place of a net, on nets that are drawn together."""
     row, column = place
     best = np.array([getattr(coarse, f"{name}_x")[place], coarse.y[place], coarse.z[place]])
-    top, limits = float(getattr(coarse, name)[place]), (sections[0], sections[-1])
+    top, sections = float(getattr(coarse, name)[place]), coarse.y[:, 0]
+    limits = next(each for each in stretches if each[0] <= best[1] <= each[1])
     half_width = float(across_at(solution, sections[row])[1])
     neighbours = sections[max(row - 1, 0) : row + 2]
     step = np.diff(coarse.z[row])[max(column - 1, 0) : column + 1].max()
@@ -241,19 +265,16 @@ def _first_of_equals(values: Array, y: Array) -> tuple[int, int]:
 
 def _warnings(solution: AnySolution) -> list[str]:
     sentences = []
-    ends = sharp_ends(solution)
+    ends = limitless_ends(solution)
     if ends:
-        many = len(ends) > 1
-        places = " and ".join(f"{end:.5g}" for end in ends)
-        what = f"The stress has no limit towards the sharp end{'s' * many} at y = {places} mm:"
-        low, high = contact_ends(solution)
-        searched = "within a half-width of them" if many else "within a half-width of it"
+        what = f"The stress has no limit towards {ends_in_words(ends)}:"
+        searched = f"within a half-width of {'them' if len(ends) > 1 else 'it'}"
         sentences.append(
             f"{what} {searched} nothing was searched."
-            if _limits(solution) != (low, high)
+            if _stretches(solution) != [contact_ends(solution)]
             else f"{what} all of the contact lies {searched}, and the values depend on the strips."
         )
-    if isinstance(solution, Solution) and solution.peaks_at_corner:
+    if isinstance(solution, Solution) and solution.peaks_at_corner and not any(end.at_corner for end in ends):
         sentences.append(
             "The pressure is largest at a corner of the profile, where it has no limit: so is the stress right below, "
             "and its largest values depend on the strips."
