@@ -18,6 +18,7 @@ PAST_CORNER = 0.1
 # The pressure at a corner that turns by theta grows by theta / (2 pi^2 K) whenever the distance falls to 1/e. Where
 # that is less than this share of it, refinement changes nothing that counts.
 COUNTS = 0.02
+LEFT_AT_CORNER = 0.5  # of the squared pressure of a strip next to it: less, continued linearly, is a run-out
 STEP = 1e-5  # of the length, across which a corner is told from a curve
 
 
@@ -78,15 +79,13 @@ def corner_ends(contact: Contact, edges: Array, pressure: Array, half_width: Arr
         for side, run in ((-1.0, np.arange(first, last + 1)), (1.0, np.arange(last, first - 1, -1))):
             beyond = run[0] + int(side)
             outermost = y[beyond] if 0 <= beyond < y.size else edges[run[0] + (side > 0.0)]
-            inner = min(side * edges[run[0] + (side < 0.0)], side * edges[run[0] + (side > 0.0)] - room)
+            inner = min(side * edges[run[0] + (side < 0.0)], side * y[run[0]] - room)
             near = [bend for bend in contact.bends if inner < side * bend < side * outermost]
-            found.update(bend for bend in near if _presses(contact, bend, side, y, pressure, run, float(outermost)))
+            found.update(bend for bend in near if _presses(contact, bend, side, y, pressure, run))
     return tuple(sorted(found))
 
 
-def _presses(
-    contact: Contact, bend: float, side: float, y: Array, pressure: Array, run: NDArray[np.int64], outermost: float
-) -> bool:
+def _presses(contact: Contact, bend: float, side: float, y: Array, pressure: Array, run: NDArray[np.int64]) -> bool:
     """Return whether a bend is a corner that a contact presses against, its strips given from the outermost inwards."""
     within = run[side * y[run] < side * bend]
     if within.size == 0:
@@ -95,14 +94,16 @@ def _presses(
     turn = min(_turn(contact, bend, step), 2.0 * _turn(contact, bend, 0.1 * step))
     if turn < COUNTS * 2.0 * np.pi**2 * contact.compliance * float(pressure[within[0]]):
         return False
-    if within.size == 1 or pressure[within[0]] >= pressure[within[1]]:
-        return True
-    if within[0] != run[0]:
+    if within[0] != run[0] and within.size > 1 and pressure[within[0]] < pressure[within[1]]:
         return False
-    # The square of the pressure falls linearly to zero where a contact runs out.
-    outer, next_in = pressure[within[:2]] ** 2
-    fall = (next_in - outer) / abs(y[within[1]] - y[within[0]])
-    return bool(outer > fall * abs(outermost - y[within[0]]))
+    if within.size == 1:
+        return True
+    # The square of the pressure falls linearly to zero where a contact runs out. Of three strips the last is left out,
+    # which may bear for what lies beyond it.
+    last, next_in = within[1:3] if within.size > 2 else within[:2]
+    square = float(pressure[last] ** 2)
+    fall = (float(pressure[next_in] ** 2) - square) / abs(y[next_in] - y[last])
+    return bool(square - fall * abs(bend - y[last]) > LEFT_AT_CORNER * square)
 
 
 def _turn(contact: Contact, place: float, step: float) -> float:

@@ -160,6 +160,16 @@ def test_at_a_sharp_end_it_is_said_what_is_not_counted():
     assert coarse.warnings[-1].startswith("The strips or cells at a sharp end are longer than what was left out")
 
 
+def test_at_a_corner_where_the_contact_ends_the_same_is_left_out_on_finer_strips():
+    contact = nh.Contact(roller(nh.profile.chamfer(20, 1.0), length=20, diameter=20), nh.Ring(diameter=80))
+    corner = nh.solve(contact, load=20e3)
+    halved = np.unique(np.concatenate([corner.edges, 0.5 * (corner.edges[1:] + corner.edges[:-1])]))
+    lives = [assess(each, "lundberg-palmgren")[0] for each in (corner, nh.solve(contact, load=20e3, strips=halved))]
+    assert lives[1].relative == pytest.approx(lives[0].relative, rel=0.05)
+    words = "no limit towards the corners of the profile at y = -9 and 9 mm: nearer to them than"
+    assert all(any(words in warning for warning in life.warnings) for life in lives)
+
+
 @pytest.mark.campaign
 def test_towards_a_sharp_end_the_volume_left_out_is_the_same_on_all_grids(sharp):
     (automatic,) = assess(sharp, "zaretsky")

@@ -10,6 +10,7 @@ import pytest
 import nonhertz as nh
 from nonhertz.subsurface import Field, axial_plane, cross_section, extremes, memory, passage, stress, volume
 from nonhertz.subsurface.evaluation import PORTION
+from nonhertz.subsurface.reach import limitless_ends
 
 RING = nh.Ring(diameter=80)
 
@@ -213,6 +214,69 @@ def test_towards_a_sharp_end_nothing_is_searched_and_that_is_said():
     found = extremes(solution)
     assert abs(found.von_mises.y) < 10.0 - 0.9 * solution.half_width[0]
     assert "no limit towards the sharp ends at y = -10 and 10 mm" in found.warnings[0]
+
+
+@pytest.fixture(scope="module")
+def chamfered():
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.chamfer(20, 1.0)), RING)
+    return nh.solve(contact, load=20e3)
+
+
+def test_below_a_corner_the_field_is_that_of_the_strips_on_finer_grids_too(chamfered):
+    last = np.flatnonzero(chamfered.line_load)[-1]
+    y, b = chamfered.y[last], chamfered.half_width[last]
+    halved = np.unique(np.concatenate([chamfered.edges, 0.5 * (chamfered.edges[1:] + chamfered.edges[:-1])]))
+    finer = nh.solve(chamfered.contact, load=20e3, strips=halved)
+    depths = np.array([0.2, 0.5, 1.0]) * b
+    found = stress(chamfered, 0.0, y, depths).von_mises
+    # Point loads summed elsewhere, and a plane grid.
+    assert found == pytest.approx([3379.0, 2268.0, 1508.0], rel=0.01)
+    assert found == pytest.approx(stress(finer, 0.0, y, depths).von_mises, rel=5e-3)
+
+
+def test_towards_a_corner_where_the_contact_ends_nothing_is_searched_and_that_is_said(chamfered):
+    found = extremes(chamfered)
+    assert abs(found.von_mises.y) < 9.0 - 0.9 * chamfered.half_width.max()
+    assert found.warnings == (
+        "The stress has no limit towards the corners of the profile at y = -9 and 9 mm: within a half-width of them "
+        "nothing was searched.",
+    )
+
+
+def test_a_plane_grid_is_not_searched_at_such_corners_either(chamfered):
+    found = extremes(nh.patch.solve(chamfered.contact, load=20e3, cells=(24, 160)))
+    assert "no limit towards the corners of the profile at y = -9 and 9 mm" in found.warnings[0]
+    assert found.von_mises.max == pytest.approx(extremes(chamfered).von_mises.max, rel=0.03)
+
+
+ENDS = {
+    "chamfers of 5 degrees": (nh.profile.chamfer(20, 1.5, np.radians(5)), 10e3, [-8.5, 8.5]),
+    "chamfers of 45 degrees, light": (nh.profile.chamfer(20, 0.3), 100.0, [-9.7, 9.7]),
+    "a crown that runs out before its chamfer": (nh.profile.crown(radius=2000) + nh.profile.chamfer(20, 1.0), 3e3, []),
+    "a bend that turns far too little": (nh.profile.tapered_ends(straight=14, angle=1e-4), 10e3, [-10.0, 10.0]),
+    "no bend at all": (nh.profile.iso_logarithmic(diameter=20, length=20), 20e3, []),
+    "both sides of a groove": (
+        nh.profile.tabulated([-10, -2.1, -2, 2, 2.1, 10], [0, 0, 0.1, 0.1, 0, 0], interpolation="linear"),
+        10e3,
+        [-10.0, -2.1, 2.1, 10.0],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", ENDS)
+def test_a_contact_ends_at_corners_that_it_presses_against(name):
+    profile, load, expected = ENDS[name]
+    solution = nh.solve(nh.Contact(nh.Roller(diameter=20, length=20, profile=profile), RING), load=load)
+    assert [end.y for end in limitless_ends(solution)] == pytest.approx(expected)
+
+
+def test_a_run_out_that_ends_next_to_a_bend_stays_one():
+    crowned = nh.profile.crown(radius=2000)
+    free = nh.solve(nh.Contact(nh.Roller(diameter=20, length=20, profile=crowned), RING), load=3e3)
+    # The chamfer begins right where the contact ends anyway.
+    width = 10.0 - free.contact_y[0][1] - 1e-3
+    both = nh.Roller(diameter=20, length=20, profile=crowned + nh.profile.chamfer(20, width))
+    assert limitless_ends(nh.solve(nh.Contact(both, RING), load=3e3)) == ()
 
 
 def test_the_largest_is_found_up_to_where_a_contact_runs_out():

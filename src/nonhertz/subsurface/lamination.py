@@ -15,8 +15,8 @@ term has no mean. Where it would be negative, alpha and epsilon are lowered toge
 
 Where a contact runs out, in the last strip or short of the centre of the next one, the load falls linearly through
 the last centre to zero there. Such a line bears another load than the strip, because the solver counts a strip as
-touching all along or not at all. It is followed as far as all ends together add no more than LOAD_SHARE, and all loads
-are then scaled to the sum of the strips'.
+touching all along or not at all. It is followed as far as all ends together add no more than LOAD_SHARE of the load,
+and MOMENT_SHARE of the moment; all loads are then scaled to the sum of the strips'.
 
 The moment about the centre of a strip that alpha adds is what finer strips would have, too. Where strips are so coarse
 that it comes to more than MOMENT_SHARE, all alphas are lowered. And no piece is under more pressure than the centre or
@@ -40,7 +40,9 @@ Columns = tuple[Array, Array, Array, Array]  # low, high, line load, half-width
 
 # Pieces differ by so much, or are so narrow in half-widths, that the depth evens them out; at most so many a strip.
 # Odd, so that the centre of a strip is that of a piece.
-CHANGE, NARROW, MOST = 0.004, 0.06, 13
+CHANGE, NARROW, MOST = 0.003, 0.06, 129
+STEEPER = 3.0  # than its change from the centre to the edge
+SAMPLES = 53  # along a strip, to see where its load would be negative
 HIGHEST, LOWEST_RATIO = 2.0, 0.5  # of the last value, for what m and r are continued to at an end of a contact
 LEAST_SQUARE = 1e-4  # of the m of a strip: what is narrower bears nothing that counts
 BEYOND = 5  # pieces between the last strip and where the contact runs out
@@ -116,10 +118,19 @@ class Strips:
     @cached_property
     def added(self) -> Array:
         """Load [N] by which the line to where the contact runs out exceeds that of the strip."""
-        distance = np.abs(self.run_out)
-        share = np.zeros_like(distance)
-        np.divide((1.0 - distance) ** 2, 4.0 * distance, out=share, where=np.isfinite(distance))
-        return self.load * share
+        t = self.falling_to
+        return self.load * np.nan_to_num((1.0 - t) ** 2 / (4.0 * t))
+
+    @cached_property
+    def turned(self) -> Array:
+        """Moment [N mm] about the centre of the strip that the line to where the contact runs out has."""
+        t = self.falling_to
+        return self.load * (self.high - self.low) * np.nan_to_num((1.0 + t) ** 2 * (2.0 - t) / (24.0 * t))
+
+    @property
+    def falling_to(self) -> Array:
+        """Distance from the centre to where the contact runs out, in half strips; not a number where it does not."""
+        return np.where(np.isfinite(self.run_out), np.abs(self.run_out), np.nan)
 
     @cached_property
     def pressure_edges(self) -> Array:
@@ -202,7 +213,7 @@ def _run_outs(solution: Solution, run: Integers, ends: tuple[float, float]) -> A
         edge = solution.edges[run[at] + (outwards > 0)]
         beyond = run[at] + outwards
         limit = solution.y[beyond] if 0 <= beyond < solution.y.size else edge
-        if run.size > 1 and end not in {edge, limit}:
+        if run.size > 1 and end not in {edge, limit, solution.y[run[at]]}:
             found[at] = (end - solution.y[run[at]]) / (0.5 * solution.strip_width[run[at]])
     return found
 
@@ -238,11 +249,15 @@ def _joined(of_strips: Columns, of_pieces: Columns, first: Integers) -> Laminati
 
 def _divided(strips: Strips) -> tuple[Integers, Array, Array]:
     """Return the strip of each piece, and the t at which it begins and ends."""
-    change = np.abs(strips.pressure_edges - 1.0).sum(axis=0)
+    edges = np.stack([strips.pressure_edges, strips.load_edges])
+    # A bend is steepest at the edges.
+    change = (np.abs(edges - 1.0).sum(axis=1) + STEEPER * np.abs(edges.sum(axis=1) - 2.0)).max(axis=0)
     wanted = np.minimum(change / CHANGE, (strips.high - strips.low) / (NARROW * strips.half_width))
+    # Where the contact runs out within the piece in the middle, that would not have the load of the centre.
+    wanted = np.maximum(wanted, np.nan_to_num(1.0 / strips.falling_to))
     count = np.clip(np.ceil(wanted), 1, MOST).astype(np.int64) | 1
     cuts = [np.linspace(-1.0, 1.0, n + 1) for n in count]
-    for k in np.flatnonzero(np.isfinite(strips.run_out) & (np.abs(strips.run_out) > 1.0)):
+    for k in np.flatnonzero(np.isfinite(strips.run_out) & (np.abs(strips.run_out) > 1.0 + ROUNDING)):
         beyond = np.linspace(np.sign(strips.run_out[k]), strips.run_out[k], BEYOND + 1)[1:]
         cuts[k] = np.sort(np.concatenate([cuts[k], beyond]))
     strip = np.repeat(np.arange(count.size), [cut.size - 1 for cut in cuts])
@@ -263,17 +278,33 @@ def _means(strips: Strips, strip: Integers, begin: Array, end: Array) -> tuple[A
     (slope, bend), (square_slope, square_bend) = (
         (0.5 * (high - low), 0.5 * (high + low) - 1.0) for low, high in (strips.load_edges, strips.square_edges)
     )
-    t = np.linspace(-1.0, 1.0, 4 * MOST + 1)[:, None]
+    t = np.linspace(-1.0, 1.0, SAMPLES)[:, None]
     lowest = np.min(slope * t + bend * t**2 * (2.5 * t**2 - 1.5), axis=0)
     bends = 1.0 / np.maximum(1.0, -lowest)
     moment = abs(float(np.sum(strips.load * bends * slope * (strips.high - strips.low)))) / 6.0
     allowed = MOMENT_SHARE * strips.unit_of_moment
     slopes = bends * (allowed / moment if moment > allowed else 1.0)
-    along, curved = 0.5 * (begin + end), 0.5 * (end**5 - begin**5 - end**3 + begin**3) / (end - begin)
-    load = 1.0 + (slopes * slope)[strip] * along + (bends * bend)[strip] * curved
-    square = 1.0 + (slopes * square_slope)[strip] * along + (bends * square_bend)[strip] * curved
-    beyond = np.abs(along) > 1.0
-    return np.where(beyond, 0.0, np.maximum(load, 0.0)), np.where(beyond, 0.0, np.maximum(square, 0.0))
+    along, curved = 0.5 * (begin + end), _curved(begin, end)
+    load = (slopes * slope)[strip] * along + (bends * bend)[strip] * curved
+    square = (slopes * square_slope)[strip] * along + (bends * square_bend)[strip] * curved
+    within = np.abs(along) <= 1.0
+    # Between the samples it may still be negative, by a little.
+    lowest = np.minimum.reduceat(np.where(within, load, 0.0), np.flatnonzero(np.diff(strip, prepend=-1)))
+    share = (1.0 / np.maximum(1.0, -lowest))[strip]
+    load, square = (np.where(within, np.maximum(1.0 + share * each, 0.0), 0.0) for each in (load, square))
+    return load, square
+
+
+def _curved(begin: Array, end: Array) -> Array:
+    """Return the means over pieces of t^2 (5 t^2 - 3) / 2, but nothing for the piece in the middle.
+
+    What it lacks the others have: none together, still, and the pressure at the centre is that of the solution.
+    """
+    count = np.maximum(np.round(2.0 / (end - begin)), 1.0)
+    middle = np.abs(begin + end) < ROUNDING
+    mean = 0.5 * (end**5 - begin**5 - end**3 + begin**3) / (end - begin)
+    of_middle = 0.5 / count**4 - 0.5 / count**2
+    return np.where(middle, 0.0, mean + of_middle / np.maximum(count - 1.0, 1.0))
 
 
 def _falling(run_out: Array, begin: Array, end: Array) -> Array:
@@ -284,6 +315,7 @@ def _falling(run_out: Array, begin: Array, end: Array) -> Array:
 
 
 def _followed(strips: Strips) -> float:
-    """Return how far lines to run-outs are followed: fully, or as far as the load that they add allows."""
-    added, allowed = float(strips.added.sum()), LOAD_SHARE * float(strips.load.sum())
-    return allowed / added if added > allowed else 1.0
+    """Return how far lines to run-outs are followed: fully, or as far as load and moment that they add allow."""
+    added = float(strips.added.sum()) / (LOAD_SHARE * float(strips.load.sum()))
+    turned = float(strips.turned.sum()) / (MOMENT_SHARE * strips.unit_of_moment)
+    return 1.0 / max(1.0, added, turned)
