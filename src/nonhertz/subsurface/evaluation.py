@@ -116,13 +116,16 @@ def stress(
     -----
     A half-space under the pressure of the solution, with the images of the body's side faces. The pressure of strips is
     continued smoothly between their centres so that each keeps its load, that of a plane grid is uniform in each cell,
-    which shows near the surface. Parabolic strips count as the semi-ellipses of equal load, whose pressure the solution reports: a parabola
-    has a tenth less orthogonal shear than the contact that it stands for.
+    which shows near the surface. Parabolic strips count as the semi-ellipses of equal load, whose pressure the solution
+    reports: a parabola has a tenth less orthogonal shear than the contact that it stands for.
 
-    The pressure bears the solution's load to the last digits and its moment within 1e-3 of load times half the length,
-    and at the centres of strips it is theirs. PERCENTILES
-    What the pressure itself errs, the field errs too: on the automatic grid up to a per cent of the largest stress
-    within a half-width of a run-out, and much more on few strips. Beside the
+    The pressure of strips bears the solution's load; its moment is the solution's within 1e-3 of load times half the
+    length of the contact. Against point loads summed by other code below 300 random contacts, on automatic and on few
+    and uneven strips, from 0.13 to 2 half-widths deep, components are within 3e-6 of the largest pressure for half of
+    the points, 5e-5 for 90 %, 4e-4 for 99 % and 1.3e-3 for all; pressures at centres are within 6e-4
+    (tests/campaign/test_stress_campaign.py). Nearer to the surface than 0.04 half-widths the field is within the steps
+    between pieces, half a per cent. What the solution's pressure itself errs, the field errs too: on the automatic grid
+    up to a per cent of the largest stress within a half-width of a run-out, and far more on few strips. Beside the
     result about 10 MB are needed; see `memory`.
 
     References
