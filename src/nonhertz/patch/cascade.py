@@ -28,8 +28,7 @@ Gap = Callable[[Array, Array], Array]
 # On coarser grids no residual below this is worth a convolution: the error estimate needs no more digits.
 ROUGHLY = 1e-6
 FEWEST = 4  # cells in either direction
-# Stands for an infinite gap, in spans of the finite ones.
-NEVER = 10.0
+WITHIN = 0.25  # of a cell: how far within the outermost rows a rough grid keeps the lever arm of a moment
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,24 +56,10 @@ class Problem:
     compliance: float
 
     def undeformed(self, grid: Grid) -> Array:
-        """Return the undeformed gap [mm] on the cells of a grid.
+        """Return the undeformed gap [mm] on the cells of a grid, infinite in cells without a body."""
+        return self.gap(grid.x[:, None], grid.y[None, :])
 
-        Raises
-        ------
-        InputError
-            If the gap is infinite everywhere.
-        """
-        gap = self.gap(grid.x[:, None], grid.y[None, :])
-        finite = np.isfinite(gap)
-        if not np.any(finite):
-            remedy = "let it return a gap in mm for some x and y of the region"
-            raise InputError("gap", np.inf, "be finite somewhere", remedy)
-        if not np.all(finite):
-            highest, lowest = float(np.max(gap[finite])), float(np.min(gap[finite]))
-            gap[~finite] = highest + NEVER * (highest - lowest) + 1.0
-        return gap
-
-    def task(self, grid: Grid, pool: Executor | None, rough: bool = False) -> Task:
+    def task(self, grid: Grid, undeformed: Array, pool: Executor | None, rough: bool = False) -> Task:
         """Return the problem on a grid; a rough one brings the moment within reach of the cells.
 
         Raises
@@ -82,32 +67,43 @@ class Problem:
         InputError
             If no cells of a grid that is not rough can bear the moment.
         """
-        undeformed = self.undeformed(grid)
         first, second = self.given
-        if all(self.by_force):
-            second = first * self._arm(grid, second / first, rough)
+        if self.by_force[1]:
+            rows = grid.y[np.isfinite(undeformed).any(axis=0)]
+            second = self._moment(rows, WITHIN * grid.dy) if rough else second
+            if not rough:
+                self._refuse_out_of_reach(float(rows[0]), float(rows[-1]))
         area = grid.dx * grid.dy
         target = (first / area if self.by_force[0] else first, second / area if self.by_force[1] else second)
         convolution, inverse = Convolution(grid, self.influence, pool), Inverse(grid, pool)
         return Task(undeformed, convolution, inverse, grid.y, self.by_force, target)
 
-    def _arm(self, grid: Grid, arm: float, rough: bool) -> float:
-        """Return the lever arm of the moment [mm], within reach of a coarse grid, refused out of that of the finest."""
-        if rough:
+    def _moment(self, rows: Array, within: float) -> float:
+        """Return the moment, times K, that rows of cells at ``rows`` can bear and that is nearest to the given one."""
+        first, second = self.given
+        low, high = float(rows[0]), float(rows[-1])
+        if self.by_force[0]:
             # A coarse grid may have no cell as far out.
-            reach = 0.5 * (grid.cells[1] - 1.5) * grid.dy
-            middle = 0.5 * sum(grid.y_span)
-            return float(np.clip(arm, middle - reach, middle + reach))
-        low, high = float(grid.y[0]), float(grid.y[-1])
-        if not low <= arm <= high:
-            condition = (
-                f"keep moment / load = {arm:.6g} mm between {low:.6g} and {high:.6g} mm, the centres of the outermost "
-                "cells"
-            )
-            remedy = "give more cells along or a larger region, or reduce it"
-            given = float(f"{self.given[1] / self.compliance:.12g}")  # without the rounding of K
-            raise InputError("moment", given, condition, remedy)
-        return arm
+            middle, reach = 0.5 * (low + high), max(0.5 * (high - low) - within, 0.0)
+            return first * float(np.clip(second / first, middle - reach, middle + reach))
+        return 0.0 if (second > 0.0 >= high) or (second < 0.0 <= low) else second
+
+    def _refuse_out_of_reach(self, low: float, high: float) -> None:
+        """Refuse a moment that cells between two lever arms [mm] cannot bear.
+
+        Raises
+        ------
+        InputError
+        """
+        first, second = self.given
+        given = float(f"{second / self.compliance:.12g}")  # without the rounding of K
+        outermost = "the centres of the outermost cells that can bear a pressure"
+        if self.by_force[0] and not low <= second / first <= high:
+            condition = f"keep moment / load = {second / first:.6g} mm between {low:.6g} and {high:.6g} mm, {outermost}"
+            raise InputError("moment", given, condition, "reduce it, or give more cells along or a larger region")
+        if not self.by_force[0] and ((second > 0.0 >= high) or (second < 0.0 <= low)):
+            condition = f"have the sign of the lever arms, which lie between {low:.6g} and {high:.6g} mm, {outermost}"
+            raise InputError("moment", given, condition, "turn its sign, or give a larger region")
 
 
 @dataclass(frozen=True)
@@ -129,6 +125,14 @@ class Outcome:
     convolutions: int
     levels: tuple[Level, ...]
 
+    def largest_displacement(self, undeformed: Array) -> float:
+        """Return the largest displacement [mm] in cells that have a body, zero if none has."""
+        bearing, rigid = np.isfinite(undeformed), self.state.rigid
+        displacement = np.full(undeformed.shape, -np.inf)
+        np.subtract(self.state.gap, undeformed, out=displacement, where=bearing)
+        displacement += rigid[0] + rigid[1] * self.grid.y
+        return float(np.max(displacement, initial=0.0))
+
 
 def solve_on(
     problem: Problem, grid: Grid, tolerance: float, pool: Executor | None = None, rough: bool = False
@@ -137,12 +141,33 @@ def solve_on(
     pressure, rigid, levels = None, (0.0, 0.0), []
     for each in (*reversed(list(grid.coarser())), grid):
         finest = each is grid
-        task = problem.task(each, pool, rough or not finest)
+        undeformed = problem.undeformed(each)
+        if not np.isfinite(undeformed).any():
+            # The bodies lie between the centres of its cells; a finer grid may have some upon them.
+            if not finest:
+                continue
+            return _empty(grid, undeformed, rough)
+        task = problem.task(each, undeformed, pool, rough or not finest)
         pressure = _first(task) if pressure is None else refined(pressure, each.cells)
         state = settle(task, pressure, rigid, tolerance if finest else max(tolerance, ROUGHLY))
         pressure, rigid = state.pressure, state.rigid
         levels.append(_level(each, state))
     return Outcome(grid, state, task.displacement.count, tuple(levels))
+
+
+def _empty(grid: Grid, undeformed: Array, rough: bool) -> Outcome:
+    """Return what a rough grid of which no cell has a body comes to: nothing touches.
+
+    Raises
+    ------
+    InputError
+        If the grid is not rough.
+    """
+    if not rough:
+        remedy = "give more cells, or a region around the place where it is"
+        raise InputError("gap", np.inf, "be finite in the middle of a cell at least", remedy)
+    state = State(np.zeros(grid.cells), undeformed, (0.0, 0.0), 0.0, Status.CONVERGED)
+    return Outcome(grid, state, 0, (_level(grid, state),))
 
 
 def halved(problem: Problem, outcome: Outcome, tolerance: float, pool: Executor | None = None) -> tuple[Level, ...]:
@@ -160,7 +185,7 @@ def halved(problem: Problem, outcome: Outcome, tolerance: float, pool: Executor 
         if not known:
             grid = Grid(outcome.grid.x_span, outcome.grid.y_span, cells)
             found = solve_on(problem, grid, max(tolerance, ROUGHLY), pool, rough=True)
-            if found.state.status is not Status.CONVERGED:
+            if found.state.status is not Status.CONVERGED or not found.state.pressure.any():
                 break
             known = [found.levels[-1]]
         levels.append(known[0])
@@ -192,4 +217,4 @@ def _first(task: Task) -> Array:
     """Return a pressure to start from: springs, under the half of the cells that would touch first."""
     tilt = 0.0 if task.by_force[1] else task.target[1]
     nearness = tilt * task.y - task.undeformed
-    return np.maximum(nearness - float(np.median(nearness)), 0.0)
+    return np.maximum(nearness - float(np.median(nearness[task.bearing])), 0.0)

@@ -1,18 +1,21 @@
 """Where undeformed bodies come nearest, and where they would overlap beyond the region: the gap, sampled.
 
 Nothing is known of a gap but its values, so it is sampled: evenly along bodies that end, evenly near the middle and
-ever wider away from it elsewhere, and once more over every `Dent`. The lowest sample is closed in on by windows of an
-eighth of the size each. A bump that lies between the samples is not seen; docs/explain/patch.md says how far apart
-they are.
+ever wider away from it elsewhere, and once more over every `Dent`. A gap that users have a hand in may have bumps
+anywhere, and is scanned in nested windows too, each four times the size of the one within. The lowest sample is closed
+in on by windows of an eighth of the size each. A bump that lies between the samples is not seen; docs/explain/patch.md
+says how far apart they are.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.errors import InputError
 from nonhertz.patch.cascade import Gap, Outcome, Problem
 from nonhertz.patch.features import Dent
 from nonhertz.patch.grid import Grid
@@ -25,6 +28,10 @@ EVENLY, EVEN_REACH = 65, 8.0  # samples, and half-widths they reach either way
 APART, NEAREST = 64, 1e-3  # samples ever wider apart, from this many half-widths on
 ALONG, OVER_DENT, CLOSER = 257, 17, 17
 MOST_CLOSER = 24
+# Samples either way of a window of a scan, and how much larger each is than the one within: at a distance s from the
+# middle of a scan samples are s / 48 apart or nearer.
+SCANNED, MOST_SCANNED, LARGER = 385, 2049, 4.0
+SCANNED_AT_ONCE = 2**17
 LUMPS, SMALL_LUMPS = (12, 48), (24, 96)
 SUSPECT, SEEN, CLEAR = 0.03, 0.003, 0.01  # of the largest displacement: suspected, taken in, and warned of
 MOST_SUSPECTS = 100
@@ -79,6 +86,42 @@ def windows(problem: Problem, interval: Span, width: float, reach: float) -> tup
     return tuple(found)
 
 
+def scan(
+    x_span: Span, y_span: Span, cells: tuple[int, int], interval: Span, reach: tuple[float, float]
+) -> Iterator[Window]:
+    """Yield nested windows about a rectangle, in parts, the first of them twice its size with two samples a cell.
+
+    Parameters
+    ----------
+    x_span, y_span : tuple of float
+        The rectangle [mm].
+    cells : tuple of int
+        Of the grid that lies over it.
+    interval : tuple of float
+        Where both bodies are, along y [mm].
+    reach : tuple of float
+        How far to scan from the middle of the rectangle, across and along [mm].
+    """
+    x_half, y_half = float(np.ptp(x_span)), float(np.ptp(y_span))
+    x, y = 0.5 * sum(x_span), 0.5 * sum(y_span)
+    samples = [min(max(4 * n + 1, SCANNED), MOST_SCANNED) for n in cells]
+    while True:
+        low, high = max(y - min(y_half, reach[1]), interval[0]), min(y + min(y_half, reach[1]), interval[1])
+        wide, long = x_half >= reach[0], y_half >= reach[1] or (low, high) == interval
+        x_half = min(x_half, reach[0])
+        yield from _parts(Window(np.linspace(x - x_half, x + x_half, samples[0]), np.linspace(low, high, samples[1])))
+        if wide and long:
+            return
+        x_half, y_half, samples = LARGER * x_half, LARGER * y_half, [SCANNED, SCANNED]
+
+
+def _parts(window: Window) -> Iterator[Window]:
+    """Yield parts of a window that take little memory; each shares its last samples across with the next."""
+    step = max(SCANNED_AT_ONCE // window.y.size, 2)
+    for start in range(0, window.x.size - 1, step):
+        yield Window(window.x[start : start + step + 1], window.y)
+
+
 def within(x_span: Span, y_span: Span) -> tuple[Window, ...]:
     """Return where to sample a region."""
     return (Window(np.linspace(*x_span, 2 * EVENLY - 1), np.linspace(*y_span, ALONG)),)
@@ -119,6 +162,55 @@ def extent(gap: Gap, tilt: float, approach: float, at: Lowest, several: tuple[Wi
     return x_span, y_span
 
 
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """Where along y samples of a gap are finite [mm].
+
+    Attributes
+    ----------
+    finite : ndarray
+        The y of samples that are finite for some x, ascending.
+    empty : ndarray
+        The y of the other samples, ascending.
+    """
+
+    finite: Array
+    empty: Array
+
+    @property
+    def ends(self) -> Span:
+        """The outermost ends, each out to the next sample beyond, if there is one."""
+        low, high = float(self.finite[0]), float(self.finite[-1])
+        below, above = self.empty[self.empty < low], self.empty[self.empty > high]
+        return float(below[-1]) if below.size else low, float(above[0]) if above.size else high
+
+    def around(self, y: float) -> Span:
+        """Return a span that holds finite samples on both sides of a place, and as much again either way."""
+        index = int(np.searchsorted(self.finite, y))
+        low, high = (float(self.finite[min(max(k, 0), self.finite.size - 1)]) for k in (index - 1, index))
+        return 1.5 * low - 0.5 * high, 1.5 * high - 0.5 * low
+
+
+def rows(gap: Gap, several: Iterable[Window]) -> Rows:
+    """Return where along y samples of a gap are finite.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    sampled: list[Array] = []
+    finite: list[Array] = []
+    for window in several:
+        sampled.append(window.y)
+        finite.append(window.y[np.isfinite(window.of(gap, 0.0)).any(axis=0)])
+    found = np.unique(np.concatenate(finite))
+    if not found.size:
+        remedy = "let it return a gap in mm near x = 0, y = 0, or give a region around the place where it does"
+        raise InputError("gap", np.inf, "be finite somewhere", remedy)
+    return Rows(found, np.setdiff1d(np.concatenate(sampled), found))
+
+
 def least_held(gap: Gap, window: Window) -> float:
     """Return the approach at which bodies that are free to tilt begin to touch without a moment [mm].
 
@@ -136,7 +228,7 @@ def least_held(gap: Gap, window: Window) -> float:
     return min(values)
 
 
-def overlap(problem: Problem, outcome: Outcome, several: tuple[Window, ...], given: bool = False) -> Overlap | None:
+def overlap(problem: Problem, outcome: Outcome, several: Iterable[Window], given: bool = False) -> Overlap | None:
     """Return where the deformed bodies overlap beyond the region of a solution, as far as samples tell.
 
     The pressure acts there as the forces of lumps of cells first, as uniform on smaller ones where that looks odd.
@@ -145,9 +237,9 @@ def overlap(problem: Problem, outcome: Outcome, several: tuple[Window, ...], giv
     grid, state = outcome.grid, outcome.state
     if not state.pressure.any():
         return None
-    largest = float(np.max(state.gap - problem.undeformed(grid) + state.rigid[0] + state.rigid[1] * grid.y))
+    largest = outcome.largest_displacement(problem.undeformed(grid))
     found: list[Overlap] = []
-    least, near = (CLEAR, 2.0) if given else (SEEN, 1.0)
+    least, near = CLEAR if given else SEEN, 2.0
     coarse = _lumps(grid, state.pressure)
     for window in several:
         undeformed = window.of(problem.gap, state.rigid[1]) - state.rigid[0]
@@ -161,7 +253,7 @@ def overlap(problem: Problem, outcome: Outcome, several: tuple[Window, ...], giv
             continue
         left = gap[tuple(at.T)] + _raised(problem, coarse, window.x[at[:, 0]], window.y[at[:, 1]])
         suspects = np.flatnonzero(left < SUSPECT * largest)
-        at = at[suspects[np.argsort(left[suspects])][:MOST_SUSPECTS]]
+        at = at[_chosen(at, left, suspects)]
         if not at.size:
             continue
         x, y = window.x[at[:, 0]], window.y[at[:, 1]]
@@ -178,6 +270,19 @@ def overlap(problem: Problem, outcome: Outcome, several: tuple[Window, ...], giv
     x_span = min(each.x_span[0] for each in found), max(each.x_span[1] for each in found)
     y_span = min(each.y_span[0] for each in found), max(each.y_span[1] for each in found)
     return Overlap(deepest.x, deepest.y, deepest.depth, x_span, y_span)
+
+
+def _chosen(at: NDArray[np.intp], left: Array, suspects: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Return the suspects to look at closely: the lowest, and the outermost, which say how far the region has to go."""
+    if suspects.size <= MOST_SUSPECTS:
+        return suspects
+    most = MOST_SUSPECTS // 2, MOST_SUSPECTS // 8
+    x, y = at[suspects].T
+    several = [np.argsort(left[suspects])[: most[0]]]
+    several += [
+        order[part] for order in (np.argsort(x), np.argsort(y)) for part in (np.s_[: most[1]], np.s_[-most[1] :])
+    ]
+    return suspects[np.unique(np.concatenate(several))]
 
 
 def _spread(width: float, reach: float) -> Array:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass
 
@@ -17,12 +18,12 @@ from nonhertz.patch import region as regions
 from nonhertz.patch.cascade import Outcome, Problem, solve_on
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.limits import refuse_thin_bodies, widest_run
-from nonhertz.patch.nearness import Lowest, Overlap, Window
+from nonhertz.patch.nearness import Lowest, Overlap, Rows, Window
 
 Array = NDArray[np.float64]
 Span = tuple[float, float]
 
-MOST_SOLVES, ENLARGEMENT = 8, 0.15
+MOST_SOLVES, ENLARGEMENT = 16, 0.15
 EMPTY = 0.6  # of a side of an enlarged region: with less in contact it is cut down once
 LEAST_GUESS, MOST_GUESS = 1e-3, 0.1  # of the radius: half-widths to begin with where no load tells
 MOST_RADII = 30.0  # that a region may be wide either way: far beyond what any body is
@@ -69,10 +70,31 @@ class Search:
         curvature = float((self.contact.a.curvature(y) + self.contact.b.curvature(y))[0])
         return 1.0 / curvature if curvature > 0.0 else math.inf
 
+    @property
+    def own_gap(self) -> bool:
+        """Whether the gap is that of the bodies alone, which has no bumps."""
+        return not self.gap_given and not getattr(self.problem.gap, "features", ())
+
     def windows(self) -> tuple[Window, ...]:
-        """Return where the gap is sampled."""
-        width = self.width()
-        return nearness.windows(self.problem, self.contact.interval, width, self.reach)
+        """Return where the gap of the undeformed bodies is sampled."""
+        width, interval = self.width(), self.contact.interval
+        several = nearness.windows(self.problem, interval, width, self.reach)
+        if self.own_gap:
+            return several
+        x_span, (low, high) = (-width, width), np.clip((-width, width), *interval)
+        along = (float(low), float(high)) if low < high else interval
+        return (*several, *nearness.scan(x_span, along, regions.CELLS, interval, self._scanned()))
+
+    def around(self, outcome: Outcome) -> Iterator[Window]:
+        """Yield where the gap of the deformed bodies is sampled."""
+        yield from nearness.windows(self.problem, self.contact.interval, self.width(), self.reach)
+        if not self.own_gap:
+            grid = outcome.grid
+            yield from nearness.scan(grid.x_span, grid.y_span, grid.cells, self.contact.interval, self._scanned())
+
+    def _scanned(self) -> tuple[float, float]:
+        """Return how far the gap is scanned across and along [mm]."""
+        return min(self.reach, FLAT_REACH), FLAT_REACH
 
     def width(self) -> float:
         """Return a first guess of the half-width [mm], that of a Hertz line contact where the bodies tell."""
@@ -117,6 +139,24 @@ class Search:
             raise InputError("approach", self.given.first, condition, "raise it, or prescribe the load")
         return lowest
 
+    def _refuse_beyond(self, rows: Rows) -> None:
+        """Refuse a moment out of reach of the places where samples of the gap are finite.
+
+        Raises
+        ------
+        InputError
+        """
+        if not self.given.by_moment:
+            return
+        moment, (low, high) = self.given.second, rows.ends
+        if self.given.by_load and not low <= moment / self.given.first <= high:
+            arm = f"keep moment / load = {moment / self.given.first:.6g} mm"
+            condition = f"{arm} between {low:.4g} and {high:.4g} mm, where the gap is finite"
+            raise InputError("moment", moment, condition, "reduce it, or give the region of the contact")
+        if (moment > 0.0 >= rows.finite[-1]) or (moment < 0.0 <= rows.finite[0]):
+            condition = f"have the sign of the lever arms, which lie between {low:.4g} and {high:.4g} mm"
+            raise InputError("moment", moment, condition, "turn its sign, or give the region of the contact")
+
     def found(self, cells: tuple[int, int], tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:
         """Solve in a region that is found first, and made larger where the contact turns out to go on.
 
@@ -129,6 +169,13 @@ class Search:
         limits = self.contact.interval
         windows = self.windows()
         start, towards = self._start(windows)
+        if not self.own_gap:
+            rows = nearness.rows(self.problem.gap, windows)
+            self._refuse_beyond(rows)
+            if self.given.by_load and self.given.by_moment:
+                # Lest the search be drawn to a piece on one side of the moment's lever arm alone.
+                both = rows.around(self.given.second / self.given.first)
+                start = start[0], regions.joined(start[1], both, limits)
         self._refuse_spans(*start)
         x_span, y_span = regions.find(self.problem, limits, start, towards, self._refuse_huge)
         enlarged = shrunk = False
@@ -143,7 +190,7 @@ class Search:
                 x_span = regions.widened(x_span, beyond[0], ENLARGEMENT)
                 y_span = regions.widened(y_span, beyond[1], ENLARGEMENT, limits)
                 continue
-            overlap = nearness.overlap(self.problem, outcome, windows)
+            overlap = nearness.overlap(self.problem, outcome, self.around(outcome))
             if overlap is not None:
                 x_span, y_span = regions.joined(x_span, overlap.x_span), regions.joined(y_span, overlap.y_span, limits)
                 enlarged = True
@@ -168,7 +215,9 @@ class Search:
         elif self.given.by_moment:
             middle = self.given.second / self.given.first
         middle, across = float(np.clip(middle, low, high)), 0.0
-        if not math.isfinite(self.radius):
+        if not math.isfinite(self.radius) or not np.isfinite(
+            self.problem.gap(np.zeros((1, 1)), np.full((1, 1), middle))
+        ):
             at = self._lowest(windows)
             across, middle = at.x, middle if self.given.by_moment else at.y
         y_span = (low, high) if bounded else (max(low, middle - 10.0 * width), min(high, middle + 10.0 * width))

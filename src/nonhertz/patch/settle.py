@@ -24,6 +24,7 @@ solving rough contact problems based on the multi-level multi-summation and conj
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,7 +51,7 @@ class Task:
     Attributes
     ----------
     undeformed : ndarray, shape (nx, ny)
-        Gap g [mm] of the undeformed bodies.
+        Gap g [mm] of the undeformed bodies; infinite in cells without a body, which never touch.
     displacement : Convolution
         Pressure to displacement.
     inverse : Inverse
@@ -70,10 +71,15 @@ class Task:
     by_force: tuple[bool, bool]
     target: tuple[float, float]
 
+    @cached_property
+    def bearing(self) -> Mask:
+        """The cells that have a body and so can bear a pressure, shape (nx, ny)."""
+        return np.isfinite(self.undeformed)
+
 
 @dataclass(frozen=True, eq=False)
 class State:
-    """Where the iterations stand or ended; pressures are times K."""
+    """Where the iterations stand or ended; pressures are times K, and the gap of cells without a body is infinite."""
 
     pressure: Array
     gap: Array
@@ -116,7 +122,8 @@ class _ActiveSet:
         self.levers = np.stack([np.ones_like(task.y), task.y])[given]
         self.target = np.array(task.target)[given]
         self.rigid = np.where(task.by_force, rigid, task.target)
-        self.pressure = np.maximum(pressure, 0.0)
+        # The start was interpolated from coarser cells, of which some had a body where these have none.
+        self.pressure = np.where(task.bearing, np.maximum(pressure, 0.0), 0.0)
         self.touching: Mask = self.pressure > 0.0
         self.own = float(task.displacement.own)
         self.scale = 1.0
@@ -127,7 +134,8 @@ class _ActiveSet:
         residual = np.inf
         for _ in range(MOST_CHANGES):
             if self._balance() > BALANCED:
-                self._widen()
+                if not self._widen():
+                    break
                 continue
             residual = self._solve(tolerance)
             if residual <= tolerance and self.pressure.min() >= 0.0:
@@ -163,9 +171,9 @@ class _ActiveSet:
 
     def _rescaled(self) -> float:
         """Take the scale from the displacement as it is now, and return the former one over it."""
-        displacement = self.gap - self.task.undeformed
-        displacement += self.rigid[0] + self.rigid[1] * self.task.y
-        before, self.scale = self.scale, float(np.max(np.abs(displacement))) or 1.0
+        displacement = self.rigid[0] + self.rigid[1] * self.task.y - self.task.undeformed
+        np.add(displacement, self.gap, out=displacement, where=self.task.bearing)
+        before, self.scale = self.scale, float(np.max(np.abs(displacement[self.task.bearing]))) or 1.0
         return before / self.scale
 
     @property
@@ -193,12 +201,20 @@ class _ActiveSet:
         forces = [self._forces(response) for response in self.responses]
         self.stiffness = np.array(forces).reshape(len(self.given), len(self.given))
 
-    def _widen(self) -> None:
-        """Take in the rows on either side of those in contact, all if none is."""
-        near = self.touching.copy()
+    def _widen(self) -> bool:
+        """Take in the rows on either side of those in contact, or all cells that can bear if that adds none.
+
+        Returns
+        -------
+        bool
+            Whether any cell was added.
+        """
+        before, near = np.count_nonzero(self.touching), self.touching.copy()
         near[:, 1:] |= self.touching[:, :-1]
         near[:, :-1] |= self.touching[:, 1:]
-        self.touching = near if near.any() else ~near
+        near &= self.task.bearing
+        self.touching = near if np.count_nonzero(near) > before else self.task.bearing.copy()
+        return bool(np.count_nonzero(self.touching) > before)
 
     def _solve(self, tolerance: float) -> float:
         """Take steps for the present set until it is time to change it, and return the residual."""
@@ -215,14 +231,17 @@ class _ActiveSet:
             direction *= squared / before if step > 0 else 0.0
             direction += correction
             moved = self.task.displacement(direction)
-            length = squared / float(np.vdot(direction * self.touching, moved))
+            bent = float(np.vdot(direction * self.touching, moved))
+            if not bent > 0.0:  # beyond what floats hold: nowhere to go on to
+                break
+            length = squared / bent
             self.pressure += length * direction
             self.gap += length * moved
         return residual
 
     def _preconditioned(self) -> tuple[Array, Array]:
         """Return a pressure that would about close the gap in contact, and the overlap, approach and tilt let go."""
-        correction = self.task.inverse(-self.gap * self.touching)
+        correction = self.task.inverse(self._overlap())
         correction *= self.touching
         for c, amount, response in zip(
             self.given, self._multipliers(self._forces(correction)), self.responses, strict=True
@@ -230,7 +249,12 @@ class _ActiveSet:
             correction -= amount * response
             self.rigid[c] -= amount
             self.gap += amount * (self.task.y if c else 1.0)
-        return correction, -self.gap * self.touching
+        return correction, self._overlap()
+
+    def _overlap(self) -> Array:
+        """Return -gap [mm] of cells in contact, and zero elsewhere, also where the gap is infinite."""
+        overlap: Array = np.negative(self.gap, where=self.touching, out=np.zeros_like(self.gap))
+        return overlap
 
     def _multipliers(self, forces: Array) -> Array:
         # Least squares, since cells of a single row leave a moment undetermined.

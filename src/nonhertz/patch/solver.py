@@ -176,7 +176,7 @@ def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | No
     cut = any((*across, *along))
     if cut:
         return outcome, None
-    return outcome, nearness.overlap(search.problem, outcome, search.windows(), given=True)
+    return outcome, nearness.overlap(search.problem, outcome, search.around(outcome), given=True)
 
 
 def _failed(solution: PatchSolution, tolerance: float) -> str:

@@ -150,6 +150,8 @@ def _returned(name: str, function: Feature, x: Array, y: Array) -> Array:
         raise InputError(name, function, f"return real numbers, not {found.dtype.name}", _RETURN)
     lowest = found.min(initial=np.inf)
     if np.isnan(lowest) or lowest == -np.inf:
-        condition = "return a number everywhere, or plus infinity where nothing can touch"
+        i = np.unravel_index(int(np.argmin(np.where(np.isnan(spread), -np.inf, spread))), spread.shape)
+        place = f"x = {np.broadcast_to(x, spread.shape)[i]:.6g}, y = {np.broadcast_to(y, spread.shape)[i]:.6g}"
+        condition = f"return a number everywhere, or plus infinity where nothing can touch, but is {lowest} at {place}"
         raise InputError(name, function, condition, _RETURN)
     return np.asarray(spread, dtype=float)
