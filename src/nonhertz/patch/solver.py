@@ -34,6 +34,7 @@ from nonhertz.patch.resources import checked_cells, refuse_excess
 from nonhertz.patch.search import Search
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.surface import Feature, Surface, refuse_no_bodies
+from nonhertz.patch.verdict import complaint
 from nonhertz.solution import Status
 
 Array = NDArray[np.float64]
@@ -101,7 +102,8 @@ def solve(
     InputError
         If the input cannot be solved as it stands, or not in the memory at hand.
     ConvergenceError
-        If the iterations fail; its ``solution`` holds the state reached.
+        If the iterations fail, or if what they lead to breaks a condition when it is checked once more from the
+        returned arrays alone; its ``solution`` holds the state reached.
 
     Warns
     -----
@@ -149,11 +151,14 @@ def solve(
         levels = halved(problem, outcome, tolerance, pool)
     solution = _solution(contact, problem, outcome, levels)
     refuse_thin_bodies(contact, solution.y, 0.5 * solution.dx * widest_run(solution.footprint))
+    broken = complaint(solution, surface, prescription, tolerance)
     if solution.status is not Status.CONVERGED:
-        raise ConvergenceError(_failed(solution, tolerance), solution)
+        raise ConvergenceError(_failed(solution, broken, tolerance), solution)
     if not solution.footprint.any():
         condition = "put the centre of a cell into the contact"
         raise InputError("cells", cells, condition, "give more cells, or leave the region out")
+    if broken:
+        raise ConvergenceError(_withheld(broken), replace(solution, status=Status.STAGNATED))
     sentences = (
         *strains(solution, problem.influence, outcome.grid),
         *overlaps(overlap),
@@ -179,12 +184,20 @@ def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | No
     return outcome, nearness.overlap(search.problem, outcome, search.around(outcome), given=True)
 
 
-def _failed(solution: PatchSolution, tolerance: float) -> str:
+def _failed(solution: PatchSolution, broken: str, tolerance: float) -> str:
     """Return what is said of a solve that failed: how far it came, and what may be the cause."""
     stiff = "a moment that rests on a row or two of cells, or a gap that is rough from cell to cell"
+    missed = solution.residual > tolerance
+    lacking = f"The residual is {solution.residual:.2g}, not {tolerance:g}" if missed else broken.rstrip(".")
+    return f"{solution.status.value} {lacking}; likely causes are {stiff}. Try another number of cells, or another region."
+
+
+def _withheld(broken: str) -> str:
+    """Return what is said of a solution that the last check did not let pass."""
     return (
-        f"{solution.status.value} The residual is {solution.residual:.2g}, not {tolerance:g}; likely causes are "
-        f"{stiff}. Try another number of cells, or another region."
+        f"The iterations ended, but a separate check of their solution failed, so it is withheld. {broken} Likely causes "
+        "are a gap that returns other values when it is asked again, or numbers too far apart in size. Try another "
+        "tolerance, another number of cells, or another region."
     )
 
 

@@ -1,0 +1,200 @@
+"""The last look at a solution before it leaves the package: every condition again, from what is returned alone.
+
+Nothing of the iterations is asked. The undeformed gap is evaluated once more on all cells, load and moment are summed
+up from the pressures, and the displacement of a sample of cells is a plain sum over all others, without Fourier
+transforms, images and depth included: with `kernel.rectangles`, which tests hold to closed forms, it shares no other
+step with `convolution`. So a wrong spectrum, a stale array or a set that never settled cannot pass for a solution.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.finite import HERTZ, Influence, influence_of
+from nonhertz.model.prescription import Prescription
+from nonhertz.patch.cascade import Gap
+from nonhertz.patch.kernel import edges_from, rectangles
+from nonhertz.patch.solution import PatchSolution
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+Places = NDArray[np.intp]
+
+TOUCHING, APART = 40, 20  # cells of either kind in the sample, beside the extreme ones
+ROWS = 16  # of distances at once, as many as keep the kernel's temporaries in the cache
+# What sums of many cells in another order may differ by, of the largest displacement, and of load and moment.
+ROUNDING, BALANCED = 1e-11, 1e-9
+LAST_DIGITS = 32.0 * float(np.finfo(float).eps)  # of the gap itself, which may be large against what is left of it
+
+
+def complaint(solution: PatchSolution, gap: Gap, given: Prescription, tolerance: float) -> str:
+    """Return a sentence on the first condition that a solution breaks, empty where it keeps all of them.
+
+    Parameters
+    ----------
+    solution : PatchSolution
+        What is about to be returned.
+    gap : callable
+        x, y [mm] -> undeformed gap [mm].
+    given : Prescription
+        What was prescribed.
+    tolerance : float
+        Largest residual that was asked for.
+    """
+    # In order: each relies on what those before it have looked at.
+    for found in (_not_finite(solution), _pulling(solution), _unbalanced(solution, given, tolerance)):
+        if found:
+            return found
+    undeformed = gap(solution.x[:, None], solution.y[None, :])
+    return _without_body(solution, undeformed) or _open_or_overlapping(solution, undeformed, tolerance)
+
+
+def _not_finite(solution: PatchSolution) -> str:
+    for name in ("approach", "tilt", "load", "moment"):
+        if not np.isfinite(getattr(solution, name)):
+            return f"The {name} is {getattr(solution, name)}, not a finite number."
+    if not np.isfinite(solution.pressure).all():
+        return "The pressure of a cell is not a finite number."
+    if not np.isfinite(solution.gap).all(where=solution.footprint) or np.isnan(solution.gap).any():
+        return "The gap of a cell is not a number."
+    return ""
+
+
+def _pulling(solution: PatchSolution) -> str:
+    lowest = float(solution.pressure.min())
+    return f"A cell pulls with {-lowest:.3g} MPa." if lowest < 0.0 else ""
+
+
+def _unbalanced(solution: PatchSolution, given: Prescription, tolerance: float) -> str:
+    """Return a sentence if load, approach, moment or tilt is not what was prescribed, or not the sum of the cells."""
+    allowed = max(tolerance, BALANCED)
+    area, line = solution.dx * solution.dy, solution.pressure.sum(axis=0)
+    load, moment, levers = area * line.sum(), area * (line @ solution.y), area * (line @ np.abs(solution.y))
+    if not given.by_load:
+        pairs = [("approach", "mm", solution.approach, given.first, 0.0)]
+    else:
+        pairs = [("load", "N", load, given.first, allowed * given.first)]
+    if not given.by_moment:
+        pairs.append(("tilt", "rad", solution.tilt, given.second, 0.0))
+    else:
+        pairs.append(("moment", "N mm", moment, given.second, allowed * max(levers, abs(given.second))))
+    pairs += [
+        ("load", "N", solution.load, load, BALANCED * load),
+        ("moment", "N mm", solution.moment, moment, BALANCED * levers),
+    ]
+    for name, unit, found, wanted, room in pairs:
+        if not abs(found - wanted) <= room:
+            return f"The {name} came to {found:.10g} {unit} instead of {wanted:.10g} {unit}."
+    return ""
+
+
+def _without_body(solution: PatchSolution, undeformed: Array) -> str:
+    outside = solution.footprint & ~np.isfinite(undeformed)
+    if not outside.any():
+        return ""
+    borne = float(solution.pressure[outside].sum()) * solution.dx * solution.dy
+    return f"Cells without a body, where the gap is infinite, bear {borne:.3g} N."
+
+
+def _open_or_overlapping(solution: PatchSolution, undeformed: Array, tolerance: float) -> str:
+    """Return a sentence if cells that bear are apart, others overlap, or the gap is not that of the pressure."""
+    bearing = np.isfinite(undeformed)
+    rigid = solution.approach + solution.tilt * solution.y
+    displaced = np.subtract(solution.gap, undeformed, out=np.zeros_like(undeformed), where=bearing)
+    displaced += rigid * bearing
+    largest = float(np.max(np.abs(displaced)))
+    digits = LAST_DIGITS * float(np.max(np.abs(undeformed[bearing]), initial=0.0) + np.max(np.abs(rigid)))
+    allowed = (tolerance + ROUNDING) * largest + digits
+    apart = float(np.max(np.abs(solution.gap[solution.footprint]), initial=0.0))
+    if apart > allowed:
+        return f"Cells that bear a pressure are {apart:.3g} mm apart or overlap by as much."
+    overlap = -float(np.min(solution.gap[bearing], initial=0.0))
+    if overlap > allowed:
+        return f"Cells without pressure overlap by {overlap:.3g} mm."
+    places = _sample(solution, bearing)
+    gap = undeformed[tuple(places.T)] - rigid[places[:, 1]] + displacement(solution, places)
+    wrong = float(np.max(np.abs(gap - solution.gap[tuple(places.T)]), initial=0.0))
+    if wrong > allowed:
+        return (
+            f"The gap is not that of the bodies under these pressures: a sum over all cells differs by {wrong:.3g} mm."
+        )
+    return ""
+
+
+def _sample(solution: PatchSolution, bearing: Mask) -> Places:
+    """Return the indices of cells to look at closely, shape (places, 2): the extreme ones, and some all over."""
+    pressure, gap = solution.pressure.ravel(), solution.gap.ravel()
+    touching, apart = np.flatnonzero(pressure), np.flatnonzero(bearing.ravel() & (pressure == 0.0))
+    chosen = [_evenly(touching, TOUCHING), _evenly(apart, APART)]
+    if touching.size:
+        chosen.append(touching[[pressure[touching].argmax(), np.abs(gap[touching]).argmax()]])
+    if apart.size:
+        chosen.append(apart[[gap[apart].argmin()]])
+    return np.stack(np.unravel_index(np.unique(np.concatenate(chosen)), solution.pressure.shape), axis=1)
+
+
+def _evenly(cells: Places, most: int) -> Places:
+    return cells[np.unique(np.linspace(0, cells.size - 1, min(most, cells.size)).astype(np.intp))]
+
+
+def displacement(solution: PatchSolution, places: Places) -> Array:
+    """Return the displacement [mm] of both surfaces together in the middle of some cells, by plain sums.
+
+    Parameters
+    ----------
+    solution : PatchSolution
+        Whose pressures are summed up.
+    places : ndarray, shape (places, 2)
+        Indices across and along.
+
+    Returns
+    -------
+    ndarray, shape (places,)
+    """
+    influence, pressure = influence_of(solution.contact, HERTZ), solution.pressure
+    total = np.zeros(places.shape[0])
+    for distances, seen in _kernels(solution, influence):
+        for sign, kernel in seen.items():
+            for place, (i, j) in enumerate(places.tolist()):
+                columns = kernel[:, j : j + pressure.shape[1]] if sign < 0.0 else _backwards(kernel, j, pressure)
+                total[place] += np.vdot(columns, _folded(pressure, i, distances))
+    if influence.depths:
+        edges = np.append(solution.y - 0.5 * solution.dy, solution.y[-1] + 0.5 * solution.dy)
+        rows, which = np.unique(places[:, 1], return_inverse=True)
+        total -= (influence.at_depth(solution.y[rows], edges) @ solution.line_load)[which]
+    return solution.contact.compliance * total
+
+
+def _kernels(solution: PatchSolution, influence: Influence) -> Iterator[tuple[range, dict[float, Array]]]:
+    """Yield distances across in cells, a few at a time, and the kernels seen there: shifted (1) and mirrored (-1).
+
+    Shifted by k cells along it stands in column ny - 1 + k, mirrored about the first row and k cells on in column k.
+    """
+    nx, ny = solution.pressure.shape
+    for start in range(0, nx, ROWS):
+        distances = range(start, min(start + ROWS, nx))
+        x_edges = edges_from(start * solution.dx, len(distances), solution.dx)
+        seen: dict[float, Array] = {}
+        for sign, offset, weight in influence.terms.tolist():
+            first = -(ny - 1) * solution.dy if sign > 0.0 else 2.0 * float(solution.y[0])
+            kernel = rectangles(x_edges, edges_from(first - offset, 2 * ny - 1, solution.dy))
+            seen[sign] = seen.get(sign, 0.0) + weight * kernel
+        yield distances, seen
+
+
+def _backwards(kernel: Array, j: int, pressure: Array) -> Array:
+    # The pressure of column l is j - l cells away.
+    return kernel[:, j : j + pressure.shape[1]][:, ::-1]
+
+
+def _folded(pressure: Array, i: int, distances: range) -> Array:
+    """Return the pressures at some distances across from row i, of both sides together, shape (distances, ny)."""
+    away = np.arange(distances.start, distances.stop)
+    total = np.zeros((away.size, pressure.shape[1]))
+    for rows, counted in ((i + away, True), (i - away, away > 0)):
+        within = (rows >= 0) & (rows < pressure.shape[0]) & counted
+        total[within] += pressure[rows[within]]
+    return total
