@@ -64,11 +64,13 @@ def test_the_estimate_covers_the_error_of_few_cells_in_one_direction(cells):
         assert found.error_estimate.approach < 0.05
 
 
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")  # of few cells
 def test_a_direction_that_was_never_refined_has_no_estimate():
     for cells in ((4, 256), (256, 7)):
         assert on_ellipse(cells).error_estimate.approach == np.inf
 
 
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")  # of few cells
 @pytest.mark.parametrize("tilt", [0.0, 5e-4])
 def test_convolutions_hardly_grow_with_the_cells(tilt):
     # What makes the work that of n log n; the numbers that belong to it are in docs/explain/patch-table.md.
@@ -77,6 +79,7 @@ def test_convolutions_hardly_grow_with_the_cells(tilt):
     assert counts[-1] <= counts[0] + 16
 
 
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")  # of few cells
 def test_the_solution_depends_on_the_tolerance_as_promised():
     tight = nh.patch.solve(TILTED, load=20e3, tilt=5e-4, cells=(64, 128), tolerance=1e-12)
     for tolerance in (1e-4, 1e-6, 1e-8):

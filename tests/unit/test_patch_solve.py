@@ -3,6 +3,7 @@
 import math
 import pickle
 import tracemalloc
+import warnings
 
 import numpy as np
 import pytest
@@ -224,11 +225,15 @@ def burr(x_at, y_at):
 
 @pytest.mark.parametrize("at", [(1.0, 0.0), (0.0, 8.0), (-0.7, -6.0)])
 def test_a_burr_beyond_the_region_is_taken_in_or_warned_of(at):
-    found = nh.patch.solve(CROWNED, load=3e3, features=burr(*at), cells=(96, 128))
+    # A cell or two along are few for it, which is said, too.
+    with warnings.catch_warnings(record=True, action="always") as caught:
+        found = nh.patch.solve(CROWNED, load=3e3, features=burr(*at), cells=(96, 128))
+    assert str(caught[0].message).startswith("Between the centres of cells the bodies overlap")
     np.testing.assert_allclose(found.max_pressure_at, at, rtol=0.0, atol=0.1)
     region = ((-0.4, 0.4), (-5.0, 5.0))
-    with pytest.warns(nh.AccuracyWarning, match="Beyond the region the bodies overlap, by 0.0"):
+    with warnings.catch_warnings(record=True, action="always") as caught:
         nh.patch.solve(CROWNED, load=3e3, features=burr(*at), cells=(96, 128), region=region)
+    assert any(str(each.message).startswith("Beyond the region the bodies overlap, by 0.0") for each in caught)
 
 
 def test_three_rails_bear_alike():
@@ -429,7 +434,10 @@ def test_thin_bodies_heavy_images_and_wide_contacts_are_warned_of():
 def test_features_of_a_few_cells_are_warned_of(feature, sentence):
     with pytest.warns(nh.AccuracyWarning) as caught:
         nh.patch.solve(CROWNED, load=3e3, features=feature, cells=SMALL)
-    assert [str(warning.message).startswith(sentence) for warning in caught] == [True]
+    said = [str(warning.message) for warning in caught]
+    assert sum(each.startswith(sentence) for each in said) == 1
+    # What is said beside it is of the error that comes of it.
+    assert all(each.startswith((sentence, "Between the centres", "The largest pressure may")) for each in said)
 
 
 def test_waves_along_are_not_measured_across():
@@ -447,6 +455,7 @@ BODIES = {
 }
 
 
+@pytest.mark.filterwarnings("ignore:The approach may be off:nonhertz.AccuracyWarning")  # 16 x 16 cells are few
 @pytest.mark.parametrize("name", BODIES)
 @pytest.mark.parametrize("cells", [(256, 256), (96, 512)], ids=str)
 def test_the_memory_foretold_is_what_is_taken(name, cells):

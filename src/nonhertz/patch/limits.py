@@ -13,6 +13,7 @@ from nonhertz.finite import HERTZ, Influence, depth_below
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
 from nonhertz.patch import region as regions
+from nonhertz.patch.between import Unseen
 from nonhertz.patch.cascade import Level, Outcome, Problem
 from nonhertz.patch.features import Dent, Waviness
 from nonhertz.patch.grid import Grid
@@ -28,35 +29,70 @@ MOST_OF_RADIUS = 0.3
 LEAST_DEPTH, LEAST_OF_ALL = 3.0, 1.0  # half-widths: warned of below the first, refused below the second
 FEWEST_CELLS = 6.0  # that a feature is to be long
 HEAVIEST = 1.0 + 1e-9
-MARGIN = 1.5
+# Of the last change, for approach and load and for the largest pressure: calibrated on random contacts
+# (tests/campaign/test_patch_estimate.py); 1.5 for all left out one approach in 25.
+MARGIN, PRESSURE_MARGIN = 3.0, 1.5
+LEAST_CELLS = 2.0  # of a feature: over a shorter one the largest pressure is anything
+STEEPEST = 1.5  # d ln(load) / d ln(displacement) of a paraboloid
+ROUGH, ROUGH_PRESSURE = 0.05, 0.2  # estimated relative errors that are warned of
+UNSEEN = 0.01  # of the largest displacement: an overlap between the centres of cells that is warned of
 
 
-def error_estimate(contact: Contact, problem: Problem, outcome: Outcome, levels: tuple[Level, ...]) -> ErrorEstimate:
-    """Return how much the last refinements changed the results, as far as the finest grid may err at most.
+def error_estimate(
+    solution: PatchSolution,
+    problem: Problem,
+    outcome: Outcome,
+    levels: tuple[Level, ...],
+    unseen: Unseen,
+    largest: float,
+) -> ErrorEstimate:
+    """Return how far the finest grid may err, from the last refinements and from what lies between its cells.
 
-    ``levels`` are grids that double the cells in both directions (`cascade.halved`). Infinite where there is no coarser
-    one, fewer than 8 cells having no half, and for the pressure at a sharp end, which has no limit.
+    At least as large as the true error in 99 % of random cases, in the median twelve times as large.
+
+    ``levels`` are grids that double the cells in both directions (`cascade.halved`), ``largest`` is the largest
+    displacement [mm]. Infinite where there is no coarser
+    one, fewer than 8 cells having no half; and for a pressure without a limit: at a sharp end, at the edge of a body,
+    where the region cuts the contact, or over a feature of less than two cells.
     """
-    if outcome.state.status is not Status.CONVERGED or len(levels) < 2:
+    if solution.status is not Status.CONVERGED or len(levels) < 2:
         return ErrorEstimate(math.inf, math.inf, math.inf)
-    by_load = problem.by_force[0]
-    rows: Mask = np.any(outcome.state.pressure > 0.0, axis=0)
-    singular = bool(sharp_ends(contact, problem.influence, outcome.grid, rows))
+    by_load, pressure = problem.by_force[0], solution.max_pressure
+    lost = any(size < LEAST_CELLS * side for _, size, side in _features(problem, solution))
+    unlimited = lost or bool(
+        _cut_off(solution, outcome.grid) or singularities(solution, problem.influence, outcome.grid)
+    )
     return ErrorEstimate(
-        approach=_change([level.approach for level in levels]) if by_load else 0.0,
-        load=0.0 if by_load else _change([level.load for level in levels]),
-        max_pressure=math.inf if singular else _change([level.max_pressure for level in levels]),
+        approach=max(_change([level.approach for level in levels]), _share(unseen.lift, solution.approach))
+        if by_load
+        else 0.0,
+        load=0.0
+        if by_load
+        else max(_change([level.load for level in levels]), STEEPEST * _share(unseen.lift, largest)),
+        max_pressure=math.inf
+        if unlimited
+        else max(_change([level.max_pressure for level in levels], PRESSURE_MARGIN), _share(unseen.pressure, pressure)),
     )
 
 
-def _change(values: list[float]) -> float:
+def _share(error: float, whole: float) -> float:
+    return error / abs(whole) if whole != 0.0 else math.inf if error > 0.0 else 0.0
+
+
+def _features(problem: Problem, solution: PatchSolution) -> list[tuple[str, float, float]]:
+    """Return name, size and side of a cell of all that features are made of."""
+    features = getattr(problem.gap, "features", ())
+    return [size for feature in features for size in _sizes(feature, solution.dx, solution.dy)]
+
+
+def _change(values: list[float], margin: float = MARGIN) -> float:
     """Return the last relative change, or half of the one before if that is more: one may be small by chance.
 
     At a sharp end errors fall in proportion to the cells, and then the last change is the error itself; the margin is
     for that. At smooth ends they fall faster.
     """
     changes = np.abs(np.diff(values))[::-1] * (1.0, 0.5)[: len(values) - 1]
-    return MARGIN * float(np.max(changes)) / abs(values[-1]) if values[-1] != 0.0 else 0.0
+    return margin * float(np.max(changes)) / abs(values[-1]) if values[-1] != 0.0 else 0.0
 
 
 def sharp_ends(contact: Contact, influence: Influence, grid: Grid, rows: Mask) -> list[float]:
@@ -140,6 +176,40 @@ def overlaps(overlap: Overlap | None) -> tuple[str, ...]:
     )
 
 
+def between_cells(unseen: Unseen, largest: float) -> tuple[str, ...]:
+    """Return a sentence where the bodies overlap between the centres of cells."""
+    if unseen.overlap <= UNSEEN * largest:
+        return ()
+    return (
+        f"Between the centres of cells the bodies overlap, by {unseen.overlap:.3g} mm at x = {unseen.x:.4g}, y = "
+        f"{unseen.y:.4g} mm: the gap has a peak or a piece of contact there that these cells miss; give more cells.",
+    )
+
+
+def uncertain(solution: PatchSolution, largest: float) -> tuple[str, ...]:
+    """Return a sentence where the error estimate says that the numbers are rough, or that nothing tells how rough.
+
+    ``largest`` is the largest displacement [mm], which an error of the approach is measured against: the approach
+    itself may be near zero by chance.
+    """
+    error = solution.error_estimate
+    if math.isinf(error.approach):
+        return (
+            f"The grid of {solution.cells[0]} x {solution.cells[1]} cells is too coarse to estimate the error of its "
+            "solution: the numbers may be far off; give at least 8 cells either way.",
+        )
+    stated = (
+        ("approach", error.approach, error.approach * abs(solution.approach), ROUGH * largest),
+        ("load", error.load, error.load, ROUGH),
+        ("largest pressure", error.max_pressure, error.max_pressure, ROUGH_PRESSURE),
+    )
+    return tuple(
+        f"The {name} may be off by {share:.2g} of itself, by the estimate of the error; give more cells."
+        for name, share, size, most in stated
+        if most < size < math.inf
+    )
+
+
 def unresolved(features: Iterable[object], dx: float, dy: float) -> tuple[str, ...]:
     """Return a sentence for every feature that a few cells only are to show."""
     sentences = []
@@ -195,9 +265,25 @@ def _heavy_images(influence: Influence) -> list[str]:
 
 
 def singularities(solution: PatchSolution, influence: Influence, grid: Grid) -> tuple[str, ...]:
-    """Return a sentence for every sharp end that the contact reaches."""
-    return tuple(
+    """Return a sentence for every sharp end that the contact reaches, and for the edges of bodies in the gap."""
+    ends = tuple(
         f"The contact reaches the sharp end at y = {y:.6g} mm, where the pressure is singular: the value there is that "
         f"of a cell {solution.dy:.3g} mm long, not a limit."
         for y in sharp_ends(solution.contact, influence, grid, np.any(solution.footprint, axis=0))
     )
+    return (*ends, *_edges_of_bodies(solution))
+
+
+def _edges_of_bodies(solution: PatchSolution) -> list[str]:
+    """Return a sentence if the contact reaches cells without a body, the place of the largest pressure beside them."""
+    without = np.pad(np.isposinf(solution.gap), 1)
+    beside = without[2:, 1:-1] | without[:-2, 1:-1] | without[1:-1, 2:] | without[1:-1, :-2]
+    pressure = np.where(beside, solution.pressure, 0.0)
+    if not pressure.any():
+        return []
+    i, j = np.unravel_index(int(pressure.argmax()), pressure.shape)
+    return [
+        f"The contact reaches the edge of a body at x = {solution.x[i]:.6g}, y = {solution.y[j]:.6g} mm, beyond which "
+        "the gap is infinite and where the pressure is singular: the values there are those of cells "
+        f"{solution.dx:.3g} x {solution.dy:.3g} mm large, not a limit."
+    ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Iterable
 from concurrent.futures import Executor, ThreadPoolExecutor
@@ -18,14 +19,17 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch import nearness
 from nonhertz.patch import region as regions
-from nonhertz.patch.cascade import Level, Outcome, Problem, halved, solve_on
+from nonhertz.patch.between import between
+from nonhertz.patch.cascade import Outcome, Problem, halved, solve_on
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.limits import (
+    between_cells,
     error_estimate,
     overlaps,
     refuse_thin_bodies,
     singularities,
     strains,
+    uncertain,
     unresolved,
     widest_run,
 )
@@ -35,7 +39,7 @@ from nonhertz.patch.search import Search
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.surface import Feature, Surface, refuse_no_bodies
 from nonhertz.patch.verdict import complaint
-from nonhertz.solution import Status
+from nonhertz.solution import ErrorEstimate, Status
 
 Array = NDArray[np.float64]
 Span = tuple[float, float]
@@ -149,7 +153,7 @@ def solve(
         else:
             outcome, overlap = _in_region(search, Grid(*spans, cells), tolerance, pool)
         levels = halved(problem, outcome, tolerance, pool)
-    solution = _solution(contact, problem, outcome, levels)
+    solution = _solution(contact, outcome)
     refuse_thin_bodies(contact, solution.y, 0.5 * solution.dx * widest_run(solution.footprint))
     broken = complaint(solution, surface, prescription, tolerance)
     if solution.status is not Status.CONVERGED:
@@ -159,9 +163,14 @@ def solve(
         raise InputError("cells", cells, condition, "give more cells, or leave the region out")
     if broken:
         raise ConvergenceError(_withheld(broken), replace(solution, status=Status.STAGNATED))
+    unseen, largest = between(solution, surface), outcome.largest_displacement(problem.undeformed(outcome.grid))
+    estimate = error_estimate(solution, problem, outcome, levels, unseen, largest)
+    solution = replace(solution, error_estimate=estimate)
     sentences = (
         *strains(solution, problem.influence, outcome.grid),
         *overlaps(overlap),
+        *between_cells(unseen, largest),
+        *uncertain(solution, largest),
         *unresolved(surface.features, solution.dx, solution.dy),
     )
     for sentence in sentences:
@@ -189,15 +198,17 @@ def _failed(solution: PatchSolution, broken: str, tolerance: float) -> str:
     stiff = "a moment that rests on a row or two of cells, or a gap that is rough from cell to cell"
     missed = solution.residual > tolerance
     lacking = f"The residual is {solution.residual:.2g}, not {tolerance:g}" if missed else broken.rstrip(".")
-    return f"{solution.status.value} {lacking}; likely causes are {stiff}. Try another number of cells, or another region."
+    return (
+        f"{solution.status.value} {lacking}; likely causes are {stiff}. Try another number of cells, or another region."
+    )
 
 
 def _withheld(broken: str) -> str:
     """Return what is said of a solution that the last check did not let pass."""
     return (
-        f"The iterations ended, but a separate check of their solution failed, so it is withheld. {broken} Likely causes "
-        "are a gap that returns other values when it is asked again, or numbers too far apart in size. Try another "
-        "tolerance, another number of cells, or another region."
+        f"The iterations ended, but a separate check of their solution failed, so it is withheld. {broken} Likely "
+        "causes are a gap that returns other values when it is asked again, or numbers too far apart in size. Try "
+        "another tolerance, another number of cells, or another region."
     )
 
 
@@ -209,7 +220,8 @@ def _problem(contact: Contact, given: Prescription, gap: Surface) -> Problem:
     return Problem(gap, influence, (given.by_load, given.by_moment), (first, second), factor)
 
 
-def _solution(contact: Contact, problem: Problem, outcome: Outcome, levels: tuple[Level, ...]) -> PatchSolution:
+def _solution(contact: Contact, outcome: Outcome) -> PatchSolution:
+    """Return what the iterations ended in, its error not estimated yet."""
     grid, state = outcome.grid, outcome.state
     pressure = state.pressure / contact.compliance
     area = grid.dx * grid.dy
@@ -229,7 +241,7 @@ def _solution(contact: Contact, problem: Problem, outcome: Outcome, levels: tupl
         gap=state.gap,
         iterations=outcome.convolutions,
         residual=state.residual,
-        error_estimate=error_estimate(contact, problem, outcome, levels),
+        error_estimate=ErrorEstimate(math.inf, math.inf, math.inf),
         warnings=(),
     )
 

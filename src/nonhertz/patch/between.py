@@ -1,0 +1,158 @@
+"""What a gap does between the centres of cells, which a solution on these cells knows nothing of.
+
+The gap is evaluated once more in sixteen places of every cell. Where it is smooth on the scale of cells, cubic
+interpolation between their centres foretells what it is there. By what it stands nearer than foretold, bodies overlap
+unseen, less the clearance of the solution: a piece of contact or a peak of pressure that these cells leave out. By what
+it stands nearer or farther where bodies touch, divided by what the pressure on such a part of a cell does there, the
+pressure may err. A body smaller than a quarter of a cell may still lie between all places.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+
+from nonhertz.patch.cascade import Gap
+from nonhertz.patch.kernel import edges_from, rectangles
+from nonhertz.patch.solution import PatchSolution
+from nonhertz.patch.verdict import displacement
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+PARTS = 4  # of a side of a cell
+# Rows of cells at once: a share of all, so that places sixteen times as many as cells take less memory than the solve.
+SHARE, FEWEST_ROWS, MOST_ROWS = 64, 4, 32
+MOST_CANDIDATES = 60
+
+
+@dataclass(frozen=True)
+class Unseen:
+    """What lies between the centres of cells.
+
+    Attributes
+    ----------
+    overlap : float
+        Largest overlap there [mm], zero if there is none.
+    x, y : float
+        Where it is [mm].
+    pressure : float
+        By how much the largest pressure may be larger on its account [MPa].
+    lift : float
+        By how much the bodies would have to be moved apart, about, for the mean of all that touches [mm].
+    """
+
+    overlap: float
+    x: float
+    y: float
+    pressure: float
+    lift: float
+
+
+def between(solution: PatchSolution, gap: Gap) -> Unseen:
+    """Return what the gap (x, y) [mm] -> [mm] does between the centres of the cells of a solution."""
+    undeformed = gap(solution.x[:, None], solution.y[None, :])
+    whole = np.isfinite(undeformed)
+    known, clearance = np.where(whole, undeformed, 0.0), np.where(whole, solution.gap, 0.0)
+    cubic = [_weights(n, 4) for n in solution.cells]
+    linear = [_weights(n, 2) for n in solution.cells]
+    x, y = (_places(each, side) for each, side in ((solution.x, solution.dx), (solution.y, solution.dy)))
+    # What falls away where the contact ends, as a logarithmic profile does, presses no harder for it.
+    inner = ~_grown(np.pad(~solution.footprint, 1, constant_values=True))[1:-1, 1:-1]
+    near, holes = _grown(solution.footprint), sparse.csr_array(~whole, dtype=float)
+    # Of a part of a cell rather than of a cell: what is unseen may be as narrow as that, and presses the harder.
+    side = edges_from(0.0, 1, solution.dx / PARTS), edges_from(0.0, 1, solution.dy / PARTS)
+    own = solution.contact.compliance * float(rectangles(*side)[0, 0])
+    deepest, highest, lifted = (0.0, 0.0, 0.0), 0.0, 0.0
+    candidates: list[tuple[float, int, int, float, float]] = []
+    step = min(max(solution.cells[0] // SHARE, FEWEST_ROWS), MOST_ROWS)
+    for start in range(0, solution.cells[0], step):
+        cells = slice(start, min(start + step, solution.cells[0]))
+        rows = slice(PARTS * start, PARTS * cells.stop)
+        here = gap(x[rows, None], y[None, :])
+        # Where a node of the interpolation has no body there is nothing to tell smooth from rough by.
+        regular = (abs(cubic[0][rows]) @ holes @ abs(cubic[1]).T).toarray() == 0.0
+        regular &= np.isfinite(here)
+        nearer = np.subtract(cubic[0][rows] @ known @ cubic[1].T, here, out=np.zeros_like(here), where=regular)
+        overlap = np.where(regular, nearer - linear[0][rows] @ clearance @ linear[1].T, 0.0)
+        i, j = np.unravel_index(int(overlap.argmax()), overlap.shape)
+        deepest = max(deepest, (float(overlap[i, j]), float(x[rows][i]), float(y[j])))
+        unseen = np.maximum(_of_cells(overlap), 0.0)
+        lifted += float(np.sum(unseen))
+        # A hollow spreads its load over its rim, a peak bears what it takes on itself.
+        rough = np.where(inner[cells], _of_cells(np.maximum(nearer, -nearer / PARTS)), unseen)
+        highest = max(highest, float(np.max(solution.pressure[cells] + rough / own)))
+        lone = np.where(regular | np.repeat(np.repeat(near[cells], PARTS, 0), PARTS, 1), np.inf, here)
+        candidates += _candidates(solution, lone, x[rows], y, start)
+    for found in _missed(solution, candidates):
+        deepest = max(deepest, found)
+        highest = max(highest, found[0] / own)
+        lifted += max(found[0], 0.0)
+    return Unseen(*deepest, highest - solution.max_pressure, lifted / max(int(solution.footprint.sum()), 1))
+
+
+def _places(centres: Array, side: float) -> Array:
+    """Return the middle of every part of cells, ascending."""
+    parts = (np.arange(PARTS) + 0.5) / PARTS - 0.5
+    places: Array = (centres[:, None] + side * parts).ravel()
+    return places
+
+
+def _weights(cells: int, nodes: int) -> sparse.csr_array:
+    """Return the interpolation from centres of cells to all parts by polynomials through the nearest 2 or 4.
+
+    Where nodes are missing, at the border, four go on beyond the last centre, and two keep its value.
+    """
+    place = _places(np.arange(cells, dtype=float), 1.0)
+    first = np.clip(np.floor(place).astype(int) - nodes // 2 + 1, 0, cells - nodes)
+    place = place if nodes > 2 else np.clip(place, 0.0, cells - 1.0)
+    at = first[:, None] + np.arange(nodes)
+    weights = np.ones(at.shape)
+    for k in range(nodes):
+        for other in range(nodes):
+            if other != k:
+                weights[:, k] *= (place - at[:, other]) / (at[:, k] - at[:, other])
+    rows = np.repeat(np.arange(place.size), nodes)
+    return sparse.csr_array((weights.ravel(), (rows, at.ravel())), shape=(place.size, cells))
+
+
+def _of_cells(parts: Array) -> Array:
+    """Return the largest of the parts of every cell."""
+    nx, ny = parts.shape[0] // PARTS, parts.shape[1] // PARTS
+    largest: Array = parts.reshape(nx, PARTS, ny, PARTS).max(axis=(1, 3))
+    return largest
+
+
+def _grown(cells: Mask) -> Mask:
+    """Return cells and their eight neighbours."""
+    grown = cells.copy()
+    grown[1:] |= cells[:-1]
+    grown[:-1] |= cells[1:]
+    wide = grown.copy()
+    wide[:, 1:] |= grown[:, :-1]
+    wide[:, :-1] |= grown[:, 1:]
+    return wide
+
+
+def _candidates(
+    solution: PatchSolution, gap: Array, x: Array, y: Array, start: int
+) -> list[tuple[float, int, int, float, float]]:
+    """Return the deepest places of bodies that no centre of a cell lies upon: depth, their cell, x and y."""
+    depth = solution.approach + solution.tilt * y - gap
+    deep = np.argwhere(depth > 0.0)
+    deep = deep[np.argsort(-depth[tuple(deep.T)])][:MOST_CANDIDATES]
+    return [(float(depth[i, j]), start + i // PARTS, j // PARTS, float(x[i]), float(y[j])) for i, j in deep.tolist()]
+
+
+def _missed(
+    solution: PatchSolution, candidates: list[tuple[float, int, int, float, float]]
+) -> list[tuple[float, float, float]]:
+    """Return how far candidates overlap, and where."""
+    candidates = sorted(candidates, reverse=True)[:MOST_CANDIDATES]
+    if not candidates:
+        return []
+    raised = displacement(solution, np.array([each[1:3] for each in candidates]))
+    return [(each[0] - float(more), each[3], each[4]) for each, more in zip(candidates, raised, strict=True)]
