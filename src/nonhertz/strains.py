@@ -103,6 +103,7 @@ def _missed_contact(solution: Solution, problem: Problem, state: State) -> list[
     interval = solution.contact.interval
     region = max(interval[0], 2.0 * low - high), min(interval[1], 2.0 * high - low)
     y, overlap = overlapping(problem, state, region, solution.contact.bends)
+    overlap = np.where(_next_to_contact(state, y), 0.0, overlap)
     deepest = float(np.max(solution.interference[solution.line_load > 0.0]))
     if not np.any(overlap > MISSED * deepest):
         return []
@@ -111,6 +112,16 @@ def _missed_contact(solution: Solution, problem: Problem, state: State) -> list[
         f"The bodies overlap by {1e3 * overlap[worst]:.2g} um at y = {y[worst]:.6g} mm, where no strip has its centre: "
         "a place of contact is missed; give narrower strips there."
     ]
+
+
+def _next_to_contact(state: State, y: Array) -> Flags:
+    """Return which places lie in strips in contact or beside them: the contact of these strips ends there."""
+    bearing = np.concatenate([[False], state.m > 0.0, [False]])
+    near = bearing.copy()
+    near[1:] |= bearing[:-1]
+    near[:-1] |= bearing[1:]
+    found: Flags = near[np.searchsorted(state.edges, y)]
+    return found
 
 
 def _thin_bodies(solution: Solution) -> list[str]:

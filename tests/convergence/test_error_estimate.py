@@ -15,6 +15,9 @@ import pytest
 import nonhertz as nh
 from nonhertz.model.profile import Profile
 
+# Few strips, of which a large estimate is said.
+pytestmark = pytest.mark.filterwarnings("ignore:The .* is uncertain:nonhertz.AccuracyWarning")
+
 # error <= FACTOR * estimate, over the whole catalogue and all grids.
 FACTOR = 1.0
 GRIDS = ("auto", 21, 41, 81)

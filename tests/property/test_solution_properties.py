@@ -17,7 +17,10 @@ from nonhertz.finite import plane_strain_depth
 from nonhertz.model.profile import Profile
 
 # Faces that come to lie together may ask for more weight than has a solution; the laws hold with what is used.
-pytestmark = pytest.mark.filterwarnings("ignore:The images about:nonhertz.AccuracyWarning")
+pytestmark = pytest.mark.filterwarnings(
+    "ignore:The images about:nonhertz.AccuracyWarning",
+    "ignore:The .* is uncertain:nonhertz.AccuracyWarning",  # on few strips
+)
 lawful = settings(derandomize=True, max_examples=200, deadline=None)
 # The Newton loop meets the contact conditions to 1e-11; two solves then differ by that times the condition of
 # the system, which the profiles below keep under 1000.

@@ -9,6 +9,9 @@ import nonhertz as nh
 from nonhertz.subsurface import lamination
 from nonhertz.subsurface.lamination import CHANGE, MOST, NARROW, laminated
 
+# Few strips, of which a large estimate is said.
+pytestmark = pytest.mark.filterwarnings("ignore:The .* is uncertain:nonhertz.AccuracyWarning")
+
 RING = nh.Ring(diameter=80)
 
 
@@ -142,6 +145,7 @@ def test_an_even_pressure_is_left_alone():
     assert cut.low.size == 22
 
 
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 def test_a_single_strip_is_its_own_piece():
     cut = laminated(solved(strips=1))
     assert cut.low.tolist() == [-10.0, -10.0]

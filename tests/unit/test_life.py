@@ -109,6 +109,7 @@ def test_the_ideal_pressure_is_the_reference():
         np.testing.assert_allclose(life.density, 1.0, rtol=1e-4)
 
 
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 def test_the_reference_is_the_integral_of_the_line_contact():
     line = nh.hertz.line_contact(
         line_load=9e3 / 12, radius=1 / (2 / 15 + 2 / 60), compliance=2 * nh.MATERIALS["steel"].compliance

@@ -299,6 +299,7 @@ def test_stiffness_is_the_derivative_of_the_solution(case, element):
         np.testing.assert_allclose(solution.stiffness[:, k] / scale, change / scale, rtol=1e-6, atol=1e-6)
 
 
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 @pytest.mark.parametrize("case", CASES.values(), ids=CASES)
 def test_stiffness_does_not_depend_on_what_is_prescribed(case):
     pressed, approach, tilt = case

@@ -243,6 +243,7 @@ def test_towards_a_corner_where_the_contact_ends_nothing_is_searched_and_that_is
     )
 
 
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 def test_a_plane_grid_is_not_searched_at_such_corners_either(chamfered):
     found = extremes(nh.patch.solve(chamfered.contact, load=20e3, cells=(24, 160)))
     assert "no limit towards the corners of the profile at y = -9 and 9 mm" in found.warnings[0]
@@ -279,6 +280,7 @@ def test_a_run_out_that_ends_next_to_a_bend_stays_one():
     assert limitless_ends(nh.solve(nh.Contact(both, RING), load=3e3)) == ()
 
 
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 def test_the_largest_is_found_up_to_where_a_contact_runs_out():
     tapered = nh.Roller(diameter=20, length=20, profile=nh.profile.tapered_ends(straight=10, angle=0.004))
     solution = nh.solve(nh.Contact(tapered, RING), load=2e3, tilt=4e-4, strips=21)
