@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from dataclasses import replace
 
 import numpy as np
@@ -11,7 +12,8 @@ from nonhertz.edge import edge_pressures
 from nonhertz.errors import ConvergenceError
 from nonhertz.estimate import error_estimate
 from nonhertz.model.contact import Contact
-from nonhertz.solution import Solution, Status
+from nonhertz.singular import corner_ends
+from nonhertz.solution import EdgeKind, EdgePressure, Solution, Status
 from nonhertz.strains import refuse_thin_bodies, refuse_wide_series, singularities, strains
 from nonhertz.strip.acceptance import shortfall
 from nonhertz.strip.grid import kinks
@@ -57,12 +59,13 @@ def _shortfall(solution: Solution, problem: Problem) -> str | None:
 
 def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
     state, compliance = levels.finest, contact.compliance
-    with np.errstate(
-        all="raise" if state.converged else "ignore", under="ignore"
-    ):  # a loop that failed leaves anything
+    # A loop that failed may leave anything.
+    with contextlib.nullcontext() if state.converged else np.errstate(all="ignore"):
         edges = edge_pressures(contact, problem, state)
-        at_corner = state.converged and _peaks_at_kink(contact, state)
         line_load, stiffness = state.r * state.m / compliance, state.stiffness / compliance
+    at_corner = state.converged and _peaks_at_kink(contact, state)
+    if state.converged:
+        edges = _with_corners(contact, problem, state, edges)
     return Solution(
         contact=contact,
         element=problem.element,
@@ -83,6 +86,29 @@ def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
         error_estimate=error_estimate(problem, levels, edges, at_corner),
         warnings=(),
     )
+
+
+def _with_corners(
+    contact: Contact, problem: Problem, state: State, ends: tuple[EdgePressure, EdgePressure]
+) -> tuple[EdgePressure, EdgePressure]:
+    """Return the pressures at both ends with those told apart that do not run out but press against a corner."""
+    half_width = problem.element.hertz_ratio * np.sqrt(state.m)
+    pressure = 2.0 * state.pressure / (np.pi * problem.element.hertz_ratio * contact.compliance)
+    corners = corner_ends(contact, state.edges, pressure, half_width)
+    low, high = ends
+    bearing = np.flatnonzero(state.m > 0.0)
+    for corner in corners:
+        first, last = bearing[0], bearing[-1]
+        if low.kind is EdgeKind.RUN_OUT and corner < state.y[first] + state.width[first]:
+            low = _at_corner(low, corner, float(pressure[first]), float(state.width[first]))
+        if high.kind is EdgeKind.RUN_OUT and corner > state.y[last] - state.width[last]:
+            high = _at_corner(high, corner, float(pressure[last]), float(state.width[last]))
+    return low, high
+
+
+def _at_corner(end: EdgePressure, corner: float, pressure: float, width: float) -> EdgePressure:
+    told = "the profile turns away from the other body"
+    return replace(end, y=corner, kind=EdgeKind.CORNER, pressure=pressure, strip_width=width, convention=told)
 
 
 def _peaks_at_kink(contact: Contact, state: State) -> bool:

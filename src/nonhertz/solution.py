@@ -59,6 +59,7 @@ class EdgeKind(enum.Enum):
     RUN_OUT = "The contact ends inside the bodies, where the pressure falls to zero."
     FINITE = "The side faces freed here make up a whole mirror, and the pressure up to the end is finite."
     SINGULAR = "The contact reaches a sharp end, where the pressure grows without bound."
+    CORNER = "The contact ends at a corner of the profile, where the pressure grows without bound."
     CUT_OFF = "The strips end here while the contact goes on."
 
     @property
@@ -76,7 +77,7 @@ class EdgePressure:
     y : float
         Where the contact ends [mm].
     kind : EdgeKind
-        Whether the pressure runs out, is finite up to the end, or has no limit there.
+        Whether the pressure runs out, is finite up to the end, or has no limit there, at a sharp end or at a corner.
     pressure : float
         Pressure of the last strip [MPa], zero where the contact runs out. A limit only if ``converges``.
     strip_width : float

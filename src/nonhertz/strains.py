@@ -169,12 +169,18 @@ def singularities(solution: Solution) -> tuple[str, ...]:
                 f"singular, p ~ K / s^{edge.exponent:.3g} at small distances s{known}: the value there is that of a "
                 f"strip {edge.strip_width:.3g} mm wide, not a limit."
             )
+        elif edge.kind is EdgeKind.CORNER:
+            sentences.append(
+                f"The contact ends at a corner of the profile at y = {edge.y:.6g} mm, where the pressure has no limit: "
+                f"the value there is that of a strip {edge.strip_width:.3g} mm wide; give the corner a radius."
+            )
         elif edge.kind is EdgeKind.CUT_OFF:
             sentences.append(
                 f"The strips end at y = {edge.y:.6g} mm while the contact goes on: the pressure there is that of "
                 "bodies cut off; give strips up to the end of the contact, or leave them out."
             )
-    if solution.peaks_at_corner:
+    ends_at_corner = any(edge.kind is EdgeKind.CORNER for edge in solution.edge_pressure)
+    if solution.peaks_at_corner and not ends_at_corner:
         width = float(solution.strip_width[solution.peak_pressure.argmax()])
         sentences.append(
             f"The largest pressure is at a corner of the profile near y = {solution.max_pressure_y:.6g} mm, where it "

@@ -132,6 +132,12 @@ def test_a_maximum_at_a_corner_of_the_profile_has_no_limit() -> None:
     assert rows(cornered)["maximum pressure"][1] == "no limit, at a corner of the profile"
 
 
+def test_an_end_at_a_corner_of_the_profile_has_no_limit_either() -> None:
+    chamfered = nh.Roller(diameter=20, length=20, profile=nh.profile.chamfer(20, 1.0))
+    shown = rows(solved(chamfered, nh.Plate(), load=20e3))
+    assert shown["edge at y = 9 mm"] == ("no limit", "at a corner of the profile")
+
+
 def test_freed_faces_that_both_bodies_have_give_a_finite_pressure(coincident: Solution) -> None:
     shown = rows(coincident)
     for edge in coincident.edge_pressure:

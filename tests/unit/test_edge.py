@@ -185,3 +185,24 @@ def test_a_contact_that_is_short_at_the_end_gives_no_strength():
     assert np.any(solution.line_load[near] == 0.0)
     assert edge.kind is nh.EdgeKind.SINGULAR
     assert edge.strength is None or edge.strength > 0.0
+
+
+# Corners of the profile
+
+
+def test_a_contact_that_presses_against_a_chamfer_does_not_run_out():
+    roller = nh.Roller(diameter=20, length=20, profile=nh.profile.chamfer(20, 1.0))
+    solution = nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), load=20e3)
+    for edge, place in zip(solution.edge_pressure, (-9.0, 9.0), strict=True):
+        assert edge.kind is nh.EdgeKind.CORNER
+        assert edge.y == pytest.approx(place, abs=1e-12)
+        assert edge.pressure > 2.0 * solution.peak_pressure[solution.strips // 2]
+        assert not edge.converges
+    assert solution.error_estimate.max_pressure == np.inf
+    assert sum("ends at a corner of the profile" in sentence for sentence in solution.warnings) == 2
+
+
+def test_a_contact_that_runs_out_beside_a_corner_does():
+    roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(500) + nh.profile.chamfer(20, 1.0))
+    solution = nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), load=2e3)
+    assert {edge.kind for edge in solution.edge_pressure} == {nh.EdgeKind.RUN_OUT}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 
 from rich.console import Console
@@ -10,10 +9,12 @@ from rich.measure import Measurement
 from rich.table import Table
 
 
-def console(piped: int = 100) -> Console:
-    """Return what prints to standard output: as wide as the terminal or COLUMNS says, else so many columns."""
-    known = sys.stdout.isatty() or "COLUMNS" in os.environ
-    return Console(highlight=False, width=None if known else piped)
+def console(piped: int | None = 100) -> Console:
+    """Return what prints to standard output: as wide as the terminal, or so many columns where there is none.
+
+    None leaves those to COLUMNS, or 80.
+    """
+    return Console(highlight=False, width=None if sys.stdout.isatty() else piped)
 
 
 def print_table(printing: Console, table: Table) -> None:

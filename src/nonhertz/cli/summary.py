@@ -12,7 +12,7 @@ from nonhertz.tables.summary import summary_rows
 
 def print_summary(solution: Solution, title: str) -> None:
     """Print what a solve found, with the errors that it estimates of itself."""
-    printing = console(80)
+    printing = console(None)
     printing.print(Text(title, style="bold"))
     table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
     for row in summary_rows(solution):

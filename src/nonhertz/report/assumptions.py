@@ -153,6 +153,7 @@ _ENDS = {
         Verdict.NOT_MET,
         "The pressure has no limit there; trust it from a quarter of a half-width inwards.",
     ),
+    EdgeKind.CORNER: (Verdict.NOT_MET, "The pressure has no limit at a corner of the profile: give it a radius."),
     EdgeKind.CUT_OFF: (Verdict.NOT_MET, "The pressure there is that of bodies cut off: give more strips."),
 }
 

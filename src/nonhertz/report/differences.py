@@ -114,6 +114,8 @@ def _ends(solutions: Sequence[Solution], at: int, name: str) -> Row:
 def _end(edge: EdgePressure) -> tuple[str, str]:
     if edge.kind is EdgeKind.RUN_OUT:
         return "runs out", ""
+    if edge.kind is EdgeKind.CORNER:
+        return "no limit", "at a corner of the profile"
     if edge.kind is not EdgeKind.SINGULAR:
         return f"{digits(edge.pressure)} MPa", edge.kind.label.replace("-", " ")
     strength = "K not known" if edge.strength is None else f"K = {digits(edge.strength, 4)} MPa mm^{edge.exponent:.3g}"

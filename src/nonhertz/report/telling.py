@@ -103,7 +103,7 @@ def ends_in_words(solution: Solution) -> list[str]:
 def _end_in_words(edge: EdgePressure) -> str:
     told = f"At y = {edge.y:.5g} mm: {edge.kind.value[0].lower()}{edge.kind.value[1:]}"
     match edge.kind:
-        case EdgeKind.RUN_OUT:
+        case EdgeKind.RUN_OUT | EdgeKind.CORNER:
             return told
         case EdgeKind.SINGULAR:
             known = (

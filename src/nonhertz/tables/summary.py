@@ -96,6 +96,8 @@ def _convention(edge: EdgePressure) -> tuple[str, str]:
             return f"{digits(edge.pressure)} MPa", "finite; the true end is lower"
         case EdgeKind.SINGULAR:
             return "singular", f"{_strength(edge)}, s^-{edge.exponent:.3g}"
+        case EdgeKind.CORNER:
+            return "no limit", "at a corner of the profile"
         case EdgeKind.CUT_OFF:
             return f"{digits(edge.pressure)} MPa", "cut off by the strips"
 
