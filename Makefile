@@ -8,7 +8,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo test test-orders test-versions mutants campaign campaign-all browser verify lint docs bench docs-numbers clean
+.PHONY: demo test test-orders test-versions mutants campaign campaign-all machine-code browser verify lint docs bench docs-numbers clean
 
 demo: $(READY)
 	$(BIN)/nonhertz solve examples/cylindrical-roller-bearing.toml --out out/demo
@@ -35,9 +35,13 @@ mutants: $(READY)
 campaign: $(READY)
 	$(BIN)/python -m pytest -m campaign -s tests
 
-# About six hours of one core: 100,000 cases, each with its mirror image, its scaled twins and a batch of solve_many.
+# Many hours of one core: the campaigns whole, 100,000 contacts with mirror images, scaled twins and batches among them.
 campaign-all: $(READY)
-	NONHERTZ_CAMPAIGN_CASES=all $(BIN)/python -m pytest -m campaign -s tests/campaign/test_wide_campaigns.py
+	NONHERTZ_CAMPAIGN_CASES=all $(BIN)/python -m pytest -m campaign -s tests
+
+# Machine code on disk in some twenty situations, each of which compiles the solver: about half an hour of one core.
+machine-code: $(READY)
+	$(BIN)/python -m pytest -m machine_code -s tests
 
 # The page in a real browser: Chromium or Chrome must be installed. Screenshots go to out/screenshots.
 browser: $(READY)

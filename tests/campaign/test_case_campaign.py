@@ -10,10 +10,11 @@ from pathlib import Path
 
 import pytest
 from case_texts import FILES, read_all, sound_texts
+from extent import extent
 
 from nonhertz.io.casefile import read_case
 
-CASES, PORTION, PROCESSES = 100_000, 2_000, 2
+CASES, PORTION, PROCESSES = extent(100_000, 20_000), 2_000, 2
 SLOWEST = 2.0
 """s of computing, for any file."""
 MEMORY = 500.0

@@ -19,7 +19,7 @@ import pytest
 
 import nonhertz
 
-pytestmark = pytest.mark.campaign
+pytestmark = pytest.mark.machine_code
 
 INNER = """
 from nonhertz.compiled import compiled

@@ -12,6 +12,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 import x3pio
+from extent import extent
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
@@ -20,7 +21,7 @@ from nonhertz.io.traces import LARGEST_FILE, read_trace
 from nonhertz.io.traces.line import MOST_POINTS
 from nonhertz.measured import Trace, prepare
 
-FILES = 100_000
+FILES = extent(100_000, 12_000)
 """Over all formats together."""
 SLOWEST = 2.0
 """s of processor time, for any file of these, and for the steps after it."""

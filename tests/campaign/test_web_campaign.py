@@ -23,12 +23,13 @@ from typing import Any
 import httpx
 import pytest
 from case_texts import is_sentence
+from extent import extent
 from page_requests import PATHS, Requests
 
 from nonhertz.io.casefile import starting_case
 from nonhertz.web.form import Field, form
 
-EDITS, HOSTILE, CHANGED = 2_000, 200, 10_000
+EDITS, HOSTILE, CHANGED = 2_000, 200, extent(10_000, 2_000)
 SLOWEST = 2.0
 """s, for any answer."""
 MEMORY = 500.0

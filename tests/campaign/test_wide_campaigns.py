@@ -1,22 +1,21 @@
 """Two campaigns of 50,000 cases each, extreme ones and ones near practice, judged by code apart from the package.
 
-NONHERTZ_CAMPAIGN_CASES says how many of each to run; without it a part of them runs, each with one twin, and with
-``all`` every case with all of its twins.
+A part of them runs with one twin each, all with all of their twins: see `extent`.
 """
 
 import os
 
 import pytest
 from campaign_run import grouped, records
+from extent import extent
 
 CASES, SOME = 50_000, 2_000
 MOST_UNCONVERGED = 1e-3  # of cases near practice
 
 
 def chosen_records(campaign):
-    wish = os.environ.get("NONHERTZ_CAMPAIGN_CASES", str(SOME))
-    every = wish == "all"
-    count = CASES if every else min(int(wish), CASES)
+    count = extent(CASES, SOME)
+    every = count == CASES
     found = list(records(campaign, range(count), "all" if every else "one", os.cpu_count() or 1))
     print("\n" + grouped(found))
     return found
