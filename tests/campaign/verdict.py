@@ -207,7 +207,8 @@ def _between_strips(solution, case, surfaces, scale):
     for start, end in solution.contact_y:
         before, after = (max(MARGIN * (end - start), _width(solution, place)) for place in (start, end))
         y = y[(y < start - before) | (y > end + after)]
-    if any("a place of contact is missed" in said for said in solution.warnings):
+    # A rough profile that is too much for the grid is said to be.
+    if any("a place of contact is missed" in said or "is uncertain" in said for said in solution.warnings):
         return []
     d = solution.approach + solution.tilt * y - separation(case, y)
     y, d = y[d > BETWEEN_STRIPS * scale], d[d > BETWEEN_STRIPS * scale]
