@@ -5,9 +5,12 @@ A part of them runs with one twin each, all with all of their twins: see `extent
 
 import os
 
+import plain_case
 import pytest
-from campaign_run import grouped, records
+from campaign_run import generator, grouped, records
 from extent import extent
+
+import nonhertz as nh
 
 CASES, SOME = 50_000, 2_000
 MOST_UNCONVERGED = 1e-3  # of cases near practice
@@ -33,3 +36,12 @@ def test_every_case_ends_in_a_right_answer_or_a_sentence(campaign):
     else:
         assert solved >= 0.97 * len(found)
         assert sum(record.kind == "unconverged" for record in found) <= MOST_UNCONVERGED * len(found)
+
+
+@pytest.mark.campaign
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
+def test_an_automatic_grid_goes_on_as_far_as_the_contact():
+    # A rough line lightly touched: the last grid learnt of a piece of contact that it ended in.
+    contact, arguments = plain_case.arguments(generator("practice_cases")(9466))
+    solution = nh.solve(contact, **arguments)
+    assert nh.EdgeKind.CUT_OFF not in {edge.kind for edge in solution.edge_pressure}

@@ -41,6 +41,7 @@ LEAST_STRIP = 0.4  # of the wanted width, for a strip between two corners
 NARROWEST_EVER, ROUNDINGS = 1e-9, 1e4
 MOST_BENDS = 12
 STRIPS_PER_OVERLAP = 5.0
+EXTENSION = 0.3  # of the contact's length, beyond strips that end before it does
 LEAST_KINK = 1e-7  # rad
 NEAREST = 3  # strips, to say how wide the contact is somewhere
 
@@ -89,6 +90,12 @@ def reaches(state: State, side: int) -> bool:
     return bool(state.m[at] - 0.5 * fall * state.width[at] > 0.0)
 
 
+def cut_off(state: State, interval: tuple[float, float]) -> tuple[bool, bool]:
+    """Return whether strips end at low and at high y while both contact and bodies go on."""
+    low, high = float(state.edges[0]), float(state.edges[-1])
+    return reaches(state, -1) and low > interval[0], reaches(state, 1) and high < interval[1]
+
+
 def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tuple[float, float]) -> Sizes:
     """Return the size function that a coarse solution asks for.
 
@@ -106,11 +113,12 @@ def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tu
     contact = np.array(state.contact)
     length = float(contact[-1, 1] - contact[0, 0])
     low, high = float(state.edges[0]), float(state.edges[-1])
+    cut = cut_off(state, interval)
     places, widths = [], []
     for touched in state.contact:
         for end, side in zip(touched, (-1, 1), strict=True):
             floor = NARROWEST * _near(state.y, state.m, end)
-            sharp = end in {low, high} and reaches(state, side)
+            sharp = end in {low, high} and reaches(state, side) and not any(cut)
             places.append(end)
             widths.append(floor if sharp else max(floor, END_SHARE * _fall(state.y, state.m, *touched, side)))
     depth = float(np.max(state.rigid[0] + state.rigid[1] * state.y - problem.separation(state.y)))
@@ -118,6 +126,10 @@ def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tu
     for place, turn in corners:
         places.append(place)
         widths.append(max(KINK_SHARE * depth / turn, NARROWEST * _near(state.y, state.m, place)))
+    if cut[0]:
+        low = max(low - EXTENSION * length, interval[0])
+    if cut[1]:
+        high = min(high + EXTENSION * length, interval[1])
     for place, width in overlaps(problem, state, interval, bends):
         places.append(place)
         widths.append(width)

@@ -25,7 +25,7 @@ from nonhertz.strip.feasible import (
     refuse_infeasible,
     refuse_no_contact,
 )
-from nonhertz.strip.grid import Grading, graded, overlaps, sizes, uniform
+from nonhertz.strip.grid import Grading, cut_off, graded, overlaps, sizes, uniform
 from nonhertz.strip.newton import ROUGH_TOLERANCE, TOLERANCE
 from nonhertz.strip.state import Problem, State, settle, sprung
 
@@ -104,7 +104,9 @@ def on_automatic_strips(problem: Problem, interval: Interval, bends: tuple[float
     states = [_located(problem, interval, finite)]
     for lesson, shares in enumerate(LESSONS + REPEATS):
         complete = lesson >= len(LESSONS)
-        if not states[0].converged or (complete and not overlaps(problem, states[0], finite, bends)):
+        if not states[0].converged:
+            break
+        if complete and not any(cut_off(states[0], interval)) and not overlaps(problem, states[0], finite, bends):
             break
         wanted = sizes(problem, states[0], bends, finite)
         grading = graded(wanted, STRIP_LIMIT if len(wanted.contact) == 1 else 2 * STRIP_LIMIT)
