@@ -55,6 +55,26 @@ def springs(
     target: Array,
 ) -> tuple[Array, Array, Array]:
     """Return r, m and the rigid motion of independent springs; arguments as in `nonhertz.strip.newton`."""
+    if not (prescribed[1] and target[1] < 0.0):
+        return _springs(y, width, curvature, separation, line_factor, prescribed, target)
+    # Mirrored, so that two cases which are each other's image begin alike to the last bit.
+    r, m, rigid = _springs(
+        -y[::-1].copy(), width[::-1].copy(), curvature[::-1].copy(), separation[::-1].copy(), line_factor, prescribed,
+        target * np.array([1.0, -1.0]),
+    )  # fmt: skip
+    return r[::-1].copy(), m[::-1].copy(), rigid * np.array([1.0, -1.0])
+
+
+@compiled
+def _springs(
+    y: Array,
+    width: Array,
+    curvature: Array,
+    separation: Array,
+    line_factor: float,
+    prescribed: Flags,
+    target: Array,
+) -> tuple[Array, Array, Array]:
     half = 0.5 * float(np.sum(width))
     usable = np.flatnonzero(np.isfinite(separation))
     beds = y[usable], width[usable], separation[usable]
