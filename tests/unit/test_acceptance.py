@@ -74,7 +74,7 @@ def test_a_solution_passes(given):
         (BY_MOTION, {"r": at("r", bearing, np.nan)}, "not finite"),
         (BY_MOTION, {"gap": at("gap", bearing, np.nan)}, "not finite"),
         (BY_MOTION, {"stiffness": lambda state: state.stiffness * np.nan}, "The stiffness"),
-        (BY_MOTION, {"r": at("r", bearing, lambda r: -r)}, "pulls"),
+        (BY_MOTION, {"r": at("r", bearing, lambda r: -r)}, "has tension at y ="),
         (BY_MOTION, {"r": at("r", bearing, lambda r: 1.0001 * r)}, "leaves a gap"),
         (PARTLY, {"gap": at("gap", idle, 0.0)}, "leaves a gap"),
         (PARTLY, {"rigid": lambda state: np.add(state.rigid, [1e-4, 0.0])}, "leaves a gap"),

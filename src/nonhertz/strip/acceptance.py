@@ -63,7 +63,7 @@ def shortfall(
     place = f"at y = {y[at]:.6g} mm"
     return {
         NOT_FINITE: f"The state reached is not finite {place}.",
-        TENSION: f"The state reached pulls {place}, with {found / compliance:.3g} N/mm.",
+        TENSION: f"The state reached has tension {place}, {found / compliance:.3g} N/mm.",
         UNCLOSED: f"The state reached leaves a gap of {1e3 * found:.3g} um {place}, where it bears load.",
         OVERLAP: f"The bodies of the state reached overlap by {1e3 * found:.3g} um {place}.",
         BENT: f"The surfaces of the state reached do not fit across the contact {place}, by {found:.2g} of the "
