@@ -3,13 +3,14 @@
 import contextlib
 import random
 import re
-import resource
 import time
 import warnings
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
+
+from peak import peak_memory
 
 from nonhertz.errors import CaseError
 from nonhertz.io.bounds import MISTAKES
@@ -262,7 +263,7 @@ def read_all(numbers: range, folder: str) -> Outcome:
             outcome.amiss += (f"{number}: {each[:300]!r}" for each in found if not is_sentence(each))
             if len(found) > MISTAKES + 1:
                 outcome.amiss.append(f"{number}: {len(found)} mistakes")
-    outcome.memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    outcome.memory = peak_memory()
     return outcome
 
 

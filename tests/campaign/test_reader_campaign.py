@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import io
 import multiprocessing
-import resource
 import time
 import zipfile
 from collections.abc import Callable, Iterator
@@ -17,6 +16,7 @@ import x3pio
 from extent import extent
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
+from peak import peak_memory
 
 from nonhertz.errors import InputError
 from nonhertz.io.traces import LARGEST_FILE, read_trace
@@ -158,11 +158,6 @@ def outcome(data: bytes, **options: object) -> str:
     return said
 
 
-def memory() -> float:
-    """Return the most memory that the process has had [MB]."""
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
-
-
 @pytest.mark.campaign
 @pytest.mark.parametrize("name", SEEDS)
 def test_a_damaged_file_is_a_trace_or_one_sentence(name: str):
@@ -185,9 +180,9 @@ def test_a_damaged_file_is_a_trace_or_one_sentence(name: str):
         assert "\n" not in said
         assert len(said) < 500
 
-    before = memory()
+    before = peak_memory()
     check()
-    assert memory() - before < GROWTH
+    assert peak_memory() - before < GROWTH
 
 
 def packed(description: bytes) -> bytes:
@@ -238,8 +233,10 @@ def read_large(name: str) -> tuple[str, float]:
         said = "read"
     except InputError as error:
         said = str(error)
-    print(f"{name}: {len(data) / 1e6:.2f} MB, {time.process_time() - began:.1f} s, {memory():.0f} MB: {said[:100]}")
-    return said, memory()
+    print(
+        f"{name}: {len(data) / 1e6:.2f} MB, {time.process_time() - began:.1f} s, {peak_memory():.0f} MB: {said[:100]}"
+    )
+    return said, peak_memory()
 
 
 @pytest.fixture(scope="module")
