@@ -162,7 +162,7 @@ def solve(
         condition = "put the centre of a cell into the contact"
         raise InputError("cells", cells, condition, "give more cells, or leave the region out")
     if broken:
-        raise ConvergenceError(_withheld(broken), replace(solution, status=Status.STAGNATED))
+        raise ConvergenceError(_withheld(broken), replace(solution, status=Status.REFUTED))
     unseen, largest = between(solution, surface), outcome.largest_displacement(problem.undeformed(outcome.grid))
     estimate = error_estimate(solution, problem, outcome, levels, unseen, largest)
     solution = replace(solution, error_estimate=estimate)
