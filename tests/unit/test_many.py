@@ -89,6 +89,7 @@ def test_automatic_grids_are_the_same_to_the_bit():
         assert many[number].warnings == one.warnings
 
 
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 def test_given_edges_and_unbounded_bodies_work():
     edges = alone(CROWNED, load=9e3).edges
     on_edges = nh.solve_many(CROWNED, load=[9e3, 9.5e3], strips=edges)

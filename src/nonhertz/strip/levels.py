@@ -215,7 +215,7 @@ def bounded(problem: Problem, interval: Interval) -> Interval:
     scale = 1.0 / float(np.max(problem.curvature(np.zeros(1))))
     edge = np.concatenate([[0.0], scale * np.geomspace(1e-9, 1e4, 130)])
     edges = np.unique(np.clip(np.concatenate([-edge[::-1], edge]), low, high))
-    if not np.all(np.isfinite(problem.separation(edges))):
+    if np.all(problem.prescribed) and not np.all(np.isfinite(problem.separation(edges))):
         low, high = _finite_part(problem, edges)
         edges = np.unique(np.clip(edges, low, high))
         refuse_arm_outside(problem, (low, high))
@@ -223,7 +223,7 @@ def bounded(problem: Problem, interval: Interval) -> Interval:
     if touching.size == 0 and not problem.prescribed[0]:
         refuse_no_contact(problem, edges, chosen=False)
     if touching.size == 0:
-        return float(edges[0]), float(edges[-1])
+        return _finite_part(problem, edges)
     first, last = touching[0], touching[-1] + 1
     if (first == 0 and not math.isfinite(low)) or (last == edges.size - 1 and not math.isfinite(high)):
         remedy = "give one of the bodies a length, or a profile that falls away"
