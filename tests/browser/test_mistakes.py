@@ -58,6 +58,7 @@ def test_the_list_on_top_leads_to_the_fields(desk: Desk) -> None:
     desk.write("load.load", "20 furlong")
     assert desk.page.locator("#mistakes-title").inner_text() == "2 mistakes"
     assert len(desk.mistakes) == 2
+    desk.page.wait_for_function("() => location.hash !== ''")  # written a moment after the last key
     fragment = desk.page.evaluate("() => location.hash")
     desk.page.locator("#mistakes-list a").first.click()
     assert desk.page.evaluate("() => document.activeElement.name") == "body.a.diameter"
