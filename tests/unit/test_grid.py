@@ -1,6 +1,7 @@
 """Where the strips lie: equal ones, the user's own, and the automatic grid."""
 
-from dataclasses import dataclass
+import warnings
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -290,3 +291,35 @@ def test_a_bump_narrower_than_any_sample_is_found():
     contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=profile.crown(500) + ridge), nh.Plate())
     solution = nh.solve(contact, approach=0.002)
     assert any(low < place < high for low, high in solution.contact_y)
+
+
+def test_a_corner_that_an_end_presses_on_is_found_however_short_the_contact():
+    # A speck of contact beside a chamfer: the kink bends the profile at one sample, and strips as narrow as that asked
+    # for as far as the next sample were more than any grid has.
+    ring = nh.Ring(diameter=-0.3, depth=0.5)
+    roller = nh.Roller(diameter=0.06, length=0.2877, side_faces="mirror", depth="none", position=-0.02)
+    roller = replace(roller, profile=profile.chamfer(length=0.2877, width=1.2e-5).shifted(0.1034))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        solution = nh.solve(nh.Contact(ring, roller), approach=8.65e-19, moment=-3e-17)
+    corner = -0.02 + 0.1034 - 0.5 * 0.2877 + 1.2e-5
+    assert solution.contact_y[0][0] == pytest.approx(corner, abs=1e-3)
+    assert solution.contact_y[0][1] > 0.0
+
+
+def test_a_strip_beside_the_contact_hides_no_other_contact():
+    # The strips beside the fine ones have their centres out of contact, and nearly all of the contact within.
+    roller = nh.Roller(diameter=20, length=20, profile=profile.crown(4000))
+    edges = np.concatenate([[-10.0], np.linspace(-0.5, 0.5, 21), [10.0]])
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        solution = nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), approach=2e-3, strips=edges)
+    assert any("a place of contact is missed" in said for said in solution.warnings)
+
+
+def test_the_approach_at_which_unbounded_bodies_touch_counts_every_bump_in_sight():
+    bump = profile.tabulated([-1e5, -8140.0, -8100.0, -8060.0, 1e5], [0, 0, -1e-3, 0, 0], interpolation="linear")
+    contact = nh.Contact(nh.Ring(diameter=1200, profile=bump), nh.Plate())
+    with pytest.raises(nh.InputError, match=r"must exceed -0\.000999") as refused:
+        nh.solve(contact, approach=-1.1e-3, strips=3)
+    assert refused.value.field == "approach"

@@ -13,7 +13,7 @@ from nonhertz.strip.state import Problem, sprung
 
 Array = NDArray[np.float64]
 
-CLOSER_LOOKS = 4
+LOOKS, CLOSER_LOOKS = 20000, 4
 FINE_STRIPS = 2000  # of springs, to find a contact that a grid's strip centres miss
 
 
@@ -78,7 +78,9 @@ def refuse_no_contact(problem: Problem, edges: Array, *, chosen: bool = True) ->
         raise InputError("strips", edges.size - 1, "put the centre of a strip into the contact", remedy)
     tilt = 0.0 if problem.prescribed[1] else problem.target[1]
     # The strips themselves are the finer ones where they narrow towards a place.
-    needed, given = _first_touch(problem, tilt, np.unique(np.concatenate([fine.y, edges]))), float(problem.target[0])
+    within = np.interp(np.linspace(0.0, edges.size - 1.0, LOOKS), np.arange(edges.size), edges)
+    needed = _first_touch(problem, tilt, np.unique(np.concatenate([fine.y, edges, within])))
+    given = float(problem.target[0])
     if given > needed:
         raise InputError("approach", given, "lead to a contact that strips can resolve", "raise it")
     condition = f"exceed {needed:.6g} mm, where the bodies begin to touch"

@@ -116,9 +116,9 @@ def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tu
     cut = cut_off(state, interval)
     places, widths = [], []
     for touched in state.contact:
-        for end, side in zip(touched, (-1, 1), strict=True):
+        for end, last, side, cut_here in zip(touched, (low, high), (-1, 1), cut, strict=True):
             floor = NARROWEST * _near(state.y, state.m, end)
-            sharp = end in {low, high} and reaches(state, side) and not any(cut)
+            sharp = end == last and reaches(state, side) and not cut_here
             places.append(end)
             widths.append(floor if sharp else max(floor, END_SHARE * _fall(state.y, state.m, *touched, side)))
     depth = float(np.max(state.rigid[0] + state.rigid[1] * state.y - problem.separation(state.y)))
@@ -204,9 +204,12 @@ def overlaps(
     if not np.any(overlap):
         return []
     step = (interval[1] - interval[0]) / SAMPLES
-    return [
-        (float(0.5 * (y[i] + y[j])), max(float(y[j] - y[i]), step) / STRIPS_PER_OVERLAP) for i, j in runs(overlap > 0.0)
-    ]
+    found = []
+    for i, j in runs(overlap > 0.0):
+        # No wider than its neighbours without overlap allow: bends may be much nearer to each other than samples.
+        within = 0.5 * (y[min(j + 1, y.size - 1)] - y[max(i - 1, 0)])
+        found.append((float(0.5 * (y[i] + y[j])), max(float(y[j] - y[i]), min(step, within)) / STRIPS_PER_OVERLAP))
+    return found
 
 
 def kinks(separation: Callable[[Array], Array], bends: tuple[float, ...], state: State) -> list[tuple[float, float]]:
@@ -375,6 +378,8 @@ def _walk(
     while used < room:
         here = y[used - 1]
         step = _size(here, places, widths, sample_y, sample_width, contact, largest, largest_outside, growth)
+        if used > room // 2:  # more strips than any grid has: the rest in even steps
+            step = max(step, steps_per_strip * abs(stop - here) / (room - used))
         there = here + outward * step / steps_per_strip
         last = outward * (there - stop) >= 0.0 or used == room - 1
         if last:
@@ -411,9 +416,10 @@ def _size(
     for k in range(places.size):
         width = min(width, widths[k] + rate * abs(y - places[k]))
     if inside:
-        # The narrower of both samples around y, so that a symmetric profile has a symmetric grid.
+        # The narrower of both samples around y, so that a symmetric profile has a symmetric grid; but a kink bends at
+        # one sample, however far it is to the next.
         place = (y - sample_y[0]) / (sample_y[1] - sample_y[0])
-        before = min(max(math.floor(place), 0), sample_y.size - 1)
-        after = min(max(math.ceil(place), 0), sample_y.size - 1)
-        width = min(width, sample_width[before], sample_width[after])
+        for beside in (math.floor(place), math.ceil(place)):
+            sample = min(max(beside, 0), sample_y.size - 1)
+            width = min(width, max(sample_width[sample], GROWTH * abs(y - sample_y[sample])))
     return width
