@@ -24,7 +24,7 @@ from nonhertz.model.prescription import Prescription, refuse_unpaired
 from nonhertz.outcome import outcome
 from nonhertz.solution import Solution
 from nonhertz.solver import levels_of, problem_of, refuse_no_element, wanted_strips
-from nonhertz.strains import suspected
+from nonhertz.strains import suspected, wider_than_round
 from nonhertz.strip.batch import States, settle_all
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 from nonhertz.strip.levels import Levels, equal_grids, given_grids
@@ -282,7 +282,7 @@ class _Task:
         # What the bodies refuse or raise, each case is told in its turn.
         except Exception:  # noqa: BLE001
             return [self._alone(row) for row in range(len(self.numbers))]
-        done = np.flatnonzero(states[0].converged & ~self._too_thin(states[0]))
+        done = np.flatnonzero(states[0].converged & ~self._too_wide(states[0]))
         blocks = [self._alone(row) for row in range(len(self.numbers)) if row not in done]
         if done.size:
             numbers, kept = [self.numbers[row] for row in done], tuple(level.only(done) for level in states)
@@ -297,11 +297,13 @@ class _Task:
             return equal_grids(self.problem, self.contact.interval, count)
         return given_grids(edges) if edges is not None else None
 
-    def _too_thin(self, states: States) -> NDArray[np.bool_]:
+    def _too_wide(self, states: States) -> NDArray[np.bool_]:
+        """Return which contacts are wider than their bodies are thick or round, which each is told in its turn."""
         y = 0.5 * (states.edges[1:] + states.edges[:-1])
         half_width = self.problem.element.hertz_ratio * np.sqrt(states.m)
-        thin: NDArray[np.bool_] = np.any(self.problem.influence.shallowest(y) < half_width, axis=1)
-        return thin
+        beyond = wider_than_round(self.contact, y, half_width) | (self.problem.influence.shallowest(y) < half_width)
+        wide: NDArray[np.bool_] = np.any(beyond, axis=1)
+        return wide
 
     def _alone(self, row: int) -> _Block:
         """Return one case, solved as `nonhertz.solve` does."""

@@ -14,7 +14,13 @@ from nonhertz.estimate import error_estimate
 from nonhertz.model.contact import Contact
 from nonhertz.singular import corner_ends
 from nonhertz.solution import EdgeKind, EdgePressure, Solution, Status
-from nonhertz.strains import refuse_thin_bodies, refuse_wide_series, singularities, strains
+from nonhertz.strains import (
+    refuse_thin_bodies,
+    refuse_wide_series,
+    refuse_wider_than_round,
+    singularities,
+    strains,
+)
 from nonhertz.strip.acceptance import shortfall
 from nonhertz.strip.grid import kinks
 from nonhertz.strip.levels import Levels
@@ -33,13 +39,14 @@ def outcome(contact: Contact, problem: Problem, levels: Levels) -> tuple[Solutio
     Raises
     ------
     InputError
-        If a body is thinner than its contact is wide.
+        If a body is thinner than its contact is wide, or the contact wider than a body is round.
     ConvergenceError
         If the Newton loop failed, or if what it calls a solution does not meet what was prescribed.
     """
     solution = _solution(contact, problem, levels)
     refuse_thin_bodies(solution, problem)
     refuse_wide_series(solution)
+    refuse_wider_than_round(solution, problem)
     if solution.status is not Status.CONVERGED:
         raise ConvergenceError(f"{solution.status.value} {_WAY_OUT}", solution)
     unmet = _shortfall(solution, problem)

@@ -16,7 +16,7 @@ from nonhertz.model.finite import SERIES
 from nonhertz.solution import EdgeKind, Solution, Status
 from nonhertz.strip.batch import States
 from nonhertz.strip.resolution import overlapping
-from nonhertz.strip.state import SCARCELY, Problem, State, sprung
+from nonhertz.strip.state import SCARCELY, Problem, State, runs, sprung
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -115,12 +115,11 @@ def _missed_contact(solution: Solution, problem: Problem, state: State) -> list[
 
 
 def _next_to_contact(state: State, y: Array) -> Flags:
-    """Return which places lie in strips in contact or beside them: the contact of these strips ends there."""
-    bearing = np.concatenate([[False], state.m > 0.0, [False]])
-    near = bearing.copy()
-    near[1:] |= bearing[:-1]
-    near[:-1] |= bearing[1:]
-    found: Flags = near[np.searchsorted(state.edges, y)]
+    """Return which places lie in strips in contact, or beside them within their width: the contact ends there."""
+    found: Flags = np.zeros(y.shape, dtype=bool)
+    for first, last in runs(state.m > 0.0):
+        low, high = state.edges[first] - state.width[first], state.edges[last + 1] + state.width[last]
+        found |= (y >= low) & (y <= high)
     return found
 
 
@@ -198,12 +197,36 @@ def refuse_thin_bodies(solution: Solution, problem: Problem) -> None:
         half_width = solution.element.hertz_ratio * np.sqrt(sprung(problem, solution.edges).m)
     least = 1.0 if converged else SCARCELY
     widest = float(np.max(half_width))
+    if not np.isfinite(widest):
+        return
     for name, body, ratio in _depths(solution, half_width):
         if ratio < least:
             shown = ratio * widest if isinstance(body.depth, str) else body.depth
             condition = f"be large against the half-width of the contact, about {widest:.2g} mm"
             remedy = "give the thickness of the body, or 'none'"
             raise InputError("depth", shown, condition, remedy).within(f"body.{name}")
+
+
+def wider_than_round(contact: Contact, y: Array, half_width: Array) -> Flags:
+    """Return where a contact is wider than the body that is curved more sharply: no body has so much surface."""
+    beyond: Flags = half_width * _sharper_curvature(contact, y) > 1.0
+    return beyond
+
+
+def refuse_wider_than_round(solution: Solution, problem: Problem) -> None:
+    """Refuse a contact that is wider than one of its bodies."""
+    wide = np.flatnonzero(wider_than_round(solution.contact, solution.y, solution.half_width))
+    if solution.status is not Status.CONVERGED or not wide.size:
+        return
+    worst = wide[np.argmax(solution.half_width[wide])]
+    radius = 1.0 / float(_sharper_curvature(solution.contact, solution.y[worst : worst + 1])[0])
+    by_load = bool(problem.prescribed[0])
+    name, per = ("load", problem.compliance) if by_load else ("approach", 1.0)
+    condition = (
+        f"leave the half-width, {solution.half_width[worst]:.3g} mm at y = {solution.y[worst]:.6g} mm, below the "
+        f"radius of {radius:.3g} mm of the more sharply curved body"
+    )
+    raise InputError(name, float(problem.target[0]) / per, condition, "reduce it, or check diameters, tilt and units")
 
 
 def refuse_wide_series(solution: Solution) -> None:

@@ -27,7 +27,7 @@ import nonhertz as nh
 SLOWEST, FEW_STRIPS = 5.0, 400  # seconds of processor, up to so many strips
 WARMING_UP = -1
 NEARER = 1e-3  # of the interference
-HANGS = 300.0  # seconds for one case with its twins
+HANGS = 900.0  # seconds for one case with its twins
 ALL_TWINS = ("mirrored", "twice as large", "ten times as large", "ten times as stiff", "many", "nearer")
 
 

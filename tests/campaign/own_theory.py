@@ -172,10 +172,12 @@ def _two_radius(y, radius, end_radius, middle):
 
 def _logarithm(y, amplitude, length, rest, straight):
     s = np.maximum(np.abs(y) - 0.5 * straight, 0.0) * (2.0 / length)
-    # 1 - (1 - rest) s^2 in two parts, neither of which cancels near the end.
+    # 1 - (1 - rest) s^2 in two parts, neither of which cancels near the end; near the middle it is 1 but for the last
+    # digits, and its logarithm no better than they are.
     argument = (1.0 - s) * (1.0 + s) + rest * s * s
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.where(argument > 0.0, -amplitude * np.log(argument), np.inf)
+        near = np.log1p(s * s * np.where(s < 0.5, rest - 1.0, 0.0))
+        return np.where(argument > 0.0, -amplitude * np.where(s < 0.5, near, np.log(argument)), np.inf)
 
 
 def _logarithmic(y, amplitude, length, fraction=1.0, straight=0.0):

@@ -326,13 +326,16 @@ def stiffness_faults(before, after):
 
     Strips that enter or leave change the slope: the rise of load and moment must lie between the slopes of both.
     """
+    if any("wider than long" in said for said in before.warnings):  # and errors to be expected
+        return []
     by, load = after.approach - before.approach, abs(after.load - before.load)
     reach = max(abs(before.contact_y[0][0]), abs(before.contact_y[-1][1]))
+    rounding = 8.0 * EPS * (abs(before.approach) + abs(before.tilt) * reach) / by
     faults = []
     for row, name, scale in ((0, "load", load), (1, "moment", load * reach)):
         rise = getattr(after, name) - getattr(before, name)
         slopes = sorted(answer.stiffness[row, 0] * by for answer in (before, after))
-        spare = STIFFNESS * scale + 1e-9 * before.load * (reach if row else 1.0)
+        spare = STIFFNESS * scale + 1e-9 * before.load * (reach if row else 1.0) + rounding * abs(slopes[1])
         if not slopes[0] - spare <= rise <= slopes[1] + spare:
             faults.append((f"stiffness: d {name} / d approach", f"rise {rise:.6g}, stiffness {slopes}"))
     return faults

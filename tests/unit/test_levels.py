@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.strip import levels as strip_levels
 from nonhertz.strip.levels import Levels
+from nonhertz.strip.state import sprung
 
 
 def levels(*values, converged=None):
@@ -48,3 +50,18 @@ def test_a_grid_can_be_given_to_another_solve():
     second = nh.solve(contact, load=5e3, strips=first.edges)
     assert np.array_equal(second.edges, first.edges)
     np.testing.assert_allclose(second.approach, first.approach, rtol=1e-11, atol=0.0)
+
+
+def test_very_many_strips_are_not_tried_for_hours_where_fewer_have_no_solution(monkeypatch):
+    tried = []
+
+    def failing(problem, edges, near=None, *, patient=True, tolerance=None):
+        tried.append((edges.size - 1, patient))
+        return sprung(problem, edges)
+
+    monkeypatch.setattr(strip_levels, "settle", failing)
+    contact = nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate())
+    for strips, patient in ((400, False), (399, True)):
+        with pytest.raises(nh.ConvergenceError):
+            nh.solve(contact, load=1e3, strips=strips)
+        assert tried[-1] == (strips, patient)

@@ -4,13 +4,17 @@ import math
 import re
 import warnings
 from dataclasses import dataclass
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz import strains
 from nonhertz.model.prescription import loads_between
 from nonhertz.model.profile import Profile
+from nonhertz.strip.newton import STAGNATED
+from nonhertz.strip.state import State, Strips
 
 
 @dataclass(frozen=True)
@@ -300,3 +304,32 @@ def test_a_series_of_images_is_refused_under_a_contact_much_wider_than_the_body(
         nh.InputError, match=r"body.a.images = 'series' must only be asked where the half-width, 22\.2 mm here"
     ):
         nh.solve(wide, approach=10.0, strips=2)
+
+
+def test_a_contact_wider_than_a_body_is_round_is_refused_alone_and_among_many():
+    # A load in the wrong unit: as wide as that no roller is.
+    roller = nh.Roller(diameter=2, length=20, side_faces="none", depth="none")
+    contact = nh.Contact(roller, nh.Plate(depth="none"))
+    with pytest.raises(nh.InputError, match=r"must leave the half-width, .* below the radius of 1 mm") as refused:
+        nh.solve(contact, load=8e6, strips=41)
+    assert (refused.value.field, refused.value.value) == ("load", 8e6)
+    many = nh.solve_many(contact, load=[1e3, 8e6], strips=41)
+    assert str(many.failures[1]) == str(refused.value)
+    assert many.converged.tolist() == [True, False]
+
+
+def test_a_loop_that_failed_beyond_all_numbers_speaks_of_no_nan(monkeypatch):
+    # Springs under a moment of 1e-243 N mm have half-widths beyond all numbers.
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, depth="plane-strain"), nh.Plate(depth="none"))
+    beyond = SimpleNamespace(m=np.full(5, np.inf))
+    monkeypatch.setattr(strains, "sprung", lambda *_: beyond)
+    monkeypatch.setattr(Strips, "loop", lambda strips, *_, **__: failed(strips))
+    with pytest.raises(nh.ConvergenceError) as error:
+        nh.solve(contact, load=1e3, strips=5)
+    assert "nan" not in str(error.value)
+
+
+def failed(strips):
+    """What a loop leaves that came nowhere."""
+    nothing = np.zeros_like(strips.y)
+    return State(strips.edges, nothing, nothing, np.zeros(2), nothing, np.zeros((2, 2)), STAGNATED, 0, np.inf)

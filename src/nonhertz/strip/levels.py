@@ -35,6 +35,7 @@ Interval = tuple[float, float]
 STRIP_LIMIT = 87  # of an automatic grid on one interval of contact
 COARSE_STRIPS = 24
 COARSEST_LEVEL = 5
+PATIENT_STRIPS = 400
 MORE_STRIPS = (1, 5, 25)  # times as many to begin with, should fewer miss the contact
 FEWER_STRIPS = (1.0, 0.94, 0.88, 0.82, 0.76)  # tried in turn where a grid has no solution
 # Shares of the strips: a rough grid from which the final one is learnt, half of that and all; and these again, should
@@ -125,7 +126,9 @@ def _raised(problem: Problem, grids: list[Array]) -> Levels:
             state = settle(problem, edges, states[0] if states else None, patient=False, tolerance=ROUGH_TOLERANCE)
             if state.converged:
                 states.insert(0, state)
-    return Levels((settle(problem, grids[0], states[0] if states else None), *states))
+    # What no coarser grid has a solution of, hours of patience on very many strips would not find either.
+    patient = bool(states) or grids[0].size <= PATIENT_STRIPS
+    return Levels((settle(problem, grids[0], states[0] if states else None, patient=patient), *states))
 
 
 def _settled(problem: Problem, grading: Grading, near: State, share: float) -> State:
