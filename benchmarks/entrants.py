@@ -60,7 +60,7 @@ def strips(race: Race, grid: int | str, element: str) -> Solve:
     def solve(_: float) -> Answer:
         solution = nh.solve(race.contact, load=race.load, tilt=race.tilt, element=chosen, strips=grid)
         # Pressures are computed when they are asked for: here, where the clock sees it.
-        return Answer(solution.approach, solution.max_pressure, solution.peak_pressure, (solution.y,))
+        return Answer(solution.approach, solution.max_pressure, solution.centre_pressure, (solution.y,))
 
     return solve
 

@@ -219,7 +219,7 @@ def free_ends() -> Figure:
             warnings.simplefilter("ignore", nh.AccuracyWarning)
             solution = nh.solve(contact, load=LINE_LOAD * LENGTH)
         middle = solution.strips // 2
-        ratio = solution.peak_pressure / solution.peak_pressure[middle]
+        ratio = solution.centre_pressure / solution.centre_pressure[middle]
         distance = (0.5 * LENGTH - solution.y) / solution.half_width[middle]
         shown = distance > 0.03  # the last strips say nothing
         along.plot(solution.y[shown], ratio[shown], color=colour, linestyle=dashes, label=name)

@@ -134,7 +134,7 @@ def _hertz_table() -> Iterator[str]:
                 errors[element.name].append(error)
             cells += [
                 _ppm(error),
-                _ppm(_at(solution, 0.0, solution.peak_pressure) / exact.max_pressure - 1.0),
+                _ppm(_at(solution, 0.0, solution.centre_pressure) / exact.max_pressure - 1.0),
                 _ppm(_at(solution, 0.0, solution.half_width) / exact.half_width - 1.0),
             ]
         yield _row(f"automatic, {solution.strips}" if strips is None else strips, *cells)
@@ -168,7 +168,7 @@ def _sharp_tables() -> Iterator[str]:
                 solution.strips,
                 _ppm(solution.approach / case.approach - 1.0),
                 *(_pressure_error(solution, *place) for place in case.pressures.items()),
-                f"{solution.peak_pressure[-1] * np.sqrt(last):.0f}",
+                f"{solution.centre_pressure[-1] * np.sqrt(last):.0f}",
             )
     yield ""
 
@@ -177,7 +177,7 @@ def _pressure_error(solution: nh.Solution, distance: float, pressure: float) -> 
     """Return the error of the pressure at a distance from the end, if that is not within the last strip."""
     if distance < solution.strip_width[-1]:
         return "in the last strip"
-    return _ppm(_at(solution, 10.0 - distance, solution.peak_pressure) / pressure - 1.0)
+    return _ppm(_at(solution, 10.0 - distance, solution.centre_pressure) / pressure - 1.0)
 
 
 def _honesty_table() -> Iterator[str]:

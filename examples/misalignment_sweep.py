@@ -27,7 +27,7 @@ def sweep(profile: nh.profile.Profile) -> np.ndarray:
     """Return the pressures [MPa] in the middle and 0.5 mm from the loaded end at every tilt."""
     contact = nh.Contact(replace(ROLLER, profile=profile), nh.Plate())
     solutions = [nh.solve(contact, load=20e3, tilt=tilt) for tilt in TILTS]
-    return np.array([np.interp([0.0, 9.5], s.y, s.peak_pressure) for s in solutions])
+    return np.array([np.interp([0.0, 9.5], s.y, s.centre_pressure) for s in solutions])
 
 
 def main() -> dict[str, np.ndarray]:

@@ -58,7 +58,7 @@ def along(solutions, title):
         for name, solution in solutions.items():
             colour, dashes = STYLES[name]
             shown = np.convolve(solution.line_load > 0, [1, 1, 1], "same") > 0  # the contact and a strip beyond it
-            axes.plot(solution.y[shown], solution.peak_pressure[shown], color=colour, linestyle=dashes, label=name)
+            axes.plot(solution.y[shown], solution.centre_pressure[shown], color=colour, linestyle=dashes, label=name)
         axes.axhline(hertz.max_pressure, color=FAINT_INK, linewidth=0.7)
         axes.set(xlabel="Axial position $y$ [mm]", ylabel="Pressure $p_0$ [MPa]", xlim=(-8, 8), ylim=(0, 3600))
         axes.set_title(title, loc="left")

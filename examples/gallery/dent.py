@@ -48,7 +48,7 @@ with sheet_style():
     figure = Figure(figsize=(6.7, 3.0), layout="constrained")
     axes = figure.add_subplot()
     axes.plot(dented.y, dented.centre_pressure, color=FIRST, label="dented, plane grid")
-    axes.plot(strips.y, strips.peak_pressure, "o", color=SECOND, markersize=3, mfc="white", label="smooth, strips")
+    axes.plot(strips.y, strips.centre_pressure, "o", color=SECOND, markersize=3, mfc="white", label="smooth, strips")
     axes.set(xlabel="Axial position $y$ [mm]", ylabel="Pressure on the centre line [MPa]", xlim=(-10, 10))
     axes.set_ylim(bottom=0)
     axes.legend(loc="lower center")

@@ -36,7 +36,7 @@ with sheet_style():
     axes = figure.add_subplot()
     right = axes.twinx()
     axes.plot(y, hertz.pressure(y), color=FIRST, linewidth=1.0, label="pressure, Hertz")
-    axes.plot(solution.y, solution.peak_pressure, "o", color=FIRST, markersize=3.2, mfc="white", label="strips")
+    axes.plot(solution.y, solution.centre_pressure, "o", color=FIRST, markersize=3.2, mfc="white", label="strips")
     right.plot(y, hertz.half_width_at(y), color=SECOND, linestyle="--", linewidth=1.0, label="half-width, Hertz")
     right.plot(solution.y, solution.half_width, "s", color=SECOND, markersize=2.8, mfc="white", label="strips")
     axes.set(xlabel="Axial position $y$ [mm]", xlim=(y[0], y[-1]), ylim=(0, 2100))

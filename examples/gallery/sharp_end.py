@@ -48,7 +48,7 @@ def graded(narrowest):
 
 WIDTHS = np.geomspace(0.001, 0.018, 9)  # mm
 refined = [solved("mirror", graded(width)) for width in WIDTHS]
-last = [solution.peak_pressure[-1] for solution in refined]
+last = [solution.centre_pressure[-1] for solution in refined]
 strengths = [solution.edge_pressure[1].strength for solution in refined]
 
 with sheet_style():
@@ -81,7 +81,7 @@ with sheet_style():
     for solution, name, colour in ((mirrored, "end freed of shear", FIRST), (half_spaces, "half-spaces", SECOND)):
         edge = solution.edge_pressure[1]
         near = distance[distance < 0.5 * half_width]
-        axes.loglog(10 - solution.y, solution.peak_pressure, "o", color=colour, markersize=3, mfc="white", label=name)
+        axes.loglog(10 - solution.y, solution.centre_pressure, "o", color=colour, markersize=3, mfc="white", label=name)
         axes.loglog(near, edge.at(near), color=colour)
         axes.loglog(distance, edge.strength * distance**-edge.exponent, color=colour, linewidth=0.6, linestyle="--")
         axes.annotate(rf"$s^{{-{edge.exponent:.3g}}}$", (1.5e-3, edge.at(1.5e-3)), xytext=(4, 4),

@@ -47,7 +47,7 @@ figure = figures["cross-section"]
 
 depths = np.linspace(0, 2.5, 101)
 middle = int(np.argmin(np.abs(upright.y)))
-pressure, half_width = upright.peak_pressure[middle], upright.half_width[middle]
+pressure, half_width = upright.centre_pressure[middle], upright.half_width[middle]
 below = nh.subsurface.stress(upright, 0.0, upright.y[middle], depths * half_width, body="b")
 deepest = int(np.argmax(below.max_shear))
 print(

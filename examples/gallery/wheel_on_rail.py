@@ -48,7 +48,7 @@ with sheet_style():
         share = number / (len(shown) - 1)
         colour = tuple(np.array(to_rgb(FIRST)) * (1 - share) + np.array(to_rgb(SECOND)) * share)
         here = np.convolve(solution.line_load > 0, [1, 1, 1], "same") > 0  # the contact and a strip beyond it
-        axes.plot(solution.y[here], solution.peak_pressure[here], color=colour)
+        axes.plot(solution.y[here], solution.centre_pressure[here], color=colour)
         top = (solution.max_pressure_y, solution.max_pressure)
         axes.annotate(f"{1e3 * solution.tilt:.0f} mrad", top, xytext=(2, 3), textcoords="offset points",
                       fontsize=SMALL_SIZE, color=colour, bbox=BACKING)  # fmt: skip

@@ -41,7 +41,7 @@ def away_from_ends(solution: Solution) -> Bools:
 
 def largest_away(solution: Solution) -> tuple[int, ...]:
     """Return the strip of the largest pressure `away_from_ends`: both of a mirrored pair, none if none is away."""
-    pressure = np.where(away_from_ends(solution), solution.peak_pressure, 0.0)
+    pressure = np.where(away_from_ends(solution), solution.centre_pressure, 0.0)
     largest = float(pressure.max())
     if largest <= 0.0:
         return ()
@@ -53,7 +53,7 @@ def largest_away(solution: Solution) -> tuple[int, ...]:
 
 def at_corner(solution: Solution, strip: int) -> bool:
     """Return whether a strip is the largest pressure and at a corner of the profile, where it has no limit either."""
-    return solution.peaks_at_corner and bool(solution.peak_pressure[strip] >= (1.0 - SAME) * solution.max_pressure)
+    return solution.peaks_at_corner and bool(solution.centre_pressure[strip] >= (1.0 - SAME) * solution.max_pressure)
 
 
 def corner_ends(contact: Contact, edges: Array, pressure: Array, half_width: Array) -> tuple[float, ...]:

@@ -248,7 +248,7 @@ class Solution(ReadOnly):
         return read_only(self.element.hertz_ratio * self.element_half_width)
 
     @cached_property
-    def peak_pressure(self) -> Array:
+    def centre_pressure(self) -> Array:
         """Pressure p0 = 2 q / (pi b) on the centre line [MPa] at each strip."""
         touching = self.half_width > 0.0
         pressure = np.zeros_like(self.line_load)
@@ -258,12 +258,12 @@ class Solution(ReadOnly):
     @property
     def max_pressure(self) -> float:
         """The largest strip pressure [MPa]."""
-        return float(self.peak_pressure.max())
+        return float(self.centre_pressure.max())
 
     @property
     def max_pressure_y(self) -> float:
         """Where the largest strip pressure is [mm]."""
-        return float(self.y[self.peak_pressure.argmax()])
+        return float(self.y[self.centre_pressure.argmax()])
 
     @property
     def interference(self) -> Array:

@@ -180,7 +180,7 @@ def singularities(solution: Solution) -> tuple[str, ...]:
             )
     ends_at_corner = any(edge.kind is EdgeKind.CORNER for edge in solution.edge_pressure)
     if solution.peaks_at_corner and not ends_at_corner:
-        width = float(solution.strip_width[solution.peak_pressure.argmax()])
+        width = float(solution.strip_width[solution.centre_pressure.argmax()])
         sentences.append(
             f"The largest pressure is at a corner of the profile near y = {solution.max_pressure_y:.6g} mm, where it "
             f"is singular: it is that of a strip {width:.3g} mm wide, not a limit; give the corner a radius."

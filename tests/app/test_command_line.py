@@ -45,7 +45,7 @@ KEYS = {
     "y",
     "strip_width",
     "line_load",
-    "peak_pressure",
+    "centre_pressure",
     "half_width",
 }
 FILES = {f"{figure}.{ending}" for figure in ("pressure", "footprint", "profile") for ending in ("svg", "png")} | {
@@ -133,7 +133,7 @@ def test_json_is_one_object_with_the_solution_in_full(
         "strips",
     ):
         assert result[name] == getattr(solution, name), name
-    for name in ("y", "strip_width", "line_load", "peak_pressure", "half_width", "gap", "stiffness"):
+    for name in ("y", "strip_width", "line_load", "centre_pressure", "half_width", "gap", "stiffness"):
         np.testing.assert_array_equal(result[name], getattr(solution, name), err_msg=name)
     assert result["contact_y"] == [list(interval) for interval in solution.contact_y]
     assert result["warnings"] == list(solution.warnings)
@@ -180,7 +180,7 @@ def test_what_makes_a_body_finite_reaches_the_solver(case: str, capsys: pytest.C
     )
     expected = nh.solve(nh.Contact(roller, nh.Plate()), load=20000.0, tilt=0.0005)
     assert result["approach"] == expected.approach
-    np.testing.assert_array_equal(result["peak_pressure"], expected.peak_pressure)
+    np.testing.assert_array_equal(result["centre_pressure"], expected.centre_pressure)
 
 
 def test_out_writes_results_table_and_figures(case: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -194,7 +194,7 @@ def test_out_writes_results_table_and_figures(case: str, capsys: pytest.CaptureF
         "y [mm]",
         "strip_width [mm]",
         "line_load [N/mm]",
-        "peak_pressure [MPa]",
+        "centre_pressure [MPa]",
         "half_width [mm]",
         "gap [mm]",
     ]

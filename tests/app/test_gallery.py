@@ -71,7 +71,7 @@ def test_sharp_end():
     # A body ends on one of the same material and is freed of shear: cos(pi alpha) = 1/2. The powers -alpha and alpha
     # are fitted to the pressures within a quarter of the half-width, but for the strips at the very end.
     finest = run("sharp_end").refined[0]
-    distance, pressure = 10 - finest.y[-16:-3], finest.peak_pressure[-16:-3]
+    distance, pressure = 10 - finest.y[-16:-3], finest.centre_pressure[-16:-3]
 
     def misfit(alpha):
         powers = np.stack([distance**-alpha, distance**alpha], axis=1) / pressure[:, None]
@@ -116,7 +116,7 @@ def test_dent():
     script = run("dent")
     for y in (-6.0, -3.0, 0.0, 6.0):
         on_the_grid = np.interp(y, script.dented.y, script.dented.centre_pressure)
-        assert_allclose(on_the_grid, np.interp(y, script.strips.y, script.strips.peak_pressure), rtol=5e-3)
+        assert_allclose(on_the_grid, np.interp(y, script.strips.y, script.strips.centre_pressure), rtol=5e-3)
 
 
 def test_wheel_on_rail():

@@ -80,7 +80,7 @@ def test_json_is_what_the_search_returns(case: str, capsys: pytest.CaptureFixtur
     assert told["overall"]["von_mises"]["max"] > 1.1 * told["section"]["von_mises"]["max"]
     # Of Hertz's ellipse: both fall as sqrt(1 - (y/a)^2).
     share = np.sqrt(1.0 - (0.6 / 1.178742) ** 2)
-    assert_allclose(told["section"]["peak_pressure"], 1546.190 * share, rtol=2e-3)
+    assert_allclose(told["section"]["centre_pressure"], 1546.190 * share, rtol=2e-3)
     assert_allclose(told["section"]["half_width"], 0.2619749 * share, rtol=2e-3)
     assert (told["body"], told["poisson"], told["status"]) == ("b", 0.3, "converged")
     assert told["title"] == "Elliptical point contact, Rx 10 and Ry 100"
@@ -99,7 +99,7 @@ def test_landmarks_of_plane_strain(case: str, capsys: pytest.CaptureFixture[str]
     Path(case).write_text(PLANE_STRAIN, encoding="utf-8")
     told = found(capsys, case, "--station", "2")
     section = told["section"]
-    p0, b = section["peak_pressure"], section["half_width"]
+    p0, b = section["centre_pressure"], section["half_width"]
     # Johnson, Contact Mechanics, section 4.1, at nu = 0.3; the series of images makes both rollers endless.
     expected = {
         "von_mises": (0.5575, 0.0, 0.704),

@@ -76,7 +76,7 @@ def test_the_largest_pressure_away_from_singular_ends_is_beyond_a_half_width(sha
     beyond = sharp.y < 10.0 - half_width
     # Five digits are printed. The strips are a tenth of a half-width wide there.
     assert 10.0 - 1.5 * half_width < y < 10.0 - half_width
-    assert pressure == pytest.approx(sharp.peak_pressure[beyond & (sharp.y > 0.0)].max(), rel=1e-4)
+    assert pressure == pytest.approx(sharp.centre_pressure[beyond & (sharp.y > 0.0)].max(), rel=1e-4)
     assert pressure < 0.5 * sharp.max_pressure
 
 

@@ -52,7 +52,7 @@ def test_numbers_are_those_of_the_solver():
     # The same solver on the same machine: all digits.
     assert found["key"]["approach"] == solution.approach
     assert found["key"]["max_pressure"] == solution.max_pressure
-    assert found["line"]["pressure"][2:-2] == solution.peak_pressure.tolist()
+    assert found["line"]["pressure"][2:-2] == solution.centre_pressure.tolist()
     assert found["line"]["y"][2:-2] == solution.y.tolist()
     assert found["interval"] == [-10.0, 10.0]
     assert found["contact"] == [list(each) for each in solution.contact_y]

@@ -201,7 +201,7 @@ def test_downloads(client, tmp_path):
     assert json.loads(download("result.json"))["approach"] == solution.approach
     table = np.loadtxt(download("table.csv").decode().splitlines(), delimiter=",", skiprows=1)
     # Written with all digits.
-    assert_allclose(table[:, 3], solution.peak_pressure, rtol=1e-15)
+    assert_allclose(table[:, 3], solution.centre_pressure, rtol=1e-15)
 
 
 def test_downloads_of_a_mistaken_case(client):

@@ -74,7 +74,7 @@ def errors_of(solution, faces, rng):
     )  # fmt: skip
     touching = solution.line_load > 0.0
     surface = nh.subsurface.stress(solution, 0.0, solution.y[touching], 0.0, body="b", threads=1)
-    at_centres = np.abs(surface.sigma_z + solution.peak_pressure[touching]).max()
+    at_centres = np.abs(surface.sigma_z + solution.centre_pressure[touching]).max()
     body = ("a", "b")[rng.integers(2)]
     within = getattr(solution.contact, body)
     low, high = solution.edges[np.flatnonzero(touching)[[0, -1]] + [0, 1]]

@@ -38,7 +38,7 @@ def test_a_tilted_contact_has_ends_of_two_kinds():
     assert low.y > -10.0
     assert high.y == 10.0
     assert high.strip_width == pytest.approx(solution.strip_width[-1], rel=1e-12)
-    assert high.pressure == pytest.approx(solution.peak_pressure[-1], rel=1e-12)
+    assert high.pressure == pytest.approx(solution.centre_pressure[-1], rel=1e-12)
     assert not high.converges
 
 
@@ -64,7 +64,7 @@ def test_the_strength_is_that_of_strips_a_thousand_times_narrower(kappa, element
     edges = np.concatenate([-outer, np.linspace(-outer[-1], outer[-1], 13)[1:-1], outer[::-1]])
     fine = solved(a, b, element=element, strips=edges)
     s = np.array([1e-3, 4e-3])
-    levels = np.interp(s, (10.0 - fine.y)[::-1], fine.peak_pressure[::-1]) * s**edge.exponent
+    levels = np.interp(s, (10.0 - fine.y)[::-1], fine.centre_pressure[::-1]) * s**edge.exponent
     powers = s ** (2.0 * edge.exponent)
     expected = (levels[0] * powers[1] - levels[1] * powers[0]) / (powers[1] - powers[0])
     assert edge.strength == pytest.approx(expected, rel=0.04)
@@ -76,10 +76,10 @@ def test_with_its_correction_the_strength_gives_the_pressure_up_to_half_a_half_w
     edge, s = solution.edge_pressure[1], 10.0 - solution.y
     near = (s < 0.5 * solution.half_width[-1]) & (s > 3.0 * edge.strip_width)
     assert np.count_nonzero(near) >= 4
-    np.testing.assert_allclose(edge.at(s[near]), solution.peak_pressure[near], rtol=0.02, atol=0.0)
+    np.testing.assert_allclose(edge.at(s[near]), solution.centre_pressure[near], rtol=0.02, atol=0.0)
     # Without it, it does not.
     alone = edge.strength * s[near] ** -edge.exponent
-    assert np.max(np.abs(alone / solution.peak_pressure[near] - 1.0)) > 0.1
+    assert np.max(np.abs(alone / solution.centre_pressure[near] - 1.0)) > 0.1
 
 
 def test_without_a_strength_there_is_no_pressure_near_the_end():
@@ -196,7 +196,7 @@ def test_a_contact_that_presses_against_a_chamfer_does_not_run_out():
     for edge, place in zip(solution.edge_pressure, (-9.0, 9.0), strict=True):
         assert edge.kind is nh.EdgeKind.CORNER
         assert edge.y == pytest.approx(place, abs=1e-12)
-        assert edge.pressure > 2.0 * solution.peak_pressure[solution.strips // 2]
+        assert edge.pressure > 2.0 * solution.centre_pressure[solution.strips // 2]
         assert not edge.converges
     assert solution.error_estimate.max_pressure == np.inf
     assert sum("ends at a corner of the profile" in sentence for sentence in solution.warnings) == 2

@@ -103,7 +103,7 @@ def test_at_a_corner_the_last_strip_bears_its_pressure(load):
     solution = solved(nh.profile.chamfer(20, 1.0), strips="auto", load=load)
     touching = solution.line_load > 0.0
     field = nh.subsurface.stress(solution, 0.0, solution.y[touching], 0.0)
-    np.testing.assert_allclose(-field.sigma_z, solution.peak_pressure[touching], rtol=2e-4)
+    np.testing.assert_allclose(-field.sigma_z, solution.centre_pressure[touching], rtol=2e-4)
 
 
 def test_pieces_follow_each_other_without_a_gap_inside_a_contact(case):

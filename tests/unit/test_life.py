@@ -219,7 +219,7 @@ def test_the_pressure_factor_is_the_standards_for_its_steel():
     ring = nh.Ring(diameter=60, material=steel)
     solution = solved(ring=ring, material=steel, strips=240)
     cut = laminae_of(solution, iso_16281(laminae=40))
-    pressure = solution.peak_pressure.reshape(40, 6)
+    pressure = solution.centre_pressure.reshape(40, 6)
     as_standard = (pressure**2).mean(axis=1) / 271.0**2 * 15.0 * (1.0 - 15.0 / 75.0) * 12.0 / 40
     np.testing.assert_allclose((cut.factor * cut.load)[5:-5], as_standard[5:-5], rtol=2e-3)
 

@@ -84,7 +84,7 @@ def test_automatic_grids_are_the_same_to_the_bit():
         assert many.approach[number] == one.approach
         assert many.max_pressure[number] == one.max_pressure
         assert np.array_equal(many[number].edges, one.edges)
-        assert np.array_equal(many[number].peak_pressure, one.peak_pressure)
+        assert np.array_equal(many[number].centre_pressure, one.centre_pressure)
         assert many[number].error_estimate == one.error_estimate
         assert many[number].warnings == one.warnings
 

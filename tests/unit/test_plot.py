@@ -205,7 +205,7 @@ class TestPressure:
         pressure, half_width = left.lines, right.lines[0]
         line = next(line for line in pressure if len(line.get_xdata()) == solution.strips)
         assert_allclose(line.get_xdata(), solution.y, rtol=0, atol=0)
-        assert_allclose(line.get_ydata(), solution.peak_pressure, rtol=0, atol=0)
+        assert_allclose(line.get_ydata(), solution.centre_pressure, rtol=0, atol=0)
         assert_allclose(half_width.get_xdata(), solution.y, rtol=0, atol=0)
         assert_allclose(half_width.get_ydata(), solution.half_width, rtol=0, atol=0)
 
@@ -214,7 +214,7 @@ class TestPressure:
         for steps in (patch for patch in ax.patches if isinstance(patch, StepPatch)):
             values, edges, _ = steps.get_data()
             assert_allclose(np.diff(edges), solution.strip_width, rtol=1e-12)
-            assert_allclose(values, solution.peak_pressure, rtol=0, atol=0)
+            assert_allclose(values, solution.centre_pressure, rtol=0, atol=0)
 
     def test_everything_is_inside_the_axes_and_starts_from_zero(self, solution: Solution, ax: Axes) -> None:
         plot.pressure(solution, ax)
@@ -302,7 +302,7 @@ class TestPressure:
         marker = next(line for line in ax.lines if line.get_marker() == "o")
         ((y, pressure),) = marker.get_xydata()
         away = solution.y < 10.0 - solution.half_width[-1]
-        assert pressure == solution.peak_pressure[away].max() < solution.max_pressure
+        assert pressure == solution.centre_pressure[away].max() < solution.max_pressure
         assert y == solution.y[away].max()
 
     def test_both_of_two_equal_maxima_are_marked(self, ax: Axes) -> None:

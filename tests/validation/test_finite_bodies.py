@@ -55,7 +55,7 @@ def test_approach_of_two_rollers(depth, images, approach):
 @pytest.mark.parametrize("images", [1, 2, 4, 10, 40, "series"])
 def test_pressure_of_two_rollers_is_uniform(images):
     # To 1e-4, as in the second implementation; more images leave less.
-    pressure = pair(images=images).peak_pressure
+    pressure = pair(images=images).centre_pressure
     np.testing.assert_allclose(pressure, np.mean(pressure), rtol=1e-4, atol=0.0)
 
 
@@ -65,7 +65,7 @@ def test_pressure_of_two_rollers_is_uniform(images):
 def test_coincident_ends_have_the_pressure_of_a_line_contact(images, strips, element):
     # Hertz's line contact goes on unchanged beyond mirrored faces. One image per face leaves 2e-4, a series 2e-7.
     solution = pair(element=element, strips=strips, images=images)
-    np.testing.assert_allclose(solution.peak_pressure, hertz_line().max_pressure, rtol=1e-3, atol=0.0)
+    np.testing.assert_allclose(solution.centre_pressure, hertz_line().max_pressure, rtol=1e-3, atol=0.0)
     np.testing.assert_allclose(solution.half_width, hertz_line().half_width, rtol=1e-3, atol=0.0)
 
 
@@ -195,7 +195,7 @@ def pressure_near_the_end(of_cylinder, of_flat):
     cylinder = nh.Body(diameter=200, profile=profile, side_faces=(of_cylinder, "none"), **extent)
     flat = nh.Plate(side_faces=(of_flat, "none"), **extent)
     solution = nh.solve(nh.Contact(cylinder, flat), load=785.4 * 14.0)
-    pressure = np.interp([*PLACES, 8.0], solution.y, solution.peak_pressure)
+    pressure = np.interp([*PLACES, 8.0], solution.y, solution.centre_pressure)
     return pressure[:-1] / pressure[-1]
 
 

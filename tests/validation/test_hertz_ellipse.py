@@ -97,7 +97,7 @@ def test_pressure_and_half_width_along_the_line(radius_y, reach, rtol):
     solution = solved(exact)
     inside = np.abs(solution.y) < reach * exact.half_length
     y = solution.y[inside]
-    np.testing.assert_allclose(solution.peak_pressure[inside], exact.pressure(y), rtol=rtol, atol=0.0)
+    np.testing.assert_allclose(solution.centre_pressure[inside], exact.pressure(y), rtol=rtol, atol=0.0)
     np.testing.assert_allclose(solution.half_width[inside], exact.half_width_at(y), rtol=rtol, atol=0.0)
     np.testing.assert_allclose(solution.line_load[inside], exact.line_load_at(y), rtol=2.0 * rtol, atol=0.0)
 
@@ -191,5 +191,5 @@ def test_shape_of_the_parabola_in_a_separate_implementation():
     exact = hertz(radius_y=365.4, load=2000.0, material=material)
     solution = solved(exact, reach=1.35, strips=41, element=nh.PARABOLIC, material=material)
     places = np.array([0.4, 0.6, 0.8, 0.9]) * exact.half_length
-    shape = np.interp(places, solution.y, solution.peak_pressure) / exact.max_pressure
+    shape = np.interp(places, solution.y, solution.centre_pressure) / exact.max_pressure
     np.testing.assert_allclose(shape, [0.9191, 0.7993, 0.5920, 0.4159], rtol=0.0, atol=2e-4)

@@ -50,4 +50,4 @@ def test_what_is_reported_is_the_hertz_equivalent(solution):
     c = solution.element_half_width
     summit = 0.75 * solution.line_load / c**3
     np.testing.assert_allclose(solution.half_width, 0.8164965809 * c, rtol=1e-9, atol=0.0)
-    np.testing.assert_allclose(solution.peak_pressure, 1.0395957 * summit * c**2, rtol=5e-8, atol=0.0)
+    np.testing.assert_allclose(solution.centre_pressure, 1.0395957 * summit * c**2, rtol=5e-8, atol=0.0)

@@ -63,7 +63,7 @@ def test_approach(solutions, name):
 @every_case
 def test_centre_pressure_and_half_width(solutions, name):
     solution, expected = solutions[name], reference(name)
-    pressure = in_the_centre(solution, solution.peak_pressure)
+    pressure = in_the_centre(solution, solution.centre_pressure)
     half_width = in_the_centre(solution, solution.half_width)
     np.testing.assert_allclose(pressure, expected["centre_pressure"], rtol=RTOL[name], atol=0.0)
     np.testing.assert_allclose(half_width, expected["centre_half_width"], rtol=RTOL[name], atol=0.0)
@@ -100,7 +100,7 @@ def test_pressure_along_the_line(solutions, name, nearest, rtol):
     # To reach: 1 % up to 0.5 mm from the end. A smooth curve through the strips' values joins them.
     y, pressure, _ = distances(name, nearest)
     assert y.size > 30
-    along = PchipInterpolator(solutions[name].y, solutions[name].peak_pressure)
+    along = PchipInterpolator(solutions[name].y, solutions[name].centre_pressure)
     np.testing.assert_allclose(along(y), pressure, rtol=rtol, atol=0.0)
 
 
@@ -109,7 +109,7 @@ def test_pressure_close_to_a_sharp_end(solutions, name):
     # To reach: 3 % up to 0.1 mm, a third of the half-width, from the singularity.
     y, pressure, _ = distances(name, 0.1)
     assert np.max(np.abs(y)) > 9.89
-    along = PchipInterpolator(solutions[name].y, solutions[name].peak_pressure)
+    along = PchipInterpolator(solutions[name].y, solutions[name].centre_pressure)
     np.testing.assert_allclose(along(y), pressure, rtol=0.03, atol=0.0)
 
 
@@ -127,6 +127,6 @@ def test_intensity_of_the_singularity(solutions, name):
     distance = HALF_LENGTH - solutions[name].y
     near = (distance > 0.03) & (distance < 0.2)
     assert np.count_nonzero(near) >= 4
-    intensity = solutions[name].peak_pressure[near] * np.sqrt(distance[near])
+    intensity = solutions[name].centre_pressure[near] * np.sqrt(distance[near])
     at_the_end = np.polynomial.Polynomial.fit(distance[near], intensity, 1)(0.0)
     np.testing.assert_allclose(at_the_end, reference(name)["end_intensity"], rtol=0.08, atol=0.0)

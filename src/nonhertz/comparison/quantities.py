@@ -29,7 +29,7 @@ def quantities(semi: Solution, parabola: Solution, patch: PatchSolution) -> tupl
         On the plane grid.
     """
     at = centre(semi)
-    p_semi, p_parabola = (_at(at, one.y, one.peak_pressure) for one in (semi, parabola))
+    p_semi, p_parabola = (_at(at, one.y, one.centre_pressure) for one in (semi, parabola))
     b_semi, b_parabola = (_at(at, one.y, one.half_width) for one in (semi, parabola))
     p, b = _at(at, patch.y, patch.centre_pressure), _at(at, patch.y, patch.half_width)
     cells = f"cells {patch.dx:.2g} mm across"
@@ -75,7 +75,7 @@ def _moment(semi: Solution, parabola: Solution, patch: PatchSolution) -> Quantit
 def _largest(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Quantity, Quantity]:
     """Return the largest pressure and where it is, of what is away from ends at which there is no limit."""
     p, y = _peak(semi, patch.y, patch.centre_pressure, semi.contact_y[-1][1])
-    (p_semi, y_semi), (p_parabola, y_parabola) = (_peak(semi, one.y, one.peak_pressure, y) for one in (semi, parabola))
+    (p_semi, y_semi), (p_parabola, y_parabola) = (_peak(semi, one.y, one.centre_pressure, y) for one in (semi, parabola))
     ends, remark = sharp_ends(semi), ""
     if ends:
         places = " and ".join(f"{edge.y:.5g}" for edge, _ in ends)

@@ -227,7 +227,7 @@ def _limitless_ends(solution: Solution) -> list[_Limitless]:
     ]
     touching = np.flatnonzero(solution.line_load > 0.0)
     for last, inner in (touching[:2], touching[:-3:-1]) if touching.size > 1 else ():
-        rises = solution.peak_pressure[last] > solution.peak_pressure[inner]
+        rises = solution.centre_pressure[last] > solution.centre_pressure[inner]
         corner = _bend_beside(solution, int(last))
         if rises and corner is not None and all(abs(corner - end.y) > solution.strip_width[last] for end in found):
             words = f"the corner at y = {corner:.5g} mm, where the contact ends"
@@ -336,7 +336,7 @@ def _curves(place: _Place) -> list[tuple[Array, Array]]:
 
     A step in one of them alone is no steep pressure but what has to be explained.
     """
-    strips = [(one.y, one.peak_pressure) for one in (place.solution, place.semi)]
+    strips = [(one.y, one.centre_pressure) for one in (place.solution, place.semi)]
     return [(place.patch.y, place.patch.centre_pressure), *strips]
 
 

@@ -32,7 +32,7 @@ def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, St
         free &= np.abs(semi.y - edge) > np.maximum(semi.strip_width, 2.0 * patch.dy)
     between = 0.5 * (middle + end)
     if np.any(free):
-        between = float(semi.y[np.where(free, np.abs(semi.peak_pressure - expected), -1.0).argmax()])
+        between = float(semi.y[np.where(free, np.abs(semi.centre_pressure - expected), -1.0).argmax()])
     return (
         Station(middle, "middle"),
         Station(between, "largest difference"),

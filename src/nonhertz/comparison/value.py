@@ -230,7 +230,7 @@ def differences(solution: Solution, patch: PatchSolution) -> Array:
         has it, in the cell there and in both beside it: the last cell of a contact may end it up to a cell late.
     """
     expected = np.interp(solution.y, patch.y, patch.centre_pressure)
-    found = solution.peak_pressure
+    found = solution.centre_pressure
     relative = np.full(found.size, np.nan)
     relative[found > 0.0] = np.inf
     compared = (expected > 0.0) & ((found > 0.0) | _well_inside(patch, solution.y))

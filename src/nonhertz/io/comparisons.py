@@ -19,10 +19,10 @@ UNITS: dict[str, Any] = {
     "seconds": "s",
     "stretches": {"low": "mm", "high": "mm", "at": "mm", "unexplained_at": "mm"},
     "stations": {"y": "mm"},
-    "strips": {"y": "mm", "strip_width": "mm", "peak_pressure": "MPa", "half_width": "mm"},
+    "strips": {"y": "mm", "strip_width": "mm", "centre_pressure": "MPa", "half_width": "mm"},
     "patch": {"y": "mm", "centre_pressure": "MPa", "half_width": "mm", "line_load": "N/mm"},
 }
-_COLUMNS = ("element", "y [mm]", "strip_width [mm]", "peak_pressure [MPa]", "patch_pressure [MPa]", "difference")
+_COLUMNS = ("element", "y [mm]", "strip_width [mm]", "centre_pressure [MPa]", "patch_pressure [MPa]", "difference")
 
 
 def as_object(found: Comparison, title: str) -> dict[str, Any]:
@@ -61,7 +61,7 @@ def as_table(found: Comparison) -> str:
     writer.writerow(_COLUMNS)
     for solution in found.strips:
         of_patch = np.interp(solution.y, found.patch.y, found.patch.centre_pressure)
-        columns = (solution.y, solution.strip_width, solution.peak_pressure, of_patch, found.along(solution))
+        columns = (solution.y, solution.strip_width, solution.centre_pressure, of_patch, found.along(solution))
         for row in zip(*(column.tolist() for column in columns), strict=True):
             writer.writerow([solution.element.name, *("" if plain(value) is None else value for value in row)])
     return text.getvalue()

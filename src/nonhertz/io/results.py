@@ -38,11 +38,11 @@ UNITS: dict[str, Any] = {
     "y": "mm",
     "strip_width": "mm",
     "line_load": "N/mm",
-    "peak_pressure": "MPa",
+    "centre_pressure": "MPa",
     "half_width": "mm",
     "gap": "mm",
 }
-_COLUMNS = ("y", "strip_width", "line_load", "peak_pressure", "half_width", "gap")
+_COLUMNS = ("y", "strip_width", "line_load", "centre_pressure", "half_width", "gap")
 _OUT_REMEDY = "give a directory to write to"
 
 

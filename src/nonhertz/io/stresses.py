@@ -23,7 +23,7 @@ _UNITS_OF_ALL = dict.fromkeys(_QUANTITIES, _EXTREME)
 UNITS: dict[str, Any] = {
     "max_pressure": "MPa",
     "overall": _UNITS_OF_ALL,
-    "section": {"y": "mm", "peak_pressure": "MPa", "half_width": "mm", **_UNITS_OF_ALL},
+    "section": {"y": "mm", "centre_pressure": "MPa", "half_width": "mm", **_UNITS_OF_ALL},
 }
 _COORDINATES = ("x", "y", "z")
 _STRESSES = ("sigma_x", "sigma_y", "sigma_z", "tau_yz", "tau_xz", "tau_xy", "von_mises", "max_shear")
@@ -44,7 +44,7 @@ def as_object(solution: Solution, overall: Extremes, section: Extremes, title: s
         "overall": _largest(overall),
         "section": {
             "y": plain(y),
-            "peak_pressure": plain(there(solution, solution.peak_pressure, y)),
+            "centre_pressure": plain(there(solution, solution.centre_pressure, y)),
             "half_width": plain(there(solution, solution.half_width, y)),
             **_largest(section),
         },

@@ -174,7 +174,7 @@ def _factors(solution: AnySolution, edges: Array, load: Array, sharp: tuple[floa
     limit.
     """
     fine, density = _line_load(solution)
-    pressure = solution.peak_pressure if isinstance(solution, Solution) else solution.pressure.max(axis=0)
+    pressure = solution.centre_pressure if isinstance(solution, Solution) else solution.pressure.max(axis=0)
     contact = solution.contact
     as_in_hertz = np.pi**2 * contact.compliance / contact.curvature(solution.y) * pressure**2
     counted = np.ones(pressure.size)

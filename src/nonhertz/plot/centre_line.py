@@ -83,15 +83,15 @@ def pressure(solution: Solution, ax: Axes) -> Axes:
     right = ax.twinx()
     draw_body_ends(solution, ax)
 
-    ax.stairs(solution.peak_pressure, edges, fill=True, color=FIRST, alpha=0.10, linewidth=0.0)
-    ax.stairs(solution.peak_pressure, edges, color=FIRST, alpha=0.45, linewidth=HAIR)
-    (of_pressure,) = ax.plot(solution.y, solution.peak_pressure, color=FIRST, linewidth=LINE)
+    ax.stairs(solution.centre_pressure, edges, fill=True, color=FIRST, alpha=0.10, linewidth=0.0)
+    ax.stairs(solution.centre_pressure, edges, color=FIRST, alpha=0.45, linewidth=HAIR)
+    (of_pressure,) = ax.plot(solution.y, solution.centre_pressure, color=FIRST, linewidth=LINE)
     (of_width,) = right.plot(solution.y, solution.half_width, color=SECOND, linewidth=LINE, linestyle="--")
 
     ax.locator_params(axis="x", steps=[1, 2, 5, 10])
     ax.set_xlim(span)
     singular = bool(singular_ends(solution))
-    counted = float(solution.peak_pressure[regular(solution)].max(initial=0.0))
+    counted = float(solution.centre_pressure[regular(solution)].max(initial=0.0))
     ax.set_ylim(0.0, _top(counted, 1.0 / BEYOND if singular else PRESSURE_SHARE))
     share = CUT_HALF_WIDTH_SHARE if singular else HALF_WIDTH_SHARE
     right.set_ylim(0.0, _top(float(solution.half_width.max()), share))
@@ -118,7 +118,7 @@ def _mark_maximum(solution: Solution, ax: Axes, span: tuple[float, float]) -> No
     strips = largest_away(solution)
     if not strips:
         return
-    marked, largest = solution.y[list(strips)], float(solution.peak_pressure[strips[0]])
+    marked, largest = solution.y[list(strips)], float(solution.centre_pressure[strips[0]])
     words = f"{number(largest)} MPa at $y$ = {' and '.join(place(y, span) for y in marked.tolist())} mm"
     if at_corner(solution, strips[0]):
         words += " (corner: rises with refinement)"
@@ -140,7 +140,7 @@ def _mark_singular(solution: Solution, ax: Axes, edge: EdgePressure) -> None:
     if edge.strength is not None:
         words += f"\n$K$ = {number(edge.strength)} MPa mm$^{{{power}}}$"
     # The words keep clear of the curve, which climbs to the arrow from where it is as high as they are.
-    below = solution.y[solution.peak_pressure < SINGULAR_SHARE * ax.get_ylim()[1]]
+    below = solution.y[solution.centre_pressure < SINGULAR_SHARE * ax.get_ylim()[1]]
     foot = float(below[np.abs(below - edge.y).argmin()]) if below.size else edge.y
     side: Alignment = "left" if edge is solution.edge_pressure[0] else "right"
     _write(ax, words, (foot, SINGULAR_SHARE), side, 4.0, 0.0, across)

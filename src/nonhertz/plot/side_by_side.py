@@ -100,7 +100,7 @@ def _draw_along(found: Comparison, axes: Axes) -> None:
         pressed = solution.line_load > 0.0
         marker, colour, _ = MARKS[solution.element.name]
         axes.plot(
-            solution.y[pressed], solution.peak_pressure[pressed], marker, markersize=3.2, markeredgewidth=THIN,
+            solution.y[pressed], solution.centre_pressure[pressed], marker, markersize=3.2, markeredgewidth=THIN,
             markerfacecolor="none", color=colour, zorder=3.0,
         )  # fmt: skip
     axes.set_ylim(0.0, _top(found))
@@ -134,7 +134,7 @@ def _draw_key(found: Comparison, axes: Axes) -> None:
 def _top(found: Comparison) -> float:
     """Return where the frame ends: all of the pressure is in it but what has no limit."""
     semi = found.semi_elliptic
-    counted = float(semi.peak_pressure[regular(semi)].max())
+    counted = float(semi.centre_pressure[regular(semi)].max())
     if sharp_ends(semi):
         return BEYOND * counted
     return ROOM * max(counted, float(found.patch.centre_pressure.max()))

@@ -208,7 +208,7 @@ def _elastic(found: Finding) -> Iterator[Assumption]:
     strips = largest_away(solution)
     if not strips:
         return
-    pressure = float(solution.peak_pressure[strips[0]])
+    pressure = float(solution.centre_pressure[strips[0]])
     where = " away from the ends" if singular_ends(solution) else ""
     yield Assumption(
         "Linear elastic bodies",

@@ -103,7 +103,7 @@ def _told(entry: Entry) -> str:
 
 def _largest_pressure(solution: Solution) -> float:
     strips = largest_away(solution)
-    return float(solution.peak_pressure[strips[0]]) if strips else math.nan
+    return float(solution.centre_pressure[strips[0]]) if strips else math.nan
 
 
 def _ends(solutions: Sequence[Solution], at: int, name: str) -> Row:

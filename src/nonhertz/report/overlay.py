@@ -37,9 +37,9 @@ def pressures(found: Sequence[Finding]) -> Figure:
         for each, (colour, dashes) in zip(found, _lines(found), strict=True):
             solution = each.solution
             drawn: dict[str, Any] = {"color": colour, "linestyle": dashes, "linewidth": LINE}
-            upper.plot(solution.y, solution.peak_pressure, **drawn)
+            upper.plot(solution.y, solution.centre_pressure, **drawn)
             lower.plot(solution.y, solution.half_width, **drawn)
-        counted = [each.solution.peak_pressure[regular(each.solution)].max(initial=0.0) for each in found]
+        counted = [each.solution.centre_pressure[regular(each.solution)].max(initial=0.0) for each in found]
         sharp = any(singular_ends(each.solution) for each in found)
         upper.set_ylim(0.0, float(max(counted)) * (BEYOND if sharp else ROOM) or 1.0)
         lower.set_ylim(0.0, max(float(each.solution.half_width.max()) for each in found) * ROOM or 1.0)

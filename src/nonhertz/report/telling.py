@@ -128,7 +128,7 @@ def _pressures(solution: Solution) -> list[Key]:
     sharp = f"p ~ K / s^{highest.exponent:.3g} at y = {highest.y:.5g} mm{strength}"
     told = [Key("maximum pressure", "no limit", "", sharp)]
     if strips:
-        largest = float(solution.peak_pressure[strips[0]])
+        largest = float(solution.centre_pressure[strips[0]])
         told.append(Key("largest pressure away from sharp ends", digits(largest), "MPa", f"at y = {where} mm"))
     return told
 

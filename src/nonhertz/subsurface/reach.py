@@ -71,7 +71,7 @@ def limitless_ends(solution: AnySolution) -> tuple[LimitlessEnd, ...]:
     """Return the ends at which the pressure has no limit, ascending: sharp ends of bodies, corners of profiles."""
     sharp = _sharp_ends(solution)
     if isinstance(solution, Solution):
-        pressure = np.where(solution.line_load > 0.0, solution.peak_pressure, 0.0)
+        pressure = np.where(solution.line_load > 0.0, solution.centre_pressure, 0.0)
     else:
         pressure = np.where(solution.line_load > 0.0, solution.pressure.max(axis=0), 0.0)
     corners = corner_ends(solution.contact, edges_along(solution), pressure, solution.half_width)

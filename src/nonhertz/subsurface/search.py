@@ -166,7 +166,7 @@ def _sections(solution: AnySolution, stretches: list[tuple[float, float]]) -> Ar
     if rows.size > most:
         even = rows[np.linspace(0, rows.size - 1, most).astype(int)]
         # What is narrow, a dent or an edge, shows in the pressure.
-        pressure = solution.peak_pressure if isinstance(solution, Solution) else solution.pressure.max(axis=0)
+        pressure = solution.centre_pressure if isinstance(solution, Solution) else solution.pressure.max(axis=0)
         crests = rows[1:-1][(np.diff(pressure[rows])[:-1] > 0.0) & (np.diff(pressure[rows])[1:] <= 0.0)]
         highest = crests[pressure[crests].argsort()[-most // 4 :]]
         rows = np.unique(np.concatenate([even, highest]))

@@ -112,4 +112,4 @@ def _pressure(solution: Solution) -> str:
     if not singular_ends(solution):
         return digits(solution.max_pressure)
     strips = largest_away(solution)
-    return f"no limit, {digits(float(solution.peak_pressure[strips[0]]))} away" if strips else "no limit"
+    return f"no limit, {digits(float(solution.centre_pressure[strips[0]]))} away" if strips else "no limit"

@@ -25,7 +25,7 @@ def stress_rows(solution: Solution, overall: Extremes, section: Extremes) -> lis
 def sentences(solution: Solution, section: Extremes) -> list[str]:
     """Return what has to be known of the body and of the cross-section to read the numbers."""
     y, shear = section.von_mises.y, section.orthogonal_shear
-    pressure, half_width = (there(solution, each, y) for each in (solution.peak_pressure, solution.half_width))
+    pressure, half_width = (there(solution, each, y) for each in (solution.centre_pressure, solution.half_width))
     contact = f"p0 = {digits(pressure)} MPa and the half-width is {digits(half_width)} mm"
     return [
         f"Body {section.body} has a Poisson's ratio of {poisson(solution, section.body):g}. At y = {y:.5g} mm "
@@ -36,7 +36,7 @@ def sentences(solution: Solution, section: Extremes) -> list[str]:
 
 
 def _row(solution: Solution, name: str, found: Extreme) -> tuple[str, ...]:
-    pressure = there(solution, solution.peak_pressure, found.y)
+    pressure = there(solution, solution.centre_pressure, found.y)
     share = f"{found.max / pressure:.4f}" if pressure > 0.0 else ""
     # The field of strips is symmetric about x = 0.
     x = f"+-{digits(found.x, 4)}" if found.x > 0.0 else "0"

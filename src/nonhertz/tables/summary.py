@@ -83,7 +83,7 @@ def _largest(name: str, solution: Solution, remark: str) -> list[tuple[str, str,
         remark = "cut off by the strips"
     places = " and ".join(digits(y) for y in solution.y[list(strips)].tolist())
     return [
-        (name, f"{digits(float(solution.peak_pressure[at]))} MPa", remark),
+        (name, f"{digits(float(solution.centre_pressure[at]))} MPa", remark),
         ("", f"at y = {places} mm", ""),
     ]
 

@@ -148,7 +148,7 @@ def _end(weight: float, ratio: float) -> _End:
     solution = solve(Contact(roller, plate), load=LOAD, strips=edges)
     inwards = slice(None, None, -1)
     distance = (0.5 * LENGTH - solution.y[inwards]) / solution.half_width[-1]
-    return _End(weight, ratio, solution.edge_pressure[1].image_weight, distance, solution.peak_pressure[inwards])
+    return _End(weight, ratio, solution.edge_pressure[1].image_weight, distance, solution.centre_pressure[inwards])
 
 
 def _draw(ends: list[_End], figure: Figure) -> None:

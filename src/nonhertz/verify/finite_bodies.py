@@ -62,7 +62,7 @@ def section() -> Section:
         far=FAR,
         verdict="All of this holds." if not failed else f"{failed} of the checks below fail.",
         one_image=100.0 * (one.approach / series.approach - 1.0),
-        pressure=100.0 * float(np.max(np.abs(one.peak_pressure / _line().max_pressure - 1.0))),
+        pressure=100.0 * float(np.max(np.abs(one.centre_pressure / _line().max_pressure - 1.0))),
     )
     picture = Picture(
         "coincident-ends",
@@ -105,7 +105,7 @@ def _far_away() -> list[Check]:
     ):
         source = "nothing changes"
         pressure = float(
-            np.max(np.abs(other.peak_pressure / near.max_pressure - near.peak_pressure / near.max_pressure))
+            np.max(np.abs(other.centre_pressure / near.max_pressure - near.centre_pressure / near.max_pressure))
         )
         checks += [
             Check(f"{name}: approach", source, near.approach, other.approach, 1e-6, "mm"),
@@ -123,7 +123,7 @@ def _coincident() -> list[Check]:
         for name, strips in (("41 strips", 41), ("automatic strips", None)):
             for images in (1, "series"):
                 solution = _pair(element, strips, images=images)
-                off = np.abs(solution.peak_pressure / line.max_pressure - 1.0)
+                off = np.abs(solution.centre_pressure / line.max_pressure - 1.0)
                 count = "one image per face" if images == 1 else "all images"
                 case = f"coincident ends, {element.name}, {name}, {count}"
                 worst = line.max_pressure * (1.0 + float(np.max(off)))
@@ -184,6 +184,6 @@ def _draw(curves: list[tuple[str, Solution]], figure: Figure) -> None:
     line = _line()
     styles = ((FIRST, "-"), (SECOND, "--"), (INK, ":"))
     for (name, solution), (colour, dashes) in zip(curves, styles, strict=True):
-        axes.plot(solution.y, solution.peak_pressure / line.max_pressure, color=colour, linestyle=dashes, label=name)
+        axes.plot(solution.y, solution.centre_pressure / line.max_pressure, color=colour, linestyle=dashes, label=name)
     axes.set(xlabel="y (mm)", ylabel="pressure / Hertz's line contact", ylim=(0.9, 1.2), xlim=(-5.2, 5.2))
     axes.legend(loc="upper center")

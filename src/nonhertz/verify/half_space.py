@@ -113,7 +113,7 @@ def _checks(reference: _Reference, solution: Solution) -> list[Check]:
             f"{name}: centre pressure",
             _SOURCE,
             reference.pressure,
-            float(solution.peak_pressure[centre]),
+            float(solution.centre_pressure[centre]),
             tolerance,
             "MPa",
         ),
@@ -122,7 +122,7 @@ def _checks(reference: _Reference, solution: Solution) -> list[Check]:
     if reference.moment is not None:
         checks.append(Check(f"{name}: moment", _SOURCE, reference.moment, solution.moment, 3e-4, "N mm"))
     for place, pressure in reference.inwards:
-        computed = float(np.interp(place, solution.y, solution.peak_pressure))
+        computed = float(np.interp(place, solution.y, solution.centre_pressure))
         judged = 1e-2 if place <= _JUDGED_TO else None
         checks.append(Check(f"{name}: pressure at y = {place:g} mm", _SOURCE, pressure, computed, judged, "MPa"))
     if reference.strength is not None:
@@ -137,7 +137,7 @@ def _draw(cases: list[tuple[_Reference, Solution]], figure: Figure) -> None:
     for (reference, solution), (colour, dashes) in zip(cases, styles, strict=True):
         touching = solution.line_load > 0.0
         axes.plot(
-            solution.y[touching], solution.peak_pressure[touching], linestyle=dashes, color=colour, marker=".",
+            solution.y[touching], solution.centre_pressure[touching], linestyle=dashes, color=colour, marker=".",
             markersize=3.0, label=reference.name,
         )  # fmt: skip
         places = [(0.0, reference.pressure), *reference.inwards]

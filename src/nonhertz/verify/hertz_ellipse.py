@@ -146,7 +146,7 @@ def _off(solution: Solution, hertz: PointContact) -> tuple[Array, Array, Array]:
     """Return places inside [mm] and the differences there of pressure and half-width, of Hertz's greatest."""
     inside = np.abs(solution.y) < INSIDE * hertz.half_length
     y = solution.y[inside]
-    pressure = (solution.peak_pressure[inside] - hertz.pressure(y)) / hertz.max_pressure
+    pressure = (solution.centre_pressure[inside] - hertz.pressure(y)) / hertz.max_pressure
     return y, pressure, (solution.half_width[inside] - hertz.half_width_at(y)) / hertz.half_width
 
 
@@ -181,7 +181,7 @@ def _second_program() -> list[Check]:
     hertz = _hertz(_SHAPE_RADIUS, _SECOND_LOAD)
     solution = _solve(hertz, PARABOLIC, _SECOND_REACH, EQUAL_STRIPS)
     for place, wanted in _SHAPE:
-        found = float(np.interp(place * hertz.half_length, solution.y, solution.peak_pressure)) / hertz.max_pressure
+        found = float(np.interp(place * hertz.half_length, solution.y, solution.centre_pressure)) / hertz.max_pressure
         claim = f"parabolic, a/b = 10: pressure at y/a = {place:g} over Hertz's greatest"
         # Between strip centres the pressure is read off a straight line, here as there.
         checks.append(Check(claim, _SECOND, wanted, found, 2e-4, absolute=True))
@@ -191,7 +191,7 @@ def _second_program() -> list[Check]:
 def _draw(hertz: PointContact, solutions: dict[str, Solution], figure: Figure) -> None:
     upper, lower = figure.subplots(2, 2, sharex=True, height_ratios=(3.0, 1.3))
     y = hertz.half_length * np.sin(np.linspace(-0.5 * np.pi, 0.5 * np.pi, 301))
-    _compare(upper[0], y, hertz.pressure(y), {name: one.peak_pressure for name, one in solutions.items()}, solutions)
+    _compare(upper[0], y, hertz.pressure(y), {name: one.centre_pressure for name, one in solutions.items()}, solutions)
     _compare(upper[1], y, hertz.half_width_at(y), {name: one.half_width for name, one in solutions.items()}, solutions)
     upper[0].set(ylabel="pressure $p_0$ (MPa)", ylim=(0.0, 1750.0))
     upper[1].set(ylabel="half-width $b$ (mm)", ylim=(0.0, 0.3))

@@ -117,7 +117,7 @@ def _contacts(element: Element) -> list[Check]:
         middle = int(np.argmin(np.abs(solution.y)))
         # The sharp ends draw load to themselves; what is left in the middle decides.
         line_load, a = float(solution.line_load[middle]), float(solution.element_half_width[middle])
-        half_width, pressure = float(solution.half_width[middle]), float(solution.peak_pressure[middle])
+        half_width, pressure = float(solution.half_width[middle]), float(solution.centre_pressure[middle])
         hertz = _hertz(line_load)
         case = f"{element.name}, {name}"
         checks += [

@@ -124,9 +124,9 @@ def section() -> Section:
         modulus=STEEL.modulus,
         load=1e-3 * LOAD,
         approach=1e3 * solution.approach,
-        middle=TO_GPA * solution.peak_pressure[middle],
+        middle=TO_GPA * solution.centre_pressure[middle],
         half_width=TO_TENTHS * solution.half_width[middle],
-        hump=100.0 * (solution.max_pressure / solution.peak_pressure[middle] - 1.0),
+        hump=100.0 * (solution.max_pressure / solution.centre_pressure[middle] - 1.0),
         end=solution.contact_y[0][1],
         line=100.0 * max(abs(check.difference) for check in checks if check.source.startswith("Hertz")),
         parabolic_pressure=100.0 * (parabolic.max_pressure / solution.max_pressure - 1.0),
@@ -165,7 +165,7 @@ def _laws(solution: Solution) -> list[Check]:
     hertz = line_contact(
         line_load=float(solution.line_load[middle]), radius=1.0 / curvature, compliance=2.0 * STEEL.compliance
     )
-    asymmetry = float(np.max(np.abs(solution.peak_pressure - solution.peak_pressure[::-1]))) / solution.max_pressure
+    asymmetry = float(np.max(np.abs(solution.centre_pressure - solution.centre_pressure[::-1]))) / solution.max_pressure
     carried = float(np.sum(solution.line_load * solution.strip_width))
     running_out = sum(edge.kind is EdgeKind.RUN_OUT for edge in solution.edge_pressure)
     source = "Hertz's line contact under the line load there"
@@ -178,7 +178,7 @@ def _laws(solution: Solution) -> list[Check]:
         Check("stand-in: half-width in the middle", source, hertz.half_width,
               float(solution.half_width[middle]), 5e-4, "mm"),
         Check("stand-in: pressure in the middle", source, hertz.max_pressure,
-              float(solution.peak_pressure[middle]), 5e-4, "MPa"),
+              float(solution.centre_pressure[middle]), 5e-4, "MPa"),
         Check("stand-in: ends where the pressure runs out", "the stand-in is made so", 2.0,
               float(running_out), 0.0),
         Check("stand-in: distance of the greatest pressure from the middle", "where the arcs begin", 0.5 * STRAIGHT,
@@ -195,8 +195,8 @@ def _both_elements(solution: Solution, parabolic: Solution) -> list[Check]:
         Check("stand-in, parabolic: approach", source, solution.approach, parabolic.approach, 1e-2, "mm"),
         Check("stand-in, parabolic: greatest pressure", source, solution.max_pressure, parabolic.max_pressure,
               4e-3, "MPa"),
-        Check("stand-in, parabolic: pressure in the middle", source, float(solution.peak_pressure[ours]),
-              float(parabolic.peak_pressure[theirs]), 2e-3, "MPa"),
+        Check("stand-in, parabolic: pressure in the middle", source, float(solution.centre_pressure[ours]),
+              float(parabolic.centre_pressure[theirs]), 2e-3, "MPa"),
         Check("stand-in, parabolic: half-width in the middle", source, float(solution.half_width[ours]),
               float(parabolic.half_width[theirs]), 2e-3, "mm"),
     ]  # fmt: skip
@@ -249,7 +249,7 @@ def _draw_pressure(solution: Solution, tilted: Solution, figure: Figure) -> None
     axes = figure.add_subplot()
     for one, width, words in ((solution, 1.5, ""), (tilted, 0.7, f", {1e3 * TILT:g} mrad")):
         y = one.y
-        pressure, half_width = TO_GPA * one.peak_pressure, TO_TENTHS * one.half_width
+        pressure, half_width = TO_GPA * one.centre_pressure, TO_TENTHS * one.half_width
         axes.plot(y, pressure, "-", color=FIRST, linewidth=width, label=f"pressure (GPa){words}")
         axes.plot(y, half_width, "--", color=SECOND, linewidth=width, label=f"half-width (mm/10){words}")
     axes.set(

@@ -118,7 +118,7 @@ def _solve(weights: tuple[float, float]) -> Solution:
 
 
 def _ratios(solution: Solution) -> tuple[float, ...]:
-    pressure = np.interp((*PLACES, FAR), solution.y, solution.peak_pressure)
+    pressure = np.interp((*PLACES, FAR), solution.y, solution.centre_pressure)
     return tuple((pressure[:-1] / pressure[-1]).tolist())
 
 
@@ -141,8 +141,8 @@ def _draw(solutions: list[Solution], figure: Figure) -> None:
     axes = figure.add_subplot()
     styles = ((FIRST, "-"), (SECOND, "-"), (SECOND, "--"), (FAINT_INK, ":"))
     for row, solution, (colour, dashes) in zip(_ROWS, solutions, styles, strict=True):
-        far = float(np.interp(FAR, solution.y, solution.peak_pressure))
-        axes.plot(solution.y, solution.peak_pressure / far, color=colour, linestyle=dashes, label=row.name)
+        far = float(np.interp(FAR, solution.y, solution.centre_pressure))
+        axes.plot(solution.y, solution.centre_pressure / far, color=colour, linestyle=dashes, label=row.name)
     axes.plot(PLACES, _EXACT_ROLLER, "o", color=INK, mfc="none", label="roller ends: exact")
     axes.plot(PLACES, _EXACT_BOTH, "s", color=INK, mfc="none", label="both bodies end: exact")
     axes.set(

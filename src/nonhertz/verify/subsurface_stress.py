@@ -497,7 +497,7 @@ def _balance(solution: Solution) -> list[Check]:
     unbalanced = float(np.max(np.abs(np.einsum("inij->nj", rate)))) / float(np.max(np.abs(rate)))
     away = np.min(np.abs(solution.y[:, None] - np.ravel(solution.contact_y)), axis=1) > half_width
     away &= solution.line_load > 0.0
-    y, p0, a = (each[away] for each in (solution.y, solution.peak_pressure, solution.element_half_width))
+    y, p0, a = (each[away] for each in (solution.y, solution.centre_pressure, solution.element_half_width))
     across = np.array([-0.5, 0.0, 0.5])[:, None]
     surface = stress(solution, across * a, y, 0.0).stress / solution.max_pressure
     pressure = p0 * np.sqrt(1.0 - across**2) / solution.max_pressure

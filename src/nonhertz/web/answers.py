@@ -60,7 +60,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
             for edge in singular_ends(solution)
         ],
         "scale": {
-            "pressure": plain(solution.peak_pressure[regular(solution)].max(initial=0.0)),
+            "pressure": plain(solution.centre_pressure[regular(solution)].max(initial=0.0)),
             "half_width": plain(solution.half_width.max()),
         },
     }
@@ -108,7 +108,7 @@ def _relief(body: Body) -> dict[str, Any]:
 def _line(solution: Solution) -> dict[str, Any]:
     """Return the lines along the contact through the centres of strips, with zeros where strips are cut off."""
     y = np.concatenate([solution.edges[[0, 0]], solution.y, solution.edges[[-1, -1]]])
-    names = {"pressure": "peak_pressure", "half_width": "half_width", "line_load": "line_load"}
+    names = {"pressure": "centre_pressure", "half_width": "half_width", "line_load": "line_load"}
     return {"y": numbers(y)} | {name: numbers(_ended(getattr(solution, of))) for name, of in names.items()}
 
 

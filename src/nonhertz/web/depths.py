@@ -63,7 +63,7 @@ def stress_answer(solution: Solution, body: str) -> dict[str, Any]:
 def _station(solution: Solution) -> float:
     """Return where the pressure is largest [mm], away from sharp ends if there is such a place."""
     away = away_from_ends(solution)
-    counted = np.where(away if away.any() else solution.line_load > 0.0, solution.peak_pressure, 0.0)
+    counted = np.where(away if away.any() else solution.line_load > 0.0, solution.centre_pressure, 0.0)
     return float(solution.y[counted.argmax()])
 
 
