@@ -75,7 +75,7 @@ def main(out: Path = Path("out")) -> dict[str, PatchSolution]:
     print(f"{'':28}{'smooth':>12}{'dented':>12}")
     rows = {
         "maximum pressure [MPa]": [f"{s.max_pressure:.0f}" for s in (smooth, dented)],
-        "  at x, y [mm]": ["{:.2f}, {:.2f}".format(*s.max_pressure_at) for s in (smooth, dented)],
+        "  at x, y [mm]": [f"{s.max_pressure_x:.2f}, {s.max_pressure_y:.2f}" for s in (smooth, dented)],
         "contact area [mm^2]": [f"{s.contact_area:.3f}" for s in (smooth, dented)],
         "approach [um]": [f"{1e3 * s.approach:.3f}" for s in (smooth, dented)],
     }

@@ -40,11 +40,11 @@ if TYPE_CHECKING:
     from nonhertz.model.contact import Contact as Contact
     from nonhertz.model.material import MATERIALS as MATERIALS
     from nonhertz.model.material import Material as Material
-    from nonhertz.solution import EdgeKind as EdgeKind
-    from nonhertz.solution import EdgePressure as EdgePressure
-    from nonhertz.solution import ErrorEstimate as ErrorEstimate
-    from nonhertz.solution import Solution as Solution
-    from nonhertz.solution import Status as Status
+    from nonhertz.result.solution import EdgeKind as EdgeKind
+    from nonhertz.result.solution import EdgePressure as EdgePressure
+    from nonhertz.result.solution import ErrorEstimate as ErrorEstimate
+    from nonhertz.result.solution import Solution as Solution
+    from nonhertz.result.solution import Status as Status
     from nonhertz.solver import solve as solve
     from nonhertz.strip.element import PARABOLIC as PARABOLIC
     from nonhertz.strip.element import SEMI_ELLIPTIC as SEMI_ELLIPTIC
@@ -60,9 +60,9 @@ _HOMES = {
     "Contact": "nonhertz.model.contact",
     "CaseError": "nonhertz.errors",
     "ConvergenceError": "nonhertz.errors",
-    "EdgeKind": "nonhertz.solution",
-    "EdgePressure": "nonhertz.solution",
-    "ErrorEstimate": "nonhertz.solution",
+    "EdgeKind": "nonhertz.result.solution",
+    "EdgePressure": "nonhertz.result.solution",
+    "ErrorEstimate": "nonhertz.result.solution",
     "InputError": "nonhertz.errors",
     "MATERIALS": "nonhertz.model.material",
     "Material": "nonhertz.model.material",
@@ -72,9 +72,9 @@ _HOMES = {
     "Ring": "nonhertz.model.body",
     "Roller": "nonhertz.model.body",
     "SEMI_ELLIPTIC": "nonhertz.strip.element",
-    "Solution": "nonhertz.solution",
+    "Solution": "nonhertz.result.solution",
     "Solutions": "nonhertz.many",
-    "Status": "nonhertz.solution",
+    "Status": "nonhertz.result.solution",
     "TabulatedDiameter": "nonhertz.model.body",
     "compare": "nonhertz.comparison",
     "solve": "nonhertz.solver",

@@ -17,8 +17,8 @@ from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
 from nonhertz.io.casefile import Case, placed
 from nonhertz.io.lives import BODIES, Assessment
 from nonhertz.life import Model, VolumeModel, assess, solve_spectrum
-from nonhertz.singular import singular_ends
-from nonhertz.solution import Solution
+from nonhertz.result.ends import singular_ends
+from nonhertz.result.solution import Solution
 from nonhertz.solver import solve
 from nonhertz.subsurface import Extremes, extremes
 

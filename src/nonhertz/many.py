@@ -21,10 +21,10 @@ from nonhertz.errors import AccuracyWarning, InputError
 from nonhertz.model.checks import listed, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription, refuse_unpaired
-from nonhertz.outcome import outcome
-from nonhertz.solution import Solution
+from nonhertz.result.outcome import outcome
+from nonhertz.result.solution import Solution
+from nonhertz.result.validity import suspected, wider_than_round
 from nonhertz.solver import levels_of, problem_of, refuse_no_element, wanted_strips
-from nonhertz.strains import suspected, wider_than_round
 from nonhertz.strip.batch import States, settle_all
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 from nonhertz.strip.levels import Levels, equal_grids, given_grids

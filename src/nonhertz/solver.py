@@ -13,8 +13,8 @@ from nonhertz.finite import influence_of
 from nonhertz.model.checks import numbers
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
-from nonhertz.outcome import outcome
-from nonhertz.solution import Solution
+from nonhertz.result.outcome import outcome
+from nonhertz.result.solution import Solution
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 from nonhertz.strip.levels import Levels, on_automatic_strips, on_equal_strips, on_given_strips
 from nonhertz.strip.state import Problem

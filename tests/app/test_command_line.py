@@ -24,7 +24,7 @@ import nonhertz.casework
 import nonhertz.plot
 from nonhertz.cli import main
 from nonhertz.cli.printing import print_table
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 
 CASE = Path(__file__).parents[2].joinpath("examples", "crowned-roller.toml").read_text(encoding="utf-8")
 KEYS = {

@@ -12,7 +12,7 @@ import pytest
 import nonhertz as nh
 from nonhertz.cli.summary import print_summary
 from nonhertz.io.results import UNITS, as_json
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.tables.summary import summary_rows
 
 

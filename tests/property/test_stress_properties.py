@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import nonhertz as nh
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.subsurface import stress
 
 # Few strips, of which a large estimate is said.

@@ -8,7 +8,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.model.prescription import Prescription
-from nonhertz.outcome import outcome
+from nonhertz.result.outcome import outcome
 from nonhertz.solver import levels_of, problem_of
 from nonhertz.strip import state as states
 from nonhertz.strip.newton import CONVERGED

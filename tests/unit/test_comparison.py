@@ -17,7 +17,7 @@ from nonhertz.comparison import Quantity
 from nonhertz.comparison.reasons import carried, stretches
 from nonhertz.comparison.value import away_from_sharp_ends, differences, excess_of_fourth_moment
 from nonhertz.io.comparisons import as_json, as_object, as_table
-from nonhertz.solution import EdgeKind
+from nonhertz.result.solution import EdgeKind
 
 HALF_SPACE = {"side_faces": "none", "depth": "none"}
 CELLS = (48, 96)

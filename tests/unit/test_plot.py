@@ -29,7 +29,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.profile import Profile
 from nonhertz.plot.contact_area import colour_limit
 from nonhertz.plot.style import INK
-from nonhertz.solution import EdgeKind, EdgePressure, ErrorEstimate, Solution, Status
+from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, Solution, Status
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 
 Array = NDArray[np.float64]

@@ -15,7 +15,7 @@ from numpy.testing import assert_allclose
 
 import nonhertz as nh
 from nonhertz import plot
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes, Field, axial_plane, cross_section, extremes, stress
 
 

@@ -26,7 +26,7 @@ from nonhertz.report.measurements import measurements
 from nonhertz.report.method import formula, references, source
 from nonhertz.report.page import _linked
 from nonhertz.report.telling import ends_in_words, keys, opening
-from nonhertz.solution import Status
+from nonhertz.result.solution import Status
 
 TITLE = "Roller & <script>alert('title')</script>"
 POINTS = "y, relief\n" + "".join(f"{y}, {1e-5 * y**4}\n" for y in range(-7, 8))

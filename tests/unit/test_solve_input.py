@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz import strains
 from nonhertz.model.prescription import loads_between
 from nonhertz.model.profile import Profile
+from nonhertz.result import validity
 from nonhertz.strip.newton import STAGNATED
 from nonhertz.strip.state import State, Strips
 
@@ -322,7 +322,7 @@ def test_a_loop_that_failed_beyond_all_numbers_speaks_of_no_nan(monkeypatch):
     # Springs under a moment of 1e-243 N mm have half-widths beyond all numbers.
     contact = nh.Contact(nh.Roller(diameter=20, length=20, depth="plane-strain"), nh.Plate(depth="none"))
     beyond = SimpleNamespace(m=np.full(5, np.inf))
-    monkeypatch.setattr(strains, "sprung", lambda *_: beyond)
+    monkeypatch.setattr(validity, "sprung", lambda *_: beyond)
     monkeypatch.setattr(Strips, "loop", lambda strips, *_, **__: failed(strips))
     with pytest.raises(nh.ConvergenceError) as error:
         nh.solve(contact, load=1e3, strips=5)

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.result.ends import limitless_ends
 from nonhertz.subsurface import Field, axial_plane, cross_section, extremes, memory, passage, stress, volume
 from nonhertz.subsurface.evaluation import PORTION
-from nonhertz.subsurface.reach import limitless_ends
 
 RING = nh.Ring(diameter=80)
 

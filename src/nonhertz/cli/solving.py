@@ -10,7 +10,7 @@ from nonhertz.errors import ConvergenceError
 if TYPE_CHECKING:
     from nonhertz.casework import Spectrum
     from nonhertz.io.casefile import Case
-    from nonhertz.solution import Solution
+    from nonhertz.result.solution import Solution
 
 
 def solved_or_not(case: Case) -> tuple[Solution, str]:

@@ -13,7 +13,7 @@ from nonhertz.cli.printing import console, print_table
 from nonhertz.cli.verification import Progress
 from nonhertz.errors import InputError
 from nonhertz.io.stresses import all_warnings
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extremes
 from nonhertz.tables.stresses import COLUMNS, sentences, stress_rows
 

@@ -6,7 +6,7 @@ from rich.table import Table
 from rich.text import Text
 
 from nonhertz.cli.printing import console, print_table
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.tables.summary import summary_rows
 
 

@@ -20,7 +20,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.patch import PatchSolution
 from nonhertz.patch import solve as solve_patch
 from nonhertz.patch.resources import checked_cells
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.solver import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nonhertz.comparison.value import Quantity, away_from_sharp_ends, sharp_ends
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]
 
@@ -75,7 +75,9 @@ def _moment(semi: Solution, parabola: Solution, patch: PatchSolution) -> Quantit
 def _largest(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Quantity, Quantity]:
     """Return the largest pressure and where it is, of what is away from ends at which there is no limit."""
     p, y = _peak(semi, patch.y, patch.centre_pressure, semi.contact_y[-1][1])
-    (p_semi, y_semi), (p_parabola, y_parabola) = (_peak(semi, one.y, one.centre_pressure, y) for one in (semi, parabola))
+    (p_semi, y_semi), (p_parabola, y_parabola) = (
+        _peak(semi, one.y, one.centre_pressure, y) for one in (semi, parabola)
+    )
     ends, remark = sharp_ends(semi), ""
     if ends:
         places = " and ".join(f"{edge.y:.5g}" for edge, _ in ends)

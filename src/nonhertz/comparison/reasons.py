@@ -30,7 +30,7 @@ from nonhertz.comparison.value import (
     sharp_ends,
 )
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.solution import EdgeKind, Solution
+from nonhertz.result.solution import EdgeKind, Solution
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -381,6 +381,6 @@ def _own_doubt(place: _Place) -> Iterator[_Cause]:
 def _doubt_of_grid(place: _Place) -> Iterator[_Cause]:
     patch = place.patch
     doubt = patch.error_estimate.max_pressure
-    here = np.abs(place.y - patch.max_pressure_at[1]) <= 2.0 * patch.dy
+    here = np.abs(place.y - patch.max_pressure_y) <= 2.0 * patch.dy
     if here.any() and math.isfinite(doubt):
         yield _Cause("The plane grid doubts its own maximum, which is here", np.where(here, doubt, 0.0))

@@ -7,7 +7,7 @@ import numpy as np
 from nonhertz.comparison.quantities import centre
 from nonhertz.comparison.value import Station, away_from_sharp_ends
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 
 NEAR = 0.25  # of a half-width
 

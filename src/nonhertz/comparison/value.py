@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.solution import EdgeKind, EdgePressure, Solution
+from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]

@@ -12,7 +12,7 @@ import numpy as np
 
 from nonhertz.comparison import Comparison, Quantity, Stretch
 from nonhertz.io.results import key_by_key, plain, write_files
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 
 #: Units of the numbers in a comparison; quantities have their own, and what has none is left out.
 UNITS: dict[str, Any] = {

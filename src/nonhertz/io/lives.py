@@ -12,8 +12,8 @@ from typing import Any
 
 from nonhertz.io.results import key_by_key, plain, write_files
 from nonhertz.life import Life
-from nonhertz.singular import singular_ends
-from nonhertz.solution import Solution
+from nonhertz.result.ends import singular_ends
+from nonhertz.result.solution import Solution
 
 BODIES = ("a", "b")
 

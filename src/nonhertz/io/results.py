@@ -16,7 +16,7 @@ import numpy as np
 
 from nonhertz.errors import InputError
 from nonhertz.io.drafts import drafts_in
-from nonhertz.solution import EdgePressure, Solution
+from nonhertz.result.solution import EdgePressure, Solution
 
 #: Units of the numbers in a result; what has no unit is left out.
 UNITS: dict[str, Any] = {

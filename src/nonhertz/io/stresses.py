@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.io.results import key_by_key, plain, write_files
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes, Field
 
 _EXTREME = {"max": "MPa", "x": "mm", "y": "mm", "z": "mm"}

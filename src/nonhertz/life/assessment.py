@@ -25,22 +25,14 @@ from nonhertz.life.volume import Exposure, exposure
 from nonhertz.model.checks import listed, positive, whole
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.solution import ReadOnly, Solution
+from nonhertz.result.ends import LimitlessEnd, ends_in_words, largest_half_width, limitless_ends, outermost, step_at
+from nonhertz.result.protocol import Solved
+from nonhertz.result.solution import ReadOnly, Solution
 from nonhertz.subsurface.evaluation import Running, refuse_options
-from nonhertz.subsurface.inside import check_body
-from nonhertz.subsurface.reach import (
-    AnySolution,
-    LimitlessEnd,
-    checked_solution,
-    contact_ends,
-    ends_in_words,
-    largest_half_width,
-    limitless_ends,
-    step_at,
-)
+from nonhertz.subsurface.inside import check_body, checked_solution
 
 Array = NDArray[np.float64]
-Spectrum = Sequence[tuple[AnySolution, float]]
+Spectrum = Sequence[tuple[Solved, float]]
 
 SHORT = 4.0  # half-widths
 _NO_ROLLERS = "it needs the number of rollers"
@@ -125,7 +117,7 @@ def ratio(reference: float, damage: float, slope: float) -> float:
 
 
 def assess(
-    solution: AnySolution | Spectrum,
+    solution: Solved | Spectrum,
     models: Model | str | Iterable[Model | str] = (),
     *,
     body: str = "b",
@@ -212,7 +204,7 @@ def _wanted(models: Model | str | Iterable[Model | str]) -> list[Model]:
     return wanted
 
 
-def _spectrum(solution: AnySolution | Spectrum) -> Spectrum:
+def _spectrum(solution: Solved | Spectrum) -> Spectrum:
     if isinstance(solution, Solution | PatchSolution):
         return [(checked_solution(solution), 1.0)]
     remedy = "give pairs of a solution and its share of the revolutions"
@@ -289,14 +281,14 @@ def _warnings(spectrum: Spectrum, sharp: set[float]) -> tuple[str, ...]:
     if any(_is_coarse(each, end) for each, ends in found for end in ends):
         what = "a corner" if all(end.at_corner for end in named) else "a sharp end"
         sentences[f"The strips or cells at {what} are longer than what was left out: use finer ones."] = None
-    if any(np.ptp(contact_ends(each)) < SHORT * float(each.half_width.max()) for each, _ in spectrum):
+    if any(np.ptp(outermost(each)) < SHORT * float(each.half_width.max()) for each, _ in spectrum):
         sentences[
             f"The contact is shorter than {SHORT:g} half-widths between its ends: hardly anything is left to count."
         ] = None
     return tuple(sentences)
 
 
-def _is_coarse(solution: AnySolution, end: LimitlessEnd) -> bool:
+def _is_coarse(solution: Solved, end: LimitlessEnd) -> bool:
     """Return whether the strip or row at an end is longer than what is left out there."""
     return step_at(solution, end) > LEFT_OUT * largest_half_width(solution, [end.y])
 

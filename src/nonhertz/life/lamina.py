@@ -26,8 +26,8 @@ from scipy.optimize import brentq
 from nonhertz.errors import InputError
 from nonhertz.model.checks import one_of, text, whole
 from nonhertz.model.contact import Contact
-from nonhertz.solution import Solution
-from nonhertz.subsurface.reach import AnySolution, edges_along, largest_half_width, limitless_ends
+from nonhertz.result.ends import largest_half_width, limitless_ends
+from nonhertz.result.protocol import Solved
 
 Array = NDArray[np.float64]
 FEWEST, MOST = 30, 2000
@@ -136,7 +136,7 @@ def edge_function(laminae: int) -> Array:
         return np.asarray(1.0 - 0.01 / np.log(1.985 * place))
 
 
-def laminae_of(solution: AnySolution, model: LaminaModel) -> Laminae:
+def laminae_of(solution: Solved, model: LaminaModel) -> Laminae:
     """Return the laminae of a solution.
 
     Raises
@@ -157,8 +157,8 @@ def laminae_of(solution: AnySolution, model: LaminaModel) -> Laminae:
     return Laminae(edges, load, factor)
 
 
-def _line_load(solution: AnySolution) -> tuple[Array, Array]:
-    return edges_along(solution), solution.line_load
+def _line_load(solution: Solved) -> tuple[Array, Array]:
+    return solution.edges, solution.line_load
 
 
 def _shares(edges: Array, fine: Array, density: Array) -> Array:
@@ -167,14 +167,14 @@ def _shares(edges: Array, fine: Array, density: Array) -> Array:
     return np.diff(np.interp(edges, fine, total))
 
 
-def _factors(solution: AnySolution, edges: Array, load: Array, sharp: tuple[float, ...]) -> Array:
+def _factors(solution: Solved, edges: Array, load: Array, sharp: tuple[float, ...]) -> Array:
     """Return f_k from the pressures: what Hertz's line contact bears under them, over the lamina's load.
 
     A lamina's pressure counts by the power that its load counts by, and not at all right at an end where it has no
     limit.
     """
     fine, density = _line_load(solution)
-    pressure = solution.centre_pressure if isinstance(solution, Solution) else solution.pressure.max(axis=0)
+    pressure = solution.largest_across
     contact = solution.contact
     as_in_hertz = np.pi**2 * contact.compliance / contact.curvature(solution.y) * pressure**2
     counted = np.ones(pressure.size)
@@ -189,7 +189,7 @@ def _factors(solution: AnySolution, edges: Array, load: Array, sharp: tuple[floa
     return factor
 
 
-def _slices(solution: AnySolution, edges: Array) -> Array:
+def _slices(solution: Solved, edges: Array) -> Array:
     """Return the loads of the standard's independent slices under the load and tilt of the solution."""
     contact: Contact = solution.contact
     y = 0.5 * (edges[1:] + edges[:-1])

@@ -10,7 +10,7 @@ from nonhertz.errors import InputError
 from nonhertz.many import Strips, solve_many
 from nonhertz.model.checks import above_zero, finite, listed, positive
 from nonhertz.model.contact import Contact
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 
 WHOLE = 1e-3  # how far shares may be from adding up to 1, for three of 0.333 say

@@ -24,10 +24,12 @@ from nonhertz.errors import InputError
 from nonhertz.hertz import line_contact
 from nonhertz.life.catalogue import VolumeModel
 from nonhertz.life.lamina import LEFT_OUT
-from nonhertz.solution import ReadOnly, Solution
+from nonhertz.patch.solution import PatchSolution
+from nonhertz.result.ends import largest_half_width, limitless_ends
+from nonhertz.result.protocol import Solved
+from nonhertz.result.solution import ReadOnly
 from nonhertz.subsurface.evaluation import Running, across_at, refuse_options
 from nonhertz.subsurface.inside import Inside
-from nonhertz.subsurface.reach import AnySolution, edges_along, largest_half_width, limitless_ends
 from nonhertz.subsurface.rolling import QUANTITIES, passage, plane_strain_passage
 
 Array = NDArray[np.float64]
@@ -111,7 +113,7 @@ def _levels() -> tuple[Array, Array]:
     return root**2, np.asarray(CubicSpline(root, np.eye(LEVELS))(np.sqrt(depths()[0])))
 
 
-def exposure(solution: AnySolution, body: str = "b", **options: Unpack[Running]) -> Exposure:
+def exposure(solution: Solved, body: str = "b", **options: Unpack[Running]) -> Exposure:
     """Return what the volume of one body suffers under a solved contact.
 
     Parameters
@@ -148,7 +150,7 @@ def exposure(solution: AnySolution, body: str = "b", **options: Unpack[Running])
     )
 
 
-def _stations(solution: AnySolution, faces: tuple[float, float]) -> tuple[Array, Array, Array]:
+def _stations(solution: Solved, faces: tuple[float, float]) -> tuple[Array, Array, Array]:
     """Return stations over and beyond the contact, their widths in an integral, and the half-widths there."""
     edges = _edges_in_contact(solution)
     half_width = across_at(solution, 0.5 * (edges[1:] + edges[:-1]))[1]
@@ -165,17 +167,17 @@ def _stations(solution: AnySolution, faces: tuple[float, float]) -> tuple[Array,
     return y[order], width[order], across_at(solution, y[order])[1]
 
 
-def _edges_in_contact(solution: AnySolution) -> Array:
+def _edges_in_contact(solution: Solved) -> Array:
     """Return the edges of what is in contact along y, strip by strip, those of a plane grid in fewer pieces."""
     first, last = np.flatnonzero(solution.line_load > 0.0)[[0, -1]]
-    edges: Array = edges_along(solution)[first : last + 2]
-    if isinstance(solution, Solution):
+    edges: Array = solution.edges[first : last + 2]
+    if not isinstance(solution, PatchSolution):
         return edges
     fewer: Array = edges[np.unique(np.linspace(0, edges.size - 1, MOST_ROWS + 1).astype(int))]
     return fewer
 
 
-def _ideal(solution: AnySolution, body: str) -> Exposure | None:
+def _ideal(solution: Solved, body: str) -> Exposure | None:
     """Return the exposure under Hertz's line contact, the load spread evenly over where the bodies can touch."""
     contact = solution.contact
     low, high = contact.interval
@@ -198,7 +200,7 @@ def _ideal(solution: AnySolution, body: str) -> Exposure | None:
     return Exposure(body, y, width, half_width, **amplitudes, counted=counted, reference=None, sharp=())
 
 
-def _even(solution: AnySolution) -> bool:
+def _even(solution: Solved) -> bool:
     """Return whether the curvature is the same all along."""
     low, high = solution.contact.interval
     curvature = solution.contact.curvature(np.linspace(low, high, 65))

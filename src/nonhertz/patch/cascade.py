@@ -20,7 +20,7 @@ from nonhertz.patch.convolution import Convolution
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.inverse import Inverse
 from nonhertz.patch.settle import State, Task, settle
-from nonhertz.solution import Status
+from nonhertz.result.solution import Status
 
 Array = NDArray[np.float64]
 Gap = Callable[[Array, Array], Array]

@@ -18,13 +18,12 @@ from nonhertz.patch.cascade import Level, Outcome, Problem
 from nonhertz.patch.features import Dent, Waviness
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.nearness import Overlap
-from nonhertz.patch.solution import PatchSolution
-from nonhertz.solution import ErrorEstimate, Status
+from nonhertz.patch.solution import FINITE, PatchSolution
+from nonhertz.result.solution import ErrorEstimate, Status
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-FINITE = 0.999  # image weight from which on the pressure is finite up to an end
 MOST_OF_RADIUS = 0.3
 LEAST_DEPTH, LEAST_OF_ALL = 3.0, 1.0  # half-widths: warned of below the first, refused below the second
 FEWEST_CELLS = 6.0  # that a feature is to be long

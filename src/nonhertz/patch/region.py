@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from nonhertz.patch.cascade import Outcome, Problem, solve_on
 from nonhertz.patch.grid import Grid
-from nonhertz.solution import Status
+from nonhertz.result.solution import Status
 
 Span = tuple[float, float]
 Mask = NDArray[np.bool_]

@@ -31,7 +31,7 @@ from numpy.typing import NDArray
 
 from nonhertz.patch.convolution import Convolution
 from nonhertz.patch.inverse import Inverse
-from nonhertz.solution import Status
+from nonhertz.result.solution import Status
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

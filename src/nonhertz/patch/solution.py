@@ -10,13 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.finite import HERTZ, Shape, influence_of
 from nonhertz.model.checks import finite
 from nonhertz.model.contact import Contact
 from nonhertz.patch.resources import memory
-from nonhertz.solution import ErrorEstimate, ReadOnly, Status, read_only
+from nonhertz.result.solution import ErrorEstimate, ReadOnly, Status, read_only
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
+
+FINITE = 0.999  # image weight from which on the pressure is finite up to an end
+SAME_PLACE = 1e-9  # of the length
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,12 +105,73 @@ class PatchSolution(ReadOnly):
         return float(self.pressure.max())
 
     @property
-    def max_pressure_at(self) -> tuple[float, float]:
-        """Where the largest pressure is, (x, y) [mm]; nan where nothing touches."""
-        if not self.footprint.any():
-            return math.nan, math.nan
+    def max_pressure_x(self) -> float:
+        """Where across the contact the largest pressure is [mm]; nan where nothing touches."""
+        return float(self.x[self._highest[0]]) if self.footprint.any() else math.nan
+
+    @property
+    def max_pressure_y(self) -> float:
+        """Where along the contact the largest pressure is [mm]; nan where nothing touches."""
+        return float(self.y[self._highest[1]]) if self.footprint.any() else math.nan
+
+    @cached_property
+    def _highest(self) -> tuple[int, int]:
         i, j = np.unravel_index(int(self.pressure.argmax()), self.pressure.shape)
-        return float(self.x[i]), float(self.y[j])
+        return int(i), int(j)
+
+    @property
+    def peaks_at_corner(self) -> bool:
+        """Whether the largest pressure is at a corner of the profile: cells do not tell."""
+        return False
+
+    @cached_property
+    def edges(self) -> Array:
+        """Edges of the rows of cells along the contact [mm], ascending, shape (ny + 1,)."""
+        return read_only(np.append(self.y - 0.5 * self.dy, self.y[-1] + 0.5 * self.dy))
+
+    @property
+    def contact_y(self) -> tuple[tuple[float, float], ...]:
+        """The intervals [mm] along y of rows in contact, ascending."""
+        touching = np.concatenate([[0], self.footprint.any(axis=0), [0]]).astype(int)
+        change = np.diff(touching)
+        first, beyond = np.flatnonzero(change > 0), np.flatnonzero(change < 0)
+        return tuple(zip(self.edges[first].tolist(), self.edges[beyond].tolist(), strict=True))
+
+    @cached_property
+    def sharp_ends(self) -> tuple[float, ...]:
+        """Where the contact reaches an end of a body at which the pressure has no limit [mm], ascending."""
+        faces = influence_of(self.contact, self.shape).ends
+        room = SAME_PLACE * float(np.ptp(self.y))
+        reached = self.contact_y[0][0], self.contact_y[-1][1]
+        return tuple(
+            limit
+            for at, limit in zip(reached, self.contact.interval, strict=True)
+            if abs(at - limit) <= room
+            and sum(end.image_weight for end in faces if abs(end.y - limit) < 0.5 * self.dy) < FINITE
+        )
+
+    @property
+    def shape(self) -> Shape:
+        """Shape of the pressure across that images and depth count with, far away: Hertz's."""
+        return HERTZ
+
+    @cached_property
+    def largest_across(self) -> Array:
+        """Largest pressure across the contact [MPa] at every ``y``."""
+        return read_only(self.pressure.max(axis=0))
+
+    @cached_property
+    def extent_across(self) -> tuple[Array, Array]:
+        """Middle of the footprint across and half of its extent [mm] at every ``y``, zero off contact."""
+        touching = self.footprint.any(axis=0)
+        first, last = self.x[self.footprint.argmax(axis=0)], self.x[::-1][self.footprint[::-1].argmax(axis=0)]
+        middle, half = 0.5 * (first + last), 0.5 * (last - first + self.dx)
+        return read_only(np.where(touching, middle, 0.0)), read_only(np.where(touching, half, 0.0))
+
+    @property
+    def symmetric_across(self) -> bool:
+        """Whether the pressure is the same at x and at -x: of a gap of your own it need not be."""
+        return False
 
     @cached_property
     def line_load(self) -> Array:

@@ -39,7 +39,7 @@ from nonhertz.patch.search import Search
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.surface import Feature, Surface, refuse_no_bodies
 from nonhertz.patch.verdict import complaint
-from nonhertz.solution import ErrorEstimate, Status
+from nonhertz.result.solution import ErrorEstimate, Status
 
 Array = NDArray[np.float64]
 Span = tuple[float, float]

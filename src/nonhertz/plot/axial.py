@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.plot.style import END_DASHES, FAINT_INK, SMALL_SIZE, THIN
-from nonhertz.singular import Bools, away_from_ends
-from nonhertz.solution import Solution, Status
+from nonhertz.result.ends import Bools, away_from_ends
+from nonhertz.result.solution import Solution, Status
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -31,8 +31,8 @@ from nonhertz.plot.style import (
     SMALL_SIZE,
     THIN,
 )
-from nonhertz.singular import at_corner, largest_away, singular_ends
-from nonhertz.solution import EdgePressure, Solution
+from nonhertz.result.ends import at_corner, largest_away, singular_ends
+from nonhertz.result.solution import EdgePressure, Solution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, number, regular
 from nonhertz.plot.style import COLOUR_MAP, HINT_DASHES, INK, SMALL_SIZE, THIN
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.strip.element import PARABOLIC
 
 if TYPE_CHECKING:

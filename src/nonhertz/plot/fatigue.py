@@ -12,8 +12,8 @@ from nonhertz.life import Life
 from nonhertz.plot.axial import AXIAL_LABEL, axial_range, conditions, draw_body_ends, number
 from nonhertz.plot.sheets import BOTTOM, LEFT, TITLE, WIDTH, blank, panel, write_title
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
-from nonhertz.singular import singular_ends
-from nonhertz.solution import Solution
+from nonhertz.result.ends import singular_ends
+from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist

@@ -11,7 +11,7 @@ from nonhertz.plot.centre_line import pressure
 from nonhertz.plot.contact_area import draw_colour_bar, footprint
 from nonhertz.plot.style import SIZE, TITLE_SIZE, sheet_style
 from nonhertz.plot.surfaces import profile
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

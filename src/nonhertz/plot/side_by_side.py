@@ -25,7 +25,7 @@ from nonhertz.plot.style import (
     THIN,
     sheet_style,
 )
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.strip.element import PARABOLIC
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, head, number
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, PALE, SECOND
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -18,9 +18,9 @@ from nonhertz.comparison.reasons import TOLD
 from nonhertz.finite import depth_below, ends
 from nonhertz.report.finding import Finding
 from nonhertz.report.numerals import given
-from nonhertz.singular import largest_away, singular_ends
-from nonhertz.solution import EdgeKind, EdgePressure, Solution, Status
-from nonhertz.strains import HEAVIEST, LEAST_DEPTH, MOST_OF_RADIUS, WIDER_THAN_LONG
+from nonhertz.result.ends import largest_away, singular_ends
+from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
+from nonhertz.result.validity import HEAVIEST, LEAST_DEPTH, MOST_OF_RADIUS, WIDER_THAN_LONG
 from nonhertz.strip.element import SEMI_ELLIPTIC
 from nonhertz.tables.summary import digits
 

@@ -10,8 +10,8 @@ from nonhertz.io.lives import BODIES
 from nonhertz.report.finding import Finding
 from nonhertz.report.inputs import Entry, inputs
 from nonhertz.report.subject import Subject
-from nonhertz.singular import largest_away, singular_ends
-from nonhertz.solution import EdgeKind, EdgePressure, Solution
+from nonhertz.result.ends import largest_away, singular_ends
+from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 from nonhertz.tables.lives import without_ratio
 from nonhertz.tables.summary import digits
 

@@ -13,8 +13,8 @@ from nonhertz.report.finding import Finding
 from nonhertz.report.measurements import Measurement
 from nonhertz.report.overlay import pressures, reliefs
 from nonhertz.report.telling import keys
-from nonhertz.singular import singular_ends
-from nonhertz.solution import Solution
+from nonhertz.result.ends import singular_ends
+from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -12,7 +12,7 @@ from nonhertz.io.casefile import LifeCase, named
 from nonhertz.io.lives import BODIES, Assessment
 from nonhertz.io.stresses import all_warnings
 from nonhertz.report.subject import Subject, labels
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extremes
 
 STRESS_STEPS = 2  # in the whole body and in a cross-section

@@ -17,7 +17,7 @@ from nonhertz.model.body import Body
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.report.finding import Finding
 from nonhertz.report.numerals import given
-from nonhertz.singular import singular_ends
+from nonhertz.result.ends import singular_ends
 from nonhertz.strip.element import Element
 from nonhertz.subsurface import stress
 

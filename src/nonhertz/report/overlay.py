@@ -11,7 +11,7 @@ from nonhertz.plot.axial import AXIAL_LABEL, axial_range, regular
 from nonhertz.plot.sheets import BOTTOM, LEFT, WIDTH, blank, panel
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, sheet_style
 from nonhertz.report.finding import Finding
-from nonhertz.singular import singular_ends
+from nonhertz.result.ends import singular_ends
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -11,8 +11,8 @@ from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.material import MATERIALS
 from nonhertz.report.finding import Finding
 from nonhertz.report.numerals import given
-from nonhertz.singular import largest_away, singular_ends
-from nonhertz.solution import EdgeKind, EdgePressure, Solution
+from nonhertz.result.ends import largest_away, singular_ends
+from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 from nonhertz.tables.summary import digits
 
 SAMPLES = 401  # of the interval on which both bodies can touch

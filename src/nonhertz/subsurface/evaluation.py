@@ -17,10 +17,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.model.checks import callback, finite, flag, numbers, thread_count, whole
-from nonhertz.solution import Solution
+from nonhertz.result.protocol import Solved
 from nonhertz.subsurface.field import Field
-from nonhertz.subsurface.inside import Inside, check_body
-from nonhertz.subsurface.reach import AnySolution, checked_solution
+from nonhertz.subsurface.inside import Inside, check_body, checked_solution
 
 Array = NDArray[np.float64]
 Announce = Callable[[int, int], object]
@@ -75,7 +74,7 @@ _POINTS_REMEDY = "give finite numbers in mm, as arrays that broadcast against ea
 
 
 def stress(
-    solution: AnySolution,
+    solution: Solved,
     x: ArrayLike,
     y: ArrayLike,
     z: ArrayLike,
@@ -173,7 +172,7 @@ def stress(
 
 
 def axial_plane(
-    solution: AnySolution,
+    solution: Solved,
     y: ArrayLike | None = None,
     z: ArrayLike | None = None,
     *,
@@ -208,7 +207,7 @@ def axial_plane(
 
 
 def cross_section(
-    solution: AnySolution,
+    solution: Solved,
     station: float,
     x: ArrayLike | None = None,
     z: ArrayLike | None = None,
@@ -241,7 +240,7 @@ def cross_section(
     return stress(solution, x[:, None], station, z, **options)
 
 
-def volume(solution: AnySolution, x: ArrayLike, y: ArrayLike, z: ArrayLike, **options: Unpack[Options]) -> Field:
+def volume(solution: Solved, x: ArrayLike, y: ArrayLike, z: ArrayLike, **options: Unpack[Options]) -> Field:
     """Return the stress on a grid of points with the given coordinates along each axis.
 
     Parameters
@@ -278,7 +277,7 @@ def memory(points: int, *, displacement: bool = False) -> int:
     return DOUBLE * points * (9 if displacement else 6) + max(beside, 10 * 2**20)
 
 
-def across_at(solution: AnySolution, y: Array) -> tuple[Array, Array]:
+def across_at(solution: Solved, y: Array) -> tuple[Array, Array]:
     """Return the middle of the contact across and the half-width that counts [mm] at stations.
 
     Where a contact runs out or has ended it is its neighbours' half-width, less half of their distance: their field
@@ -291,15 +290,8 @@ def across_at(solution: AnySolution, y: Array) -> tuple[Array, Array]:
     """
     touching = checked_solution(solution).line_load > 0.0
     along = solution.y[touching]
-    if isinstance(solution, Solution):
-        middle, half_width = np.zeros(along.size), solution.half_width[touching]
-        half_length = 0.5 * solution.strip_width[touching]
-    else:
-        footprint = solution.footprint[:, touching]
-        first = solution.x[footprint.argmax(axis=0)]
-        last = solution.x[::-1][footprint[::-1].argmax(axis=0)]
-        middle, half_width = 0.5 * (first + last), 0.5 * (last - first + solution.dx)
-        half_length = np.full(along.size, 0.5 * solution.dy)
+    middle, half_width = (each[touching] for each in solution.extent_across)
+    half_length = 0.5 * np.diff(solution.edges)[touching]
     stations = np.asarray(y, dtype=float).ravel()
     counted = np.interp(stations, along, half_width, left=0.0, right=0.0)
     for start in range(0, stations.size, PORTION):
@@ -319,7 +311,7 @@ def one_station(station: float) -> float:
     return float(station)
 
 
-def axial_range(solution: AnySolution, body: str) -> Array:
+def axial_range(solution: Solved, body: str) -> Array:
     """Return stations [mm] over the contact and what is stressed beyond its ends."""
     checked_solution(solution)
     beyond = WIDEST * float(across_at(solution, solution.y)[1].max())
@@ -328,7 +320,7 @@ def axial_range(solution: AnySolution, body: str) -> Array:
     return np.linspace(max(touching[0] - beyond, low), min(touching[-1] + beyond, high), STATIONS)
 
 
-def _depths(solution: AnySolution) -> Array:
+def _depths(solution: Solved) -> Array:
     return DEEPEST * float(checked_solution(solution).half_width.max()) * np.linspace(0.0, 1.0, LEVELS)
 
 

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.solution import ReadOnly, read_only
+from nonhertz.result.solution import ReadOnly, read_only
 
 Array = NDArray[np.float64]
 

@@ -17,12 +17,13 @@ from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled
 from nonhertz.errors import InputError
-from nonhertz.finite import HERTZ, SEPARATE_LINKS, Depth, Shape, influence_within
+from nonhertz.finite import SEPARATE_LINKS, Depth, influence_within
 from nonhertz.model.body import Body
 from nonhertz.model.finite import SERIES
-from nonhertz.solution import Solution
+from nonhertz.patch.solution import PatchSolution
+from nonhertz.result.protocol import Solved
+from nonhertz.result.solution import Solution
 from nonhertz.subsurface.field import TAU_XY, TAU_YZ
-from nonhertz.subsurface.reach import AnySolution, checked_solution, edges_along
 from nonhertz.subsurface.rectangles import Rectangles
 from nonhertz.subsurface.strips import StripLoad
 from nonhertz.subsurface.tails import TWO_PI, stress_tail
@@ -76,7 +77,7 @@ class Inside:
     afar: float
 
     @classmethod
-    def of(cls, solution: AnySolution, name: str) -> Inside:
+    def of(cls, solution: Solved, name: str) -> Inside:
         """Return body ``name`` of a solution.
 
         Raises
@@ -86,10 +87,9 @@ class Inside:
         """
         check_body(name)
         checked_solution(solution)
-        shape: Shape = solution.element if isinstance(solution, Solution) else HERTZ
-        edges = edges_along(solution)
+        edges = solution.edges
         which = "ab".index(name)
-        terms, depth = influence_within(solution.contact, shape, which)
+        terms, depth = influence_within(solution.contact, solution.shape, which)
         body = (solution.contact.a, solution.contact.b)[which]
         afar = 0.0
         if body.images == SERIES and body.length is not None and terms.shape[0] > SEPARATE_LINKS:
@@ -144,6 +144,20 @@ class Inside:
         return total
 
 
+def checked_solution(solution: object) -> Solved:
+    """Return a solution that has a contact, or refuse what has none or is not a solution.
+
+    Raises
+    ------
+    InputError
+    """
+    if not isinstance(solution, Solution | PatchSolution):
+        raise InputError("solution", solution, "be a solved contact", "give what solve or patch.solve returns")
+    if not np.any(solution.line_load > 0.0):
+        raise InputError("solution", solution.status.label, "have a contact", "press the bodies together")
+    return solution
+
+
 def check_body(name: object) -> None:
     """Refuse what is neither of the bodies."""
     if not isinstance(name, str) or name not in {"a", "b"}:
@@ -151,17 +165,19 @@ def check_body(name: object) -> None:
 
 
 # Solutions never change, and a search asks for the field below one a hundred times.
-_LOADS: WeakKeyDictionary[AnySolution, Load] = WeakKeyDictionary()
+_LOADS: WeakKeyDictionary[Solved, Load] = WeakKeyDictionary()
 
 
-def _load(solution: AnySolution) -> Load:
+def _load(solution: Solved) -> Load:
     """Return the pressure of a solution, made when it is first asked for."""
     load = _LOADS.get(solution)
     if load is None:
         if isinstance(solution, Solution):
             load = StripLoad.of(solution)
-        else:
+        elif isinstance(solution, PatchSolution):
             load = Rectangles.of(solution.x, solution.y, solution.dx, solution.dy, solution.pressure)
+        else:
+            raise TypeError(f"no field below a {type(solution).__name__}")
         _LOADS[solution] = load
     return load
 

@@ -32,7 +32,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]

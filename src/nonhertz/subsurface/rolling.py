@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.hertz import LineContact
-from nonhertz.patch.solution import PatchSolution
-from nonhertz.solution import ReadOnly
+from nonhertz.result.protocol import Solved
+from nonhertz.result.solution import ReadOnly
 from nonhertz.subsurface.evaluation import Within, across_at, broadcast, finite_numbers, refuse_options, stress
 from nonhertz.subsurface.field import TAU_XZ, max_shear_of, orthogonal_shear_of, von_mises_of
-from nonhertz.subsurface.reach import AnySolution, checked_solution
+from nonhertz.subsurface.inside import checked_solution
 
 Array = NDArray[np.float64]
 
@@ -69,7 +69,7 @@ class Passage(ReadOnly):
     orthogonal_shear_range: Array
 
 
-def passage(solution: AnySolution, y: ArrayLike, z: ArrayLike, **options: Unpack[Within]) -> Passage:
+def passage(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[Within]) -> Passage:
     """Return the largest stresses that places below a contact see while the load rolls over them.
 
     Parameters
@@ -110,18 +110,18 @@ def passage(solution: AnySolution, y: ArrayLike, z: ArrayLike, **options: Unpack
     return Passage(options.get("body", "a"), along, below, *largest)
 
 
-def _over(solution: AnySolution, y: Array, z: Array, options: Within) -> Array:
+def _over(solution: Solved, y: Array, z: Array, options: Within) -> Array:
     """Return the largest values, where across they are, and the range of tau_xz, shape (7, places)."""
     centre, half_width = across_at(solution, y)
     x = _samples(half_width, z)
-    if isinstance(solution, PatchSolution):
+    if not solution.symmetric_across:
         x = centre[:, None] + np.concatenate([-x[:, :0:-1], x], axis=1)
 
     def at(x: Array) -> Array:
         return stress(solution, x, y[:, None], z[:, None], **options).stress
 
     sampled = at(x)
-    if isinstance(solution, PatchSolution):
+    if not solution.symmetric_across:
         signed = {"up": lambda each: each[..., TAU_XZ], "down": lambda each: -each[..., TAU_XZ]}
     else:
         signed = {}

@@ -13,17 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.solution import Solution
+from nonhertz.patch.solution import PatchSolution
+from nonhertz.result.ends import ends_in_words, limitless_ends, outermost
+from nonhertz.result.protocol import Solved
 from nonhertz.subsurface.evaluation import Within, across_at, one_station, refuse_options, stress
-from nonhertz.subsurface.inside import Inside
-from nonhertz.subsurface.reach import (
-    AnySolution,
-    checked_solution,
-    contact_ends,
-    edges_along,
-    ends_in_words,
-    limitless_ends,
-)
+from nonhertz.subsurface.inside import Inside, checked_solution
 from nonhertz.subsurface.rolling import QUANTITIES, Passage, Quantity, passage
 
 Array = NDArray[np.float64]
@@ -76,7 +70,7 @@ class Extremes:
     warnings: tuple[str, ...]
 
 
-def extremes(solution: AnySolution, station: float | None = None, **options: Unpack[Within]) -> Extremes:
+def extremes(solution: Solved, station: float | None = None, **options: Unpack[Within]) -> Extremes:
     """Return the largest stresses below a contact, or those in the cross-section at a station.
 
     Parameters
@@ -132,7 +126,7 @@ def extremes(solution: AnySolution, station: float | None = None, **options: Unp
     return Extremes(body=options.get("body", "a"), warnings=warnings, **largest)
 
 
-def _refuse_outside(solution: AnySolution, station: float, body: str) -> None:
+def _refuse_outside(solution: Solved, station: float, body: str) -> None:
     try:
         Inside.of(solution, body).refuse_outside(np.array([station]), np.zeros(1))
     except InputError as error:
@@ -141,12 +135,12 @@ def _refuse_outside(solution: AnySolution, station: float, body: str) -> None:
         raise InputError("station", station, error.condition, error.remedy) from None
 
 
-def _stretches(solution: AnySolution) -> list[tuple[float, float]]:
+def _stretches(solution: Solved) -> list[tuple[float, float]]:
     """Return where to search: the contact but for a half-width around ends without a limit; all of it if that is all.
 
     A corner of the profile may have contact on either side.
     """
-    stretches = [contact_ends(solution)]
+    stretches = [outermost(solution)]
     for end in limitless_ends(solution):
         inset = float(across_at(solution, np.array([end.y]))[1][0])
         cut = [
@@ -155,22 +149,22 @@ def _stretches(solution: AnySolution) -> list[tuple[float, float]]:
             for part in ((low, min(high, end.y - inset)), (max(low, end.y + inset), high))
         ]
         stretches = [(low, high) for low, high in cut if low < high]
-    return stretches or [contact_ends(solution)]
+    return stretches or [outermost(solution)]
 
 
-def _sections(solution: AnySolution, stretches: list[tuple[float, float]]) -> Array:
+def _sections(solution: Solved, stretches: list[tuple[float, float]]) -> Array:
     """Return the stations to search: strips and their edges, or rows, and where the search ends."""
     searched = _within(solution.y, stretches)
     rows = np.flatnonzero((solution.line_load > 0.0) & searched)
-    most = MOST_STATIONS if isinstance(solution, Solution) else MOST_ROWS
+    most = MOST_ROWS if isinstance(solution, PatchSolution) else MOST_STATIONS
     if rows.size > most:
         even = rows[np.linspace(0, rows.size - 1, most).astype(int)]
         # What is narrow, a dent or an edge, shows in the pressure.
-        pressure = solution.centre_pressure if isinstance(solution, Solution) else solution.pressure.max(axis=0)
+        pressure = solution.largest_across
         crests = rows[1:-1][(np.diff(pressure[rows])[:-1] > 0.0) & (np.diff(pressure[rows])[1:] <= 0.0)]
         highest = crests[pressure[crests].argsort()[-most // 4 :]]
         rows = np.unique(np.concatenate([even, highest]))
-    between = edges_along(solution) if rows.size < FEW else np.empty(0)
+    between = solution.edges if rows.size < FEW else np.empty(0)
     between = between[_within(between, stretches)]
     return np.unique(np.concatenate([np.ravel(stretches), solution.y[rows], between]))
 
@@ -181,7 +175,7 @@ def _within(y: Array, stretches: list[tuple[float, float]]) -> NDArray[np.bool_]
 
 
 def _largest(
-    solution: AnySolution, name: str, coarse: Passage, stretches: list[tuple[float, float]], options: Within
+    solution: Solved, name: str, coarse: Passage, stretches: list[tuple[float, float]], options: Within
 ) -> Extreme:
     """Return the largest value near the best places of a net."""
     values = getattr(coarse, name)
@@ -210,7 +204,7 @@ def _other_crests(values: Array) -> list[tuple[int, int]]:
     return [(int(row), int(column)) for row, column in tall[order[:CRESTS]]]
 
 
-def _distances(solution: AnySolution, station: Array) -> Array:
+def _distances(solution: Solved, station: Array) -> Array:
     """Return lengths [mm] that the depth of the largest stress may be of: half-width, distance to the contact."""
     touching = solution.y[solution.line_load > 0.0]
     largest = float(across_at(solution, touching)[1].max())
@@ -219,7 +213,7 @@ def _distances(solution: AnySolution, station: Array) -> Array:
 
 
 def _refined(
-    solution: AnySolution,
+    solution: Solved,
     name: str,
     coarse: Passage,
     stretches: list[tuple[float, float]],
@@ -245,7 +239,7 @@ def _refined(
         if found.max() > top:
             top, best = float(found.max()), net[int(found.argmax())]
         span *= SHRINKING
-    across = float(abs(best[0]) if isinstance(solution, Solution) else best[0])
+    across = float(abs(best[0]) if solution.symmetric_across else best[0])
     across = 0.0 if abs(across) < ROUNDING * half_width else across
     along = 0.0 if abs(best[1]) < ROUNDING * half_width else float(best[1])
     return Extreme(top, across, along, float(best[2]) + 0.0)
@@ -263,7 +257,7 @@ def _first_of_equals(values: Array, y: Array) -> tuple[int, int]:
     return int(row), int(column)
 
 
-def _warnings(solution: AnySolution) -> list[str]:
+def _warnings(solution: Solved) -> list[str]:
     sentences = []
     ends = limitless_ends(solution)
     if ends:
@@ -271,10 +265,10 @@ def _warnings(solution: AnySolution) -> list[str]:
         searched = f"within a half-width of {'them' if len(ends) > 1 else 'it'}"
         sentences.append(
             f"{what} {searched} nothing was searched."
-            if _stretches(solution) != [contact_ends(solution)]
+            if _stretches(solution) != [outermost(solution)]
             else f"{what} all of the contact lies {searched}, and the values depend on the strips."
         )
-    if isinstance(solution, Solution) and solution.peaks_at_corner and not any(end.at_corner for end in ends):
+    if solution.peaks_at_corner and not any(end.at_corner for end in ends):
         sentences.append(
             "The pressure is largest at a corner of the profile, where it has no limit: so is the stress right below, "
             "and its largest values depend on the strips."

@@ -27,7 +27,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.subsurface.lamination import Lamination, laminated
 from nonhertz.subsurface.tails import TWO_PI, displacement_tail, stress_tail
 

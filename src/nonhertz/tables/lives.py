@@ -6,8 +6,8 @@ import math
 
 from nonhertz.io.lives import BODIES, Assessment
 from nonhertz.life import RATED, Model, VolumeModel
-from nonhertz.singular import largest_away, singular_ends
-from nonhertz.solution import Solution
+from nonhertz.result.ends import largest_away, singular_ends
+from nonhertz.result.solution import Solution
 from nonhertz.tables.summary import digits
 
 _IDEAL = (

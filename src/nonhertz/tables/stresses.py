@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from nonhertz.io.stresses import poisson, there
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes
 from nonhertz.tables.summary import digits
 

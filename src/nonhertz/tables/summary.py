@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from nonhertz.singular import at_corner, largest_away, singular_ends
-from nonhertz.solution import EdgeKind, EdgePressure, Solution
+from nonhertz.result.ends import at_corner, largest_away, singular_ends
+from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 
 
 def summary_rows(solution: Solution) -> list[tuple[str, str, str]]:

@@ -15,7 +15,7 @@ from nonhertz.model.body import Ring, Roller
 from nonhertz.model.contact import Contact
 from nonhertz.model.profile import iso_logarithmic
 from nonhertz.plot.style import FIRST, INK, SECOND
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.solver import solve
 from nonhertz.strip.element import SEMI_ELLIPTIC
 from nonhertz.strip.influence import coefficients

@@ -28,7 +28,7 @@ from nonhertz.model.material import Material
 from nonhertz.model.profile import iso_logarithmic
 from nonhertz.patch import solve as solve_patch
 from nonhertz.plot.style import FAINT_INK, FIRST, INK, SECOND
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.solver import solve
 from nonhertz.verify.claim import Check, Picture, Section
 

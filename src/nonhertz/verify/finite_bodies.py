@@ -13,7 +13,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
 from nonhertz.model.profile import crown
 from nonhertz.plot.style import FIRST, INK, SECOND
-from nonhertz.solution import EdgeKind, Solution
+from nonhertz.result.solution import EdgeKind, Solution
 from nonhertz.solver import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 from nonhertz.verify.claim import Check, Picture, Section, without_accuracy_warnings

@@ -13,7 +13,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.material import STEEL
 from nonhertz.model.profile import Profile, crown, straight
 from nonhertz.plot.style import FIRST, INK, SECOND
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.solver import solve
 from nonhertz.verify.claim import Check, Picture, Section
 

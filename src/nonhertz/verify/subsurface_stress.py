@@ -22,7 +22,7 @@ from nonhertz.model.profile import crown, iso_logarithmic
 from nonhertz.patch import PatchSolution
 from nonhertz.patch import solve as solve_patch
 from nonhertz.plot.style import FIRST, INK, LINE, PALE, SECOND, SMALL_SIZE, THIN
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.solver import solve
 from nonhertz.subsurface import Extremes, Field, extremes, passage, stress
 from nonhertz.subsurface.field import SIGMA_Z, TAU_XY, TAU_XZ, TAU_YZ, von_mises_of

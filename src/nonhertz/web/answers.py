@@ -17,8 +17,8 @@ from nonhertz.model.body import Body
 from nonhertz.plot.axial import regular
 from nonhertz.plot.contact_area import outlines
 from nonhertz.plot.surfaces import distances, drawn_range
-from nonhertz.singular import singular_ends
-from nonhertz.solution import Solution
+from nonhertz.result.ends import singular_ends
+from nonhertz.result.solution import Solution
 from nonhertz.tables.summary import summary_rows
 from nonhertz.web.replies import numbers
 

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.singular import away_from_ends
-from nonhertz.solution import Solution
+from nonhertz.result.ends import away_from_ends
+from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
 from nonhertz.subsurface.inside import Inside

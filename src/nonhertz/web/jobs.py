@@ -16,7 +16,7 @@ from nonhertz.errors import CaseError
 from nonhertz.io.casefile import Case, as_toml, case_in, parsed, starting_case
 from nonhertz.io.mistakes import Mistake, case_error
 from nonhertz.io.results import as_json, as_table
-from nonhertz.solution import Solution
+from nonhertz.result.solution import Solution
 from nonhertz.web.answers import answer, drawable
 from nonhertz.web.depths import stress_answer
 from nonhertz.web.fields import is_number

@@ -8,13 +8,13 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.edge import edge_pressures
 from nonhertz.errors import ConvergenceError
-from nonhertz.estimate import error_estimate
 from nonhertz.model.contact import Contact
-from nonhertz.singular import corner_ends
-from nonhertz.solution import EdgeKind, EdgePressure, Solution, Status
-from nonhertz.strains import (
+from nonhertz.result.end_pressure import edge_pressures
+from nonhertz.result.ends import corner_ends
+from nonhertz.result.estimate import error_estimate
+from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
+from nonhertz.result.validity import (
     refuse_thin_bodies,
     refuse_wide_series,
     refuse_wider_than_round,

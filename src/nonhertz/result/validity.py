@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.estimate import LARGE_ERROR, LARGE_PRESSURE_ERROR, MISSED, may_be_uncertain, may_miss_contact
 from nonhertz.finite import depth_below
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
 from nonhertz.model.finite import SERIES
-from nonhertz.solution import EdgeKind, Solution, Status
+from nonhertz.result.estimate import LARGE_ERROR, LARGE_PRESSURE_ERROR, MISSED, may_be_uncertain, may_miss_contact
+from nonhertz.result.solution import EdgeKind, Solution, Status
 from nonhertz.strip.batch import States
 from nonhertz.strip.resolution import overlapping
 from nonhertz.strip.state import SCARCELY, Problem, State, runs, sprung

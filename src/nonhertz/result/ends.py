@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.model.contact import Contact
-from nonhertz.solution import EdgeKind, EdgePressure, Solution
+from nonhertz.result.protocol import Solved
+from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 from nonhertz.strip.state import runs
 
 Array = NDArray[np.float64]
@@ -19,6 +23,7 @@ PAST_CORNER = 0.1
 # that is less than this share of it, refinement changes nothing that counts.
 COUNTS = 0.02
 LEFT_AT_CORNER = 0.5  # of the squared pressure of a strip next to it: less, continued linearly, is a run-out
+SAME_PLACE = 1e-9  # of the length
 STEP = 1e-5  # of the length, across which a corner is told from a curve
 
 
@@ -110,3 +115,74 @@ def _turn(contact: Contact, place: float, step: float) -> float:
     """Return by how much the slope of the separation rises around a place [rad]."""
     before, there, after = contact.separation(np.array([place - step, place, place + step])).tolist()
     return float((after - there) / step + (before - there) / step) if np.isfinite(there) else 0.0
+
+
+@dataclass(frozen=True, order=True)
+class LimitlessEnd:
+    """An end of a contact towards which pressure and stress have no limit.
+
+    Attributes
+    ----------
+    y : float
+        Where [mm].
+    at_corner : bool
+        Whether it is a corner of the profile, else a sharp end of a body.
+    """
+
+    y: float
+    at_corner: bool
+
+
+def limitless_ends(solution: Solved) -> tuple[LimitlessEnd, ...]:
+    """Return the ends at which the pressure has no limit, ascending: sharp ends of bodies, corners of profiles."""
+    sharp = solution.sharp_ends
+    pressure = np.where(solution.line_load > 0.0, solution.largest_across, 0.0)
+    corners = corner_ends(solution.contact, solution.edges, pressure, solution.half_width)
+    room = SAME_PLACE * float(np.ptp(solution.edges))
+    apart = [corner for corner in corners if all(abs(corner - end) > room for end in sharp)]
+    return tuple(sorted([LimitlessEnd(y, False) for y in sharp] + [LimitlessEnd(y, True) for y in apart]))
+
+
+def ends_in_words(ends: Iterable[LimitlessEnd]) -> str:
+    """Return where the stress has no limit.
+
+    Examples
+    --------
+    >>> ends_in_words([LimitlessEnd(-10.0, False), LimitlessEnd(9.0, True)])
+    'the sharp end at y = -10 mm and the corner of the profile at y = 9 mm'
+    """
+    parts = []
+    for one, many, at_corner in (
+        ("sharp end", "sharp ends", False),
+        ("corner of the profile", "corners of the profile", True),
+    ):
+        places = sorted({end.y for end in ends if end.at_corner == at_corner})
+        if places:
+            name = one if len(places) == 1 else many
+            parts.append(f"the {name} at y = {' and '.join(f'{y:.5g}' for y in places)} mm")
+    return " and ".join(parts)
+
+
+def largest_half_width(solution: Solved, ends: Iterable[float]) -> float:
+    """Return the largest half-width [mm] that is not right at one of ``ends``.
+
+    At a corner the contact grows wider with every refinement, and a length that others are measured by must not.
+    """
+    largest = float(solution.half_width.max())
+    away = solution.line_load > 0.0
+    for end in ends:
+        away &= np.abs(solution.y - end) > PAST_CORNER * largest
+    return float(solution.half_width[away].max()) if np.any(away) else largest
+
+
+def step_at(solution: Solved, end: LimitlessEnd) -> float:
+    """Return the width of the strip, or of the row of cells, at an end [mm]."""
+    edges = solution.edges
+    touching = np.flatnonzero(solution.line_load > 0.0)
+    distance = np.abs(0.5 * (edges[1:] + edges[:-1]) - end.y)[touching]
+    return float(np.diff(edges)[touching[distance.argmin()]])
+
+
+def outermost(solution: Solved) -> tuple[float, float]:
+    """Return the outermost ends [mm] of a contact."""
+    return solution.contact_y[0][0], solution.contact_y[-1][1]

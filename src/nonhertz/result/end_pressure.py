@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.model.contact import Contact
-from nonhertz.solution import EdgeKind, EdgePressure
+from nonhertz.result.solution import EdgeKind, EdgePressure
 from nonhertz.strip.grid import reaches
 from nonhertz.strip.state import Problem, State
 

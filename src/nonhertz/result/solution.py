@@ -256,6 +256,31 @@ class Solution(ReadOnly):
         return read_only(pressure)
 
     @property
+    def largest_across(self) -> Array:
+        """Largest pressure across the contact [MPa] at each strip: that on the centre line."""
+        return self.centre_pressure
+
+    @property
+    def extent_across(self) -> tuple[Array, Array]:
+        """Middle of the contact across, x = 0, and half-width b [mm] at each strip."""
+        return np.zeros(self.strips), self.half_width
+
+    @property
+    def symmetric_across(self) -> bool:
+        """Whether the pressure is the same at x and at -x: that of strips is."""
+        return True
+
+    @property
+    def shape(self) -> Element:
+        """Shape of the pressure across: the element."""
+        return self.element
+
+    @property
+    def sharp_ends(self) -> tuple[float, ...]:
+        """Where the contact reaches an end of a body at which the pressure has no limit [mm], ascending."""
+        return tuple(edge.y for edge in self.edge_pressure if edge.kind is EdgeKind.SINGULAR)
+
+    @property
     def max_pressure(self) -> float:
         """The largest strip pressure [MPa]."""
         return float(self.centre_pressure.max())

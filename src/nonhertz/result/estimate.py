@@ -9,8 +9,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.edge import SHARP_END_ERROR, sharp_end_error
-from nonhertz.solution import EdgePressure, ErrorEstimate
+from nonhertz.result.end_pressure import SHARP_END_ERROR, sharp_end_error
+from nonhertz.result.solution import EdgePressure, ErrorEstimate
 from nonhertz.strip.batch import States
 from nonhertz.strip.levels import SAFETY, Levels
 from nonhertz.strip.newton import CONVERGED

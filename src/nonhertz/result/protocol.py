@@ -1,0 +1,106 @@
+"""What solutions of strips and of the plane grid have in common: whoever reads a result needs no more."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.finite import Shape
+from nonhertz.model.contact import Contact
+from nonhertz.result.solution import ErrorEstimate, Status
+
+Array = NDArray[np.float64]
+
+
+class Solved(Protocol):
+    """A solved contact, whatever it was solved with; arrays have an entry for each strip, or each row of cells."""
+
+    @property
+    def contact(self) -> Contact:
+        """What was solved."""
+
+    @property
+    def status(self) -> Status:
+        """How the solve ended."""
+
+    @property
+    def approach(self) -> float:
+        """Delta [mm]."""
+
+    @property
+    def tilt(self) -> float:
+        """Gamma [rad]."""
+
+    @property
+    def load(self) -> float:
+        """Q [N]."""
+
+    @property
+    def moment(self) -> float:
+        """T [N mm]."""
+
+    @property
+    def y(self) -> Array:
+        """Centres along the contact [mm], ascending, shape (n,)."""
+
+    @property
+    def edges(self) -> Array:
+        """Edges along the contact [mm], ascending, shape (n + 1,)."""
+
+    @property
+    def line_load(self) -> Array:
+        """Load per length q [N/mm], shape (n,)."""
+
+    @property
+    def half_width(self) -> Array:
+        """Half-width b [mm], shape (n,)."""
+
+    @property
+    def centre_pressure(self) -> Array:
+        """Pressure p0 on the centre line [MPa], shape (n,)."""
+
+    @property
+    def largest_across(self) -> Array:
+        """Largest pressure across the contact [MPa], shape (n,)."""
+
+    @property
+    def extent_across(self) -> tuple[Array, Array]:
+        """Middle of the contact across and half of its extent [mm], shape (n,) each."""
+
+    @property
+    def symmetric_across(self) -> bool:
+        """Whether the pressure is the same at x and at -x."""
+
+    @property
+    def shape(self) -> Shape:
+        """Shape of the pressure across that influence counts with."""
+
+    @property
+    def contact_y(self) -> tuple[tuple[float, float], ...]:
+        """The intervals in contact along y [mm], ascending."""
+
+    @property
+    def sharp_ends(self) -> tuple[float, ...]:
+        """Where the contact reaches an end of a body at which the pressure has no limit [mm], ascending."""
+
+    @property
+    def max_pressure(self) -> float:
+        """The largest pressure [MPa]."""
+
+    @property
+    def max_pressure_y(self) -> float:
+        """Where along y it is [mm]."""
+
+    @property
+    def peaks_at_corner(self) -> bool:
+        """Whether the largest pressure is at a corner of the profile, where it has no limit."""
+
+    @property
+    def error_estimate(self) -> ErrorEstimate:
+        """Estimated discretisation errors."""
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What strains the model."""
