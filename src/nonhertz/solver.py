@@ -103,7 +103,10 @@ def problem_of(contact: Contact, given: Prescription, element: Element) -> Probl
     prescribed = np.array([given.by_load, given.by_moment])
     factors = np.where(prescribed, contact.compliance, 1.0)
     target, influence = factors * [given.first, given.second], influence_of(contact, element)
-    return Problem(contact.separation, contact.curvature, element, prescribed, target, influence, contact.compliance)
+    return Problem(
+        contact.separation, contact.curvature, element, prescribed, target, influence, contact.compliance,
+        contact.crests,
+    )  # fmt: skip
 
 
 def refuse_no_element(element: object) -> None:

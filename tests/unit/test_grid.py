@@ -323,3 +323,14 @@ def test_the_approach_at_which_unbounded_bodies_touch_counts_every_bump_in_sight
     with pytest.raises(nh.InputError, match=r"must exceed -0\.000999") as refused:
         nh.solve(contact, approach=-1.1e-3, strips=3)
     assert refused.value.field == "approach"
+
+
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
+def test_every_point_of_a_rough_table_is_looked_at():
+    # 72 points of a measured line, more kinks than count as such; two stand out, and few samples of 600 see the lower.
+    y = np.linspace(-15.0, 15.0, 72)
+    relief = np.where(np.arange(72) % 2 == 0, 2e-4, 3e-4)
+    relief[[41, 46]] = [-1.40e-4, -1.67e-4]
+    contact = nh.Contact(nh.Roller(diameter=5, length=30, profile=profile.tabulated(y, relief, "linear")), nh.Plate())
+    solution = nh.solve(contact, approach=-1.39e-4)
+    assert [sum(low < y[at] < high for low, high in solution.contact_y) for at in (41, 46)] == [1, 1]

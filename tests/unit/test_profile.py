@@ -316,6 +316,15 @@ class TestTabulated:
         assert tabulated(y, relief, "linear").bends == (-5.0, 5.0)
         assert tabulated(y, relief, "pchip").bends == ()
 
+    def test_crests_are_where_the_slope_rises_and_of_very_many_the_lowest(self):
+        assert tabulated([0.0, 1.0, 2.0, 3.0], [0.0, 0.0, 1.0, 1.0], "linear").crests == (1.0,)
+        y = np.arange(40_000.0)
+        relief = np.where(y % 2 == 0, 1.0, 2.0)
+        relief[12_344] = 0.0
+        crests = tabulated(y, relief, "linear").shifted(0.5).crests
+        assert len(crests) <= 5000
+        assert 12_344.5 in crests
+
     def test_smooth_and_rough_data_have_no_bends(self):
         y = np.linspace(-10.0, 10.0, 201)
         assert tabulated(y, y**2 / 2000.0, "linear").bends == ()

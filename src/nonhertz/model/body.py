@@ -177,6 +177,11 @@ class Body:
         """Axial positions [mm] where the relief bends."""
         return tuple(self.position + bend for bend in self.profile.bends)
 
+    @property
+    def crests(self) -> tuple[float, ...]:
+        """Axial positions [mm] at which the relief may stand out between any places that are looked at."""
+        return tuple(self.position + crest for crest in self.profile.crests)
+
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm] at the positions ``y`` [mm]."""
         return self.profile.relief(moved_back(y, self.position, self.profile.extent))

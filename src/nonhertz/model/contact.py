@@ -68,6 +68,11 @@ class Contact:
         return tuple(sorted({*self.a.bends, *self.b.bends}))
 
     @property
+    def crests(self) -> tuple[float, ...]:
+        """Axial positions [mm] at which either relief may stand out, ascending; bends are among them."""
+        return tuple(sorted({*self.a.crests, *self.b.crests, *self.bends}))
+
+    @property
     def compliance(self) -> float:
         """Sum of both half-space compliances K = (1 - nu^2) / (pi E) [1/MPa]."""
         return self.a.material.compliance + self.b.material.compliance

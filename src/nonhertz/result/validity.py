@@ -102,7 +102,7 @@ def _missed_contact(solution: Solution, problem: Problem, state: State) -> list[
     low, high = float(state.edges[0]), float(state.edges[-1])
     interval = solution.contact.interval
     region = max(interval[0], 2.0 * low - high), min(interval[1], 2.0 * high - low)
-    y, overlap = overlapping(problem, state, region, solution.contact.bends)
+    y, overlap = overlapping(problem, state, region)
     overlap = np.where(_next_to_contact(state, y), 0.0, overlap)
     deepest = float(np.max(solution.interference[solution.line_load > 0.0]))
     if not np.any(overlap > MISSED * deepest):

@@ -130,7 +130,7 @@ def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tu
         low = max(low - EXTENSION * length, interval[0])
     if cut[1]:
         high = min(high + EXTENSION * length, interval[1])
-    for place, width in overlaps(problem, state, interval, bends):
+    for place, width in overlaps(problem, state, interval):
         places.append(place)
         widths.append(width)
         low, high = min(low, max(place - 5.0 * width, interval[0])), max(high, min(place + 5.0 * width, interval[1]))
@@ -193,23 +193,34 @@ def _fall(y: Array, m: Array, low: float, high: float, side: int) -> float:
     return float(before + share * (distance - before))
 
 
-def overlaps(
-    problem: Problem, state: State, interval: tuple[float, float], bends: tuple[float, ...]
-) -> list[tuple[float, float]]:
+def overlaps(problem: Problem, state: State, interval: tuple[float, float]) -> list[tuple[float, float]]:
     """Return middles of intervals where the surfaces overlap between strips out of contact, and widths for them.
 
     A wide strip out of contact sees the gap at its centre only; another place of contact may lie beside it.
     """
-    y, overlap = overlapping(problem, state, interval, bends)
-    if not np.any(overlap):
+    y, overlap = overlapping(problem, state, interval)
+    if not np.any(overlap > 0.0):
         return []
     step = (interval[1] - interval[0]) / SAMPLES
     found = []
     for i, j in runs(overlap > 0.0):
-        # No wider than its neighbours without overlap allow: bends may be much nearer to each other than samples.
-        within = 0.5 * (y[min(j + 1, y.size - 1)] - y[max(i - 1, 0)])
-        found.append((float(0.5 * (y[i] + y[j])), max(float(y[j] - y[i]), min(step, within)) / STRIPS_PER_OVERLAP))
+        # No wider than its neighbours without overlap allow: crests may be much nearer to each other than samples, and
+        # much narrower.
+        low, high = _reach(y, overlap, i, -1), _reach(y, overlap, j, 1)
+        extent = max(float(y[j] - y[i]), min(step, low + float(y[j] - y[i]) + high))
+        found.append((float(0.5 * (y[i] + y[j])), extent / STRIPS_PER_OVERLAP))
     return found
+
+
+def _reach(y: Array, overlap: Array, at: int, side: int) -> float:
+    """Return how far an overlap may go on beyond its last place: twice as far as a straight line to the next."""
+    beside = at + side
+    if not 0 <= beside < y.size:
+        return 0.0
+    distance = abs(float(y[beside] - y[at]))
+    falls = -math.inf < overlap[beside] < 0.0
+    share = overlap[at] / (overlap[at] - overlap[beside]) if falls else 1.0
+    return distance * min(2.0 * float(share), 0.5)
 
 
 def kinks(separation: Callable[[Array], Array], bends: tuple[float, ...], state: State) -> list[tuple[float, float]]:

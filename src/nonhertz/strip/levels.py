@@ -107,7 +107,7 @@ def on_automatic_strips(problem: Problem, interval: Interval, bends: tuple[float
         complete = lesson >= len(LESSONS)
         if not states[0].converged:
             break
-        if complete and not any(cut_off(states[0], interval)) and not overlaps(problem, states[0], finite, bends):
+        if complete and not any(cut_off(states[0], interval)) and not overlaps(problem, states[0], finite):
             break
         wanted = sizes(problem, states[0], bends, finite)
         grading = graded(wanted, STRIP_LIMIT if len(wanted.contact) == 1 else 2 * STRIP_LIMIT)

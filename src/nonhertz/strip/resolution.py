@@ -3,7 +3,7 @@
 Every condition of a contact is met at the centres of strips. A profile that is rough within a strip, or a place where
 the bodies overlap beside a wide strip out of contact, shows in none of them, and not in a comparison with coarser grids
 either, which look at fewer places still. So the bodies are asked once more: at several places within each strip in
-contact, how far the separation departs from a parabola; and along the whole bodies, with every bend of the profiles,
+contact, how far the separation departs from a parabola; and along the whole bodies, with every crest of the profiles,
 whether the surfaces overlap where the strips say that there is no contact.
 """
 
@@ -66,10 +66,8 @@ def roughness(departure: Array, width: Array, load: Array, pressure: Array) -> t
     return mean, np.max(np.where(load > 0.0, ripple, 0.0), axis=-1) / np.max(pressure, axis=-1)
 
 
-def overlapping(
-    problem: Problem, state: State, interval: tuple[float, float], bends: tuple[float, ...]
-) -> tuple[Array, Array]:
-    """Return places, and by how much the surfaces overlap there although no strip is in contact; zero where not.
+def overlapping(problem: Problem, state: State, interval: tuple[float, float]) -> tuple[Array, Array]:
+    """Return places, and by how much the surfaces overlap there although no strip is in contact.
 
     Parameters
     ----------
@@ -77,31 +75,25 @@ def overlapping(
         What is solved, and a solution.
     interval : tuple of float
         Where the bodies can touch [mm], finite.
-    bends : tuple of float
-        Where their profiles bend [mm]: places where a bump may be narrower than any distance between samples.
 
     Returns
     -------
     tuple of two ndarray, shape (places,)
-        Places [mm], ascending, and depths [mm].
+        Places [mm], ascending, and depths [mm]: zero in contact and beside it, negative where the surfaces are apart
+        before they give way.
     """
     contact = np.array(state.contact)
     margin = BESIDE * (contact[:, 1:] - contact[:, :1])
     if len(contact) == 1 and contact[0, 0] - margin[0] <= interval[0] and contact[0, 1] + margin[0] >= interval[1]:
         return np.zeros(0), np.zeros(0)
-    y, h = problem.sampled(*interval, SAMPLES)
-    inside = np.array([bend for bend in bends if interval[0] < bend < interval[1]])
-    if inside.size:
-        y, h = np.concatenate([y, inside]), np.concatenate([h, problem.separation(inside)])
-        ascending = np.argsort(y)
-        y, h = y[ascending], h[ascending]
+    y, h = problem.surveyed(*interval, SAMPLES)
     depth = state.rigid[0] + state.rigid[1] * y - h
     apart = np.all((y < contact[:, :1] - margin) | (y > contact[:, 1:] + margin), axis=0)
-    overlap = np.zeros_like(y)
+    overlap = np.where(apart & (depth <= 0.0), depth, 0.0)
     suspect = np.flatnonzero(apart & (depth > 0.0))
     if suspect.size:
         table = problem.element.table
         lift = displacements(problem.influence, y[suspect], state.edges, state.r, state.m, table)
         overlap[suspect] = depth[suspect] - lift
-    overlap[overlap < NOTICED * np.max(depth)] = 0.0
+    overlap[(overlap > 0.0) & (overlap < NOTICED * np.max(depth))] = 0.0
     return y, overlap

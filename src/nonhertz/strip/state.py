@@ -43,6 +43,8 @@ class Problem:
         How strips act.
     compliance : float
         K [1/MPa], by which loads are counted.
+    crests : tuple of float
+        Where profiles may stand out between any places that are looked at [mm].
     """
 
     separation: Callable[[Array], Array]
@@ -52,6 +54,7 @@ class Problem:
     target: Array
     influence: Influence
     compliance: float
+    crests: tuple[float, ...] = ()
     _sampled: dict[tuple[float, float, int], tuple[Array, Array]] = field(default_factory=dict, repr=False)
 
     def sampled(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
@@ -59,6 +62,18 @@ class Problem:
         key = (low, high, intervals)
         if key not in self._sampled:
             y = np.linspace(low, high, intervals + 1)
+            self._sampled[key] = y, self.separation(y)
+        return self._sampled[key]
+
+    def surveyed(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
+        """Return the places of `sampled` and the crests between them, and the separation there, ascending."""
+        crests = np.array(self.crests)
+        crests = crests[(crests > low) & (crests < high)]
+        if crests.size == 0:
+            return self.sampled(low, high, intervals)
+        key = (low, high, -intervals)
+        if key not in self._sampled:
+            y = np.unique(np.concatenate([self.sampled(low, high, intervals)[0], crests]))
             self._sampled[key] = y, self.separation(y)
         return self._sampled[key]
 

@@ -31,6 +31,11 @@ class Profile(ABC):
         return ()
 
     @property
+    def crests(self) -> tuple[float, ...]:
+        """Axial positions [mm] at which the relief may stand out between any places that are looked at."""
+        return self.bends
+
+    @property
     def extent(self) -> tuple[float, float]:
         """The interval [mm] on which the relief is defined; infinite for most kinds."""
         return (-np.inf, np.inf)
@@ -82,6 +87,11 @@ class Sum(Profile):
         return total
 
     @property
+    def crests(self) -> tuple[float, ...]:
+        """The crests of all parts."""
+        return tuple(sorted({crest for part in self.parts for crest in part.crests}))
+
+    @property
     def bends(self) -> tuple[float, ...]:
         """The bends of all parts."""
         return tuple(sorted({bend for part in self.parts for bend in part.bends}))
@@ -103,6 +113,11 @@ class Shifted(Profile):
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief of the profile ``by`` further back."""
         return self.profile.relief(moved_back(y, self.by, self.profile.extent))
+
+    @property
+    def crests(self) -> tuple[float, ...]:
+        """The profile's crests, moved."""
+        return tuple(crest + self.by for crest in self.profile.crests)
 
     @property
     def bends(self) -> tuple[float, ...]:
@@ -141,6 +156,11 @@ class Scaled(Profile):
         # 0).
         present = np.isfinite(relief)
         return np.where(present, self.by * np.where(present, relief, 0.0), np.inf)
+
+    @property
+    def crests(self) -> tuple[float, ...]:
+        """The profile's crests."""
+        return self.profile.crests
 
     @property
     def bends(self) -> tuple[float, ...]:

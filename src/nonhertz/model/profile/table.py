@@ -19,7 +19,7 @@ from nonhertz.model.checks import MOST, one_of
 from nonhertz.model.profile.base import Array, Profile, places
 
 _INTERPOLATIONS = ("pchip", "linear", "cubic")
-_MOST_BENDS = 20
+_MOST_BENDS, _MOST_CRESTS = 20, 5000
 _CLOSEST = 1e-12  # of the farthest position: rounding of the positions would hide less
 LARGEST_FILE = 5_000_000  # bytes
 MOST_POINTS = 100_000  # strips follow some hundreds
@@ -54,6 +54,18 @@ class Tabulated(Profile):
         slopes = np.diff(self.values) / np.diff(self.y)
         kinks = np.flatnonzero(np.abs(np.diff(slopes)) > 0.1 * np.ptp(slopes)) + 1
         return tuple(self.y[kink] for kink in kinks) if len(kinks) <= _MOST_BENDS else ()
+
+    @cached_property
+    def crests(self) -> tuple[float, ...]:
+        """The points at which the slope of the relief rises; of very many the lowest of every few."""
+        relief, y = np.array(self.values), np.array(self.y)
+        slopes = np.diff(relief) / np.diff(y)
+        rising = np.flatnonzero(np.diff(slopes) > 0.0) + 1
+        several = -(-rising.size // _MOST_CRESTS)
+        if several > 1:
+            padded = np.append(rising, np.full(-rising.size % several, rising[-1])).reshape(-1, several)
+            rising = padded[np.arange(padded.shape[0]), relief[padded].argmin(axis=1)]
+        return tuple(y[rising].tolist())
 
     @property
     def extent(self) -> tuple[float, float]:
