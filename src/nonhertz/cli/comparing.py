@@ -14,7 +14,7 @@ from nonhertz.cli.verification import Progress
 from nonhertz.comparison import Comparison, Quantity, Stretch
 from nonhertz.errors import InputError
 from nonhertz.io.casefile import Case, placed
-from nonhertz.tables.summary import digits
+from nonhertz.result.numerals import digits
 
 _METHODS = 3
 _COLUMNS = ("", "plane grid", "semi-elliptic", "difference", "parabolic", "difference")

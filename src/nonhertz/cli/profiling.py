@@ -19,7 +19,7 @@ from nonhertz.measured import Fit, Measured
 from nonhertz.measured.fit import KINDS
 from nonhertz.model.checks import one_of
 from nonhertz.model.profile import PARAMETER_UNITS
-from nonhertz.tables.summary import digits
+from nonhertz.result.numerals import digits
 
 BEST = "best"
 _PLAIN_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")

@@ -142,7 +142,7 @@ def _groups(solution: Solution, relative: Array) -> list[Indices]:
     found = np.flatnonzero(np.abs(np.nan_to_num(relative, nan=0.0)) > TOLD)
     if found.size == 0:
         return []
-    apart = solution.edges[found[1:]] - solution.edges[found[:-1] + 1] > float(solution.half_width.max())
+    apart = solution.edges[found[1:]] - solution.edges[found[:-1] + 1] > solution.max_half_width
     border = np.diff(away_from_sharp_ends(solution, solution.y[found]))
     return np.split(found, np.flatnonzero(apart | border) + 1)
 
@@ -275,7 +275,7 @@ def _end_of_contact(place: _Place) -> Iterator[_Cause]:
     # Close to it a curve through few strips or cells is a poor one, farther away the pressure may have stopped rising.
     poorer, better = _shifted(place)
     sizes = np.minimum(root, np.where(distance > 2.0 * place.shift, better, poorer))
-    away = float(distance[place.worst]) / float(solution.half_width.max())
+    away = float(distance[place.worst]) / solution.max_half_width
     yield _Cause(
         f"The contact runs out at y = {nearest:.5g} mm, {abs(away):.2g} half-widths from where they differ most, and "
         f"strips and cells may place that {float(place.shift.max()):.2g} mm apart",
@@ -300,7 +300,7 @@ def _run_out(place: _Place) -> tuple[Flags, Array, float]:
         return none, np.full(place.y.size, np.inf), math.nan
     end, side = min(ends, key=lambda each: abs(each[0] - place.y[place.worst]))
     distance = side * (place.y - end)
-    return np.abs(distance) < float(solution.half_width.max()), distance, end
+    return np.abs(distance) < solution.max_half_width, distance, end
 
 
 def _steep(place: _Place) -> Iterator[_Cause]:

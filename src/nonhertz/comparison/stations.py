@@ -23,7 +23,7 @@ def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, St
     """
     middle, end = centre(semi), _near_end(semi, patch)
     low, high = semi.contact_y[0][0], semi.contact_y[-1][1]
-    apart = min(float(semi.half_width.max()), 0.125 * (high - low))
+    apart = min(semi.max_half_width, 0.125 * (high - low))
     expected = np.interp(semi.y, patch.y, patch.centre_pressure)
     free = (semi.line_load > 0.0) & away_from_sharp_ends(semi, semi.y)
     free &= (np.abs(semi.y - middle) > apart) & (np.abs(semi.y - end) > apart)
@@ -41,7 +41,7 @@ def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, St
 
 
 def _near_end(semi: Solution, patch: PatchSolution) -> float:
-    widest = float(semi.half_width.max())
+    widest = semi.max_half_width
     low, high = semi.contact_y[0][0], semi.contact_y[-1][1]
     inwards = min(widest, 0.25 * (high - low))
     at_low, at_high = np.interp([low + inwards, high - inwards], semi.y, semi.line_load)

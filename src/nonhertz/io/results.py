@@ -16,16 +16,15 @@ import numpy as np
 
 from nonhertz.errors import InputError
 from nonhertz.io.drafts import drafts_in
+from nonhertz.result.quantities import ALONG, QUANTITIES
 from nonhertz.result.solution import EdgePressure, Solution
+
+# The stiffness is written as the matrix that it is.
+_NUMBERS = tuple(name for name in QUANTITIES if "_by_" not in name)
 
 #: Units of the numbers in a result; what has no unit is left out.
 UNITS: dict[str, Any] = {
-    "approach": "mm",
-    "tilt": "rad",
-    "load": "N",
-    "moment": "N mm",
-    "max_pressure": "MPa",
-    "max_pressure_y": "mm",
+    **{name: QUANTITIES[name].unit for name in _NUMBERS},
     "contact_y": "mm",
     "edge_pressure": {
         "y": "mm",
@@ -35,14 +34,8 @@ UNITS: dict[str, Any] = {
         "correction": "mm^(-2 exponent)",
     },
     "stiffness": [["N/mm", "N/rad"], ["N mm/mm", "N mm/rad"]],
-    "y": "mm",
-    "strip_width": "mm",
-    "line_load": "N/mm",
-    "centre_pressure": "MPa",
-    "half_width": "mm",
-    "gap": "mm",
+    **ALONG,
 }
-_COLUMNS = ("y", "strip_width", "line_load", "centre_pressure", "half_width", "gap")
 _OUT_REMEDY = "give a directory to write to"
 
 
@@ -56,12 +49,7 @@ def as_object(solution: Solution, title: str) -> dict[str, Any]:
         "title": title,
         "status": solution.status.label,
         "element": solution.element.name,
-        "approach": plain(solution.approach),
-        "tilt": plain(solution.tilt),
-        "load": plain(solution.load),
-        "moment": plain(solution.moment),
-        "max_pressure": plain(solution.max_pressure),
-        "max_pressure_y": plain(solution.max_pressure_y),
+        **{name: plain(QUANTITIES[name].get(solution)) for name in _NUMBERS},
         "contact_y": plain(solution.contact_y),
         "edge_pressure": [_edge_object(edge) for edge in solution.edge_pressure],
         "stiffness": plain(solution.stiffness),
@@ -70,7 +58,7 @@ def as_object(solution: Solution, title: str) -> dict[str, Any]:
         "error_estimate": {name: plain(value) for name, value in vars(solution.error_estimate).items()},
         "warnings": list(solution.warnings),
         "units": UNITS,
-        **{name: plain(getattr(solution, name)) for name in _COLUMNS},
+        **{name: plain(getattr(solution, name)) for name in ALONG},
     }
 
 
@@ -116,8 +104,8 @@ def as_table(solution: Solution) -> str:
     """Return the strips as comma-separated values, a line of names and units first."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(f"{name} [{UNITS[name]}]" for name in _COLUMNS)
-    columns = (getattr(solution, name).tolist() for name in _COLUMNS)
+    writer.writerow(f"{name} [{unit}]" for name, unit in ALONG.items())
+    columns = (getattr(solution, name).tolist() for name in ALONG)
     writer.writerows(zip(*columns, strict=True))
     return text.getvalue()
 

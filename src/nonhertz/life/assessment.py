@@ -281,7 +281,7 @@ def _warnings(spectrum: Spectrum, sharp: set[float]) -> tuple[str, ...]:
     if any(_is_coarse(each, end) for each, ends in found for end in ends):
         what = "a corner" if all(end.at_corner for end in named) else "a sharp end"
         sentences[f"The strips or cells at {what} are longer than what was left out: use finer ones."] = None
-    if any(np.ptp(outermost(each)) < SHORT * float(each.half_width.max()) for each, _ in spectrum):
+    if any(np.ptp(outermost(each)) < SHORT * each.max_half_width for each, _ in spectrum):
         sentences[
             f"The contact is shorter than {SHORT:g} half-widths between its ends: hardly anything is left to count."
         ] = None

@@ -120,6 +120,16 @@ class PatchSolution(ReadOnly):
         return int(i), int(j)
 
     @property
+    def max_half_width(self) -> float:
+        """The largest half-width [mm], zero where nothing touches."""
+        return float(self.half_width.max(initial=0.0))
+
+    @property
+    def contact_length(self) -> float:
+        """Length of all intervals in contact together [mm]."""
+        return math.fsum(high - low for low, high in self.contact_y)
+
+    @property
     def peaks_at_corner(self) -> bool:
         """Whether the largest pressure is at a corner of the profile: cells do not tell."""
         return False

@@ -94,7 +94,7 @@ def pressure(solution: Solution, ax: Axes) -> Axes:
     counted = float(solution.centre_pressure[regular(solution)].max(initial=0.0))
     ax.set_ylim(0.0, _top(counted, 1.0 / BEYOND if singular else PRESSURE_SHARE))
     share = CUT_HALF_WIDTH_SHARE if singular else HALF_WIDTH_SHARE
-    right.set_ylim(0.0, _top(float(solution.half_width.max()), share))
+    right.set_ylim(0.0, _top(solution.max_half_width, share))
     ax.set_xlabel(AXIAL_LABEL)
     ax.set_ylabel("Centre-line pressure $p_0$ [MPa]", color=FIRST)
     right.set_ylabel("Half-width $b$ [mm]", color=SECOND)

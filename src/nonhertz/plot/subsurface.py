@@ -176,7 +176,7 @@ def stress_planes(solution: Solution, section: Extremes) -> dict[str, Field]:
     middle, half_width = across_at(solution, np.asarray(y))
     x = middle + WIDEST * half_width * np.linspace(-1.0, 1.0, ACROSS)
     return {
-        "axial-plane": axial_plane(solution, stations, solution.half_width.max() * depths, body=body),
+        "axial-plane": axial_plane(solution, stations, solution.max_half_width * depths, body=body),
         "cross-section": cross_section(solution, y, x, half_width * depths, body=body),
     }
 

@@ -17,12 +17,11 @@ from numpy.typing import NDArray
 from nonhertz.comparison.reasons import TOLD
 from nonhertz.finite import depth_below, ends
 from nonhertz.report.finding import Finding
-from nonhertz.report.numerals import given
 from nonhertz.result.ends import largest_away, singular_ends
+from nonhertz.result.numerals import digits, given
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
 from nonhertz.result.validity import HEAVIEST, LEAST_DEPTH, MOST_OF_RADIUS, WIDER_THAN_LONG
 from nonhertz.strip.element import SEMI_ELLIPTIC
-from nonhertz.tables.summary import digits
 
 Array = NDArray[np.float64]
 
@@ -104,7 +103,7 @@ def _curved(solution: Solution) -> Assumption:
 
 
 def _long(solution: Solution) -> Assumption:
-    widest = 2.0 * float(solution.half_width.max())
+    widest = 2.0 * solution.max_half_width
     longest = max(high - low for low, high in solution.contact_y)
     return Assumption(
         "Strips across a contact that is long",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nonhertz.io.lives import BODIES
@@ -11,12 +11,12 @@ from nonhertz.report.finding import Finding
 from nonhertz.report.inputs import Entry, inputs
 from nonhertz.report.subject import Subject
 from nonhertz.result.ends import largest_away, singular_ends
+from nonhertz.result.numerals import digits
+from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 from nonhertz.tables.lives import without_ratio
-from nonhertz.tables.summary import digits
 
 ABSENT = "–"
-ROUNDING = 1e-12
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ def differing_inputs(subjects: Sequence[Subject]) -> list[Row]:
 def results(found: Sequence[Finding]) -> list[Row]:
     """Return the results of all cases, with differences to the first."""
     solutions = [each.solution for each in found]
-    rows = [_row(name, [number(each) for each in solutions]) for name, number in _QUANTITIES.items()]
+    rows = [_compared(QUANTITIES[name], solutions) for name in _COMPARED]
     sharp = any(singular_ends(each) for each in solutions)
     name = "largest pressure away from sharp ends [MPa]" if sharp else "maximum pressure [MPa]"
     rows.insert(0, _row(name, [_largest_pressure(each) for each in solutions]))
@@ -122,26 +122,16 @@ def _end(edge: EdgePressure) -> tuple[str, str]:
     return "no limit", strength
 
 
-def _length(solution: Solution) -> float:
-    return math.fsum(high - low for low, high in solution.contact_y)
-
-
-_QUANTITIES: dict[str, Callable[[Solution], float]] = {
-    "approach [µm]": lambda solution: 1e3 * solution.approach,
-    "tilt [mrad]": lambda solution: 1e3 * solution.tilt,
-    "load [N]": lambda solution: solution.load,
-    "moment [N mm]": lambda solution: _rounded(solution.moment, solution.load * _length(solution)),
-    "largest half-width [mm]": lambda solution: float(solution.half_width.max()),
-    "length of contact [mm]": _length,
-    "d load / d approach [N/mm]": lambda solution: float(solution.stiffness[0, 0]),
-    "d moment / d tilt [N mm/rad]": lambda solution: float(solution.stiffness[1, 1]),
-}
+# What changes from case to case, beside pressures.
+_COMPARED = (
+    "approach", "tilt", "load", "moment", "max_half_width", "contact_length", "load_by_approach", "moment_by_tilt",
+)  # fmt: skip
 _STRESSES = {"von Mises stress": "von_mises", "shear stress": "shear", "orthogonal shear stress": "orthogonal_shear"}
 
 
-def _rounded(value: float, scale: float) -> float:
-    """Return zero for what is rounding of a sum of terms of the size of ``scale``."""
-    return value if abs(value) > ROUNDING * abs(scale) else 0.0
+def _compared(quantity: Quantity, solutions: Sequence[Solution]) -> Row:
+    unit = quantity.shown_unit.replace("um", "µm")
+    return _row(f"{quantity.label} [{unit}]", [quantity.shown(each) for each in solutions])
 
 
 def _row(name: str, values: Sequence[float]) -> Row:

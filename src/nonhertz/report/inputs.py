@@ -19,8 +19,8 @@ from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.material import MATERIALS, Material
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.report.method import formula, source
-from nonhertz.report.numerals import given
 from nonhertz.report.subject import Subject
+from nonhertz.result.numerals import given
 
 LONGEST_LIST = 8  # entries that are told one by one
 _ABSENT = {"diameter": "flat", "length": "unbounded", "effective_length": "all of the length"}

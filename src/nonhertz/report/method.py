@@ -16,8 +16,8 @@ from nonhertz.life import MODELS
 from nonhertz.model.body import Body
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.report.finding import Finding
-from nonhertz.report.numerals import given
 from nonhertz.result.ends import singular_ends
+from nonhertz.result.numerals import given
 from nonhertz.strip.element import Element
 from nonhertz.subsurface import stress
 

@@ -42,7 +42,7 @@ def pressures(found: Sequence[Finding]) -> Figure:
         counted = [each.solution.centre_pressure[regular(each.solution)].max(initial=0.0) for each in found]
         sharp = any(singular_ends(each.solution) for each in found)
         upper.set_ylim(0.0, float(max(counted)) * (BEYOND if sharp else ROOM) or 1.0)
-        lower.set_ylim(0.0, max(float(each.solution.half_width.max()) for each in found) * ROOM or 1.0)
+        lower.set_ylim(0.0, max(each.solution.max_half_width for each in found) * ROOM or 1.0)
         upper.set_ylabel("Centre-line pressure $p_0$ [MPa]")
         lower.set_ylabel("Half-width $b$ [mm]")
         _along(upper, found)

@@ -10,10 +10,9 @@ import numpy as np
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.material import MATERIALS
 from nonhertz.report.finding import Finding
-from nonhertz.report.numerals import given
 from nonhertz.result.ends import largest_away, singular_ends
+from nonhertz.result.numerals import digits, given
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
-from nonhertz.tables.summary import digits
 
 SAMPLES = 401  # of the interval on which both bodies can touch
 FARTHEST = 1e3  # mm, where it has no end

@@ -168,7 +168,7 @@ def largest_half_width(solution: Solved, ends: Iterable[float]) -> float:
 
     At a corner the contact grows wider with every refinement, and a length that others are measured by must not.
     """
-    largest = float(solution.half_width.max())
+    largest = solution.max_half_width
     away = solution.line_load > 0.0
     for end in ends:
         away &= np.abs(solution.y - end) > PAST_CORNER * largest

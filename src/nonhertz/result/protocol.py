@@ -94,6 +94,14 @@ class Solved(Protocol):
         """Where along y it is [mm]."""
 
     @property
+    def max_half_width(self) -> float:
+        """The largest half-width [mm]."""
+
+    @property
+    def contact_length(self) -> float:
+        """Length of all intervals in contact together [mm]."""
+
+    @property
     def peaks_at_corner(self) -> bool:
         """Whether the largest pressure is at a corner of the profile, where it has no limit."""
 

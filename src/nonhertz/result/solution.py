@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import enum
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeVar
@@ -289,6 +290,16 @@ class Solution(ReadOnly):
     def max_pressure_y(self) -> float:
         """Where the largest strip pressure is [mm]."""
         return float(self.y[self.centre_pressure.argmax()])
+
+    @property
+    def max_half_width(self) -> float:
+        """The largest half-width [mm], zero where nothing touches."""
+        return float(self.half_width.max(initial=0.0))
+
+    @property
+    def contact_length(self) -> float:
+        """Length of all intervals in contact together [mm]."""
+        return math.fsum(high - low for low, high in self.contact_y)
 
     @property
     def interference(self) -> Array:

@@ -321,7 +321,7 @@ def axial_range(solution: Solved, body: str) -> Array:
 
 
 def _depths(solution: Solved) -> Array:
-    return DEEPEST * float(checked_solution(solution).half_width.max()) * np.linspace(0.0, 1.0, LEVELS)
+    return DEEPEST * checked_solution(solution).max_half_width * np.linspace(0.0, 1.0, LEVELS)
 
 
 def finite_numbers(name: str, value: ArrayLike) -> Array:

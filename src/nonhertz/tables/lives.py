@@ -7,8 +7,8 @@ import math
 from nonhertz.io.lives import BODIES, Assessment
 from nonhertz.life import RATED, Model, VolumeModel
 from nonhertz.result.ends import largest_away, singular_ends
+from nonhertz.result.numerals import digits
 from nonhertz.result.solution import Solution
-from nonhertz.tables.summary import digits
 
 _IDEAL = (
     "1 is the life of the same bodies under Hertz's line pressure, the load spread evenly over the length on which "

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from nonhertz.io.stresses import poisson, there
+from nonhertz.result.numerals import digits
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes
-from nonhertz.tables.summary import digits
 
 COLUMNS = ("", "largest [MPa]", "of p0 there", "x [mm]", "y [mm]", "z [mm]")
 #: Of the quantities, as tables have them.

@@ -7,53 +7,35 @@ import math
 import numpy as np
 
 from nonhertz.result.ends import at_corner, largest_away, singular_ends
+from nonhertz.result.numerals import digits
+from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 
 
 def summary_rows(solution: Solution) -> list[tuple[str, str, str]]:
     """Return name, value and remark of everything in the summary."""
     estimate = solution.error_estimate
-    reach = float(np.max(np.abs(solution.y)))
-    by_approach, by_tilt, moment_by_approach, moment_by_tilt = solution.stiffness.ravel().tolist()
     touching = "; ".join(f"{digits(low)} to {digits(high)}" for low, high in solution.contact_y)
     return [
         ("status", solution.status.label, ""),
         ("approach", f"{digits(solution.approach)} mm", _error(estimate.approach)),
-        ("", f"{digits(1e3 * solution.approach)} um", ""),
-        ("tilt", f"{digits(1e3 * solution.tilt)} mrad", ""),
-        ("load", f"{digits(solution.load)} N", _error(estimate.load)),
-        ("moment", f"{digits(_rounded(solution.moment, solution.load * reach))} N mm", ""),
+        ("", QUANTITIES["approach"].text(solution), ""),
+        _row("tilt", solution),
+        _row("load", solution, _error(estimate.load)),
+        _row("moment", solution),
         *_pressure_rows(solution),
-        ("largest half-width", f"{digits(float(solution.half_width.max()))} mm", ""),
+        _row("max_half_width", solution),
         ("contact along y", f"{touching} mm" if touching else "none", ""),
         *((f"edge at y = {edge.y:.5g} mm", *_convention(edge)) for edge in solution.edge_pressure if touching),
-        ("d load / d approach", f"{digits(by_approach)} N/mm", ""),
-        ("d load / d tilt", f"{digits(_rounded(by_tilt, by_approach * reach))} N/rad", ""),
-        (
-            "d moment / d approach",
-            f"{digits(_rounded(moment_by_approach, by_approach * reach))} N mm/mm",
-            "",
-        ),
-        ("d moment / d tilt", f"{digits(moment_by_tilt)} N mm/rad", ""),
+        *(_row(f"{force}_by_{motion}", solution) for force in ("load", "moment") for motion in ("approach", "tilt")),
         ("strips", f"{solution.strips}, {solution.element.name}", ""),
         ("Newton steps", str(solution.iterations), ""),
     ]
 
 
-def digits(value: float, significant: int = 5) -> str:
-    """Return a number with so many significant digits, without an exponent where that can be read.
-
-    Examples
-    --------
-    >>> digits(0.0322131), digits(20000.0), digits(1.23456789e9), digits(0.0)
-    ('0.032213', '20000', '1.2346e+09', '0')
-    """
-    if value == 0.0 or not math.isfinite(value):
-        return f"{value:g}".replace("-0", "0")
-    decade = math.floor(math.log10(abs(value)))
-    if not -4 <= decade < 8:
-        return f"{value:.{significant - 1}e}"
-    return f"{value:.{max(0, significant - 1 - decade)}f}"
+def _row(name: str, solution: Solution, remark: str = "") -> tuple[str, str, str]:
+    quantity = QUANTITIES[name]
+    return quantity.label, quantity.text(solution), remark
 
 
 def _pressure_rows(solution: Solution) -> list[tuple[str, str, str]]:
@@ -104,11 +86,6 @@ def _convention(edge: EdgePressure) -> tuple[str, str]:
 
 def _strength(edge: EdgePressure) -> str:
     return "K unknown" if edge.strength is None else f"K = {edge.strength:.4g} MPa mm^{edge.exponent:.3g}"
-
-
-def _rounded(value: float, scale: float) -> float:
-    """Return zero for what is rounding of a sum of terms of the size of ``scale``, as symmetry leaves it."""
-    return value if abs(value) > 1e-12 * abs(scale) else 0.0
 
 
 def _error(relative: float) -> str:

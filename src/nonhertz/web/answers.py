@@ -18,6 +18,7 @@ from nonhertz.plot.axial import regular
 from nonhertz.plot.contact_area import outlines
 from nonhertz.plot.surfaces import distances, drawn_range
 from nonhertz.result.ends import singular_ends
+from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
 from nonhertz.tables.summary import summary_rows
 from nonhertz.web.replies import numbers
@@ -61,16 +62,14 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         ],
         "scale": {
             "pressure": plain(solution.centre_pressure[regular(solution)].max(initial=0.0)),
-            "half_width": plain(solution.half_width.max()),
+            "half_width": plain(solution.max_half_width),
         },
     }
 
 
 def _key_numbers(solution: Solution) -> dict[str, Any]:
     """Return the numbers that cases are compared by, with all their digits."""
-    names = ("approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y")
-    return {name: plain(getattr(solution, name)) for name in names} | {
-        "half_width": plain(solution.half_width.max()),
+    return {name: plain(quantity.get(solution)) for name, quantity in QUANTITIES.items()} | {
         "has_limit": not singular_ends(solution),
         "strips": solution.strips,
         "ends": [

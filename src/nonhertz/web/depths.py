@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.result.ends import away_from_ends
+from nonhertz.result.numerals import digits
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
 from nonhertz.subsurface.inside import Inside
 from nonhertz.subsurface.rolling import QUANTITIES
 from nonhertz.tables.stresses import NAMES
-from nonhertz.tables.summary import digits
 from nonhertz.web.replies import numbers
 
 Array = NDArray[np.float64]
@@ -70,7 +70,7 @@ def _station(solution: Solution) -> float:
 def _axial(solution: Solution, body: str) -> dict[str, Any]:
     along = axial_range(solution, body)
     y = np.linspace(along[0], along[-1], ALONG)
-    z = _levels(float(solution.half_width.max()))
+    z = _levels(solution.max_half_width)
     field = _with_numbers(axial_plane(solution, y, z, body=body, threads=1))
     return {"y": numbers(field.y[:, 0]), "z": numbers(field.z[0]), "von_mises": numbers(_short(field.von_mises.T))}
 

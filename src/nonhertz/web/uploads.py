@@ -13,7 +13,7 @@ from nonhertz.errors import InputError
 from nonhertz.io.measured import checked, measured_from, trace_from
 from nonhertz.measured import Measured, Trace
 from nonhertz.model.profile import Tabulated
-from nonhertz.tables.summary import digits
+from nonhertz.result.numerals import digits
 from nonhertz.web.limits import UPLOAD_POINTS
 from nonhertz.web.replies import as_bytes, broken
 

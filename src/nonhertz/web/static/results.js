@@ -26,7 +26,7 @@ export function keyNumbers(answer, stress) {
       number: key.approach,
     },
     { name: "Load", ...load(key.load), where: `moment ${digits(moment(answer) / 1e3, 3)} N m`, number: key.load },
-    { name: "Half-width", value: digits(key.half_width), unit: "mm", where: "largest", number: key.half_width },
+    { name: "Half-width", value: digits(key.max_half_width), unit: "mm", where: "largest", number: key.max_half_width },
     stress
       ? {
           name: "von Mises stress",
@@ -124,7 +124,7 @@ function spoken({ key, warnings }) {
     ? `largest pressure ${digits(key.max_pressure)} MPa`
     : "pressure without a limit at a sharp end";
   const warned = warnings.length ? `, ${warnings.length} warning${warnings.length > 1 ? "s" : ""}` : "";
-  return `${pressure}, approach ${digits(1e3 * key.approach)} micrometres, half-width ${digits(key.half_width)} mm${warned}`;
+  return `${pressure}, approach ${digits(1e3 * key.approach)} micrometres, half-width ${digits(key.max_half_width)} mm${warned}`;
 }
 
 /** Say something once the hand rests: every answer of a drag would be a babble. @param {string} words */

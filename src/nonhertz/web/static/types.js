@@ -7,7 +7,7 @@
  * @typedef {{a?: Relief, b?: Relief}} Profiles
  * @typedef {{
  *   max_pressure: number, max_pressure_y: number, has_limit: boolean,
- *   approach: number, load: number, tilt: number, moment: number, half_width: number, strips: number,
+ *   approach: number, load: number, tilt: number, moment: number, max_half_width: number, strips: number,
  * }} Key
  * @typedef {{
  *   ok: true, title: string, ms: number, status: string, complaint: string, warnings: string[],

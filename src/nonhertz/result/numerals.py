@@ -1,0 +1,33 @@
+"""Numbers as people write them."""
+
+from __future__ import annotations
+
+import math
+
+
+def digits(value: float, significant: int = 5) -> str:
+    """Return a number with so many significant digits, without an exponent where that can be read.
+
+    Examples
+    --------
+    >>> digits(0.0322131), digits(20000.0), digits(1.23456789e9), digits(0.0)
+    ('0.032213', '20000', '1.2346e+09', '0')
+    """
+    if value == 0.0 or not math.isfinite(value):
+        return f"{value:g}".replace("-0", "0")
+    decade = math.floor(math.log10(abs(value)))
+    if not -4 <= decade < 8:
+        return f"{value:.{significant - 1}e}"
+    return f"{value:.{max(0, significant - 1 - decade)}f}"
+
+
+def given(value: float, significant: int = 6) -> str:
+    """Return a number that was given, without zeros that say nothing.
+
+    Examples
+    --------
+    >>> given(9.0), given(0.000523598775598), given(207000.0), given(2.5e-7), given(57.3, 1)
+    ('9', '0.000523599', '207000', '2.5e-07', '57')
+    """
+    mantissa, exponent, power = digits(value, significant).partition("e")
+    return (mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa) + exponent + power

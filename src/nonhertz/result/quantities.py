@@ -1,0 +1,125 @@
+"""The numbers of a result, each said once: name, symbol, units, and how to get it.
+
+Terminal, report, page, files, comparisons and tables of data are made from these; a quantity added here is in all of
+them. People are shown micrometres and milliradians where Python and files have mm and rad.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from operator import attrgetter
+
+import numpy as np
+
+from nonhertz.result.numerals import digits
+from nonhertz.result.solution import Solution
+
+ROUNDING = 1e-12  # of the terms of a sum, below which it is zero: symmetry leaves as much
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One number of a solution.
+
+    Attributes
+    ----------
+    name : str
+        What Python, files and tables of data call it.
+    label : str
+        What people call it.
+    symbol : str
+        In formulas; may be empty.
+    unit : str
+        In Python and files.
+    get : callable
+        Solution -> value in ``unit``.
+    shown_unit : str
+        What people are shown it in.
+    factor : float
+        Values in ``shown_unit`` over those in ``unit``.
+    scale : callable or None
+        Solution -> size of the terms whose sum it is, in ``unit``; None if it is no sum that may vanish.
+    """
+
+    name: str
+    label: str
+    symbol: str
+    unit: str
+    get: Callable[[Solution], float]
+    shown_unit: str
+    factor: float = 1.0
+    scale: Callable[[Solution], float] | None = None
+
+    def shown(self, solution: Solution) -> float:
+        """Return the value in ``shown_unit``, zero where it is rounding."""
+        value = self.get(solution)
+        if self.scale is not None and not abs(value) > ROUNDING * abs(self.scale(solution)):
+            return 0.0
+        return self.factor * value
+
+    def text(self, solution: Solution) -> str:
+        """Return the value as people read it, with its unit."""
+        return f"{digits(self.shown(solution))} {self.shown_unit}"
+
+
+def reach(solution: Solution) -> float:
+    """Return the largest distance of a strip from y = 0 [mm]: the longest lever of a moment."""
+    return float(np.max(np.abs(solution.y)))
+
+
+def _own(
+    name: str,
+    label: str,
+    symbol: str,
+    unit: str,
+    shown: tuple[str, float] | None = None,
+    scale: Callable[[Solution], float] | None = None,
+) -> Quantity:
+    """Return the quantity that is an attribute of the solution."""
+    get: Callable[[Solution], float] = attrgetter(name)
+    shown_unit, factor = shown or (unit, 1.0)
+    return Quantity(name, label, symbol, unit, get, shown_unit, factor, scale)
+
+
+def _slope(row: int, column: int, name: str, unit: str, scale: Callable[[Solution], float] | None = None) -> Quantity:
+    """Return an entry of the stiffness."""
+    force, _, motion = name.partition("_by_")
+
+    def get(solution: Solution) -> float:
+        return float(solution.stiffness[row, column])
+
+    return Quantity(name, f"d {force} / d {motion}", "", unit, get, unit, scale=scale)
+
+
+def _by_approach_on_lever(solution: Solution) -> float:
+    return float(solution.stiffness[0, 0]) * reach(solution)
+
+
+_ALL = (
+    _own("approach", "approach", "delta", "mm", ("um", 1e3)),
+    _own("tilt", "tilt", "gamma", "rad", ("mrad", 1e3)),
+    _own("load", "load", "Q", "N"),
+    _own("moment", "moment", "T", "N mm", scale=lambda solution: solution.load * reach(solution)),
+    _own("max_pressure", "maximum pressure", "", "MPa"),
+    _own("max_pressure_y", "position of the maximum", "", "mm"),
+    _own("max_half_width", "largest half-width", "", "mm"),
+    _own("contact_length", "length of contact", "", "mm"),
+    _slope(0, 0, "load_by_approach", "N/mm"),
+    _slope(0, 1, "load_by_tilt", "N/rad", _by_approach_on_lever),
+    _slope(1, 0, "moment_by_approach", "N mm/mm", _by_approach_on_lever),
+    _slope(1, 1, "moment_by_tilt", "N mm/rad"),
+)
+
+#: Every number of a solution by its name.
+QUANTITIES: dict[str, Quantity] = {quantity.name: quantity for quantity in _ALL}
+
+#: Arrays along the contact by their names, and their units.
+ALONG: dict[str, str] = {
+    "y": "mm",
+    "strip_width": "mm",
+    "line_load": "N/mm",
+    "centre_pressure": "MPa",
+    "half_width": "mm",
+    "gap": "mm",
+}
