@@ -74,6 +74,8 @@ def test_a_solution_passes(given):
         (BY_MOTION, {"r": at("r", bearing, np.nan)}, "not finite"),
         (BY_MOTION, {"gap": at("gap", bearing, np.nan)}, "not finite"),
         (BY_MOTION, {"stiffness": lambda state: state.stiffness * np.nan}, "The stiffness"),
+        (BY_MOTION, {"stiffness": lambda state: -state.stiffness}, "nothing would hold the bodies"),
+        (BY_MOTION, {"stiffness": lambda state: state.stiffness * [[1.0, 0.0], [0.0, -1.0]]}, "nothing would hold"),
         (BY_MOTION, {"r": at("r", bearing, lambda r: -r)}, "has tension at y ="),
         (BY_MOTION, {"r": at("r", bearing, lambda r: 1.0001 * r)}, "leaves a gap"),
         (PARTLY, {"gap": at("gap", idle, 0.0)}, "leaves a gap"),
@@ -86,6 +88,27 @@ def test_what_is_not_one_is_refuted_in_words(given, changed, words):
     told = verdict(problem, levels, **changed)
     assert words in told
     assert told.endswith("Try another number of strips, or a smaller load first.")
+
+
+def test_a_single_strip_that_resists_no_tilt_is_a_solution():
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        alone = nh.solve(FINITE, load=8e3, strips=1)
+    assert alone.status is nh.Status.CONVERGED
+    assert abs(alone.stiffness[1, 1]) < 1e-6 * alone.stiffness[0, 0]
+
+
+def test_an_interference_that_rounding_hides_is_no_solution_alone_or_among_many():
+    # Tilt times y is 0.1 mm and rounded to 1e-17, the interference 2e-14.
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, side_faces="none", depth="none"), nh.Plate(depth="none"))
+    edges = np.linspace(9.999999, 10.0, 12)
+    given = {"approach": 2e-14 - 1e-2 * np.mean(edges[-2:]), "tilt": 1e-2, "strips": edges}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        with pytest.raises(nh.ConvergenceError, match="which rounding of tilt and relief hides"):
+            nh.solve(contact, **given)
+        many = nh.solve_many(contact, **{**given, "approach": [given["approach"]]})
+    assert not many.converged[0]
 
 
 def test_bodies_that_overlap_out_of_contact_are_refuted():
@@ -143,3 +166,13 @@ def test_a_case_that_raises_does_not_take_the_others_with_it(strips):
     many = nh.solve_many([good, bad, good], load=1e3, strips=strips)
     assert many.converged.tolist() == [True, False, True]
     assert isinstance(many.failures[1], ZeroDivisionError)
+
+
+def test_of_two_solutions_the_one_that_the_bodies_can_stay_in_is_found():
+    # 4.5 times as wide as long: on the first grid the loop ends in an unsymmetric state of negative stiffness.
+    contact = nh.Contact(nh.Body(diameter=100, profile=nh.profile.crown(5)), nh.Plate())
+    hertz = nh.hertz.point_contact(radius_x=50, radius_y=5, compliance=contact.compliance, load=500)
+    with pytest.warns(nh.AccuracyWarning, match="wider than long"):
+        solution = nh.solve(contact, load=500)
+    assert solution.stiffness[1, 1] > 0.0
+    np.testing.assert_allclose(solution.stiffness[0, 0], 1.5 * 500 / hertz.approach, rtol=0.05, atol=0.0)

@@ -21,7 +21,7 @@ from nonhertz.result.validity import (
     singularities,
     strains,
 )
-from nonhertz.strip.acceptance import shortfall
+from nonhertz.strip.acceptance import shortfall, steady
 from nonhertz.strip.grid import kinks
 from nonhertz.strip.levels import Levels
 from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, STAGNATED
@@ -58,8 +58,8 @@ def outcome(contact: Contact, problem: Problem, levels: Levels) -> tuple[Solutio
 
 def _shortfall(solution: Solution, problem: Problem) -> str | None:
     """Return what a converged solution fails to meet, from its arrays alone."""
-    if not np.all(np.isfinite(solution.stiffness)):
-        return "The stiffness of the state reached is not finite."
+    if not steady(solution.stiffness, float(np.max(np.abs(solution.edges)))):
+        return "The stiffness of the state reached is negative or not finite: nothing would hold the bodies there."
     motion = np.array([solution.approach, solution.tilt])
     return shortfall(problem, solution.edges, solution.line_load, solution.element_half_width, solution.gap, motion)
 

@@ -21,12 +21,14 @@ from nonhertz.strip.state import Problem
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-MET, NOT_FINITE, FIRST, SECOND, TENSION, UNCLOSED, OVERLAP, BENT = range(8)
+MET, NOT_FINITE, FIRST, SECOND, TENSION, UNCLOSED, OVERLAP, BENT, HIDDEN = range(9)
 
 # A thousand times what the loop asks of itself: sums in another order differ by rounding, wrong answers by far more.
 # Curvature rows are met to the square of the last step only.
 TOLERANCE, CURVATURE_TOLERANCE = 1e-8, 1e-6
 ROUNDING = 1e-14  # of the largest length that a gap is the difference of
+MOST_HIDDEN = 1e-4  # of the interference: a contact of which rounding hides more has no digits left that count
+UNSTEADY = -1e-6  # of what the stiffness against approach makes of that against tilt: less is rounding
 
 
 def shortfall(
@@ -68,11 +70,13 @@ def shortfall(
         OVERLAP: f"The bodies of the state reached overlap by {1e3 * found:.3g} um {place}.",
         BENT: f"The surfaces of the state reached do not fit across the contact {place}, by {found:.2g} of the "
         "curvature.",
+        HIDDEN: f"The bodies of the state reached interfere by {1e3 * found:.3g} um only, which rounding of tilt and "
+        "relief hides.",
     }[condition]
 
 
 @compiled
-def first_unmet(
+def first_unmet(  # noqa: PLR0911  (a condition each)
     y: Array,
     low: Array,
     high: Array,
@@ -100,6 +104,8 @@ def first_unmet(
     if condition != MET:
         return condition, found, 0
     deepest, longest = _lengths(y, separation, q, motion)
+    if ROUNDING * longest > MOST_HIDDEN * deepest:
+        return HIDDEN, deepest, 0
     allowed = TOLERANCE * deepest + ROUNDING * longest
     for i in range(y.size):
         if not math.isfinite(separation[i]) and q[i] == 0.0:
@@ -113,6 +119,25 @@ def first_unmet(
         if q[i] > 0.0 and not abs(bend - curvature[i]) <= CURVATURE_TOLERANCE * curvature[i]:
             return BENT, bend / curvature[i] - 1.0, i
     return MET, 0.0, 0
+
+
+@compiled
+def steady(stiffness: Array, reach: float) -> bool:
+    """Return whether the bodies resist being pressed together and being turned.
+
+    Where the model is strained beyond sense, under bodies as thin as their contact is wide and in contacts several
+    times as wide as long, the equations have solutions besides, of which load or moment fall as the bodies come nearer.
+
+    Parameters
+    ----------
+    stiffness : ndarray, shape (2, 2)
+        As of the solution.
+    reach : float
+        Largest distance from y = 0 [mm].
+    """
+    if not np.all(np.isfinite(stiffness)):
+        return False
+    return bool(stiffness[0, 0] > 0.0 and stiffness[1, 1] >= UNSTEADY * stiffness[0, 0] * reach * reach)
 
 
 @compiled

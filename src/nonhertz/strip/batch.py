@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled
-from nonhertz.strip.acceptance import MET, first_unmet
+from nonhertz.strip.acceptance import MET, first_unmet, steady
 from nonhertz.strip.newton import CONVERGED, ROUGH_TOLERANCE, STAGNATED, TOLERANCE, newton
 from nonhertz.strip.start import started
 from nonhertz.strip.state import HOPELESS, Problem, State, Strips
@@ -205,7 +205,7 @@ def _accepted(
     condition, _, _ = first_unmet(
         y, low, high, curvature, separation, prescribed, target, terms, at_depth, table, r * m, np.sqrt(m), gap, rigid
     )
-    return bool(condition == MET and np.all(np.isfinite(stiffness)))
+    return condition == MET and steady(stiffness, max(abs(low[0]), abs(high[-1])))
 
 
 @compiled

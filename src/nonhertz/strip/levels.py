@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.strip.acceptance import steady
 from nonhertz.strip.feasible import (
     FINE_STRIPS,
     feasible,
@@ -136,14 +137,15 @@ def _settled(problem: Problem, grading: Grading, near: State, share: float) -> S
 
     Where a blunt contact ends just at the edge of a strip, that strip can be unable to bear load (its neighbours
     alone curve the surface more than the bodies do) and yet be overlapped without it. The next grid has its edges
-    elsewhere.
+    elsewhere. So it is tried where the equations have another solution too, which nothing would hold: contacts several
+    times as wide as long have such.
     """
     state = near
     tolerance = TOLERANCE if share == 1.0 else ROUGH_TOLERANCE
     for fewer in FEWER_STRIPS:
         last = fewer == FEWER_STRIPS[-1]
         state = settle(problem, grading.edges(fewer * share), near, patient=last, tolerance=tolerance)
-        if state.converged:
+        if state.converged and steady(state.stiffness, float(np.max(np.abs(state.edges)))):
             break
     return state
 
