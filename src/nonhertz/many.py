@@ -21,7 +21,10 @@ from nonhertz.errors import AccuracyWarning, InputError
 from nonhertz.model.checks import listed, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription, refuse_unpaired
+from nonhertz.result.brief import plain_text, shortened
+from nonhertz.result.numerals import digits
 from nonhertz.result.outcome import outcome
+from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
 from nonhertz.result.validity import suspected, wider_than_round
 from nonhertz.solver import levels_of, problem_of, refuse_no_element, wanted_strips
@@ -170,6 +173,18 @@ class Solutions:
     moment: Array
     max_pressure: Array
     max_pressure_y: Array
+
+    def __repr__(self) -> str:
+        solved = int(np.count_nonzero(self.converged))
+        said = [f"{solved} of {len(self)} cases converged, shape {' x '.join(map(str, self.shape))}"]
+        for name in _COLUMNS[:5] if solved else ():
+            quantity, values = QUANTITIES[name], getattr(self, name)[self.converged]
+            low, high = (digits(quantity.factor * float(end)) for end in (values.min(), values.max()))
+            said.append(f"{quantity.label} {low} to {high} {quantity.shown_unit}")
+        if self.failures:
+            number, error = next(iter(self.failures.items()))
+            said.append(f"failed: case {number}: {shortened(str(error))}")
+        return plain_text("Solutions", said)
 
     @property
     def converged(self) -> NDArray[np.bool_]:

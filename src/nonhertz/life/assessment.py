@@ -39,7 +39,7 @@ _NO_ROLLERS = "it needs the number of rollers"
 _ROLLERS_REMEDY = "give the number of rollers in the bearing"
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Life(ReadOnly):
     """How long one body of a contact lasts, by one model.
 

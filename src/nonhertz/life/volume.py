@@ -43,7 +43,7 @@ BEYOND = np.array([0.0, 0.1, 0.25, 0.5, 1.0, 2.0])  # the contact's ends, in hal
 MOST_ROWS = 128  # of a plane grid
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Exposure(ReadOnly):
     """The largest stresses over a pass of the load, on all of the volume under a contact.
 

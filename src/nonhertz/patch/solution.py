@@ -14,6 +14,7 @@ from nonhertz.finite import HERTZ, Shape, influence_of
 from nonhertz.model.checks import finite
 from nonhertz.model.contact import Contact
 from nonhertz.patch.resources import memory
+from nonhertz.result import brief
 from nonhertz.result.solution import ErrorEstimate, ReadOnly, Status, read_only
 
 Array = NDArray[np.float64]
@@ -23,7 +24,7 @@ FINITE = 0.999  # image weight from which on the pressure is finite up to an end
 SAME_PLACE = 1e-9  # of the length
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class PatchSolution(ReadOnly):
     """A contact solved on a plane grid.
 
@@ -78,6 +79,16 @@ class PatchSolution(ReadOnly):
     residual: float
     error_estimate: ErrorEstimate
     warnings: tuple[str, ...]
+
+    def __repr__(self) -> str:
+        return brief.plain_text("PatchSolution", self._said())
+
+    def _repr_html_(self) -> str:
+        return brief.drawn("PatchSolution", self._said(), self.y, self.centre_pressure)
+
+    def _said(self) -> list[str]:
+        sharp = [f"sharp end at y = {y:.5g} mm" for y in self.sharp_ends] if self.contact_y else []
+        return brief.lines(self, f"{self.cells[0]} x {self.cells[1]} cells", sharp or ["no sharp end"])
 
     @property
     def cells(self) -> tuple[int, int]:

@@ -9,11 +9,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from operator import attrgetter
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from nonhertz.result.numerals import digits
-from nonhertz.result.solution import Solution
+
+if TYPE_CHECKING:
+    from nonhertz.result.protocol import Solved
+
+if TYPE_CHECKING:
+    from nonhertz.result.solution import Solution
 
 ROUNDING = 1e-12  # of the terms of a sum, below which it is zero: symmetry leaves as much
 
@@ -21,6 +27,8 @@ ROUNDING = 1e-12  # of the terms of a sum, below which it is zero: symmetry leav
 @dataclass(frozen=True)
 class Quantity:
     """One number of a solution.
+
+    Every kind of solution has those that are its attributes; stiffness is what strips have.
 
     Attributes
     ----------
@@ -46,24 +54,24 @@ class Quantity:
     label: str
     symbol: str
     unit: str
-    get: Callable[[Solution], float]
+    get: Callable[[Any], float]
     shown_unit: str
     factor: float = 1.0
-    scale: Callable[[Solution], float] | None = None
+    scale: Callable[[Any], float] | None = None
 
-    def shown(self, solution: Solution) -> float:
+    def shown(self, solution: Solved) -> float:
         """Return the value in ``shown_unit``, zero where it is rounding."""
         value = self.get(solution)
         if self.scale is not None and not abs(value) > ROUNDING * abs(self.scale(solution)):
             return 0.0
         return self.factor * value
 
-    def text(self, solution: Solution) -> str:
+    def text(self, solution: Solved) -> str:
         """Return the value as people read it, with its unit."""
         return f"{digits(self.shown(solution))} {self.shown_unit}"
 
 
-def reach(solution: Solution) -> float:
+def reach(solution: Solved) -> float:
     """Return the largest distance of a strip from y = 0 [mm]: the longest lever of a moment."""
     return float(np.max(np.abs(solution.y)))
 
@@ -74,15 +82,15 @@ def _own(
     symbol: str,
     unit: str,
     shown: tuple[str, float] | None = None,
-    scale: Callable[[Solution], float] | None = None,
+    scale: Callable[[Any], float] | None = None,
 ) -> Quantity:
     """Return the quantity that is an attribute of the solution."""
-    get: Callable[[Solution], float] = attrgetter(name)
+    get: Callable[[Any], float] = attrgetter(name)
     shown_unit, factor = shown or (unit, 1.0)
     return Quantity(name, label, symbol, unit, get, shown_unit, factor, scale)
 
 
-def _slope(row: int, column: int, name: str, unit: str, scale: Callable[[Solution], float] | None = None) -> Quantity:
+def _slope(row: int, column: int, name: str, unit: str, scale: Callable[[Any], float] | None = None) -> Quantity:
     """Return an entry of the stiffness."""
     force, _, motion = name.partition("_by_")
 

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.errors import InputError
 from nonhertz.model.checks import numbers
 from nonhertz.model.contact import Contact
+from nonhertz.result import brief
 from nonhertz.strip.element import Element
 
 Array = NDArray[np.float64]
@@ -142,7 +143,10 @@ class EdgePressure:
 
 
 class ReadOnly:
-    """A frozen dataclass whose arrays are read-only too, also after pickling, which forgets that."""
+    """A frozen dataclass whose arrays are read-only too, also after pickling, which forgets that; printed in brief."""
+
+    def __repr__(self) -> str:
+        return brief.fields(self)
 
     def __post_init__(self) -> None:
         _freeze(vars(self))
@@ -164,7 +168,7 @@ def read_only(array: Values) -> Values:
     return array
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Solution(ReadOnly):
     """A solved contact.
 
@@ -227,6 +231,16 @@ class Solution(ReadOnly):
     iterations: int
     error_estimate: ErrorEstimate
     warnings: tuple[str, ...]
+
+    def __repr__(self) -> str:
+        return brief.plain_text("Solution", self._said())
+
+    def _repr_html_(self) -> str:
+        return brief.drawn("Solution", self._said(), self.y, self.centre_pressure)
+
+    def _said(self) -> list[str]:
+        ends = [edge.kind.label.replace("-", " ") for edge in self.edge_pressure]
+        return brief.lines(self, f"{self.strips} {self.element.name} strips", ends)
 
     @property
     def strips(self) -> int:

@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 SIGMA_X, SIGMA_Y, SIGMA_Z, TAU_YZ, TAU_XZ, TAU_XY = range(6)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Field(ReadOnly):
     """Stress, and displacement if asked for, at points inside one body of a solved contact.
 

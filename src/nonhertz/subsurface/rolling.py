@@ -39,7 +39,7 @@ REFINEMENTS = 3
 POINTS_AT_ONCE = 2**18
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Passage(ReadOnly):
     """The largest stresses over a pass of the load, at places (y, z) inside one body.
 

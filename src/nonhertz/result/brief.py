@@ -1,0 +1,130 @@
+"""What a result says of itself where it is printed: ten lines at most, and for notebooks the pressure drawn."""
+
+from __future__ import annotations
+
+import dataclasses
+import html
+import math
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.model.body import Body
+from nonhertz.result.numerals import digits, given
+from nonhertz.result.quantities import QUANTITIES
+
+if TYPE_CHECKING:
+    from nonhertz.result.protocol import Solved
+
+Array = NDArray[np.float64]
+
+WIDEST = 60  # characters of a value
+DRAWN_WIDTH, DRAWN_HEIGHT = 360, 90  # px
+
+
+def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
+    """Return what a solution says of itself.
+
+    Parameters
+    ----------
+    solution : Solution or PatchSolution
+        Which.
+    resolution : str
+        What it was solved on.
+    ends : iterable of str
+        What is to be said of the ends of the contact.
+    """
+    estimate = solution.error_estimate
+    said = [
+        f"{_body(solution.contact.a)} against {_body(solution.contact.b)}",
+        f"{solution.status.label} on {resolution}",
+        _numbers(solution, ("load", "moment", "tilt"), estimate.load),
+        _numbers(solution, ("approach",), estimate.approach),
+    ]
+    if solution.contact_y:
+        said.append(_pressure(solution))
+        said.append(_numbers(solution, ("max_half_width",)))
+        places = ", ".join(f"{digits(low, 4)} to {digits(high, 4)}" for low, high in solution.contact_y)
+        said.append(f"contact along y from {shortened(places)} mm: {' and '.join(ends)}")
+    if solution.warnings:
+        more = "" if len(solution.warnings) == 1 else f" (and {len(solution.warnings) - 1} more)"
+        said.append(f"warning: {shortened(solution.warnings[0])}{more}")
+    return said
+
+
+def _pressure(solution: Solved) -> str:
+    where, error = f" at y = {digits(solution.max_pressure_y, 4)} mm", solution.error_estimate.max_pressure
+    if math.isfinite(error):
+        return _numbers(solution, ("max_pressure",), error, where)
+    quantity = QUANTITIES["max_pressure"]
+    why = "no limit" if solution.sharp_ends or solution.peaks_at_corner else "error unknown"
+    return f"{quantity.label}: {why}, {quantity.text(solution)} as solved{where}"
+
+
+def _numbers(solution: Solved, names: tuple[str, ...], error: float = 0.0, where: str = "") -> str:
+    said = ", ".join(f"{QUANTITIES[name].label} {QUANTITIES[name].text(solution)}" for name in names)
+    if error > 1e-12:  # less is rounding
+        where += f", error about {digits(100.0 * error, 1)} %" if math.isfinite(error) else ", error unknown"
+    return said + where
+
+
+def _body(body: Body) -> str:
+    sizes = []
+    if isinstance(body.diameter, float | int):
+        sizes.append(f"diameter {given(float(body.diameter))}")
+    elif body.diameter is not None:
+        sizes.append("diameter varying")
+    if body.length is not None:
+        sizes.append(f"length {given(body.length)}")
+    return f"{type(body).__name__.lower()} ({', '.join(sizes)} mm)" if sizes else type(body).__name__.lower()
+
+
+def shortened(text: str) -> str:
+    """Return a text of no more than `WIDEST` characters, cut at a word."""
+    return text if len(text) <= WIDEST else text[:WIDEST].rpartition(" ")[0] + " ..."
+
+
+def plain_text(name: str, said: list[str]) -> str:
+    """Return lines under a name, indented."""
+    return "\n".join([name, *(f"  {line}" for line in said)])
+
+
+def drawn(name: str, said: list[str], y: Array, pressure: Array) -> str:
+    """Return lines as HTML, under a drawing of the pressure along the contact."""
+    low, span, top = float(y[0]), float(np.ptp(y)) or 1.0, float(pressure.max()) or 1.0
+    points = " ".join(
+        f"{DRAWN_WIDTH * (place - low) / span:.1f},{DRAWN_HEIGHT * (1.0 - value / top):.1f}"
+        for place, value in zip(y.tolist(), pressure.tolist(), strict=True)
+    )
+    items = "".join(f"<li>{html.escape(line)}</li>" for line in said)
+    return (
+        f'<div class="nonhertz-result"><strong>{html.escape(name)}</strong>'
+        f'<svg role="img" aria-label="pressure along the contact, {digits(top)} MPa at most" '
+        f'viewBox="0 -2 {DRAWN_WIDTH} {DRAWN_HEIGHT + 4}" width="{DRAWN_WIDTH}" height="{DRAWN_HEIGHT}" '
+        'style="display:block;margin:4px 0">'
+        f'<polyline points="{points}" fill="none" stroke="currentColor" stroke-width="1.2"/></svg>'
+        f'<ul style="list-style:none;padding:0;margin:0">{items}</ul></div>'
+    )
+
+
+def fields(value: Any) -> str:
+    """Return a dataclass in a few words: of arrays shape and range, of long values their beginning."""
+    said = [f"{field.name}={_field(getattr(value, field.name))}" for field in dataclasses.fields(value) if field.repr]
+    return f"{type(value).__name__}({', '.join(said)})"
+
+
+def _field(value: Any) -> str:
+    if isinstance(value, np.ndarray):
+        shape = " x ".join(map(str, value.shape))
+        if value.dtype == bool or not value.size:
+            return f"<{shape} {value.dtype}>"
+        known = value[np.isfinite(value)]
+        return (
+            f"<{shape}: {digits(float(known.min()), 4)} to {digits(float(known.max()), 4)}>" if known.size else "<nan>"
+        )
+    if isinstance(value, float):
+        return digits(value)
+    named = getattr(value, "name", None)
+    return shortened(repr(named if isinstance(named, str) and dataclasses.is_dataclass(value) else value))

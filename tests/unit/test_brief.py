@@ -1,0 +1,71 @@
+"""What results say of themselves where they are printed."""
+
+import re
+import warnings
+
+import pytest
+
+import nonhertz as nh
+
+ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(2000))
+CONTACT = nh.Contact(ROLLER, nh.Ring(diameter=80))
+
+
+def quietly(solve, *arguments, **given):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        return solve(*arguments, **given)
+
+
+@pytest.fixture(scope="module")
+def solved():
+    return nh.solve(CONTACT, load=5e3, tilt=0.2e-3)
+
+
+def test_a_solution_is_printed_in_ten_lines_at_most(solved):
+    said = repr(solved).splitlines()
+    assert len(said) <= 10
+    assert said[1].strip() == "roller (diameter 20, length 20 mm) against ring (diameter 80 mm)"
+    assert "load 5000.0 N" in repr(solved)
+    assert "tilt 0.20000 mrad" in repr(solved)
+    assert f"approach {1e3 * solved.approach:.3f} um, error about" in repr(solved)
+    assert re.search(r"maximum pressure \d+\.\d MPa at y = \S+ mm, error about", repr(solved))
+    assert "run out and run out" in repr(solved)
+
+
+def test_a_singular_end_and_warnings_are_told():
+    sharp = quietly(nh.solve, nh.Contact(nh.Roller(diameter=20, length=20), nh.Ring(diameter=80)), load=20e3)
+    assert "maximum pressure: no limit" in repr(sharp)
+    assert "singular and singular" in repr(sharp)
+    assert "warning" not in repr(sharp) or len(repr(sharp).splitlines()) <= 10
+
+
+def test_notebooks_see_the_pressure_drawn(solved):
+    page = solved._repr_html_()
+    points = re.search(r'points="([^"]*)"', page)[1].split()
+    assert len(points) == solved.strips
+    heights = [float(point.partition(",")[2]) for point in points]
+    assert heights[int(solved.centre_pressure.argmax())] == min(heights) == 0.0
+    assert heights[0] == max(heights)
+    assert "<li>" in page
+    assert "load 5000.0 N" in page
+
+
+def test_plane_grids_and_batches_are_printed_too():
+    patch = quietly(nh.patch.solve, CONTACT, load=5e3, cells=(32, 64))
+    assert len(repr(patch).splitlines()) <= 10
+    assert "32 x 64 cells" in repr(patch)
+    many = quietly(nh.solve_many, CONTACT, approach=[[5e-3, 6e-3], [7e-3, -1.0]], strips=21)
+    said = repr(many)
+    assert "3 of 4 cases converged, shape 2 x 2" in said
+    assert "approach 5.0000 to 7.0000 um" in said
+    assert "failed: case (1, 1): approach = -1.0" in said
+
+
+def test_fields_and_lives_are_printed_without_their_arrays(solved):
+    field = nh.subsurface.cross_section(solved, 0.0)
+    assert repr(field).startswith("Field(body='a', x=<")
+    assert len(repr(field)) < 400
+    life = nh.life.assess(solved)[0]
+    assert "lundberg-palmgren" in repr(life)
+    assert len(repr(life)) < 700
