@@ -84,7 +84,7 @@ class PatchSolution(ReadOnly):
         return brief.plain_text("PatchSolution", self._said())
 
     def _repr_html_(self) -> str:
-        return brief.drawn("PatchSolution", self._said(), self.y, self.centre_pressure)
+        return brief.drawn("PatchSolution", self._said(), self)
 
     def _said(self) -> list[str]:
         sharp = [f"sharp end at y = {y:.5g} mm" for y in self.sharp_ends] if self.contact_y else []

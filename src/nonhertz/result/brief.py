@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 WIDEST = 60  # characters of a value
-DRAWN_WIDTH, DRAWN_HEIGHT = 360, 90  # px
+DRAWN_WIDTH, DRAWN_HEIGHT, ROOM = 360, 90, 1.1  # px, px, of the largest pressure that counts
 
 
 def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
@@ -91,17 +91,22 @@ def plain_text(name: str, said: list[str]) -> str:
     return "\n".join([name, *(f"  {line}" for line in said)])
 
 
-def drawn(name: str, said: list[str], y: Array, pressure: Array) -> str:
-    """Return lines as HTML, under a drawing of the pressure along the contact."""
-    low, span, top = float(y[0]), float(np.ptp(y)) or 1.0, float(pressure.max()) or 1.0
+def drawn(name: str, said: list[str], solution: Solved) -> str:
+    """Return lines as HTML, under a drawing of the pressure along the contact; where it has no limit, cut off."""
+    y, pressure = solution.y, solution.centre_pressure
+    low, span = float(y[0]), float(np.ptp(y)) or 1.0
+    away = np.ones(y.size, dtype=bool)
+    for end in solution.sharp_ends if solution.contact_y else ():
+        away &= np.abs(y - end) > solution.max_half_width
+    top = ROOM * float(pressure[away].max(initial=0.0)) or float(pressure.max(initial=0.0)) or 1.0
     points = " ".join(
-        f"{DRAWN_WIDTH * (place - low) / span:.1f},{DRAWN_HEIGHT * (1.0 - value / top):.1f}"
+        f"{DRAWN_WIDTH * (place - low) / span:.1f},{DRAWN_HEIGHT * (1.0 - min(value / top, 1.0)):.1f}"
         for place, value in zip(y.tolist(), pressure.tolist(), strict=True)
     )
     items = "".join(f"<li>{html.escape(line)}</li>" for line in said)
     return (
         f'<div class="nonhertz-result"><strong>{html.escape(name)}</strong>'
-        f'<svg role="img" aria-label="pressure along the contact, {digits(top)} MPa at most" '
+        f'<svg role="img" aria-label="pressure along the contact" '
         f'viewBox="0 -2 {DRAWN_WIDTH} {DRAWN_HEIGHT + 4}" width="{DRAWN_WIDTH}" height="{DRAWN_HEIGHT}" '
         'style="display:block;margin:4px 0">'
         f'<polyline points="{points}" fill="none" stroke="currentColor" stroke-width="1.2"/></svg>'

@@ -236,7 +236,7 @@ class Solution(ReadOnly):
         return brief.plain_text("Solution", self._said())
 
     def _repr_html_(self) -> str:
-        return brief.drawn("Solution", self._said(), self.y, self.centre_pressure)
+        return brief.drawn("Solution", self._said(), self)
 
     def _said(self) -> list[str]:
         ends = [edge.kind.label.replace("-", " ") for edge in self.edge_pressure]
