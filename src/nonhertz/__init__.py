@@ -18,9 +18,11 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from nonhertz import hertz as hertz
+    from nonhertz import io as io
     from nonhertz import life as life
     from nonhertz import measured as measured
     from nonhertz import patch as patch
+    from nonhertz import plot as plot
     from nonhertz import subsurface as subsurface
     from nonhertz.comparison import Comparison as Comparison
     from nonhertz.comparison import compare as compare
@@ -29,6 +31,8 @@ if TYPE_CHECKING:
     from nonhertz.errors import ConvergenceError as ConvergenceError
     from nonhertz.errors import InputError as InputError
     from nonhertz.errors import NonhertzError as NonhertzError
+    from nonhertz.io.casefile import Case as Case
+    from nonhertz.io.casefile import read_case as read_case
     from nonhertz.many import Solutions as Solutions
     from nonhertz.many import solve_many as solve_many
     from nonhertz.model import profile as profile
@@ -56,6 +60,7 @@ __version__ = "0.1.0"
 _HOMES = {
     "AccuracyWarning": "nonhertz.errors",
     "Body": "nonhertz.model.body",
+    "Case": "nonhertz.io.casefile",
     "Comparison": "nonhertz.comparison",
     "Contact": "nonhertz.model.contact",
     "CaseError": "nonhertz.errors",
@@ -77,14 +82,17 @@ _HOMES = {
     "Status": "nonhertz.result.solution",
     "TabulatedDiameter": "nonhertz.model.body",
     "compare": "nonhertz.comparison",
+    "read_case": "nonhertz.io.casefile",
     "solve": "nonhertz.solver",
     "solve_many": "nonhertz.many",
 }
 _MODULES = {
     "hertz": "nonhertz.hertz",
+    "io": "nonhertz.io",
     "life": "nonhertz.life",
     "measured": "nonhertz.measured",
     "patch": "nonhertz.patch",
+    "plot": "nonhertz.plot",
     "profile": "nonhertz.model.profile",
     "subsurface": "nonhertz.subsurface",
 }

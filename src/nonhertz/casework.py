@@ -19,7 +19,6 @@ from nonhertz.io.lives import BODIES, Assessment
 from nonhertz.life import Model, VolumeModel, assess, solve_spectrum
 from nonhertz.result.ends import singular_ends
 from nonhertz.result.solution import Solution
-from nonhertz.solver import solve
 from nonhertz.subsurface import Extremes, extremes
 
 Spectrum = tuple[tuple[Solution, float], ...]
@@ -40,8 +39,9 @@ def solved(case: Case) -> Solution:
     ConvergenceError
         If it stops short of a solution.
     """
-    with _in_the_words_of_the_file():
-        return solve(case.contact, **case.prescribed, **case.solver)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", AccuracyWarning)
+        return case.solve()
 
 
 def attempted(case: Case) -> tuple[Solution, str]:

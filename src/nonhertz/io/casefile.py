@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from nonhertz.io.document import LifeTable
     from nonhertz.io.mistakes import Mistake
     from nonhertz.life import LoadCase, Model
+    from nonhertz.result.solution import Solution
 
 _OF_BOTH_BODIES = ("diameter", "length", "position")
 _SECTIONS = {
@@ -105,6 +106,8 @@ class Case:
     ...     case = read_case(path)
     >>> case.prescribed["load"], case.contact.interval
     (20000.0, (-10.0, 10.0))
+    >>> round(case.solve().load)
+    20000
     """
 
     title: str
@@ -113,6 +116,28 @@ class Case:
     solver: dict[str, Any]
     path: Path
     life: LifeCase = field(default_factory=LifeCase)
+
+    def solve(self) -> Solution:
+        """Return the solution of the case, as `nonhertz.solve` does.
+
+        Raises
+        ------
+        CaseError
+            If the solver refuses the case; the sentence names the key of the file.
+        ConvergenceError
+            If it stops short of a solution.
+
+        Warns
+        -----
+        AccuracyWarning
+            If the result strains the model's validity.
+        """
+        from nonhertz.solver import solve  # noqa: PLC0415  (brings the compiler along)
+
+        try:
+            return solve(self.contact, **self.prescribed, **self.solver)
+        except InputError as error:
+            raise placed(error) from None
 
 
 def read_case(path: str | Path) -> Case:
