@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.errors import AccuracyWarning, InputError
 from nonhertz.model.checks import listed, thread_count
 from nonhertz.model.contact import Contact
-from nonhertz.model.prescription import Prescription, refuse_unpaired
+from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
 from nonhertz.result.brief import plain_text, shortened
 from nonhertz.result.numerals import digits
 from nonhertz.result.outcome import outcome
@@ -434,6 +434,8 @@ def _suspects(given: dict[str, Array]) -> list[int]:
     suspects = np.any([~np.isfinite(values) for values in given.values()], axis=0)
     if "load" in given:
         suspects |= given["load"] <= 0.0
+    if "tilt" in given:
+        suspects |= np.abs(given["tilt"]) > MOST_TILT
     return np.flatnonzero(suspects).tolist()
 
 

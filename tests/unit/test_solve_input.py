@@ -221,8 +221,10 @@ def test_a_half_width_large_against_the_radius_warns_with_the_ratio():
     # Silicone on steel: b / R about 0.35.
     soft = nh.Material(modulus=10, poisson=0.49)
     contact = nh.Contact(nh.Roller(diameter=20, length=200, material=soft), nh.Plate())
-    with pytest.warns(nh.AccuracyWarning, match=r"half-width is 0\.\d\d of the smaller radius .* over 0\.3"):
+    with pytest.warns(nh.AccuracyWarning) as caught:
         solution = nh.solve(contact, load=2500, strips=21)
+    pattern = r"half-width is 0\.\d\d of the smaller radius .* over 0\.3"
+    assert any(re.search(pattern, str(each.message)) for each in caught)
     said = next(text for text in solution.warnings if "half-width" in text)
     ratio = float(re.search(r"is (0\.\d\d) of", said)[1])
     assert abs(ratio - solution.half_width.max() / 10.0) < 0.006  # two decimals are printed
@@ -333,3 +335,22 @@ def failed(strips):
     """What a loop leaves that came nowhere."""
     nothing = np.zeros_like(strips.y)
     return State(strips.edges, nothing, nothing, np.zeros(2), nothing, np.zeros((2, 2)), STAGNATED, 0, np.inf)
+
+
+@pytest.mark.parametrize("tilt", [0.5, -0.301])
+def test_a_tilt_in_the_wrong_unit_is_refused_alone_and_among_many(tilt):
+    contact = nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate())
+    with pytest.raises(nh.InputError, match=r"must be a small angle, of 0\.3 rad at most: give it in rad"):
+        nh.solve(contact, load=1e3, tilt=tilt)
+    with pytest.raises(nh.InputError, match=r"case 1\.tilt"):
+        nh.solve_many(contact, load=1e3, tilt=[1e-3, tilt], strips=11)
+
+
+def test_a_pressure_that_no_material_bears_is_told_alone_and_among_many():
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, depth="none"), nh.Plate())
+    with pytest.warns(nh.AccuracyWarning) as caught:
+        nh.solve(contact, load=20e6, strips=21)
+    assert any(re.search(r"mean pressure is \S+ MPa, 0\.\d+ of the softer", str(each.message)) for each in caught)
+    with pytest.warns(nh.AccuracyWarning, match="1 of 2 cases"):
+        many = nh.solve_many(contact, load=[20e3, 20e6], strips=41)
+    assert any("of the softer body's modulus" in said for said in many.strained[1])

@@ -14,6 +14,8 @@ from nonhertz.model.contact import Contact
 # is lost in the rounding of the relief beside it; strips and cells met all of 14 contacts of any shape down to 1e-22.
 # At the second it is hundreds of times wider than the bodies.
 LEAST, MOST = 1e-22, 1e6
+# Sine and tangent differ by 5 % there, and relief is measured at right angles to a body that has not turned.
+MOST_TILT = 0.3  # rad
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,9 @@ class Prescription:
             finite("moment", moment, "give the moment in N mm")
         if tilt is not None:
             finite("tilt", tilt, "give the tilt in rad")
+            if abs(tilt) > MOST_TILT:
+                remedy = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
+                raise InputError("tilt", tilt, f"be a small angle, of {MOST_TILT:g} rad at most", remedy)
         first = load if load is not None else approach
         second = moment if moment is not None else (tilt or 0.0)
         assert first is not None

@@ -22,6 +22,7 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 MOST_OF_RADIUS = 0.3
+MOST_OF_MODULUS = 0.1
 LEAST_DEPTH = 3.0  # half-widths
 WIDEST_SERIES = 2.0  # lengths; a line load 17 lengths away is then good to 0.2 %
 HEAVIEST = 1.0 + 1e-9
@@ -44,9 +45,12 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States]) -> F
     # A contact in two places is shorter than its strips in sum, but those are rarely wide.
     wide = 2.0 * half_width.max(axis=1) > 0.25 * ((finest.m > 0.0) @ width)
     flat = np.any(half_width * _sharper_curvature(contact, y) > MOST_OF_RADIUS, axis=1)
+    loads, areas = (finest.r * finest.m) @ width, 2.0 * half_width @ width
+    softer = min(contact.a.material.modulus, contact.b.material.modulus)
+    hard = loads / problem.compliance > 0.5 * MOST_OF_MODULUS * softer * areas
     thin = np.any(problem.influence.shallowest(y) < LEAST_DEPTH * half_width, axis=1)
     coarse = may_be_uncertain(problem, levels) | may_miss_contact(problem, finest)
-    suspects: Flags = wide | flat | thin | coarse | bool(_heavy_images(problem))
+    suspects: Flags = wide | flat | hard | thin | coarse | bool(_heavy_images(problem))
     return suspects
 
 
@@ -71,6 +75,15 @@ def strains(solution: Solution, problem: Problem, state: State) -> tuple[str, ..
         sentences.append(
             f"The half-width is {ratio:.2f} of the smaller radius of curvature, over {MOST_OF_RADIUS}: neither "
             "half-spaces nor a parabolic separation describe such a contact."
+        )
+    softer = min(solution.contact.a.material.modulus, solution.contact.b.material.modulus)
+    mean = float(np.sum(solution.line_load * solution.strip_width))
+    mean /= float(np.sum(2.0 * solution.half_width * solution.strip_width))
+    if mean > MOST_OF_MODULUS * softer:
+        sentences.append(
+            f"The mean pressure is {mean:.3g} MPa, {mean / softer:.2g} of the softer body's modulus and over "
+            f"{MOST_OF_MODULUS:g}: no material stays elastic under that, and strains are not small; check load and "
+            "units."
         )
     sentences.extend(_thin_bodies(solution))
     sentences.extend(_heavy_images(problem))
