@@ -94,7 +94,8 @@ def problem_of(contact: Contact, given: Prescription, element: Element) -> Probl
     Raises
     ------
     InputError
-        If ``contact`` or ``element`` is none, or the moment can have no pressure between the ends of the bodies.
+        If ``contact`` or ``element`` is not a Contact or an Element, or no pressure between the ends of the bodies has
+        that moment.
     """
     if not isinstance(contact, Contact):
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
@@ -110,7 +111,7 @@ def problem_of(contact: Contact, given: Prescription, element: Element) -> Probl
 
 
 def refuse_no_element(element: object) -> None:
-    """Refuse what is none of the strip elements."""
+    """Refuse anything but one of the strip elements."""
     if not isinstance(element, Element):
         remedy = "use nonhertz.SEMI_ELLIPTIC or nonhertz.PARABOLIC"
         raise InputError("element", element, "be an element", remedy)

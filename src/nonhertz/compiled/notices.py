@@ -8,7 +8,7 @@ import sys
 import threading
 from collections.abc import Iterator
 
-_SILENCE = 2.0  # s, before whoever waits is told why
+_SILENCE = 2.0  # s, before the first progress notice
 _WAIT = "The first solve on a machine compiles the solver, which takes about half a minute."
 _UNKEPT = (
     "The compiled solver cannot be kept, so every process compiles it again, which takes about half a minute: "
@@ -21,7 +21,7 @@ _waiting = threading.local()
 
 @contextlib.contextmanager
 def patience() -> Iterator[None]:
-    """Tell whoever waits at a terminal or in a notebook why, once."""
+    """Say once, at a terminal or in a notebook, why the first solve takes so long."""
     if _WAIT in _said or getattr(_waiting, "now", False) or not _watched():
         yield
         return

@@ -148,7 +148,7 @@ def assess(
     Raises
     ------
     InputError
-        If a model, body or share is none, or nothing is in contact.
+        If a model, body or share is not valid, or nothing is in contact.
 
     Notes
     -----

@@ -104,7 +104,7 @@ class Measured:
         return self._with(Trim(length) if slope is None else Trim(length, slope))
 
     def without_outliers(self, threshold: float = THRESHOLD) -> Measured:
-        """Return a copy without points that are none of the surface; see `Outliers`."""
+        """Return a copy without points that do not belong to the surface; see `Outliers`."""
         return self._with(Outliers(threshold))
 
     def smoothed(self, cutoff: float = CUTOFF, method: str = "gaussian") -> Measured:

@@ -126,7 +126,7 @@ def tilt(points: Points, slope: float = CHAMFER_SLOPE) -> float:
     other does not turn it, as long as it is less than half.
 
     A circular arc that is tilted is the same arc moved sideways. What is tilt and what is a crown off the middle of
-    the land cannot be told apart by anyone; all of it counts as tilt. Steps within the land are none of it: the two
+    the land cannot be told apart by anyone; all of it counts as tilt. Steps within the land are not part of it: the two
     sides of a step lie in the machine alike.
     """
     low, high = land(points, slope)

@@ -1,4 +1,4 @@
-"""Which points of a measured line are none of the surface.
+"""Which points of a measured line do not belong to the surface.
 
 Dust, a scratch or a lost stylus moves few neighbouring points, and the surface goes on behind them as it came. So a
 point is suspected if it lies off three lines, to the same side of all: that through the surface on its left, carried on

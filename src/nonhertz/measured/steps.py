@@ -24,8 +24,8 @@ from nonhertz.model.checks import finite, one_of, positive
 #: Wavelength [mm] above which roughness ends and form begins, of the standard values of ISO 21920-3 and ISO 4288 that
 #: for finely ground surfaces.
 CUTOFF = 0.8
-#: Robust standard deviations beyond which a point is none of the surface. Of ten thousand points of pure Gaussian
-#: roughness not one lies beyond.
+#: Robust standard deviations beyond which a point does not belong to the surface. Of ten thousand points of pure
+#: Gaussian roughness not one lies beyond.
 THRESHOLD = 5.0
 
 # Chords reach so far to either side, over the number of points, and over nine points at least.
@@ -211,7 +211,7 @@ class Trim:
 
 @dataclass(frozen=True)
 class Outliers:
-    """Take out points that are none of the surface: dust, scratches, lost contact of the stylus.
+    """Take out points that do not belong to the surface: dust, scratches, lost contact of the stylus.
 
     A point is taken out if it lies further than a limit off the surface on its left, carried on to it, off that on its
     right, and off the chord between the two, to the same side of all; and if all of its neighbours that do so make no

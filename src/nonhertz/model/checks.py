@@ -55,7 +55,7 @@ def not_negative(field: str, value: float, remedy: str) -> None:
 
 
 def whole(field: str, value: int, least: int, most: float, remedy: str) -> int:
-    """Return a whole number between two others, or refuse what is none."""
+    """Return a whole number between two others, or refuse anything else."""
     finite(field, value, remedy)
     if value != int(value) or not least <= value <= most:
         bounds = f"from {least} to {most:g}" if math.isfinite(most) else f"of at least {least}"

@@ -54,7 +54,7 @@ def face_weights(rule: FaceRule | tuple[FaceRule, FaceRule], poisson: float) -> 
     Raises
     ------
     InputError
-        If ``rule`` is none of the words, a number of at least zero, or a pair of these.
+        If ``rule`` is neither one of the words nor a number of at least zero, nor a pair of these.
     """
     pair = rule if isinstance(rule, (tuple, list)) else (rule, rule)
     if len(pair) != 2:
@@ -77,7 +77,7 @@ def _face_weight(rule: FaceRule, poisson: float) -> float:
 
 
 def check_depth(rule: DepthRule, convex: bool) -> None:
-    """Refuse a depth that is none of the words or a positive length, or asks a diameter of a body without one."""
+    """Refuse a depth that is neither one of the words nor a positive length, or a diameter the body lacks."""
     words = ("none", "plane-strain", "diameter")
     if isinstance(rule, bool) or not (isinstance(rule, Real) or rule in words):
         raise InputError("depth", rule, "be one of 'none', 'plane-strain', 'diameter' or a length", _DEPTH_REMEDY)

@@ -42,7 +42,7 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States]) -> F
     finest = levels[0]
     y, width = 0.5 * (finest.edges[1:] + finest.edges[:-1]), np.diff(finest.edges)
     half_width = problem.element.hertz_ratio * np.sqrt(finest.m)
-    # A contact in two places is shorter than its strips in sum, but those are rarely wide.
+    # The summed strip width overestimates the length of a split contact, but split contacts are rarely wide.
     wide = 2.0 * half_width.max(axis=1) > 0.25 * ((finest.m > 0.0) @ width)
     flat = np.any(half_width * _sharper_curvature(contact, y) > MOST_OF_RADIUS, axis=1)
     loads, areas = (finest.r * finest.m) @ width, 2.0 * half_width @ width

@@ -61,7 +61,7 @@ def refuse_arm_outside(problem: Problem, within: tuple[float, float]) -> None:
 
 
 def refuse_endless_relief(y: Array, separation: Array) -> None:
-    """Refuse bodies whose relief is no number somewhere, or infinite everywhere."""
+    """Refuse bodies whose relief is NaN somewhere, or infinite everywhere."""
     if np.any(np.isnan(separation)):
         place = float(y[np.argmax(np.isnan(separation))])
         raise InputError("profile", math.nan, f"not be NaN, but is at y = {place:g}", "mend its relief")

@@ -91,7 +91,7 @@ def _seen_from_any_strips(
 def _seen_from_equal_strips(
     y: Array, low: float, high: float, inverse: float, active: Indices, terms: Array, table: Array, out: Array
 ) -> None:
-    """Do the same at half the price: seen from the next of equal strips, one edge is where the other was."""
+    """Do the same for equal strips: neighbours share an edge, so each edge is evaluated once."""
     out[:] = 0.0
     for k in range(terms.shape[0]):
         sign, weight = terms[k, 0], terms[k, 2]

@@ -41,8 +41,8 @@ NEARLY, SMALL_STEP = 1e-8, 1e-5
 ROUGHLY_NEARLY, ROUGHLY_SMALL = 1e-3, 0.1
 STEP_LIMIT = 60
 LEAST_CHANGE = 0.3  # of r in one step, and its inverse the largest
-WIDEST = 1e4  # half-width over half the length of the strips, from which on nothing is left to hope for
-# A strip enters only if it overlaps by more than this share of what the others still lack: sooner it would flutter.
+WIDEST = 1e4  # half-width over half the length of the strips: beyond it the iteration has diverged
+# A strip enters only if its overlap exceeds this fraction of the residual; otherwise the active set oscillates.
 LET_SETTLE = 0.1
 
 

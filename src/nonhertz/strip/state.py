@@ -20,7 +20,7 @@ Flags = NDArray[np.bool_]
 
 LEAST_RISE = 1e-3  # of the load, below which raising it further is given up
 # Depths in half-widths of independent springs, which may be half of the true ones where bodies are thin. Below the
-# first no loop is started, below the second none that failed is helped, below the third it failed because of it.
+# first no loop is started, below the second a failed start is not retried, below the third thinness is the reason.
 HOPELESS, BEYOND_HELP, SCARCELY = 0.7, 2.0, 4.0
 _NOTHING = np.empty(0)
 

@@ -306,7 +306,7 @@ def across_at(solution: Solved, y: Array) -> tuple[Array, Array]:
 
 
 def one_station(station: float) -> float:
-    """Return a station as a number, or refuse what is none or several."""
+    """Return a station as a number, or refuse anything but a single number."""
     finite("station", station, "give one place along the contact in mm")
     return float(station)
 
@@ -325,7 +325,7 @@ def _depths(solution: Solved) -> Array:
 
 
 def finite_numbers(name: str, value: ArrayLike) -> Array:
-    """Return numbers as an array, or refuse what is none or not finite."""
+    """Return numbers as an array, or refuse what is not a finite number."""
     return (
         numbers(name, value, _POINTS_REMEDY, FARTHEST, "mm") + 0.0
     )  # a depth of -0 would be on the wrong side of a branch

@@ -83,7 +83,7 @@ class Inside:
         Raises
         ------
         InputError
-            If there is no such body, or ``solution`` is none.
+            If there is no such body, or ``solution`` is not a solution.
         """
         check_body(name)
         checked_solution(solution)

@@ -1,4 +1,4 @@
-"""The routes of the page: what is asked, handed to who knows, and the answer."""
+"""HTTP routes of the page."""
 
 from __future__ import annotations
 

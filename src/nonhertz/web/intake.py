@@ -69,7 +69,7 @@ def json_object(text: bytes) -> dict[str, Any]:
     Raises
     ------
     RefusedError
-        If it is no JSON, no object, has a key twice, a number that is none, or is nested too deeply.
+        If it is not JSON, not an object, repeats a key, holds a malformed number, or is nested too deeply.
     """
     try:
         value = json.loads(text.decode("utf-8"), parse_constant=_no_number, object_pairs_hook=_no_key_twice)

@@ -78,7 +78,7 @@ def column_called(field: str, wanted: object, names: list[str]) -> int:
     """
     text = str(wanted).strip()
     if isinstance(wanted, int) or re.fullmatch(r"[0-9]+", text):
-        # As text: a number of five thousand digits is none to Python.
+        # As text: Python refuses to convert a number of five thousand digits.
         digits = text.lstrip("0")
         if not digits.isdecimal() or len(digits) > 6 or int(digits) > len(names):
             condition = f"be a column from 1 to {len(names)}"

@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 
 
 def places(y: ArrayLike) -> Array:
-    """Return axial positions [mm] as an array, or refuse what are none."""
+    """Return axial positions [mm] as an array, or refuse what cannot be read as such."""
     return numbers("y", y, "give positions along the axis in mm")
 
 
