@@ -36,9 +36,9 @@ Integers = NDArray[np.int64]
 
 LADDER = (2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 192, 256)
 ERROR = 1e-8  # of what a strip adds
-# No tail begins nearer to a point than this, in half-widths: the smallest distance at which the highest-order rule meets
-# the error bound. A piece that ends nearer to a point on the surface is lengthened by the difference, and its neighbour
-# shortened.
+# No tail begins nearer to a point than this, in half-widths: the smallest distance at which the highest-order rule
+# meets the error bound. A piece that ends nearer to a point on the surface is lengthened by the difference, and its
+# neighbour shortened.
 NEAREST = 0.04
 # A strip counts as a whole from here on, in half-widths and in its own lengths.
 FAR, FAR_IN_LENGTHS = 16.0, 6.0
