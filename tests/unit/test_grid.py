@@ -8,8 +8,12 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.finite import influence_of
+from nonhertz.model.prescription import Prescription
 from nonhertz.model.profile import Profile
+from nonhertz.solver import problem_of
+from nonhertz.strip.grid import cut_off
 from nonhertz.strip.influence import displacements
+from nonhertz.strip.state import settle
 
 HALF = 10.0
 profile = nh.profile
@@ -334,3 +338,13 @@ def test_every_point_of_a_rough_table_is_looked_at():
     contact = nh.Contact(nh.Roller(diameter=5, length=30, profile=profile.tabulated(y, relief, "linear")), nh.Plate())
     solution = nh.solve(contact, approach=-1.39e-4)
     assert [sum(low < y[at] < high for low, high in solution.contact_y) for at in (41, 46)] == [1, 1]
+
+
+@pytest.mark.parametrize(("low", "high", "cut"), [(-10.0, 2.0, (False, True)), (-2.0, 10.0, (True, False))])
+def test_strips_that_end_within_the_contact_are_cut_off_there_and_not_at_the_bodies_ends(low, high, cut):
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=profile.crown(2000)), nh.Plate())
+    problem = problem_of(contact, Prescription.checked(0.01, None, None, None), nh.SEMI_ELLIPTIC)
+    state = settle(problem, np.linspace(low, high, 31))
+    assert cut_off(state, (-10.0, 10.0)) == cut
+    # Where the bodies end too, nothing is cut off.
+    assert cut_off(state, (low, high)) == (False, False)
