@@ -11,6 +11,7 @@ from nonhertz.finite import influence_of
 from nonhertz.model.prescription import Prescription
 from nonhertz.model.profile import Profile
 from nonhertz.solver import problem_of
+from nonhertz.strip import grid
 from nonhertz.strip.grid import cut_off
 from nonhertz.strip.influence import displacements
 from nonhertz.strip.state import settle
@@ -348,3 +349,63 @@ def test_strips_that_end_within_the_contact_are_cut_off_there_and_not_at_the_bod
     assert cut_off(state, (-10.0, 10.0)) == cut
     # Where the bodies end too, nothing is cut off.
     assert cut_off(state, (low, high)) == (False, False)
+
+
+def parabola(edges):
+    """Centres, and m = 1 - y^2 where that is positive."""
+    y = 0.5 * (edges[1:] + edges[:-1])
+    return y, np.maximum(1.0 - y**2, 0.0)
+
+
+def test_the_fall_towards_an_end_is_the_distance_at_which_half_the_summit_is_left():
+    y, m = parabola(np.linspace(-2.0, 2.0, 401))
+    for side in (-1, 1):
+        # m = 1 - y^2 is a half at 0.7071; between centres it is interpolated.
+        np.testing.assert_allclose(grid._fall(y, m, -1.0, 1.0, side), 1.0 - np.sqrt(0.5), rtol=0.0, atol=2e-3)
+
+
+def test_near_a_place_counts_the_widest_of_three_strips_in_contact():
+    y, m = parabola(np.linspace(-2.0, 2.0, 41))
+    bearing = np.flatnonzero(m > 0.0)
+    np.testing.assert_allclose(grid._near(y, m, 1.5), np.sqrt(m[bearing[-3:]].max()), rtol=1e-12, atol=0.0)
+    np.testing.assert_allclose(grid._near(y, m, -1.5), np.sqrt(m[bearing[:3]].max()), rtol=1e-12, atol=0.0)
+    assert grid._near(y, np.zeros_like(m), 0.0) == 0.0
+
+
+def crowned_on_part(low, high, strips):
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=profile.crown(2000)), nh.Plate())
+    problem = problem_of(contact, Prescription.checked(0.01, None, None, None), nh.SEMI_ELLIPTIC)
+    return problem, settle(problem, np.linspace(low, high, strips + 1))
+
+
+def test_a_kink_counts_in_contact_and_in_the_strips_beside_it():
+    _, state = crowned_on_part(-10.0, 10.0, 40)
+    last = np.flatnonzero(state.m > 0.0)[-1]
+    assert last < state.m.size - 4
+    near = [bool(grid._nearly_touching(state, float(state.y[at]))) for at in range(last, last + 4)]
+    assert near == [True, True, False, False]
+
+
+def test_an_overlap_is_found_where_it_is_and_as_wide_as_it_is():
+    y = np.linspace(-15.0, 15.0, 72)
+    relief = np.where(np.arange(72) % 2 == 0, 2e-4, 3e-4)
+    relief[[41, 46]] = [-1.40e-4, -1.67e-4]
+    contact = nh.Contact(nh.Roller(diameter=5, length=30, profile=profile.tabulated(y, relief, "linear")), nh.Plate())
+    problem = problem_of(contact, Prescription.checked(-1.39e-4, None, None, None), nh.SEMI_ELLIPTIC)
+    state = settle(problem, np.linspace(4.3, 4.6, 31))
+    ((place, width),) = grid.overlaps(problem, state, (-15.0, 15.0))
+    np.testing.assert_allclose(place, y[41], rtol=0.0, atol=1e-9)
+    # One micrometre over a fall of 0.34 um (0.44 um) in 0.42 mm either way, seen twice as wide, in five strips.
+    assert 1e-4 < width < 2e-3
+
+
+def test_a_grid_cut_from_an_end_next_to_the_middle_does_not_depend_on_the_unit_of_length():
+    # 5 mm are next to the middle of 20 m, in strips, if not in millimetres.
+    def edges(times):
+        roller = nh.Roller(diameter=20 * times, length=20 * times, profile=profile.crown(4000 * times))
+        plate = nh.Plate(length=20 * times, position=(10.0 - 5e-3) * times)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", nh.AccuracyWarning)
+            return nh.solve(nh.Contact(roller, plate), load=1e3 * times**2).edges
+
+    np.testing.assert_allclose(edges(1024.0) / 1024.0, edges(1.0), rtol=1e-6, atol=1e-9)
