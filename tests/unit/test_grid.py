@@ -399,11 +399,12 @@ def test_an_overlap_is_found_where_it_is_and_as_wide_as_it_is():
     assert 1e-4 < width < 2e-3
 
 
-def test_a_grid_cut_from_an_end_next_to_the_middle_does_not_depend_on_the_unit_of_length():
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+def test_a_grid_cut_from_an_end_next_to_the_middle_does_not_depend_on_the_unit_of_length(side):
     # 5 mm are next to the middle of 20 m, in strips, if not in millimetres.
     def edges(times):
         roller = nh.Roller(diameter=20 * times, length=20 * times, profile=profile.crown(4000 * times))
-        plate = nh.Plate(length=20 * times, position=(10.0 - 5e-3) * times)
+        plate = nh.Plate(length=20 * times, position=side * (10.0 - 5e-3) * times)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", nh.AccuracyWarning)
             return nh.solve(nh.Contact(roller, plate), load=1e3 * times**2).edges
