@@ -1,11 +1,15 @@
 """Levels of grids, and the error that their changes estimate."""
 
+import itertools
+import warnings
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.model.prescription import Prescription
+from nonhertz.solver import problem_of
 from nonhertz.strip import levels as strip_levels
 from nonhertz.strip.levels import Levels
 from nonhertz.strip.state import sprung
@@ -65,3 +69,27 @@ def test_very_many_strips_are_not_tried_for_hours_where_fewer_have_no_solution(m
         with pytest.raises(nh.ConvergenceError):
             nh.solve(contact, load=1e3, strips=strips)
         assert tried[-1] == (strips, patient)
+
+
+def test_grids_that_are_tried_in_turn_have_ever_fewer_strips():
+    shares = strip_levels.FEWER_STRIPS
+    assert shares[0] == 1.0
+    assert all(0.5 < after < before for before, after in itertools.pairwise(shares))
+
+
+@pytest.mark.parametrize("times", [1e-3, 1.0, 1e3])
+@pytest.mark.parametrize("load", [1e-8, 1e3])
+def test_bodies_without_ends_are_looked_at_as_far_as_the_contact_calls_for(times, load):
+    # From half-widths of 1e-6 of the radius to 0.01: neither lost in the net of places nor in one of its meshes.
+    crown = nh.profile.crown(50 * times)
+    contact = nh.Contact(nh.Ring(diameter=100 * times, profile=crown), nh.Plate())
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        exact = nh.hertz.point_contact(
+            load=load * times**2, radius_x=50 * times, radius_y=50 * times, compliance=contact.compliance
+        )
+        given = Prescription.checked(exact.approach, None, None, None)
+    low, high = strip_levels.bounded(problem_of(contact, given, nh.SEMI_ELLIPTIC), contact.interval)
+    assert low < -exact.half_length
+    assert high > exact.half_length
+    assert high - low < 20.0 * exact.half_length
