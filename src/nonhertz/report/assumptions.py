@@ -8,19 +8,19 @@ from __future__ import annotations
 
 import enum
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.comparison.reasons import TOLD
-from nonhertz.finite import depth_below, ends
+from nonhertz.finite import depth_below
 from nonhertz.report.finding import Finding
+from nonhertz.result.checks import LEAST_DEPTH, checks
 from nonhertz.result.ends import largest_away, singular_ends
 from nonhertz.result.numerals import digits, given
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
-from nonhertz.result.validity import HEAVIEST, LEAST_DEPTH, MOST_OF_RADIUS, WIDER_THAN_LONG
 from nonhertz.strip.element import SEMI_ELLIPTIC
 
 Array = NDArray[np.float64]
@@ -69,7 +69,7 @@ def assumptions(found: Finding) -> list[Assumption]:
     solution = found.solution
     told = [_converged(solution)]
     if solution.contact_y and solution.status is Status.CONVERGED:
-        told += [_curved(solution), _long(solution), *_deep(solution), *_faces(solution), *_ends(solution)]
+        told += [*_valid(solution), *_ends(solution)]
         told += [_smooth(solution), *_fine(solution), _shape(solution), *_elastic(found)]
     told.append(
         Assumption("Surfaces", "dry, smooth, without friction", "no such input", Verdict.OPEN, "Roughness is left out.")
@@ -89,60 +89,16 @@ def _converged(solution: Solution) -> Assumption:
     )
 
 
-def _curved(solution: Solution) -> Assumption:
-    touching = solution.line_load > 0.0
-    y = solution.y[touching]
-    sharper = np.maximum(np.abs(solution.contact.a.curvature(y)), np.abs(solution.contact.b.curvature(y)))
-    ratio = float(np.max(solution.half_width[touching] * sharper))
-    return Assumption(
-        "Half-spaces, parabolic separation across",
-        f"half-width up to {MOST_OF_RADIUS:g} of the smaller radius of curvature",
-        f"{digits(ratio, 3)}",
-        _strained_if(ratio > MOST_OF_RADIUS),
-    )
-
-
-def _long(solution: Solution) -> Assumption:
-    widest = 2.0 * solution.max_half_width
-    longest = max(high - low for low, high in solution.contact_y)
-    return Assumption(
-        "Strips across a contact that is long",
-        f"width / length up to {WIDER_THAN_LONG:g}",
-        f"{digits(widest / longest, 3)}",
-        _strained_if(widest > WIDER_THAN_LONG * longest),
-        "Expect errors where the contact ends." if widest > WIDER_THAN_LONG * longest else "",
-    )
-
-
-def _deep(solution: Solution) -> Iterator[Assumption]:
-    touching = solution.half_width > 0.0
+def _valid(solution: Solution) -> Iterator[Assumption]:
+    """Yield the checks that the solver warns by, and of bodies without a depth that there is none."""
+    for check in checks(solution):
+        number = digits(check.value, 3)
+        yield Assumption(check.assumption, check.criterion, number, _strained_if(not check.holds), check.remark)
     for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
-        what = f"Body {name} is thick"
-        criterion = f"depth of at least {LEAST_DEPTH:g} half-widths"
-        below: Callable[[Array], Array] | None = depth_below(body, solution.element)
-        if below is None:
+        if depth_below(body, solution.element) is None:
             remark = "A half-space of endless depth: approach counts from a point far away."
-            yield Assumption(what, criterion, "no depth given", Verdict.OPEN, remark)
-        else:
-            ratio = float(np.min(below(solution.y[touching]) / solution.half_width[touching]))
-            yield Assumption(what, criterion, digits(ratio, 3), _strained_if(ratio < LEAST_DEPTH))
-
-
-def _faces(solution: Solution) -> Iterator[Assumption]:
-    freed = ends(solution.contact)
-    if not freed:
-        return
-    heaviest = max(freed, key=lambda end: end.wanted)
-    heavy = heaviest.wanted > HEAVIEST
-    places = " and ".join(f"{end.y:.5g}" for end in freed if end.wanted > HEAVIEST)
-    remark = f"Those about y = {places} mm were lowered until it is 1; the pressure up to there is finite only by this."
-    yield Assumption(
-        "Images about side faces",
-        "weight of at most 1 of the surface",
-        f"{'' if len(freed) == 1 else 'at most '}{digits(heaviest.wanted, 3)}",
-        _strained_if(heavy),
-        remark if heavy else "",
-    )
+            criterion = f"depth of at least {LEAST_DEPTH:g} half-widths"
+            yield Assumption(f"Body {name} is thick", criterion, "no depth given", Verdict.OPEN, remark)
 
 
 _ENDS = {

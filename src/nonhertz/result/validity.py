@@ -8,10 +8,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.finite import depth_below
-from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
 from nonhertz.model.finite import SERIES
+from nonhertz.result.checks import (
+    HEAVIEST,
+    LEAST_DEPTH,
+    MOST_OF_MODULUS,
+    MOST_OF_RADIUS,
+    checks,
+    depths,
+    sharper_curvature,
+)
 from nonhertz.result.estimate import LARGE_ERROR, LARGE_PRESSURE_ERROR, MISSED, may_be_uncertain, may_miss_contact
 from nonhertz.result.solution import EdgeKind, Solution, Status
 from nonhertz.strip.batch import States
@@ -21,12 +28,7 @@ from nonhertz.strip.state import SCARCELY, Problem, State, runs, sprung
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-MOST_OF_RADIUS = 0.3
-MOST_OF_MODULUS = 0.1
-LEAST_DEPTH = 3.0  # half-widths
 WIDEST_SERIES = 2.0  # lengths; a line load 17 lengths away is then good to 0.2 %
-HEAVIEST = 1.0 + 1e-9
-WIDER_THAN_LONG = 1.02  # so that a circle is not called wide for its rounding
 
 
 def suspected(contact: Contact, problem: Problem, levels: Sequence[States]) -> Flags:
@@ -44,52 +46,23 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States]) -> F
     half_width = problem.element.hertz_ratio * np.sqrt(finest.m)
     # The summed strip width overestimates the length of a split contact, but split contacts are rarely wide.
     wide = 2.0 * half_width.max(axis=1) > 0.25 * ((finest.m > 0.0) @ width)
-    flat = np.any(half_width * _sharper_curvature(contact, y) > MOST_OF_RADIUS, axis=1)
+    flat = np.any(half_width * sharper_curvature(contact, y) > MOST_OF_RADIUS, axis=1)
     loads, areas = (finest.r * finest.m) @ width, 2.0 * half_width @ width
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
     hard = loads / problem.compliance > 0.5 * MOST_OF_MODULUS * softer * areas
     thin = np.any(problem.influence.shallowest(y) < LEAST_DEPTH * half_width, axis=1)
     coarse = may_be_uncertain(problem, levels) | may_miss_contact(problem, finest)
-    suspects: Flags = wide | flat | hard | thin | coarse | bool(_heavy_images(problem))
+    suspects: Flags = wide | flat | hard | thin | coarse | any(end.wanted > HEAVIEST for end in problem.influence.ends)
     return suspects
-
-
-def _sharper_curvature(contact: Contact, y: Array) -> Array:
-    return np.maximum(np.abs(contact.a.curvature(y)), np.abs(contact.b.curvature(y)))
 
 
 def strains(solution: Solution, problem: Problem, state: State) -> tuple[str, ...]:
     """Return a sentence for every way in which the result leaves the model's validity."""
-    sentences = []
-    widest = 2.0 * float(np.max(solution.half_width))
-    longest = max(end - start for start, end in solution.contact_y)
-    if widest > WIDER_THAN_LONG * longest:
-        sentences.append(
-            f"The contact is wider than long: width / length = {widest / longest:.2f}, and strips should be "
-            "long against their width in sum; expect errors where the contact ends."
-        )
-    touching = solution.line_load > 0.0
-    curvature = _sharper_curvature(solution.contact, solution.y[touching])
-    ratio = float(np.max(solution.half_width[touching] * curvature))
-    if ratio > MOST_OF_RADIUS:
-        sentences.append(
-            f"The half-width is {ratio:.2f} of the smaller radius of curvature, over {MOST_OF_RADIUS}: neither "
-            "half-spaces nor a parabolic separation describe such a contact."
-        )
-    softer = min(solution.contact.a.material.modulus, solution.contact.b.material.modulus)
-    mean = float(np.sum(solution.line_load * solution.strip_width))
-    mean /= float(np.sum(2.0 * solution.half_width * solution.strip_width))
-    if mean > MOST_OF_MODULUS * softer:
-        sentences.append(
-            f"The mean pressure is {mean:.3g} MPa, {mean / softer:.2g} of the softer body's modulus and over "
-            f"{MOST_OF_MODULUS:g}: no material stays elastic under that, and strains are not small; check load and "
-            "units."
-        )
-    sentences.extend(_thin_bodies(solution))
-    sentences.extend(_heavy_images(problem))
-    sentences.extend(_large_errors(solution))
-    sentences.extend(_missed_contact(solution, problem, state))
-    return tuple(sentences)
+    return (
+        *(sentence for check in checks(solution) for sentence in check.sentences),
+        *_large_errors(solution),
+        *_missed_contact(solution, problem, state),
+    )
 
 
 def _large_errors(solution: Solution) -> list[str]:
@@ -136,40 +109,6 @@ def _next_to_contact(state: State, y: Array) -> Flags:
     return found
 
 
-def _thin_bodies(solution: Solution) -> list[str]:
-    """Return a sentence for each body whose depth is not large against the half-width."""
-    return [
-        f"The depth of body {name} is only {ratio:.2f} half-widths, less than {LEAST_DEPTH:g}: the body is so thin "
-        "that neither half-spaces nor line loads describe it."
-        for name, _, ratio in _depths(solution, solution.half_width)
-        if ratio < LEAST_DEPTH
-    ]
-
-
-def _depths(solution: Solution, half_width: Array) -> list[tuple[str, Body, float]]:
-    """Return name, body and least depth in half-widths of each body that has a depth."""
-    touching = half_width > 0.0
-    if not np.any(touching):
-        return []
-    found = []
-    for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
-        below = depth_below(body, solution.element)
-        if below is not None:
-            found.append((name, body, float(np.min(below(solution.y[touching]) / half_width[touching]))))
-    return found
-
-
-def _heavy_images(problem: Problem) -> list[str]:
-    """Return a sentence for each place at which images had to weigh less than asked."""
-    return [
-        f"The images about the side face at y = {end.y:.6g} mm would weigh {end.wanted:.3g} of the surface, a face of "
-        "the other body at the same place counted in, and above 1 refinement leads nowhere: their weights were lowered "
-        "until it is 1. The pressure up to that end is finite only by this."
-        for end in problem.influence.ends
-        if end.wanted > HEAVIEST
-    ]
-
-
 def singularities(solution: Solution) -> tuple[str, ...]:
     """Return a sentence for every sharp end that the contact reaches, and for a corner that bears the maximum."""
     sentences = []
@@ -212,7 +151,7 @@ def refuse_thin_bodies(solution: Solution, problem: Problem) -> None:
     widest = float(np.max(half_width))
     if not np.isfinite(widest):
         return
-    for name, body, ratio in _depths(solution, half_width):
+    for name, body, ratio in depths(solution, half_width):
         if ratio < least:
             shown = ratio * widest if isinstance(body.depth, str) else body.depth
             condition = f"be large against the half-width of the contact, about {widest:.2g} mm"
@@ -222,7 +161,7 @@ def refuse_thin_bodies(solution: Solution, problem: Problem) -> None:
 
 def wider_than_round(contact: Contact, y: Array, half_width: Array) -> Flags:
     """Return where a contact is wider than the body that is curved more sharply: no body has so much surface."""
-    beyond: Flags = half_width * _sharper_curvature(contact, y) > 1.0
+    beyond: Flags = half_width * sharper_curvature(contact, y) > 1.0
     return beyond
 
 
@@ -232,7 +171,7 @@ def refuse_wider_than_round(solution: Solution, problem: Problem) -> None:
     if solution.status is not Status.CONVERGED or not wide.size:
         return
     worst = wide[np.argmax(solution.half_width[wide])]
-    radius = 1.0 / float(_sharper_curvature(solution.contact, solution.y[worst : worst + 1])[0])
+    radius = 1.0 / float(sharper_curvature(solution.contact, solution.y[worst : worst + 1])[0])
     by_load = bool(problem.prescribed[0])
     name, per = ("load", problem.compliance) if by_load else ("approach", 1.0)
     condition = (
