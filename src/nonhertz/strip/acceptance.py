@@ -27,7 +27,9 @@ MET, NOT_FINITE, FIRST, SECOND, TENSION, UNCLOSED, OVERLAP, BENT, HIDDEN = range
 # Curvature rows are met to the square of the last step only.
 TOLERANCE, CURVATURE_TOLERANCE = 1e-8, 1e-6
 ROUNDING = 1e-14  # of the largest length that a gap is the difference of
-MOST_HIDDEN = 1e-4  # of the interference: a contact of which rounding hides more has no digits left that count
+# Of the interference. The rounding above is counted generously: some four digits are left of a contact of which it
+# hides no more than this.
+MOST_HIDDEN = 1e-2
 UNSTEADY = -1e-6  # of what the stiffness against approach makes of that against tilt: less is rounding
 
 

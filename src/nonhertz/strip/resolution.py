@@ -66,6 +66,19 @@ def roughness(departure: Array, width: Array, load: Array, pressure: Array) -> t
     return mean, np.max(np.where(load > 0.0, ripple, 0.0), axis=-1) / np.max(pressure, axis=-1)
 
 
+def _summits(y: Array, depth: Array) -> Array:
+    """Return where parabolas through three places each are deepest, of those that are deeper than zero there."""
+    with np.errstate(invalid="ignore"):
+        inner = (depth[1:-1] >= depth[:-2]) & (depth[1:-1] > depth[2:]) & np.isfinite(depth[:-2] + depth[2:])
+    at = np.flatnonzero(inner) + 1
+    before, after = np.diff(depth)[at - 1] / np.diff(y)[at - 1], np.diff(depth)[at] / np.diff(y)[at]
+    bend = (after - before) / (y[at + 1] - y[at - 1])
+    place = 0.5 * (y[at - 1] + y[at]) - 0.5 * before / bend
+    highest = depth[at] - bend * (place - y[at]) ** 2
+    found: Array = place[(highest > 0.0) & (place > y[at - 1]) & (place < y[at + 1])]
+    return found
+
+
 def overlapping(problem: Problem, state: State, interval: tuple[float, float]) -> tuple[Array, Array]:
     """Return places, and by how much the surfaces overlap there although no strip is in contact.
 
@@ -88,6 +101,12 @@ def overlapping(problem: Problem, state: State, interval: tuple[float, float]) -
         return np.zeros(0), np.zeros(0)
     y, h = problem.surveyed(*interval, SAMPLES)
     depth = state.rigid[0] + state.rigid[1] * y - h
+    summits = _summits(y, depth)
+    if summits.size:
+        # A bump may touch between places at all of which the surfaces are apart.
+        h = np.concatenate([h, problem.separation(summits)])
+        y, first = np.unique(np.concatenate([y, summits]), return_index=True)
+        depth = state.rigid[0] + state.rigid[1] * y - h[first]
     apart = np.all((y < contact[:, :1] - margin) | (y > contact[:, 1:] + margin), axis=0)
     overlap = np.where(apart & (depth <= 0.0), depth, 0.0)
     suspect = np.flatnonzero(apart & (depth > 0.0))
