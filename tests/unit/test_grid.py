@@ -11,7 +11,7 @@ from nonhertz.finite import influence_of
 from nonhertz.model.prescription import Prescription
 from nonhertz.model.profile import Profile
 from nonhertz.solver import problem_of
-from nonhertz.strip import grid
+from nonhertz.strip import grid, resolution
 from nonhertz.strip.grid import cut_off
 from nonhertz.strip.influence import displacements
 from nonhertz.strip.state import settle
@@ -410,3 +410,14 @@ def test_a_grid_cut_from_an_end_next_to_the_middle_does_not_depend_on_the_unit_o
             return nh.solve(nh.Contact(roller, plate), load=1e3 * times**2).edges
 
     np.testing.assert_allclose(edges(1024.0) / 1024.0, edges(1.0), rtol=1e-6, atol=1e-9)
+
+
+def test_a_summit_between_samples_is_looked_at_and_where_there_is_no_body_none_is():
+    y = np.linspace(0.0, 10.0, 21)
+    depth = 1e-3 - (y - 3.2) ** 2  # apart at 3.0 and 3.5
+    depth[y > 6.0] = -np.inf
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        np.testing.assert_allclose(resolution._summits(y, depth), [3.2], rtol=1e-12, atol=0.0)
+        assert resolution._summits(y, depth - 2e-3).size == 0
+        assert resolution._summits(y, np.full(21, -np.inf)).size == 0

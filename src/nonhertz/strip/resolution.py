@@ -68,10 +68,9 @@ def roughness(departure: Array, width: Array, load: Array, pressure: Array) -> t
 
 def _summits(y: Array, depth: Array) -> Array:
     """Return where parabolas through three places each are deepest, of those that are deeper than zero there."""
-    with np.errstate(invalid="ignore"):
-        inner = (depth[1:-1] >= depth[:-2]) & (depth[1:-1] > depth[2:]) & np.isfinite(depth[:-2] + depth[2:])
-    at = np.flatnonzero(inner) + 1
-    before, after = np.diff(depth)[at - 1] / np.diff(y)[at - 1], np.diff(depth)[at] / np.diff(y)[at]
+    left, here, right = depth[:-2], depth[1:-1], depth[2:]
+    at = np.flatnonzero((here >= left) & (here > right) & np.isfinite(left) & np.isfinite(right)) + 1
+    before, after = ((depth[to] - depth[of]) / (y[to] - y[of]) for of, to in ((at - 1, at), (at, at + 1)))
     bend = (after - before) / (y[at + 1] - y[at - 1])
     place = 0.5 * (y[at - 1] + y[at]) - 0.5 * before / bend
     highest = depth[at] - bend * (place - y[at]) ** 2
