@@ -10,6 +10,7 @@ import nonhertz as nh
 import nonhertz.casework
 import nonhertz.cli.reporting
 import nonhertz.report.figures
+import nonhertz.solver
 from nonhertz.cli import main
 from nonhertz.io.casefile import read_case
 from nonhertz.report import MARK
@@ -100,7 +101,7 @@ def test_a_case_that_has_not_converged_is_reported_and_told(
     def stop(*_: object, **__: object) -> None:
         raise nh.ConvergenceError("It stopped.", solution)
 
-    monkeypatch.setattr(nonhertz.casework, "solve", stop)
+    monkeypatch.setattr(nonhertz.solver, "solve", stop)
     assert main(["report", case]) == 1
     printed = capsys.readouterr()
     assert (printed.out, printed.err) == ("wrote case-report.html\n", "case: It stopped.\n")

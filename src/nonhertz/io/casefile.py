@@ -157,7 +157,11 @@ def read_case(path: str | Path) -> Case:
     ------
     CaseError
         With every mistake in the file, one sentence each.
+    InputError
+        If ``path`` is not the name of a file.
     """
+    if not isinstance(path, str | Path):
+        raise InputError("path", path, "be the name of a case file", "give a string or a Path")
     path = Path(path)
     return case_in(parsed(case_text(path), str(path)), path)
 
