@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -106,7 +107,7 @@ def problem_of(contact: Contact, given: Prescription, element: Element) -> Probl
     target, influence = factors * [given.first, given.second], influence_of(contact, element)
     return Problem(
         contact.separation, contact.curvature, element, prescribed, target, influence, contact.compliance,
-        contact.crests,
+        partial(getattr, contact, "crests"),
     )  # fmt: skip
 
 

@@ -45,9 +45,10 @@ def tables() -> dict[str, dict[str, str]]:
 
 
 def public(cls: type) -> set[str]:
-    """Return the public attributes that a class itself defines."""
+    """Return the public attributes that a class has, its own and those of the classes that it is made of."""
     of_fields = {field.name for field in dataclasses.fields(cls)}
-    return {name for name in of_fields | set(vars(cls)) if not name.startswith("_")}
+    of_classes = {name for each in cls.__mro__[:-1] for name in vars(each)}
+    return {name for name in of_fields | of_classes if not name.startswith("_")}
 
 
 def test_every_section_is_of_something_in_the_code():

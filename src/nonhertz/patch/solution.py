@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.finite import HERTZ, Shape, influence_of
+from nonhertz.finite import HERTZ, Shape, ends
 from nonhertz.model.checks import finite
 from nonhertz.model.contact import Contact
 from nonhertz.patch.resources import memory
 from nonhertz.result import brief
-from nonhertz.result.solution import ErrorEstimate, ReadOnly, Status, read_only
+from nonhertz.result.solution import ContactResult, ErrorEstimate, Status, read_only
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -25,7 +25,7 @@ SAME_PLACE = 1e-9  # of the length
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class PatchSolution(ReadOnly):
+class PatchSolution(ContactResult):
     """A contact solved on a plane grid.
 
     Attributes
@@ -80,14 +80,8 @@ class PatchSolution(ReadOnly):
     error_estimate: ErrorEstimate
     warnings: tuple[str, ...]
 
-    def __repr__(self) -> str:
-        return brief.plain_text("PatchSolution", self._said())
-
-    def _repr_html_(self) -> str:
-        return brief.drawn("PatchSolution", self._said(), self)
-
     def _said(self) -> list[str]:
-        sharp = [f"sharp end at y = {y:.5g} mm" for y in self.sharp_ends] if self.contact_y else []
+        sharp = [f"sharp end at y = {y:.5g} mm" for y in self.sharp_ends]
         return brief.lines(self, f"{self.cells[0]} x {self.cells[1]} cells", sharp or ["no sharp end"])
 
     @property
@@ -131,16 +125,6 @@ class PatchSolution(ReadOnly):
         return int(i), int(j)
 
     @property
-    def max_half_width(self) -> float:
-        """The largest half-width [mm], zero where nothing touches."""
-        return float(self.half_width.max(initial=0.0))
-
-    @property
-    def contact_length(self) -> float:
-        """Length of all intervals in contact together [mm]."""
-        return math.fsum(high - low for low, high in self.contact_y)
-
-    @property
     def peaks_at_corner(self) -> bool:
         """Whether the largest pressure is at a corner of the profile: cells do not tell."""
         return False
@@ -161,7 +145,9 @@ class PatchSolution(ReadOnly):
     @cached_property
     def sharp_ends(self) -> tuple[float, ...]:
         """Where the contact reaches an end of a body at which the pressure has no limit [mm], ascending."""
-        faces = influence_of(self.contact, self.shape).ends
+        if not self.contact_y:
+            return ()
+        faces = ends(self.contact)
         room = SAME_PLACE * float(np.ptp(self.y))
         reached = self.contact_y[0][0], self.contact_y[-1][1]
         return tuple(

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.comparison.reasons import TOLD
-from nonhertz.finite import depth_below
+from nonhertz.finite import depth_below, ends
 from nonhertz.report.finding import Finding
 from nonhertz.result.checks import LEAST_DEPTH, checks
 from nonhertz.result.ends import largest_away, singular_ends
@@ -91,7 +91,7 @@ def _converged(solution: Solution) -> Assumption:
 
 def _valid(solution: Solution) -> Iterator[Assumption]:
     """Yield the checks that the solver warns by, and of bodies without a depth that there is none."""
-    for check in checks(solution):
+    for check in checks(solution, ends(solution.contact)):
         number = digits(check.value, 3)
         yield Assumption(check.assumption, check.criterion, number, _strained_if(not check.holds), check.remark)
     for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):

@@ -96,7 +96,7 @@ def drawn(name: str, said: list[str], solution: Solved) -> str:
     y, pressure = solution.y, solution.centre_pressure
     low, span = float(y[0]), float(np.ptp(y)) or 1.0
     away = np.ones(y.size, dtype=bool)
-    for end in solution.sharp_ends if solution.contact_y else ():
+    for end in solution.sharp_ends:
         away &= np.abs(y - end) > solution.max_half_width
     top = ROOM * float(pressure[away].max(initial=0.0)) or float(pressure.max(initial=0.0)) or 1.0
     points = " ".join(

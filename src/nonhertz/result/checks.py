@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.finite import depth_below, ends
+from nonhertz.finite import End, depth_below
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
 from nonhertz.result.solution import Solution
@@ -56,9 +56,9 @@ class Check:
         return not self.sentences
 
 
-def checks(solution: Solution) -> tuple[Check, ...]:
-    """Return all checks of a solution that has a contact."""
-    return (_long(solution), _curved(solution), _small_strains(solution), *_deep(solution), *_images(solution))
+def checks(solution: Solution, freed: tuple[End, ...]) -> tuple[Check, ...]:
+    """Return all checks of a solution that has a contact; ``freed`` side faces as `nonhertz.finite.ends` has them."""
+    return (_long(solution), _curved(solution), _small_strains(solution), *_deep(solution), *_images(freed))
 
 
 def sharper_curvature(contact: Contact, y: Array) -> Array:
@@ -127,8 +127,7 @@ def depths(solution: Solution, half_width: Array) -> list[tuple[str, Body, float
     return found
 
 
-def _images(solution: Solution) -> Iterator[Check]:
-    freed = ends(solution.contact)
+def _images(freed: tuple[End, ...]) -> Iterator[Check]:
     if not freed:
         return
     heavy = [end for end in freed if end.wanted > HEAVIEST]

@@ -6,7 +6,7 @@ import enum
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +16,9 @@ from nonhertz.model.checks import numbers
 from nonhertz.model.contact import Contact
 from nonhertz.result import brief
 from nonhertz.strip.element import Element
+
+if TYPE_CHECKING:
+    from nonhertz.result.protocol import Solved
 
 Array = NDArray[np.float64]
 Values = TypeVar("Values", bound=NDArray[Any])
@@ -168,8 +171,31 @@ def read_only(array: Values) -> Values:
     return array
 
 
+class ContactResult(ReadOnly):
+    """What strips and plane grid derive alike from their arrays, and how both are printed."""
+
+    def __repr__(self) -> str:
+        return brief.plain_text(type(self).__name__, self._said())
+
+    def _repr_html_(self) -> str:
+        return brief.drawn(type(self).__name__, self._said(), cast("Solved", self))
+
+    def _said(self) -> list[str]:
+        raise NotImplementedError
+
+    @property
+    def max_half_width(self: Solved) -> float:
+        """The largest half-width [mm], zero where nothing touches."""
+        return float(self.half_width.max(initial=0.0))
+
+    @property
+    def contact_length(self: Solved) -> float:
+        """Length of all intervals in contact together [mm]."""
+        return math.fsum(high - low for low, high in self.contact_y)
+
+
 @dataclass(frozen=True, eq=False, repr=False)
-class Solution(ReadOnly):
+class Solution(ContactResult):
     """A solved contact.
 
     Attributes
@@ -231,12 +257,6 @@ class Solution(ReadOnly):
     iterations: int
     error_estimate: ErrorEstimate
     warnings: tuple[str, ...]
-
-    def __repr__(self) -> str:
-        return brief.plain_text("Solution", self._said())
-
-    def _repr_html_(self) -> str:
-        return brief.drawn("Solution", self._said(), self)
 
     def _said(self) -> list[str]:
         ends = [edge.kind.label.replace("-", " ") for edge in self.edge_pressure]
@@ -304,16 +324,6 @@ class Solution(ReadOnly):
     def max_pressure_y(self) -> float:
         """Where the largest strip pressure is [mm]."""
         return float(self.y[self.centre_pressure.argmax()])
-
-    @property
-    def max_half_width(self) -> float:
-        """The largest half-width [mm], zero where nothing touches."""
-        return float(self.half_width.max(initial=0.0))
-
-    @property
-    def contact_length(self) -> float:
-        """Length of all intervals in contact together [mm]."""
-        return math.fsum(high - low for low, high in self.contact_y)
 
     @property
     def interference(self) -> Array:

@@ -59,7 +59,7 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States]) -> F
 def strains(solution: Solution, problem: Problem, state: State) -> tuple[str, ...]:
     """Return a sentence for every way in which the result leaves the model's validity."""
     return (
-        *(sentence for check in checks(solution) for sentence in check.sentences),
+        *(sentence for check in checks(solution, problem.influence.ends) for sentence in check.sentences),
         *_large_errors(solution),
         *_missed_contact(solution, problem, state),
     )

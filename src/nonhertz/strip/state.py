@@ -43,8 +43,9 @@ class Problem:
         How strips act.
     compliance : float
         K [1/MPa], by which loads are counted.
-    crests : tuple of float
-        Where profiles may stand out between any places that are looked at [mm].
+    crests : callable
+        () -> where profiles may stand out between any places that are looked at [mm]. Of a measured line they are
+        thousands, and many a solve does without.
     """
 
     separation: Callable[[Array], Array]
@@ -54,7 +55,7 @@ class Problem:
     target: Array
     influence: Influence
     compliance: float
-    crests: tuple[float, ...] = ()
+    crests: Callable[[], tuple[float, ...]] = tuple
     _sampled: dict[tuple[float, float, int], tuple[Array, Array]] = field(default_factory=dict, repr=False)
 
     def sampled(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
@@ -67,14 +68,15 @@ class Problem:
 
     def surveyed(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
         """Return the places of `sampled` and the crests between them, and the separation there, ascending."""
-        crests = np.array(self.crests)
-        crests = crests[(crests > low) & (crests < high)]
-        if crests.size == 0:
-            return self.sampled(low, high, intervals)
-        key = (low, high, -intervals)
+        key = (low, high, -intervals)  # beside that of the samples alone
         if key not in self._sampled:
-            y = np.unique(np.concatenate([self.sampled(low, high, intervals)[0], crests]))
-            self._sampled[key] = y, self.separation(y)
+            y, h = self.sampled(low, high, intervals)
+            crests = np.array(self.crests())
+            crests = crests[(crests > low) & (crests < high)]
+            if crests.size:
+                y = np.unique(np.concatenate([y, crests]))
+                h = self.separation(y)
+            self._sampled[key] = y, h
         return self._sampled[key]
 
     def with_share(self, share: float) -> Problem:
