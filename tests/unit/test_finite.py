@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.finite import End, Influence, ends, influence_of, plane_strain_depth
+from nonhertz.finite import ALL_LINKS, HERTZ, SEPARATE_LINKS, End, Influence, ends, influence_of, plane_strain_depth
 from nonhertz.strip.influence import displacements
 
 EDGES = np.linspace(-8.0, 8.0, 25)
@@ -291,3 +291,26 @@ def test_depth_follows_a_tapered_diameter(depth, factor):
     (found,) = below(on_plate(diameter=taper, position=1.0, depth=depth))
     expected = factor * np.clip(16.0 + 0.25 * (Y - 1.0), 14.0, 18.0)
     np.testing.assert_allclose(found, expected, rtol=1e-5, atol=0.0)
+
+
+def test_the_depth_of_plane_strain_is_one_whatever_shape_the_pressure_is_counted_with():
+    of_hertz = [plane_strain_depth(HERTZ, poisson) for poisson in (0.0, 0.3, 0.5)]
+    of_strips = [plane_strain_depth(nh.SEMI_ELLIPTIC, poisson) for poisson in (0.0, 0.3, 0.5)]
+    np.testing.assert_allclose(of_hertz, of_strips, rtol=1e-12)
+
+
+def test_the_shallower_body_counts():
+    influence = influence_of(nh.Contact(roller(depth=5.0), plate(depth=2.0)), nh.SEMI_ELLIPTIC)
+    assert influence.shallowest(Y).tolist() == [2.0] * Y.size
+
+
+def test_images_too_far_to_be_told_apart_are_those_of_an_endless_series():
+    """Against the same sum of line loads at multiples of the length, to a hundred times as many links."""
+    length, depth, factor = 16.0, 5.0, 1.0 / (2.0 * (1.0 - STEEL.poisson))
+    (below,) = influence_of(on_plate(depth=depth, images="series"), nh.SEMI_ELLIPTIC).depths
+    distance = length * (np.arange(SEPARATE_LINKS, 100 * ALL_LINKS) + 1.0)
+    square = distance**2 + depth**2
+    kernel = 1.0 / distance - 1.0 / np.sqrt(square) - factor * depth**2 / square**1.5
+    # The roller has half of the compliance. Links go to either side.
+    expected = 2.0 * 0.5 * kernel.sum()
+    np.testing.assert_allclose(below.far(np.zeros(1)), expected, rtol=1e-6)

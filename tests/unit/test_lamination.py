@@ -149,3 +149,23 @@ def test_an_even_pressure_is_left_alone():
 def test_a_single_strip_is_its_own_piece():
     cut = laminated(solved(strips=1))
     assert cut.low.tolist() == [-10.0, -10.0]
+
+
+def test_a_strip_falls_to_where_its_contact_runs_out():
+    solution = solved(nh.profile.crown(radius=2000), load=4e3, tilt=1e-4)
+    strips = lamination.Strips.of(solution)
+    for at, end in ((0, solution.contact_y[0][0]), (-1, solution.contact_y[-1][1])):
+        middle, half = 0.5 * (strips.low[at] + strips.high[at]), 0.5 * (strips.high[at] - strips.low[at])
+        assert middle + half * strips.run_out[at] == pytest.approx(end, rel=1e-12)
+    assert np.all(np.isinf(strips.run_out[1:-1]))
+
+
+@pytest.mark.parametrize("load", [500.0, 4e3])
+def test_the_pieces_of_a_mirrored_contact_are_mirrored(load):
+    # Few strips: pressures that fall so steeply that the line through a strip would fall below nothing.
+    cuts = [laminated(solved(nh.profile.crown(radius=1000), strips=9, load=load, tilt=tilt)) for tilt in (4e-4, -4e-4)]
+    (low, high, borne, half_width), mirrored = map(pieces_of, cuts)
+    np.testing.assert_allclose(low, -mirrored[1][::-1], rtol=1e-9, atol=1e-9)
+    np.testing.assert_allclose(borne, mirrored[2][::-1], rtol=1e-7, atol=1e-9)
+    np.testing.assert_allclose(half_width, mirrored[3][::-1], rtol=1e-7, atol=1e-9)
+    assert np.all(high > low)
