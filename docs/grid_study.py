@@ -184,8 +184,8 @@ def _honesty_table() -> Iterator[str]:
     yield "## The estimate of the error, and the error"
     yield ""
     yield f"Automatic grid. The error is that against a grid in which every strip is cut into {REFINEMENT};"
-    yield "it leaves out what strips cannot do at a sharp end, which the tables above show. A maximum at a sharp"
-    yield "end has no limit, hence no error."
+    yield "it leaves out what strips cannot do at a sharp end, which the tables above show. p0 is the maximum"
+    yield "pressure more than a half-width from sharp ends; at a corner within the contact it has no limit."
     yield ""
     yield _row("case", "strips", "approach: estimate", "approach: error", "p0: estimate", "p0: error")
     yield _rule(6)

@@ -79,16 +79,15 @@ figure = along(tilted, "Tilted by 1 mrad")
 # %%
 # The largest pressure against the tilt
 # -------------------------------------
-# Where an end bears there is no largest pressure: Lundberg's line stops there, and those of the straight roller and of
-# the flat crown do not begin. Up to that tilt the logarithm is the better one. The strong crown hardly notices a tilt,
-# but its pressure is high from the beginning.
+# Where an end bears the pressure there has no limit: Lundberg's line stops there, and those of the straight roller and
+# of the flat crown do not begin. Up to that tilt the logarithm is the better one. The strong crown hardly notices a
+# tilt, but its pressure is high from the beginning.
 
 TILTS = np.linspace(0.0, 2e-3, 11)
 highest = {}
 for name in ("crown, radius 0.6 m", "Lundberg for 12 kN"):
     solutions = nh.solve_many(contact(PROFILES[name]), load=LOAD, tilt=TILTS)
-    limited = [solution.edge_pressure[1].converges for solution in solutions]
-    highest[name] = np.where(limited, solutions.max_pressure, np.nan)
+    highest[name] = np.where(solutions.singular, np.nan, solutions.max_pressure)
 
 with sheet_style():
     figure = Figure(figsize=(6.7, 3.2), layout="constrained")

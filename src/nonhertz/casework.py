@@ -17,7 +17,7 @@ from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
 from nonhertz.io.casefile import Case, placed
 from nonhertz.io.lives import BODIES, Assessment
 from nonhertz.life import Model, VolumeModel, assess, solve_spectrum
-from nonhertz.result.ends import singular_ends
+from nonhertz.result.ends import ends_in_words
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extremes, extremes
 
@@ -105,12 +105,12 @@ def largest_stresses(
 
 def _near_sharp_ends(solution: Solution, y: float) -> list[str]:
     """Return a sentence for each singular end within a half-width."""
-    half_widths = dict(zip(solution.edge_pressure, solution.half_width[[0, -1]], strict=True))
+    half_width = float(np.interp(y, solution.y, solution.half_width))
     return [
-        f"The cross-section at y = {y:.5g} mm is within a half-width of the sharp end at y = {end.y:.5g} mm, "
-        "towards which the stress has no limit: its largest values depend on the strips."
-        for end in singular_ends(solution)
-        if abs(y - end.y) <= half_widths[end]
+        f"The cross-section at y = {y:.5g} mm is within a half-width of {ends_in_words([end])}, towards which the "
+        "stress has no limit: its largest values depend on the strips."
+        for end in solution.singular_ends
+        if abs(y - end.y) < half_width
     ]
 
 

@@ -22,11 +22,13 @@ from nonhertz.model.checks import listed, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
 from nonhertz.result.brief import plain_text, shortened
+from nonhertz.result.end_pressure import singular_places
+from nonhertz.result.maximum import largest_pressure
 from nonhertz.result.numerals import digits
 from nonhertz.result.outcome import outcome
 from nonhertz.result.quantities import QUANTITIES
-from nonhertz.result.solution import Solution
-from nonhertz.result.validity import suspected, wider_than_round
+from nonhertz.result.solution import Solution, read_only
+from nonhertz.result.validity import singularities, suspected, wider_than_round
 from nonhertz.solver import levels_of, problem_of, refuse_no_element, wanted_strips
 from nonhertz.strip.batch import States, settle_all
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
@@ -116,11 +118,8 @@ def solve_many(
     with ThreadPoolExecutor(thread_count(threads)) as pool:
         blocks = [block for found in pool.map(_solved, _portions(tasks)) for block in found]
     solutions = Solutions(shape, tuple(blocks))
-    strained = solutions.strained
-    if strained:
-        first, sentences = next(iter(strained.items()))
-        text = f"{len(strained)} of {len(solutions)} cases strain the model; number {first}, the first: {sentences[0]}"
-        warnings.warn(text, AccuracyWarning, stacklevel=2)
+    for sentence in solutions._warned():
+        warnings.warn(sentence, AccuracyWarning, stacklevel=2)
     return solutions
 
 
@@ -141,7 +140,9 @@ class Solutions:
     approach, tilt, load, moment : ndarray, shape (...)
         As in `Solution` [mm, rad, N, N mm].
     max_pressure, max_pressure_y : ndarray, shape (...)
-        The largest strip pressure [MPa] and where it is [mm].
+        The largest pressure more than a half-width from ends where it has no limit [MPa], and where it is [mm].
+    singular : ndarray of bool, shape (...)
+        Which contacts have such ends.
     stiffness : ndarray, shape (..., 2, 2)
         As in `Solution`.
     converged : ndarray of bool, shape (...)
@@ -156,16 +157,17 @@ class Solutions:
         }
         columns = {name: np.full(len(self._place), np.nan) for name in _COLUMNS}
         stiffness = np.full((len(self._place), 2, 2), np.nan)
+        singular = np.zeros(len(self._place), dtype=bool)
         for block in blocks:
             if block.error is None:
                 for name, column in zip(_COLUMNS, block.columns(), strict=True):
                     columns[name][block.numbers] = column
                 stiffness[block.numbers] = block.finest.stiffness / block.contact.compliance
+                singular[block.numbers] = block.has_singular_ends
         for name, column in columns.items():
-            column.flags.writeable = False
-            setattr(self, name, column.reshape(shape))
-        stiffness.flags.writeable = False
-        self.stiffness = stiffness.reshape(*shape, 2, 2)
+            setattr(self, name, read_only(column).reshape(shape))
+        self.stiffness = read_only(stiffness).reshape(*shape, 2, 2)
+        self.singular = read_only(singular).reshape(shape)
 
     approach: Array
     tilt: Array
@@ -208,7 +210,7 @@ class Solutions:
 
     def _solution(self, number: int) -> Solution:
         block, row = self._place[number]
-        return block.solution(row)[0]
+        return block.solution(row)
 
     @cached_property
     def failures(self) -> dict[Number, Exception]:
@@ -221,10 +223,25 @@ class Solutions:
         return {_label(number, self.shape): error for number, error in sorted(found.items())}
 
     @cached_property
-    def strained(self) -> dict[Number, tuple[str, ...]]:
-        """What strains the model, a tuple of sentences for each case where something does."""
-        found = {number: sentences for block in self._blocks for number, sentences in block.strains() if sentences}
-        return {_label(number, self.shape): sentences for number, sentences in sorted(found.items())}
+    def warnings(self) -> dict[Number, tuple[str, ...]]:
+        """The warnings of each case that has any: what strains the model, and ends without a limit of the pressure."""
+        found = sorted({*np.flatnonzero(self.singular).tolist(), *self._strained})
+        return {_label(number, self.shape): self._solution(number).warnings for number in found}
+
+    @cached_property
+    def _strained(self) -> dict[int, str]:
+        """What strains the model first, of each case that something does."""
+        return dict(sorted(pair for block in self._blocks for pair in block.strained()))
+
+    def _warned(self) -> Iterator[str]:
+        """Yield a sentence on the cases that strain the model, and one on those with singular ends."""
+        for number, sentence in list(self._strained.items())[:1]:
+            cases = f"{len(self._strained)} of {len(self)} cases strain the model"
+            yield f"{cases}; number {_label(number, self.shape)}, the first: {sentence}"
+        for number in np.flatnonzero(self.singular)[:1].tolist():
+            cases = f"{np.count_nonzero(self.singular)} of {len(self)} contacts end where the pressure has no limit"
+            sentence = singularities(self._solution(number))[0]
+            yield f"{cases}; number {_label(number, self.shape)}, the first: {sentence}"
 
 
 def _label(number: int, shape: tuple[int, ...]) -> Number:
@@ -251,17 +268,36 @@ class _Block:
         """Return the results named in `_COLUMNS`, by the formulas of `Solution`."""
         states, compliance = self.finest, self.contact.compliance
         y, width = 0.5 * (states.edges[1:] + states.edges[:-1]), np.diff(states.edges)
-        line_load, half_width = states.r * states.m / compliance, self.problem.element.hertz_ratio * np.sqrt(states.m)
-        pressure = np.zeros_like(line_load)
-        touching = half_width > 0.0
-        pressure[touching] = 2.0 * line_load[touching] / (np.pi * half_width[touching])
+        line_load = states.r * states.m / compliance
         return (
             states.rigid[:, 0], states.rigid[:, 1], line_load @ width, line_load @ (width * y),
-            pressure.max(axis=1), y[pressure.argmax(axis=1)],
+            *self.largest,
         )  # fmt: skip
 
-    def solution(self, row: int) -> tuple[Solution, tuple[str, ...]]:
-        """Return the solution of one case, and what strains the model in it."""
+    @cached_property
+    def largest(self) -> tuple[Array, Array]:
+        """Largest pressures [MPa] and where they are [mm], shape (cases,)."""
+        states = self.finest
+        y = 0.5 * (states.edges[1:] + states.edges[:-1])
+        half_width = self.problem.element.hertz_ratio * np.sqrt(states.m)
+        line_load, pressure = states.r * states.m / self.contact.compliance, np.zeros_like(states.m)
+        touching = half_width > 0.0
+        pressure[touching] = 2.0 * line_load[touching] / (np.pi * half_width[touching])
+        return largest_pressure(y, pressure, half_width, self.singular)
+
+    @cached_property
+    def singular(self) -> Array:
+        """Where contacts end without a limit of the pressure [mm], shape (cases, k), nan for no such end."""
+        return singular_places(self.contact, self.problem, self.finest)
+
+    @property
+    def has_singular_ends(self) -> NDArray[np.bool_]:
+        """Which contacts end so."""
+        ends: NDArray[np.bool_] = np.any(np.isfinite(self.singular), axis=1)
+        return ends
+
+    def solution(self, row: int) -> Solution:
+        """Return the solution of one case."""
         if self.error is not None:
             # A copy, since every raise adds to an error's traceback.
             raise copy.copy(self.error)
@@ -270,11 +306,16 @@ class _Block:
         levels = Levels((states[0], *(state for state in states[1:] if state.converged)))
         return outcome(self.contact, problem, levels)
 
-    def strains(self) -> Iterator[tuple[int, tuple[str, ...]]]:
-        """Yield number and sentences of cases that may strain the model."""
-        if self.error is None:
-            for row in np.flatnonzero(suspected(self.contact, self.problem, self.states)):
-                yield self.numbers[row], self.solution(int(row))[1]
+    def strained(self) -> Iterator[tuple[int, str]]:
+        """Yield numbers of cases that strain the model, and the first sentence on each."""
+        if self.error is not None:
+            return
+        asked = self.contact, self.problem, self.states, self.singular, self.largest[1]
+        for row in np.flatnonzero(suspected(*asked)):
+            solution = self.solution(int(row))
+            sentences = [each for each in solution.warnings if each not in singularities(solution)]
+            if sentences:
+                yield self.numbers[row], sentences[0]
 
 
 @dataclass(frozen=True)

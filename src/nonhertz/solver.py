@@ -70,7 +70,8 @@ def solve(
     Warns
     -----
     AccuracyWarning
-        If the result strains the model's validity; the sentences are in ``solution.warnings`` too.
+        If the result strains the model's validity, or the contact ends where the pressure has no limit; the sentences
+        are in ``solution.warnings`` too.
 
     Examples
     --------
@@ -83,8 +84,8 @@ def solve(
     """
     given = Prescription.checked(approach, load, tilt, moment)
     problem = problem_of(contact, given, element)
-    solution, strains = outcome(contact, problem, levels_of(contact, problem, strips))
-    for sentence in strains:
+    solution = outcome(contact, problem, levels_of(contact, problem, strips))
+    for sentence in solution.warnings:
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
     return solution
 

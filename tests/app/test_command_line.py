@@ -8,6 +8,7 @@ import importlib.metadata
 import io
 import json
 import os
+import re
 import subprocess
 import sys
 import warnings
@@ -107,8 +108,10 @@ def test_the_summary_names_what_an_engineer_asks_for(case: str, capsys: pytest.C
     assert rows["load"].startswith("20000 N")
     assert rows["tilt"] == "0.50000 mrad"
     assert rows["contact along y"] == "-10.000 to 10.000 mm"
+    assert re.fullmatch(r"\d+\.\d MPa +error about [\d.]+ %", rows["maximum pressure"])
     # A crown of 4000 mm leaves the ends in contact: the pressure there has no limit, and the user is told.
-    assert rows["maximum pressure"].split(maxsplit=2) == ["no", "limit", "singular at y = -10 and 10 mm"]
+    assert rows["edge at y = 10 mm"].startswith("singular")
+    assert "away from singular ends" in printed.out
     assert "warning: " in printed.out
 
 
@@ -142,10 +145,11 @@ def test_json_is_one_object_with_the_solution_in_full(
 
 
 def test_json_has_null_where_a_number_is_infinite(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    Path(case).write_text(CASE.replace('strips = "auto"', "strips = 1"), encoding="utf-8")
     main(["solve", case, "--json"])
     estimate = parsed(capsys.readouterr().out)["error_estimate"]
     assert estimate["max_pressure"] is None
-    assert 0.0 <= estimate["approach"] < 1e-2
+    assert estimate["load"] == 0.0
 
 
 def test_approach_and_moment_can_be_prescribed(case: str, capsys: pytest.CaptureFixture[str]) -> None:

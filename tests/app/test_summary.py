@@ -57,62 +57,56 @@ def rows(solution: Solution) -> dict[str, tuple[str, str]]:
     return found
 
 
-def test_a_singular_end_has_a_strength_in_place_of_a_maximum(sharp: Solution) -> None:
+def test_a_singular_end_has_a_strength_beside_the_maximum(sharp: Solution) -> None:
     shown = rows(sharp)
-    # The side of positive y bears more, so its K is the one beside the maximum.
     high = sharp.edge_pressure[1]
-    assert shown["maximum pressure"] == ("no limit", "singular at y = -10 and 10 mm")
-    assert shown["maximum pressure+"] == ("", f"p ~ K / s^0.5, K = {high.strength:.4g} MPa mm^0.5")
-    assert shown["edge at y = 10 mm"] == ("singular", f"K = {high.strength:.4g} MPa mm^0.5, s^-0.5")
+    assert shown["edge at y = 10 mm"] == ("singular", f"p ~ K / s^0.5, K = {high.strength:.4g} MPa mm^0.5")
     assert shown["edge at y = -10 mm"][0] == "singular"
-    assert f"{sharp.max_pressure:.0f}" not in str(shown)
+    assert f"{sharp.centre_pressure.max():.0f}" not in str(shown)
 
 
-def test_the_largest_pressure_away_from_singular_ends_is_beyond_a_half_width(sharp: Solution) -> None:
+def test_the_maximum_is_a_half_width_from_a_singular_end(sharp: Solution) -> None:
     shown = rows(sharp)
-    pressure = float(shown["away from the ends"][0].removesuffix(" MPa"))
-    y = float(shown["away from the ends+"][0].removeprefix("at y = ").removesuffix(" mm"))
-    half_width = sharp.half_width[-1]
-    beyond = sharp.y < 10.0 - half_width
-    # Five digits are printed. The strips are a tenth of a half-width wide there.
-    assert 10.0 - 1.5 * half_width < y < 10.0 - half_width
-    assert pressure == pytest.approx(sharp.centre_pressure[beyond & (sharp.y > 0.0)].max(), rel=1e-4)
-    assert pressure < 0.5 * sharp.max_pressure
+    pressure, error = shown["maximum pressure"]
+    where, away = shown["maximum pressure+"]
+    assert re.fullmatch(r"error about [\d.]+ %", error)
+    assert away == "away from singular ends"
+    y = float(where.removeprefix("at y = ").removesuffix(" mm"))
+    # Five digits are printed.
+    assert 10.0 - y == pytest.approx(np.interp(y, sharp.y, sharp.half_width), abs=1e-3)
+    between = np.interp(y, sharp.y, sharp.centre_pressure)
+    assert float(pressure.removesuffix(" MPa")) == pytest.approx(between, rel=3e-3)
+    assert between < 0.5 * sharp.centre_pressure.max()
 
 
-def test_a_maximum_in_the_middle_does_not_hide_singular_ends(flat: Solution) -> None:
+def test_a_maximum_in_the_middle_stays_the_maximum(flat: Solution) -> None:
     shown = rows(flat)
     assert flat.max_pressure_y == pytest.approx(0.0, abs=1e-9)
-    assert shown["maximum pressure"] == ("no limit", "singular at y = -10 and 10 mm")
-    assert re.fullmatch(r"p ~ K / s\^0\.333, K = [\d.]+ MPa mm\^0\.333", shown["maximum pressure+"][1])
-    value, remark = shown["away from the ends"]
-    assert float(value.removesuffix(" MPa")) == pytest.approx(flat.max_pressure, rel=1e-4)
-    assert remark == ""
-    assert shown["away from the ends+"][0] == "at y = 0 mm"
+    assert shown["maximum pressure"][0] == f"{flat.centre_pressure.max():.1f} MPa"
+    assert shown["maximum pressure+"] == ("at y = 0 mm", "away from singular ends")
 
 
 def test_both_of_two_equal_places_are_named() -> None:
     shown = rows(solved(nh.Roller(diameter=20, length=20), nh.Plate()))
-    place = re.fullmatch(r"at y = -([\d.]+) and ([\d.]+) mm", shown["away from the ends+"][0])
+    place = re.fullmatch(r"at y = -([\d.]+) and ([\d.]+) mm", shown["maximum pressure+"][0])
     assert place is not None
     assert place[1] == place[2]
     assert 9.0 < float(place[1]) < 10.0
 
 
-def test_nothing_is_away_from_the_ends_of_a_contact_shorter_than_wide() -> None:
+def test_a_contact_shorter_than_wide_has_the_maximum_of_its_middle() -> None:
     short = solved(nh.Roller(diameter=20, length=0.4), nh.Plate(), load=200.0)
     shown = rows(short)
-    assert shown["maximum pressure"][0] == "no limit"
-    assert "away from the ends" not in shown
+    assert short.max_pressure == short.centre_pressure[short.strips // 2]
+    assert shown["maximum pressure"][0] == f"{short.max_pressure:.1f} MPa"
+    assert shown["maximum pressure+"][0] == "at y = 0 mm"
 
 
 def test_a_strength_that_too_few_strips_leave_unknown_is_called_so() -> None:
     coarse = solved(nh.Roller(diameter=20, length=20), nh.Plate(), strips=7)
     shown = rows(coarse)
-    assert shown["edge at y = 10 mm"] == ("singular", "K unknown, s^-0.333")
-    # The last of so wide strips is no neighbour of the end; the pressure has no limit all the same.
-    assert shown["maximum pressure"] == ("no limit", "singular at y = -10 and 10 mm")
-    assert shown["maximum pressure+"] == ("", "p ~ K / s^0.333, K unknown")
+    assert shown["edge at y = 10 mm"] == ("singular", "p ~ K / s^0.333, K unknown")
+    assert shown["maximum pressure+"][1] == "away from singular ends"
 
 
 def test_strips_that_end_before_the_contact_are_said_to_cut_it_off() -> None:

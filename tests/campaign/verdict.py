@@ -28,7 +28,7 @@ def solution_faults(solution, case):
     faults = _numbers(solution) or _grid(solution, case)
     if faults:
         return faults
-    faults = _loads(solution, case["given"]) + _words(solution)
+    faults = _loads(solution, case["given"]) + _words(solution) + _maximum(solution)
     return faults + (_surfaces(solution, case) if not faults or not _fatal(faults) else [])
 
 
@@ -121,14 +121,35 @@ def _words(solution):
     estimate = solution.error_estimate
     said = any(re.search(r"error of|estimate|uncertain|%", sentence) for sentence in solution.warnings)
     bounds = {"approach": ESTIMATE_WARNED, "load": ESTIMATE_WARNED}
-    limited = all(edge.converges for edge in solution.edge_pressure) and not solution.peaks_at_corner
-    if limited:
+    cut_off = any(edge.kind.name == "CUT_OFF" for edge in solution.edge_pressure)
+    if not (cut_off or solution.peaks_at_corner):
         bounds["max_pressure"] = MAXIMUM_WARNED
     return [
         (f"large estimate of {name} without a word", f"{getattr(estimate, name):.3g}")
         for name, bound in bounds.items()
         if getattr(estimate, name) > bound and not said
     ]
+
+
+def _maximum(solution):
+    """The maximum is the largest pressure beyond a half-width from singular ends, or at that very border."""
+    ends = [end.y for end in solution.singular_ends]
+    half_width = HERTZ_RATIO[solution.element.name] * solution.element_half_width
+    pressure = np.zeros(solution.strips)
+    touching = half_width > 0.0
+    pressure[touching] = 2.0 * solution.line_load[touching] / (math.pi * half_width[touching])
+    away = np.ones(solution.strips, dtype=bool)
+    for end in ends:
+        away &= np.abs(solution.y - end) > half_width
+    least, most = float(pressure[away].max(initial=0.0)), float(pressure.max())
+    if not (1.0 - SPARE) * least <= solution.max_pressure <= (1.0 + SPARE) * (most if ends else least):
+        return [("other maximum than that of the strips", f"{solution.max_pressure:.6g} for {least:.6g} to {most:.6g}")]
+    if ends and np.any(away & touching):
+        border = min(abs(solution.max_pressure_y - end) for end in ends)
+        allowed = float(np.interp(solution.max_pressure_y, solution.y, half_width))
+        if border < (1.0 - SPARE) * allowed:
+            return [("maximum next to a singular end", f"{border:.6g} from it, half-width {allowed:.6g}")]
+    return []
 
 
 def _surfaces(solution, case):

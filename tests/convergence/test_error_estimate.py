@@ -1,8 +1,9 @@
 """The error that a solution estimates of itself bounds the error that it has, and is no idle bound.
 
 The true error is taken against the same model on strips four times as narrow as the automatic ones, where the
-contact ends in a hundred times less than an equal strip; where a sharp end or a kink makes the pressure
-singular, the approach still converges, and the greatest pressure has no limit that an estimate could state.
+contact ends in a hundred times less than an equal strip. Where a kink within the contact bears the greatest pressure
+the approach still converges, and that pressure has no limit that an estimate could state; away from sharp ends and
+corners at which a contact ends it has one.
 """
 
 import functools
@@ -62,12 +63,16 @@ CATALOGUE = {
 SINGULAR = (
     "crown over sharp ends",
     "partial crown",
-    "partial crown with a kink",
-    "tapered ends",
     "chamfer",
     "straight",
     "straight, half lifted",
     "two intervals",
+)
+AT_A_CORNER = (
+    ("partial crown with a kink", "half-spaces"),
+    ("partial crown with a kink", "finite bodies"),
+    ("tapered ends", "finite bodies"),
+    ("tapered ends, tilted", "finite bodies"),
 )
 QUANTITIES = ("approach", "load", "max_pressure")
 
@@ -102,6 +107,8 @@ def error_and_estimate(name, bodies, strips, quantity):
 @both
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_the_estimate_is_an_upper_bound(name, bodies, strips, quantity):
+    if quantity == "max_pressure" and (name, bodies) in AT_A_CORNER:
+        pytest.skip("there is no maximum to be off from")
     error, estimate = error_and_estimate(name, bodies, strips, quantity)
     # What is prescribed is met to rounding and the loop's tolerance, which no estimate needs to cover.
     assert error <= FACTOR * estimate + 1e-9, (error, estimate)
@@ -129,8 +136,18 @@ def test_more_strips_mean_a_smaller_estimate(name, bodies):
 
 @both
 @pytest.mark.parametrize("name", SINGULAR)
-def test_a_singular_pressure_has_no_finite_estimate(name, bodies):
-    assert solved(name, bodies, "auto").error_estimate.max_pressure == math.inf
+def test_away_from_singular_ends_the_maximum_is_known(name, bodies):
+    error, estimate = error_and_estimate(name, bodies, "auto", "max_pressure")
+    assert solved(name, bodies, "auto").singular_ends
+    assert error < 2e-3
+    assert estimate < 0.02
+
+
+@pytest.mark.parametrize(("name", "bodies"), AT_A_CORNER)
+def test_a_maximum_at_a_corner_within_has_no_finite_estimate(name, bodies):
+    solution = solved(name, bodies, "auto")
+    assert solution.peaks_at_corner
+    assert solution.error_estimate.max_pressure == math.inf
 
 
 @both

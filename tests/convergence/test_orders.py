@@ -82,6 +82,7 @@ def orders_at_a_sharp_end(element, **bodies):
     return np.log2(steps[:-1] / steps[1:])
 
 
+@pytest.mark.filterwarnings("ignore:The maximum pressure is uncertain")  # of few strips
 @pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda e: e.name)
 def test_order_at_a_sharp_end_is_one(element):
     # p ~ s^(-1/2) at the end: what one strip makes of that is off in proportion to its width.
@@ -90,6 +91,7 @@ def test_order_at_a_sharp_end_is_one(element):
     assert np.all(np.diff(orders) > 0.0)  # on the way to 1
 
 
+@pytest.mark.filterwarnings("ignore:The maximum pressure is uncertain")  # of few strips
 @pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda e: e.name)
 def test_order_at_a_mirrored_end_is_higher(element):
     # Half of the compliance mirrored: p ~ s^(-1/3), and an order of 2 (1 - 1/3) where that of s^(-1/2) is 1.

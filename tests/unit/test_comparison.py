@@ -15,8 +15,9 @@ import nonhertz as nh
 from nonhertz import plot
 from nonhertz.comparison import Quantity
 from nonhertz.comparison.reasons import carried, stretches
-from nonhertz.comparison.value import away_from_sharp_ends, differences, excess_of_fourth_moment
+from nonhertz.comparison.value import differences, excess_of_fourth_moment
 from nonhertz.io.comparisons import as_json, as_object, as_table
+from nonhertz.result.ends import away_from_ends
 from nonhertz.result.solution import EdgeKind
 
 HALF_SPACE = {"side_faces": "none", "depth": "none"}
@@ -207,12 +208,12 @@ def test_few_strips_are_blamed():
     assert "The strips are few" in words(one, "semi-elliptic")
 
 
-def test_at_sharp_ends_there_is_no_maximum_to_compare(found):
+def test_maxima_are_compared_a_half_width_from_sharp_ends(found):
     one = found["sharp"]
-    each = one.quantity("largest pressure")
+    each = one.quantity("maximum pressure")
     assert "no limit" in each.remark
-    half_width = one.semi_elliptic.half_width[-1]
-    assert_allclose(one.quantity("position").patch, 10.0 - half_width, rtol=1e-12)
+    border = abs(one.semi_elliptic.max_pressure_y)
+    assert_allclose(abs(one.quantity("position").patch), border, rtol=0, atol=0.02)
     # What is left is a number of both; a cell is half a half-width long here.
     assert_allclose(each.differences, 0.0, rtol=0, atol=0.04)
     assert found["crown"].quantity("maximum pressure").remark == ""
@@ -221,9 +222,9 @@ def test_at_sharp_ends_there_is_no_maximum_to_compare(found):
 def test_away_from_sharp_ends(found):
     semi = found["sharp"].semi_elliptic
     assert semi.edge_pressure[0].kind is EdgeKind.SINGULAR
-    width = semi.half_width[0]
-    y = np.array([-10.0 + 0.99 * width, -10.0 + 1.01 * width, 0.0])
-    assert away_from_sharp_ends(semi, y).tolist() == [False, True, True]
+    border = abs(semi.max_pressure_y)
+    y = np.array([-border - 0.01, -border + 0.01, 0.0])
+    assert away_from_ends(semi, y).tolist() == [False, True, True]
 
 
 def of_shape(shape, patch):

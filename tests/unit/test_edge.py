@@ -108,7 +108,7 @@ def test_rounding_of_kappa_leaves_a_finite_end_its_error_estimate(moduli):
 def test_coarse_strips_do_not_make_two_faces_one():
     solution = solved(roller(), roller(length=20.02), strips=41)
     assert solution.edge_pressure[1].kind is nh.EdgeKind.SINGULAR
-    assert solution.error_estimate.max_pressure == math.inf
+    assert [end.y for end in solution.singular_ends] == [-10.0, 10.0]
 
 
 def test_strips_that_end_before_the_contact_are_said_to():
@@ -198,7 +198,10 @@ def test_a_contact_that_presses_against_a_chamfer_does_not_run_out():
         assert edge.y == pytest.approx(place, abs=1e-12)
         assert edge.pressure > 2.0 * solution.centre_pressure[solution.strips // 2]
         assert not edge.converges
-    assert solution.error_estimate.max_pressure == np.inf
+    assert [end.kind for end in solution.singular_ends] == [nh.EdgeKind.CORNER] * 2
+    # The last strip's pressure is anything; away from the corners there is a maximum.
+    assert solution.max_pressure < 0.2 * solution.edge_pressure[0].pressure
+    assert solution.error_estimate.max_pressure < 0.02
     assert sum("ends at a corner of the profile" in sentence for sentence in solution.warnings) == 2
 
 

@@ -41,6 +41,7 @@ def test_levels_that_failed_do_not_count():
     assert estimate(1.0, 5.0, 0.99, converged=[True, False, True]) == pytest.approx(0.02)
 
 
+@pytest.mark.filterwarnings("ignore:.*maximum pressure is not known")
 def test_a_single_strip_has_no_estimate():
     with pytest.warns(nh.AccuracyWarning, match="error of the approach is not known"):
         solution = nh.solve(nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate()), load=1e3, strips=1)

@@ -130,6 +130,15 @@ def test_density_adds_up_to_the_damage(logarithmic):
     assert seen.width.sum() == pytest.approx(np.ptp(seen.y), rel=0.1)
 
 
+def test_damage_is_counted_up_to_two_half_widths_beyond_where_a_contact_runs_out():
+    crowned = solved(load=2e3, profile=nh.profile.crown(radius=1000), length=20)
+    seen = exposure(crowned)
+    np.testing.assert_allclose(seen.y, -seen.y[::-1], rtol=0, atol=1e-9)
+    first = crowned.edges[:-1][crowned.line_load > 0.0][0]
+    half_width = crowned.half_width[crowned.line_load > 0.0][0]
+    assert 1.0 * half_width < first - seen.y[0] < 2.0 * half_width
+
+
 def test_more_strips_change_the_life_little(lives):
     for life in assess(solved(tilt=5e-4, strips=93)):
         assert life.relative == pytest.approx(lives[life.model.name].relative, rel=2e-2)
@@ -272,6 +281,9 @@ def test_the_raceway_is_the_ring_whichever_body_it_is():
     of_outer, _ = raceway(nh.Contact(outer, small))
     assert of_inner == Raceway(15.0, 12.0, 75.0, True, "b")
     assert of_outer == Raceway(15.0, 12.0, 75.0, False, "a")
+    minute, _ = raceway(nh.Contact(nh.Roller(diameter=0.1, length=0.2), nh.Ring(diameter=0.8)))
+    assert minute.inner
+    assert minute.pitch_diameter == pytest.approx(0.9)
     for other in (nh.Plate(), nh.Ring(diameter=nh.TabulatedDiameter(y=(-8.0, 8.0), diameter=(59.0, 61.0)))):
         none, why = raceway(nh.Contact(small, other))
         assert none is None
@@ -332,6 +344,7 @@ def test_a_plane_grid_leaves_out_sharp_ends_too():
 # Spectra
 
 
+@pytest.mark.filterwarnings("ignore:.*maximum pressure is uncertain")
 def test_a_spectrum_adds_damage_as_palmgren_and_miner_do(lives):
     contact = nh.Contact(roller(), RING)
     cases = [LoadCase(load=8e3, share=0.25, tilt=5e-4), LoadCase(load=5e3, share=0.75)]
@@ -344,6 +357,11 @@ def test_a_spectrum_adds_damage_as_palmgren_and_miner_do(lives):
         )
         assert life.million_revolutions == pytest.approx(expected, rel=1e-9)
         assert np.ptp(life.y) > 11.0
+        # The density of the spectrum adds up to its damage as those of the single loads do to theirs.
+        all_three = (life, *(each[number] for each in alone))
+        sums = [np.trapezoid(each.density, each.y) * each.reference / each.damage for each in all_three]
+        assert sums[0] == pytest.approx(sums[1], rel=0.03)
+        assert sums[1] == pytest.approx(sums[2], rel=0.03)
     assert together[0].relative < max(each[0].relative for each in alone)
 
 
@@ -359,6 +377,17 @@ def test_lives_are_compared_by_one_model(lives):
     assert lives["zaretsky"].over(shorter) == pytest.approx((shorter.damage / lives["zaretsky"].damage) ** (8 / 9))
     with pytest.raises(nh.InputError, match="other = 'zaretsky' must be by the model lundberg-palmgren too"):
         longer.over(shorter)
+
+
+def test_laminae_are_compared_where_both_have_raceways_or_neither(logarithmic):
+    plain = solved(ring=nh.Plate())
+    (with_raceway,), (without,) = assess(logarithmic, "iso-16281", rollers=12), assess(plain, "iso-16281")
+    assert with_raceway.raceway is not None
+    assert without.raceway is None
+    assert without.over(without) == pytest.approx(1.0)
+    assert with_raceway.over(with_raceway) == pytest.approx(1.0)
+    assert np.isnan(with_raceway.over(without))
+    assert np.isnan(without.over(with_raceway))
 
 
 @pytest.mark.parametrize(

@@ -150,15 +150,51 @@ def test_a_body_thinner_than_its_contact_is_refused_among_others(strips):
 def test_what_strains_the_model_is_told_once():
     with pytest.warns(nh.AccuracyWarning, match=r"1 of 2 cases strain the model; number 1, the first: The half-width"):
         many = nh.solve_many(CROWNED, load=[2e3, 3e6], strips=21)
-    assert list(many.strained) == [1]
-    assert many.strained[1][0] in many[1].warnings
+    assert list(many.warnings) == [1]
+    assert many.warnings[1] == many[1].warnings
+
+
+def test_contacts_with_singular_ends_are_told_once_and_apart_from_what_strains_the_model():
+    straight = nh.Contact(nh.Roller(diameter=20, length=20, depth="none"), nh.Plate())
+    with pytest.warns(nh.AccuracyWarning) as caught:
+        many = nh.solve_many(straight, load=[[2e3, 20e3], [3e3, 20e6]])
+    said = [str(each.message) for each in caught]
+    assert len(said) == 2
+    assert "1 of 4 cases strain the model; number (1, 1), the first: " in said[0]
+    assert said[1].startswith("4 of 4 contacts end where the pressure has no limit; number (0, 0), the first: ")
+    assert many.singular.tolist() == [[True, True], [True, True]]
+    assert set(many.warnings) == {(0, 0), (0, 1), (1, 0), (1, 1)}
+    assert not nh.solve_many(CROWNED, load=[2e3, 3e3], strips=21).singular.any()
+
+
+@pytest.mark.parametrize(
+    "profile",
+    [
+        nh.profile.straight(),
+        nh.profile.crown(4000),
+        nh.profile.chamfer(20, 1.0),
+        nh.profile.tapered_ends(straight=14, angle=0.015),
+        nh.profile.tabulated([-10, -2.1, -2, 2, 2.1, 10], [0, 0, 1, 1, 0, 0]),
+    ],
+    ids=["straight", "crowned", "chamfered", "tapered", "grooved"],
+)
+@pytest.mark.parametrize("strips", [60, None])
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
+def test_the_largest_pressure_away_from_singular_ends_is_that_of_the_solution(profile, strips):
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=profile), nh.Ring(diameter=80))
+    many = nh.solve_many(contact, load=[500.0, 5e3, 30e3], tilt=2e-4, strips=strips)
+    for number, solution in enumerate(many):
+        assert many.max_pressure[number] == solution.max_pressure
+        assert many.max_pressure_y[number] == solution.max_pressure_y
+        assert many.singular[number] == bool(solution.singular_ends)
+        assert many.warnings.get(number, ()) == solution.warnings
 
 
 def test_strained_circles_are_told_apart_from_long_contacts():
     wide = nh.Contact(nh.Body(diameter=100, profile=nh.profile.crown(20)), nh.Plate())
     with pytest.warns(nh.AccuracyWarning, match="wider than long"):
         many = nh.solve_many([wide, BALL], load=200.0)
-    assert list(many.strained) == [0]
+    assert list(many.warnings) == [0]
 
 
 @pytest.mark.parametrize(

@@ -234,7 +234,8 @@ def test_a_sharp_end_in_contact_is_named_in_the_solution():
     solution = nh.solve(CONTACT, load=20e3)
     for said, place in zip(solution.warnings, ("-10", "10"), strict=True):
         assert f"sharp end at y = {place} mm" in said
-    assert solution.error_estimate.max_pressure == math.inf
+    with pytest.warns(nh.AccuracyWarning, match="sharp end at y = 10 mm"):
+        nh.solve(CONTACT, load=20e3)
 
 
 @pytest.mark.parametrize("strips", [None, 41])
@@ -353,4 +354,4 @@ def test_a_pressure_that_no_material_bears_is_told_alone_and_among_many():
     assert any(re.search(r"mean pressure is \S+ MPa, 0\.\d+ of the softer", str(each.message)) for each in caught)
     with pytest.warns(nh.AccuracyWarning, match="1 of 2 cases"):
         many = nh.solve_many(contact, load=[20e3, 20e6], strips=41)
-    assert any("of the softer body's modulus" in said for said in many.strained[1])
+    assert any("of the softer body's modulus" in said for said in many.warnings[1])

@@ -7,8 +7,10 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.comparison.value import Quantity, away_from_sharp_ends, sharp_ends
+from nonhertz.comparison.value import Quantity
 from nonhertz.patch.solution import PatchSolution
+from nonhertz.result.ends import ends_in_words
+from nonhertz.result.maximum import counted, singular_y
 from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]
@@ -78,33 +80,29 @@ def _largest(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[
     (p_semi, y_semi), (p_parabola, y_parabola) = (
         _peak(semi, one.y, one.centre_pressure, y) for one in (semi, parabola)
     )
-    ends, remark = sharp_ends(semi), ""
-    if ends:
-        places = " and ".join(f"{edge.y:.5g}" for edge, _ in ends)
-        remark = f"a half-width and more from the sharp ends at y = {places} mm, where it has no limit"
+    remark = ""
+    if semi.singular_ends:
+        remark = f"a half-width and more from {ends_in_words(semi.singular_ends)}, where it has no limit"
     elif semi.peaks_at_corner:
         remark = "at a corner of the profile, where it has no limit"
-    which = "largest" if ends else "maximum"
     return (
-        Quantity(f"{which} pressure", "MPa", p, p_semi, p_parabola, remark=remark),
-        Quantity(f"position of the {which}", "mm", y, y_semi, y_parabola, absolute=True),
+        Quantity("maximum pressure", "MPa", p, p_semi, p_parabola, remark=remark),
+        Quantity("position of the maximum", "mm", y, y_semi, y_parabola, absolute=True),
     )
 
 
 def _peak(semi: Solution, y: Array, pressure: Array, near: float) -> tuple[float, float]:
     """Return the largest pressure, and of all places that have it the one next to ``near``; none without contact.
 
-    Nearest to a sharp end that counts is a half-width from it, which need not be in the middle of a strip or a cell.
+    All leave out what is within a half-width of semi-elliptic strips from their singular ends.
     """
-    borders = [edge.y + (width if edge is semi.edge_pressure[0] else -width) for edge, width in sharp_ends(semi)]
-    inside = [border for border in borders if any(low < border < high for low, high in semi.contact_y)]
-    places = np.concatenate([y[away_from_sharp_ends(semi, y)], inside])
-    counted = np.interp(places, y, pressure)
-    if not np.any(counted > 0.0):
+    half_width = np.where(pressure > 0.0, np.interp(y, semi.y, semi.half_width), 0.0)
+    places, found = counted(y, pressure, half_width, singular_y(semi))
+    if not np.any(found > 0.0):
         return math.nan, math.nan
-    largest = np.flatnonzero(counted >= (1.0 - SAME) * counted.max())
+    largest = np.flatnonzero(found >= (1.0 - SAME) * found.max())
     at = largest[np.abs(places[largest] - near).argmin()]
-    return float(counted.max()), float(places[at])
+    return float(found.max()), float(places[at])
 
 
 def _ends(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Quantity, Quantity]:

@@ -23,13 +23,13 @@ from nonhertz.comparison.value import (
     Flags,
     Reason,
     Stretch,
-    away_from_sharp_ends,
     differences,
     excess_of_moments,
     percent,
-    sharp_ends,
 )
 from nonhertz.patch.solution import PatchSolution
+from nonhertz.result.ends import away_from_ends
+from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.solution import EdgeKind, Solution
 
 Array = NDArray[np.float64]
@@ -143,7 +143,7 @@ def _groups(solution: Solution, relative: Array) -> list[Indices]:
     if found.size == 0:
         return []
     apart = solution.edges[found[1:]] - solution.edges[found[:-1] + 1] > solution.max_half_width
-    border = np.diff(away_from_sharp_ends(solution, solution.y[found]))
+    border = np.diff(away_from_ends(solution, solution.y[found]))
     return np.split(found, np.flatnonzero(apart | border) + 1)
 
 
@@ -223,7 +223,8 @@ def _limitless_ends(solution: Solution) -> list[_Limitless]:
     """Return the sharp ends, and the corners of the profile at which the contact ends with a rising pressure."""
     found = [
         _Limitless(edge.y, edge.exponent, edge.correction or 0.0, width, f"the sharp end at y = {edge.y:.5g} mm")
-        for edge, width in sharp_ends(solution)
+        for edge, width in zip(solution.edge_pressure, solution.half_width[[0, -1]].tolist(), strict=True)
+        if edge.kind is EdgeKind.SINGULAR
     ]
     touching = np.flatnonzero(solution.line_load > 0.0)
     for last, inner in (touching[:2], touching[:-3:-1]) if touching.size > 1 else ():
@@ -305,7 +306,7 @@ def _run_out(place: _Place) -> tuple[Flags, Array, float]:
 
 def _steep(place: _Place) -> Iterator[_Cause]:
     """Ask how far the pressure is from a straight line over strips and cells, where no end has been asked about."""
-    free = ~_run_out(place)[0] & away_from_sharp_ends(place.solution, place.y)
+    free = ~_run_out(place)[0] & away_from_ends(place.solution, place.y)
     if free.any():
         yield _Cause(
             f"The pressure bends there within strips of {float(place.strip_width[free].max()):.2g} mm and cells of "
@@ -381,6 +382,6 @@ def _own_doubt(place: _Place) -> Iterator[_Cause]:
 def _doubt_of_grid(place: _Place) -> Iterator[_Cause]:
     patch = place.patch
     doubt = patch.error_estimate.max_pressure
-    here = np.abs(place.y - patch.max_pressure_y) <= 2.0 * patch.dy
+    here = np.any([np.abs(place.y - y) <= 2.0 * patch.dy for y in places_of_largest(patch)], axis=0)
     if here.any() and math.isfinite(doubt):
         yield _Cause("The plane grid doubts its own maximum, which is here", np.where(here, doubt, 0.0))

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from nonhertz.comparison.quantities import centre
-from nonhertz.comparison.value import Station, away_from_sharp_ends
+from nonhertz.comparison.value import Station
 from nonhertz.patch.solution import PatchSolution
+from nonhertz.result.ends import away_from_ends
 from nonhertz.result.solution import Solution
 
 NEAR = 0.25  # of a half-width
@@ -25,7 +26,7 @@ def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, St
     low, high = semi.contact_y[0][0], semi.contact_y[-1][1]
     apart = min(semi.max_half_width, 0.125 * (high - low))
     expected = np.interp(semi.y, patch.y, patch.centre_pressure)
-    free = (semi.line_load > 0.0) & away_from_sharp_ends(semi, semi.y)
+    free = (semi.line_load > 0.0) & away_from_ends(semi, semi.y)
     free &= (np.abs(semi.y - middle) > apart) & (np.abs(semi.y - end) > apart)
     for edge in np.ravel(semi.contact_y):
         # There the contact is as short as they are, and neither resolves it.

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
+from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -245,20 +245,6 @@ def _well_inside(patch: PatchSolution, y: Array) -> Flags:
     covered: Flags = (cell >= 0) & (cell < patch.y.size)
     covered[covered] = inside[cell[covered]]
     return covered
-
-
-def sharp_ends(solution: Solution) -> list[tuple[EdgePressure, float]]:
-    """Return the ends at which the pressure has no limit, and the half-width [mm] at each."""
-    pairs = zip(solution.edge_pressure, solution.half_width[[0, -1]].tolist(), strict=True)
-    return [(edge, width) for edge, width in pairs if edge.kind is EdgeKind.SINGULAR]
-
-
-def away_from_sharp_ends(solution: Solution, y: Array) -> Flags:
-    """Return which positions [mm] are more than a half-width from every end at which the pressure has no limit."""
-    away = np.ones(y.shape, dtype=bool)
-    for edge, width in sharp_ends(solution):
-        away &= np.abs(y - edge.y) > width
-    return away
 
 
 def excess_of_fourth_moment(patch: PatchSolution) -> Array:

@@ -12,7 +12,6 @@ from typing import Any
 
 from nonhertz.io.results import key_by_key, plain, write_files
 from nonhertz.life import Life
-from nonhertz.result.ends import singular_ends
 from nonhertz.result.solution import Solution
 
 BODIES = ("a", "b")
@@ -182,7 +181,7 @@ def _tail(found: Assessment) -> dict[str, Any]:
             "tilt": plain(solution.tilt),
             "share": plain(share),
             # Towards a sharp end it has no limit.
-            "max_pressure": None if singular_ends(solution) else plain(solution.max_pressure),
+            "max_pressure": plain(solution.max_pressure),
         }
         for solution, share in found.spectrum
     ]

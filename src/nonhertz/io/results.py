@@ -33,6 +33,7 @@ UNITS: dict[str, Any] = {
         "strength": "MPa mm^exponent",
         "correction": "mm^(-2 exponent)",
     },
+    "singular_ends": {"y": "mm"},
     "stiffness": [["N/mm", "N/rad"], ["N mm/mm", "N mm/rad"]],
     **ALONG,
 }
@@ -42,8 +43,8 @@ _OUT_REMEDY = "give a directory to write to"
 def as_object(solution: Solution, title: str) -> dict[str, Any]:
     """Return a solution as plain numbers, text, lists and dictionaries.
 
-    Numbers are as the solver has them; one that is not finite is None, since JSON has no infinity. Such is
-    the error estimate of the maximum pressure where a sharp end makes the pressure singular.
+    Numbers are as the solver has them; one that is not finite is None, since JSON has no infinity. Such is the error
+    estimate of a maximum pressure at a corner of the profile.
     """
     return {
         "title": title,
@@ -52,6 +53,7 @@ def as_object(solution: Solution, title: str) -> dict[str, Any]:
         **{name: plain(QUANTITIES[name].get(solution)) for name in _NUMBERS},
         "contact_y": plain(solution.contact_y),
         "edge_pressure": [_edge_object(edge) for edge in solution.edge_pressure],
+        "singular_ends": [{"y": plain(end.y), "kind": end.kind.label} for end in solution.singular_ends],
         "stiffness": plain(solution.stiffness),
         "iterations": int(solution.iterations),
         "strips": solution.strips,

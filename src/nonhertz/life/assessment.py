@@ -25,9 +25,9 @@ from nonhertz.life.volume import Exposure, exposure
 from nonhertz.model.checks import listed, positive, whole
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.result.ends import LimitlessEnd, ends_in_words, largest_half_width, limitless_ends, outermost, step_at
+from nonhertz.result.ends import ends_in_words, largest_half_width, outermost, step_at
 from nonhertz.result.protocol import Solved
-from nonhertz.result.solution import ReadOnly, Solution
+from nonhertz.result.solution import EdgeKind, ReadOnly, SingularEnd, Solution
 from nonhertz.subsurface.evaluation import Running, refuse_options
 from nonhertz.subsurface.inside import check_body, checked_solution
 
@@ -271,7 +271,7 @@ def _warnings(spectrum: Spectrum, sharp: set[float]) -> tuple[str, ...]:
     sentences = dict.fromkeys(sentence for each, _ in spectrum for sentence in each.warnings)
     if not sharp:
         return tuple(sentences)
-    found = [(each, limitless_ends(each)) for each, _ in spectrum]
+    found = [(each, each.singular_ends) for each, _ in spectrum]
     named = {end for _, ends in found for end in ends}
     sentences[
         f"The damage has no limit towards {ends_in_words(named)}: nearer to {'them' if len(named) > 1 else 'it'} than "
@@ -279,7 +279,7 @@ def _warnings(spectrum: Spectrum, sharp: set[float]) -> tuple[str, ...]:
         "above 1."
     ] = None
     if any(_is_coarse(each, end) for each, ends in found for end in ends):
-        what = "a corner" if all(end.at_corner for end in named) else "a sharp end"
+        what = "a corner" if all(end.kind is EdgeKind.CORNER for end in named) else "a sharp end"
         sentences[f"The strips or cells at {what} are longer than what was left out: use finer ones."] = None
     if any(np.ptp(outermost(each)) < SHORT * each.max_half_width for each, _ in spectrum):
         sentences[
@@ -288,7 +288,7 @@ def _warnings(spectrum: Spectrum, sharp: set[float]) -> tuple[str, ...]:
     return tuple(sentences)
 
 
-def _is_coarse(solution: Solved, end: LimitlessEnd) -> bool:
+def _is_coarse(solution: Solved, end: SingularEnd) -> bool:
     """Return whether the strip or row at an end is longer than what is left out there."""
     return step_at(solution, end) > LEFT_OUT * largest_half_width(solution, [end.y])
 

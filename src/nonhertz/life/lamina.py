@@ -26,7 +26,7 @@ from scipy.optimize import brentq
 from nonhertz.errors import InputError
 from nonhertz.model.checks import one_of, text, whole
 from nonhertz.model.contact import Contact
-from nonhertz.result.ends import largest_half_width, limitless_ends
+from nonhertz.result.ends import largest_half_width
 from nonhertz.result.protocol import Solved
 
 Array = NDArray[np.float64]
@@ -151,7 +151,7 @@ def laminae_of(solution: Solved, model: LaminaModel) -> Laminae:
     edges = np.linspace(low, high, model.laminae + 1)
     load = _slices(solution, edges) if model.line_loads == "standard" else _shares(edges, *_line_load(solution))
     if model.edge_stress == "pressure":
-        sharp = tuple(end.y for end in limitless_ends(solution))
+        sharp = tuple(end.y for end in solution.singular_ends)
         return Laminae(edges, load, _factors(solution, edges, load, sharp), sharp)
     factor = edge_function(model.laminae) if model.edge_stress == "standard" else np.ones(model.laminae)
     return Laminae(edges, load, factor)

@@ -25,7 +25,7 @@ from nonhertz.hertz import line_contact
 from nonhertz.life.catalogue import VolumeModel
 from nonhertz.life.lamina import LEFT_OUT
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.result.ends import largest_half_width, limitless_ends
+from nonhertz.result.ends import largest_half_width
 from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import ReadOnly
 from nonhertz.subsurface.evaluation import Running, across_at, refuse_options
@@ -140,7 +140,7 @@ def exposure(solution: Solved, body: str = "b", **options: Unpack[Running]) -> E
     levels, fill = _levels()
     seen = passage(solution, y[:, None], half_width[:, None] * levels, body=body, **options)
     amplitudes = {name: np.maximum(getattr(seen, name) @ fill.T, 0.0) for name in QUANTITIES}
-    sharp = tuple(end.y for end in limitless_ends(solution))
+    sharp = tuple(end.y for end in solution.singular_ends)
     counted = np.ones(amplitudes["shear"].shape, dtype=bool)
     left_out = LEFT_OUT * largest_half_width(solution, sharp)
     for end in sharp:

@@ -91,7 +91,7 @@ def between(solution: PatchSolution, gap: Gap) -> Unseen:
         deepest = max(deepest, found)
         highest = max(highest, found[0] / own)
         lifted += max(found[0], 0.0)
-    return Unseen(*deepest, highest - solution.max_pressure, lifted / max(int(solution.footprint.sum()), 1))
+    return Unseen(*deepest, highest - float(solution.pressure.max()), lifted / max(int(solution.footprint.sum()), 1))
 
 
 def _places(centres: Array, side: float) -> Array:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError
 from nonhertz.finite import Influence
 from nonhertz.patch.convolution import Convolution
+from nonhertz.patch.footprint import half_widths
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.inverse import Inverse
 from nonhertz.patch.settle import State, Task, settle
@@ -113,7 +114,7 @@ class Level:
     cells: tuple[int, int]
     approach: float
     load: float
-    max_pressure: float
+    along: tuple[Array, Array, Array]  # y, the largest pressure across, times K, and the half-width there
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,7 +195,8 @@ def halved(problem: Problem, outcome: Outcome, tolerance: float, pool: Executor 
 
 def _level(grid: Grid, state: State) -> Level:
     load = float(state.pressure.sum()) * grid.dx * grid.dy
-    return Level(grid.cells, state.rigid[0], load, float(state.pressure.max()))
+    along = grid.y, state.pressure.max(axis=0), half_widths(state.pressure, grid.dx)
+    return Level(grid.cells, state.rigid[0], load, along)
 
 
 def refined(pressure: Array, cells: tuple[int, int]) -> Array:

@@ -18,8 +18,9 @@ from nonhertz.patch.cascade import Level, Outcome, Problem
 from nonhertz.patch.features import Dent, Waviness
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.nearness import Overlap
-from nonhertz.patch.solution import FINITE, PatchSolution
-from nonhertz.result.solution import ErrorEstimate, Status
+from nonhertz.patch.solution import PatchSolution
+from nonhertz.result.maximum import largest_pressure, singular_y
+from nonhertz.result.solution import EdgeKind, ErrorEstimate, Status
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -51,16 +52,16 @@ def error_estimate(
 
     ``levels`` are grids that double the cells in both directions (`cascade.halved`), ``largest`` is the largest
     displacement [mm]. Infinite where there is no coarser
-    one, fewer than 8 cells having no half; and for a pressure without a limit: at a sharp end, at the edge of a body,
-    where the region cuts the contact, or over a feature of less than two cells.
+    one, fewer than 8 cells having no half; and for a pressure without a limit: at the edge of a body, where the region
+    cuts the contact, or over a feature of less than two cells.
     """
     if solution.status is not Status.CONVERGED or len(levels) < 2:
         return ErrorEstimate(math.inf, math.inf, math.inf)
     by_load, pressure = problem.by_force[0], solution.max_pressure
     lost = any(size < LEAST_CELLS * side for _, size, side in _features(problem, solution))
-    unlimited = lost or bool(
-        _cut_off(solution, outcome.grid) or singularities(solution, problem.influence, outcome.grid)
-    )
+    unlimited = lost or bool(_cut_off(solution, outcome.grid) or _edges_of_bodies(solution))
+    singular = singular_y(solution)
+    highest = [float(largest_pressure(*level.along, singular)[0]) for level in levels]
     return ErrorEstimate(
         approach=max(_change([level.approach for level in levels]), _share(unseen.lift, solution.approach))
         if by_load
@@ -70,7 +71,7 @@ def error_estimate(
         else max(_change([level.load for level in levels]), STEEPEST * _share(unseen.lift, largest)),
         max_pressure=math.inf
         if unlimited
-        else max(_change([level.max_pressure for level in levels], PRESSURE_MARGIN), _share(unseen.pressure, pressure)),
+        else max(_change(highest, PRESSURE_MARGIN), _share(unseen.pressure, pressure)),
     )
 
 
@@ -92,17 +93,6 @@ def _change(values: list[float], margin: float = MARGIN) -> float:
     """
     changes = np.abs(np.diff(values))[::-1] * (1.0, 0.5)[: len(values) - 1]
     return margin * float(np.max(changes)) / abs(values[-1]) if values[-1] != 0.0 else 0.0
-
-
-def sharp_ends(contact: Contact, influence: Influence, grid: Grid, rows: Mask) -> list[float]:
-    """Return where the contact reaches an end of a body at which side faces do not keep the pressure finite."""
-    found = []
-    for row, at, limit in ((0, grid.y_span[0], contact.interval[0]), (-1, grid.y_span[1], contact.interval[1])):
-        if rows[row] and at == limit:
-            mirrors = [end.image_weight for end in influence.ends if abs(end.y - at) < 0.5 * grid.dy]
-            if sum(mirrors) < FINITE:
-                found.append(at)
-    return found
 
 
 def strains(solution: PatchSolution, influence: Influence, grid: Grid) -> tuple[str, ...]:
@@ -263,12 +253,14 @@ def _heavy_images(influence: Influence) -> list[str]:
     ]
 
 
-def singularities(solution: PatchSolution, influence: Influence, grid: Grid) -> tuple[str, ...]:
-    """Return a sentence for every sharp end that the contact reaches, and for the edges of bodies in the gap."""
+def singularities(solution: PatchSolution) -> tuple[str, ...]:
+    """Return a sentence for every singular end, and for the edges of bodies in the gap."""
+    reached = {EdgeKind.SINGULAR: "reaches the sharp end", EdgeKind.CORNER: "ends at a corner of the profile"}
     ends = tuple(
-        f"The contact reaches the sharp end at y = {y:.6g} mm, where the pressure is singular: the value there is that "
-        f"of a cell {solution.dy:.3g} mm long, not a limit."
-        for y in sharp_ends(solution.contact, influence, grid, np.any(solution.footprint, axis=0))
+        f"The contact {reached[end.kind]} at y = {end.y:.6g} mm, where the pressure is singular: the value there is "
+        f"that of a cell {solution.dy:.3g} mm long, not a limit, and the maximum pressure is taken more than a "
+        "half-width from it."
+        for end in solution.singular_ends
     )
     return (*ends, *_edges_of_bodies(solution))
 

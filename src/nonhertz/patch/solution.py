@@ -10,18 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.finite import HERTZ, Shape, ends
+from nonhertz.finite import FINITE_FROM, HERTZ, Shape, ends
 from nonhertz.model.checks import finite
 from nonhertz.model.contact import Contact
+from nonhertz.patch.footprint import half_widths
 from nonhertz.patch.resources import memory
 from nonhertz.result import brief
-from nonhertz.result.solution import ContactResult, ErrorEstimate, Status, read_only
+from nonhertz.result.ends import SAME_PLACE, corner_ends, ends_in_words, singular_ends
+from nonhertz.result.solution import ContactResult, ErrorEstimate, SingularEnd, Status, read_only
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-
-FINITE = 0.999  # image weight from which on the pressure is finite up to an end
-SAME_PLACE = 1e-9  # of the length
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -81,8 +80,8 @@ class PatchSolution(ContactResult):
     warnings: tuple[str, ...]
 
     def _said(self) -> list[str]:
-        sharp = [f"sharp end at y = {y:.5g} mm" for y in self.sharp_ends]
-        return brief.lines(self, f"{self.cells[0]} x {self.cells[1]} cells", sharp or ["no sharp end"])
+        singular = [ends_in_words([end]).removeprefix("the ") for end in self.singular_ends]
+        return brief.lines(self, f"{self.cells[0]} x {self.cells[1]} cells", singular or ["no singular end"])
 
     @property
     def cells(self) -> tuple[int, int]:
@@ -105,24 +104,12 @@ class PatchSolution(ContactResult):
         return float(np.count_nonzero(self.footprint)) * self.dx * self.dy
 
     @property
-    def max_pressure(self) -> float:
-        """The largest pressure of a cell [MPa]."""
-        return float(self.pressure.max())
-
-    @property
     def max_pressure_x(self) -> float:
         """Where across the contact the largest pressure is [mm]; nan where nothing touches."""
-        return float(self.x[self._highest[0]]) if self.footprint.any() else math.nan
-
-    @property
-    def max_pressure_y(self) -> float:
-        """Where along the contact the largest pressure is [mm]; nan where nothing touches."""
-        return float(self.y[self._highest[1]]) if self.footprint.any() else math.nan
-
-    @cached_property
-    def _highest(self) -> tuple[int, int]:
-        i, j = np.unravel_index(int(self.pressure.argmax()), self.pressure.shape)
-        return int(i), int(j)
+        if not self.footprint.any():
+            return math.nan
+        row = int(np.abs(self.y - self.max_pressure_y).argmin())
+        return float(self.x[self.pressure[:, row].argmax()])
 
     @property
     def peaks_at_corner(self) -> bool:
@@ -143,19 +130,20 @@ class PatchSolution(ContactResult):
         return tuple(zip(self.edges[first].tolist(), self.edges[beyond].tolist(), strict=True))
 
     @cached_property
-    def sharp_ends(self) -> tuple[float, ...]:
-        """Where the contact reaches an end of a body at which the pressure has no limit [mm], ascending."""
+    def singular_ends(self) -> tuple[SingularEnd, ...]:
+        """The ends at which the pressure has no limit, ascending."""
         if not self.contact_y:
             return ()
-        faces = ends(self.contact)
-        room = SAME_PLACE * float(np.ptp(self.y))
+        faces, length = ends(self.contact), float(np.ptp(self.edges))
         reached = self.contact_y[0][0], self.contact_y[-1][1]
-        return tuple(
+        sharp = [
             limit
             for at, limit in zip(reached, self.contact.interval, strict=True)
-            if abs(at - limit) <= room
-            and sum(end.image_weight for end in faces if abs(end.y - limit) < 0.5 * self.dy) < FINITE
-        )
+            if abs(at - limit) <= SAME_PLACE * length
+            and sum(end.image_weight for end in faces if abs(end.y - limit) < 0.5 * self.dy) < FINITE_FROM
+        ]
+        corners = corner_ends(self.contact, self.edges, self.largest_across, self.half_width)
+        return singular_ends(sharp, corners, length)
 
     @property
     def shape(self) -> Shape:
@@ -195,11 +183,7 @@ class PatchSolution(ContactResult):
         within a sixth of a cell on Hertz's ellipse. Where the square does not fall from cell to cell, or there are
         not three of them, it is cells that are counted.
         """
-        width = np.zeros(self.y.size)
-        for j in np.flatnonzero(self.footprint.any(axis=0)):
-            column = self.pressure[:, j]
-            width[j] = 0.5 * self.dx * (_reach(column) + _reach(column[::-1]) - column.size)
-        return read_only(width)
+        return read_only(half_widths(self.pressure, self.dx))
 
     @cached_property
     def centre_pressure(self) -> Array:
@@ -227,13 +211,3 @@ class PatchSolution(ContactResult):
         below = min(int(place), max(self.y.size - 2, 0))
         above, share = min(below + 1, self.y.size - 1), place - below
         return self.x, read_only((1.0 - share) * self.pressure[:, below] + share * self.pressure[:, above])
-
-
-def _reach(column: Array) -> float:
-    """Return how many cells the pressure reaches from the low end of a column to its upper edge, in fractions."""
-    last = int(np.flatnonzero(column)[-1])
-    inner, middle, outer = column[last - 2 : last + 1] ** 2 if last >= 2 else (0.0, 0.0, 0.0)
-    if not inner > middle > outer:
-        return last + 1.0
-    near, far = outer / (middle - outer), middle / (inner - middle) - 1.0
-    return last + 0.5 + float(np.clip(0.5 * (near + far), -0.5, 1.5))

@@ -175,7 +175,7 @@ def solve(
     )
     for sentence in sentences:
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
-    return replace(solution, warnings=(*sentences, *singularities(solution, problem.influence, outcome.grid)))
+    return replace(solution, warnings=(*sentences, *singularities(solution)))
 
 
 def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.plot.style import END_DASHES, FAINT_INK, SMALL_SIZE, THIN
-from nonhertz.result.ends import Bools, away_from_ends
 from nonhertz.result.solution import Solution, Status
 
 if TYPE_CHECKING:
@@ -54,16 +53,6 @@ def strip_edges(solution: Solution) -> Array:
     """Return the edges of the strips [mm], shape (strips + 1,)."""
     low = solution.y - 0.5 * solution.strip_width
     return np.append(low, solution.y[-1] + 0.5 * solution.strip_width[-1])
-
-
-def regular(solution: Solution) -> Bools:
-    """Return which strips set the scale of a drawing, shape (strips,).
-
-    At a singular end the pressure grows with every refinement and would set the scale of the whole drawing. The
-    strips within one half-width of such an end are left out, as long as any others are in contact.
-    """
-    away = away_from_ends(solution)
-    return away if np.any(away) else solution.line_load > 0.0
 
 
 def body_ends(solution: Solution) -> list[tuple[float, str]]:

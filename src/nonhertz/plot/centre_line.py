@@ -16,7 +16,6 @@ from nonhertz.plot.axial import (
     head,
     number,
     place,
-    regular,
     strip_edges,
 )
 from nonhertz.plot.style import (
@@ -31,7 +30,7 @@ from nonhertz.plot.style import (
     SMALL_SIZE,
     THIN,
 )
-from nonhertz.result.ends import at_corner, largest_away, singular_ends
+from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.solution import EdgePressure, Solution
 
 if TYPE_CHECKING:
@@ -90,9 +89,8 @@ def pressure(solution: Solution, ax: Axes) -> Axes:
 
     ax.locator_params(axis="x", steps=[1, 2, 5, 10])
     ax.set_xlim(span)
-    singular = bool(singular_ends(solution))
-    counted = float(solution.centre_pressure[regular(solution)].max(initial=0.0))
-    ax.set_ylim(0.0, _top(counted, 1.0 / BEYOND if singular else PRESSURE_SHARE))
+    singular = bool(solution.singular_ends)
+    ax.set_ylim(0.0, _top(solution.max_pressure, 1.0 / BEYOND if singular else PRESSURE_SHARE))
     share = CUT_HALF_WIDTH_SHARE if singular else HALF_WIDTH_SHARE
     right.set_ylim(0.0, _top(solution.max_half_width, share))
     ax.set_xlabel(AXIAL_LABEL)
@@ -103,8 +101,9 @@ def pressure(solution: Solution, ax: Axes) -> Axes:
     labels = ["pressure $p_0$ (left axis; steps: strips)", "half-width $b$ (right axis)"]
     head(solution, ax, [of_pressure, of_width], labels)
     _mark_maximum(solution, ax, span)
-    for edge in singular_ends(solution):
-        _mark_singular(solution, ax, edge)
+    for edge in solution.edge_pressure:
+        if edge.law:
+            _mark_singular(solution, ax, edge)
     _mark_contact(solution, ax, span)
     return ax
 
@@ -114,18 +113,17 @@ def _top(largest: float, share: float) -> float:
 
 
 def _mark_maximum(solution: Solution, ax: Axes, span: tuple[float, float]) -> None:
-    """Mark the largest pressure; near a singular end there is none."""
-    strips = largest_away(solution)
-    if not strips:
+    """Mark the largest pressure; within a half-width of a singular end there is none."""
+    marked, largest = places_of_largest(solution), solution.max_pressure
+    if not marked:
         return
-    marked, largest = solution.y[list(strips)], float(solution.centre_pressure[strips[0]])
-    words = f"{number(largest)} MPa at $y$ = {' and '.join(place(y, span) for y in marked.tolist())} mm"
-    if at_corner(solution, strips[0]):
+    words = f"{number(largest)} MPa at $y$ = {' and '.join(place(y, span) for y in marked)} mm"
+    if solution.peaks_at_corner:
         words += " (corner: rises with refinement)"
-    ax.plot(marked, [largest] * len(strips), "o", markersize=4.0, color=FIRST, markerfacecolor="white")
-    y = float(marked.mean())
+    ax.plot(marked, [largest] * len(marked), "o", markersize=4.0, color=FIRST, markerfacecolor="white")
+    y = sum(marked) / len(marked)
     side = alignment(ax, y, span, words)
-    if singular_ends(solution) and abs(y - 0.5 * sum(span)) > SIDE * (span[1] - span[0]):
+    if solution.singular_ends and abs(y - 0.5 * sum(span)) > SIDE * (span[1] - span[0]):
         # Outwards from there the curve climbs through where the words would stand.
         side = "left" if y < 0.5 * sum(span) else "right"
     _write(ax, words, (y, largest), side, 3.0, 6.0, ax.transData)

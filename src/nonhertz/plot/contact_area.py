@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, number, regular
+from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, number
 from nonhertz.plot.style import COLOUR_MAP, HINT_DASHES, INK, SMALL_SIZE, THIN
 from nonhertz.result.solution import Solution
 from nonhertz.strip.element import PARABOLIC
@@ -84,10 +84,9 @@ def footprint(solution: Solution, ax: Axes, *, stretch: float = 1.0, colour_bar:
 
 
 def colour_limit(solution: Solution) -> float:
-    """Return the pressure [MPa] of the last colour: the largest, strips at a singular end not counted."""
-    counted = regular(solution)
-    line_load, half_width = solution.line_load[counted], solution.element_half_width[counted]
-    return float((solution.element.centre_factor * line_load / half_width).max(initial=0.0)) or 1.0
+    """Return the pressure [MPa] of the last colour: the largest, as the element has it in its middle."""
+    of_equivalent = 0.5 * np.pi * solution.element.hertz_ratio * solution.element.centre_factor
+    return of_equivalent * solution.max_pressure or 1.0
 
 
 def draw_colour_bar(solution: Solution, area: Axes, **where: Any) -> None:

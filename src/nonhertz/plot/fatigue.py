@@ -12,7 +12,6 @@ from nonhertz.life import Life
 from nonhertz.plot.axial import AXIAL_LABEL, axial_range, conditions, draw_body_ends, number
 from nonhertz.plot.sheets import BOTTOM, LEFT, TITLE, WIDTH, blank, panel, write_title
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
-from nonhertz.result.ends import singular_ends
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
@@ -80,7 +79,7 @@ def life_density(spectrum: Spectrum, lives: Sequence[Life], ax: Axes, *, compare
     if any(np.isnan(life.reference) for life in lives):
         words = "The bodies can touch on an unlimited length:\nthere is no ideal pressure to compare with."
         ax.text(0.5, 0.6, words, transform=ax.transAxes, ha="center", va="center")
-    elif any(singular_ends(solution) for solution, _ in spectrum):
+    elif any(solution.singular_ends for solution, _ in spectrum):
         words = "no limit at a sharp end"
         ax.text(0.5, 0.96, words, transform=ax.transAxes, ha="center", va="top", fontsize=SMALL_SIZE, bbox=BACKING)
     _key(entries, _columns(bool(compared)), ax)

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.comparison import Comparison, Station
-from nonhertz.comparison.value import sharp_ends
-from nonhertz.plot.axial import AXIAL_LABEL, Alignment, axial_range, conditions, draw_body_ends, number, place, regular
+from nonhertz.plot.axial import AXIAL_LABEL, Alignment, axial_range, conditions, draw_body_ends, number, place
 from nonhertz.plot.sheets import LEFT, TITLE, WIDTH, blank, panel, write_title
 from nonhertz.plot.style import (
     BACKING,
@@ -104,8 +103,8 @@ def _draw_along(found: Comparison, axes: Axes) -> None:
             markerfacecolor="none", color=colour, zorder=3.0,
         )  # fmt: skip
     axes.set_ylim(0.0, _top(found))
-    if sharp_ends(semi):
-        words = "axis cut: no limit at a sharp end"
+    if semi.singular_ends:
+        words = "axis cut: no limit at an end"
         axes.text(0.5, 0.96, words, transform=axes.transAxes, ha="center", va="top", fontsize=SMALL_SIZE, bbox=BACKING)
     _mark_stations(found, axes, named=True)
     axes.set_ylabel("Pressure at $x$ = 0 [MPa]")
@@ -134,10 +133,9 @@ def _draw_key(found: Comparison, axes: Axes) -> None:
 def _top(found: Comparison) -> float:
     """Return where the frame ends: all of the pressure is in it but what has no limit."""
     semi = found.semi_elliptic
-    counted = float(semi.centre_pressure[regular(semi)].max())
-    if sharp_ends(semi):
-        return BEYOND * counted
-    return ROOM * max(counted, float(found.patch.centre_pressure.max()))
+    if semi.singular_ends:
+        return BEYOND * semi.max_pressure
+    return ROOM * max(semi.max_pressure, float(found.patch.centre_pressure.max()))
 
 
 def draw_differences(found: Comparison, axes: Axes) -> None:

@@ -18,7 +18,6 @@ from nonhertz.comparison.reasons import TOLD
 from nonhertz.finite import depth_below, ends
 from nonhertz.report.finding import Finding
 from nonhertz.result.checks import LEAST_DEPTH, checks
-from nonhertz.result.ends import largest_away, singular_ends
 from nonhertz.result.numerals import digits, given
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
 from nonhertz.strip.element import SEMI_ELLIPTIC
@@ -122,8 +121,7 @@ def _ends(solution: Solution) -> Iterator[Assumption]:
 
 def _end(edge: EdgePressure) -> str:
     kind = edge.kind.label.replace("-", " ")
-    sharp = f", p ~ s^-{edge.exponent:.3g}" if edge.kind is EdgeKind.SINGULAR else ""
-    return f"{kind} at y = {edge.y:.5g} mm{sharp}"
+    return f"{kind} at y = {edge.y:.5g} mm" + (f", {edge.law}" if edge.law else "")
 
 
 def _smooth(solution: Solution) -> Assumption:
@@ -142,10 +140,10 @@ def _fine(solution: Solution) -> Iterator[Assumption]:
     # Whichever of the two is prescribed has no error.
     name, error = max((("approach", estimate.approach), ("load", estimate.load)), key=lambda each: each[1])
     yield Assumption(f"Grid fine enough for the {name}", criterion, _percent(error), _known(error))
-    singular = bool(singular_ends(solution)) or solution.peaks_at_corner
-    verdict = Verdict.NOT_MET if singular else _known(estimate.max_pressure)
-    remark = "The largest pressure rises with every refinement." if singular else ""
-    number = "no limit" if singular else _percent(estimate.max_pressure)
+    corner = solution.peaks_at_corner
+    verdict = Verdict.NOT_MET if corner else _known(estimate.max_pressure)
+    remark = "The largest pressure rises with every refinement." if corner else ""
+    number = "no limit" if corner else _percent(estimate.max_pressure)
     yield Assumption("Grid fine enough for the largest pressure", criterion, number, verdict, remark)
 
 
@@ -160,11 +158,8 @@ def _shape(solution: Solution) -> Assumption:
 
 def _elastic(found: Finding) -> Iterator[Assumption]:
     solution = found.solution
-    strips = largest_away(solution)
-    if not strips:
-        return
-    pressure = float(solution.centre_pressure[strips[0]])
-    where = " away from the ends" if singular_ends(solution) else ""
+    pressure = solution.max_pressure
+    where = " away from singular ends" if solution.singular_ends else ""
     yield Assumption(
         "Linear elastic bodies",
         f"p0 below {FLOW_BEGINS:g} yield strengths (line contact, Tresca; Johnson 1985, section 6.1)",

@@ -10,7 +10,6 @@ from nonhertz.io.lives import BODIES
 from nonhertz.report.finding import Finding
 from nonhertz.report.inputs import Entry, inputs
 from nonhertz.report.subject import Subject
-from nonhertz.result.ends import largest_away, singular_ends
 from nonhertz.result.numerals import digits
 from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
@@ -54,9 +53,6 @@ def results(found: Sequence[Finding]) -> list[Row]:
     """Return the results of all cases, with differences to the first."""
     solutions = [each.solution for each in found]
     rows = [_compared(QUANTITIES[name], solutions) for name in _COMPARED]
-    sharp = any(singular_ends(each) for each in solutions)
-    name = "largest pressure away from sharp ends [MPa]" if sharp else "maximum pressure [MPa]"
-    rows.insert(0, _row(name, [_largest_pressure(each) for each in solutions]))
     rows[1:1] = [_ends(solutions, at, name) for at, name in ((0, "low"), (1, "high"))]
     if all(each.stress for each in found):
         for name, key in _STRESSES.items():
@@ -101,11 +97,6 @@ def _told(entry: Entry) -> str:
     return f"{entry.value} {entry.unit}".strip()
 
 
-def _largest_pressure(solution: Solution) -> float:
-    strips = largest_away(solution)
-    return float(solution.centre_pressure[strips[0]]) if strips else math.nan
-
-
 def _ends(solutions: Sequence[Solution], at: int, name: str) -> Row:
     values, remarks = zip(*(_end(each.edge_pressure[at]) for each in solutions), strict=True)
     return Row(f"pressure at the {name} end", values, remarks)
@@ -118,13 +109,13 @@ def _end(edge: EdgePressure) -> tuple[str, str]:
         return "no limit", "at a corner of the profile"
     if edge.kind is not EdgeKind.SINGULAR:
         return f"{digits(edge.pressure)} MPa", edge.kind.label.replace("-", " ")
-    strength = "K not known" if edge.strength is None else f"K = {digits(edge.strength, 4)} MPa mm^{edge.exponent:.3g}"
-    return "no limit", strength
+    return "no limit", edge.law
 
 
 # What changes from case to case, beside pressures.
 _COMPARED = (
-    "approach", "tilt", "load", "moment", "max_half_width", "contact_length", "load_by_approach", "moment_by_tilt",
+    "max_pressure", "approach", "tilt", "load", "moment", "max_half_width", "contact_length", "load_by_approach",
+    "moment_by_tilt",
 )  # fmt: skip
 _STRESSES = {"von Mises stress": "von_mises", "shear stress": "shear", "orthogonal shear stress": "orthogonal_shear"}
 

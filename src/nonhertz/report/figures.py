@@ -13,7 +13,6 @@ from nonhertz.report.finding import Finding
 from nonhertz.report.measurements import Measurement
 from nonhertz.report.overlay import pressures, reliefs
 from nonhertz.report.telling import keys
-from nonhertz.result.ends import singular_ends
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
@@ -52,7 +51,7 @@ class Gallery:
         solution = found.solution
         captions = {
             "pressure": "Pressure on the centre line and half-width along the contact."
-            + (_SHARP if singular_ends(solution) else ""),
+            + (_SHARP if solution.singular_ends else ""),
             "footprint": "Contact area, coloured by its pressure" + _proportions(solution),
             "profile": "Distance of both surfaces on the centre line before and after loading.",
         }

@@ -16,7 +16,6 @@ from nonhertz.life import MODELS
 from nonhertz.model.body import Body
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.report.finding import Finding
-from nonhertz.result.ends import singular_ends
 from nonhertz.result.numerals import given
 from nonhertz.strip.element import Element
 from nonhertz.subsurface import stress
@@ -79,7 +78,7 @@ def references(found: Finding) -> list[str]:
     bodies = found.solution.contact.a, found.solution.contact.b
     if any(body.depth == "plane-strain" for body in bodies):
         told += [source(hertz.plane_strain_cylinder_compression)]
-    if singular_ends(found.solution):
+    if found.solution.singular_ends:
         told.append(_SHARP_ENDS)
     if found.stress or found.lives:
         told.append(source(stress))

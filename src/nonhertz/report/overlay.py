@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonhertz.plot.axial import AXIAL_LABEL, axial_range, regular
+from nonhertz.plot.axial import AXIAL_LABEL, axial_range
 from nonhertz.plot.sheets import BOTTOM, LEFT, WIDTH, blank, panel
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, sheet_style
 from nonhertz.report.finding import Finding
-from nonhertz.result.ends import singular_ends
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -39,9 +38,8 @@ def pressures(found: Sequence[Finding]) -> Figure:
             drawn: dict[str, Any] = {"color": colour, "linestyle": dashes, "linewidth": LINE}
             upper.plot(solution.y, solution.centre_pressure, **drawn)
             lower.plot(solution.y, solution.half_width, **drawn)
-        counted = [each.solution.centre_pressure[regular(each.solution)].max(initial=0.0) for each in found]
-        sharp = any(singular_ends(each.solution) for each in found)
-        upper.set_ylim(0.0, float(max(counted)) * (BEYOND if sharp else ROOM) or 1.0)
+        sharp = any(each.solution.singular_ends for each in found)
+        upper.set_ylim(0.0, max(each.solution.max_pressure for each in found) * (BEYOND if sharp else ROOM) or 1.0)
         lower.set_ylim(0.0, max(each.solution.max_half_width for each in found) * ROOM or 1.0)
         upper.set_ylabel("Centre-line pressure $p_0$ [MPa]")
         lower.set_ylabel("Half-width $b$ [mm]")

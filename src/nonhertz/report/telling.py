@@ -10,7 +10,7 @@ import numpy as np
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.material import MATERIALS
 from nonhertz.report.finding import Finding
-from nonhertz.result.ends import largest_away, singular_ends
+from nonhertz.result.brief import where_largest
 from nonhertz.result.numerals import digits, given
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 
@@ -105,30 +105,18 @@ def _end_in_words(edge: EdgePressure) -> str:
         case EdgeKind.RUN_OUT | EdgeKind.CORNER:
             return told
         case EdgeKind.SINGULAR:
-            known = (
-                f"K = {edge.strength:.4g} MPa mm^{edge.exponent:.3g}" if edge.strength is not None else "K not known"
-            )
-            return (
-                f"{told} It goes like p ~ K / s^{edge.exponent:.3g} with the distance s, {known} ({edge.convention})."
-            )
+            return f"{told} With the distance s it goes like {edge.law} ({edge.convention})."
         case _:
             return f"{told} It is {digits(edge.pressure)} MPa ({edge.convention})."
 
 
 def _pressures(solution: Solution) -> list[Key]:
-    singular = singular_ends(solution)
-    strips = largest_away(solution)
-    where = " and ".join(digits(y, 4) for y in solution.y[list(strips)].tolist())
-    if not singular:
-        remark = "no limit, at a corner of the profile" if solution.peaks_at_corner else f"at y = {where} mm"
-        return [Key("maximum pressure", digits(solution.max_pressure), "MPa", remark)]
-    highest = max(singular, key=lambda edge: edge.pressure)
-    strength = "" if highest.strength is None else f", K = {highest.strength:.4g} MPa mm^{highest.exponent:.3g}"
-    sharp = f"p ~ K / s^{highest.exponent:.3g} at y = {highest.y:.5g} mm{strength}"
-    told = [Key("maximum pressure", "no limit", "", sharp)]
-    if strips:
-        largest = float(solution.centre_pressure[strips[0]])
-        told.append(Key("largest pressure away from sharp ends", digits(largest), "MPa", f"at y = {where} mm"))
+    remark = "no limit, at a corner of the profile" if solution.peaks_at_corner else where_largest(solution, 4)
+    told = [Key("maximum pressure", digits(solution.max_pressure), "MPa", remark)]
+    sharp = [edge for edge in solution.edge_pressure if edge.law]
+    if sharp:
+        highest = max(sharp, key=lambda edge: edge.pressure)
+        told.append(Key("pressure at the sharp end", "no limit", "", f"{highest.law}, at y = {highest.y:.5g} mm"))
     return told
 
 

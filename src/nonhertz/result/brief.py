@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.model.body import Body
+from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.numerals import digits, given
 from nonhertz.result.quantities import QUANTITIES
 
@@ -55,12 +56,10 @@ def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
 
 
 def _pressure(solution: Solved) -> str:
-    where, error = f" at y = {digits(solution.max_pressure_y, 4)} mm", solution.error_estimate.max_pressure
-    if math.isfinite(error):
-        return _numbers(solution, ("max_pressure",), error, where)
-    quantity = QUANTITIES["max_pressure"]
-    why = "no limit" if solution.sharp_ends or solution.peaks_at_corner else "error unknown"
-    return f"{quantity.label}: {why}, {quantity.text(solution)} as solved{where}"
+    where = f" {where_largest(solution, 4)}"
+    if solution.peaks_at_corner:
+        return _numbers(solution, ("max_pressure",), 0.0, f"{where}, a corner of the profile: no limit")
+    return _numbers(solution, ("max_pressure",), solution.error_estimate.max_pressure, where)
 
 
 def _numbers(solution: Solved, names: tuple[str, ...], error: float = 0.0, where: str = "") -> str:
@@ -81,6 +80,13 @@ def _body(body: Body) -> str:
     return f"{type(body).__name__.lower()} ({', '.join(sizes)} mm)" if sizes else type(body).__name__.lower()
 
 
+def where_largest(solution: Solved, significant: int = 5) -> str:
+    """Return where the largest pressure is, in words: both places of a mirrored pair."""
+    places = " and ".join(digits(y, significant) for y in places_of_largest(solution))
+    away = ", away from singular ends" if solution.singular_ends else ""
+    return f"at y = {places} mm{away}"
+
+
 def shortened(text: str) -> str:
     """Return a text of no more than `WIDEST` characters, cut at a word."""
     return text if len(text) <= WIDEST else text[:WIDEST].rpartition(" ")[0] + " ..."
@@ -95,10 +101,7 @@ def drawn(name: str, said: list[str], solution: Solved) -> str:
     """Return lines as HTML, under a drawing of the pressure along the contact; where it has no limit, cut off."""
     y, pressure = solution.y, solution.centre_pressure
     low, span = float(y[0]), float(np.ptp(y)) or 1.0
-    away = np.ones(y.size, dtype=bool)
-    for end in solution.sharp_ends:
-        away &= np.abs(y - end) > solution.max_half_width
-    top = ROOM * float(pressure[away].max(initial=0.0)) or float(pressure.max(initial=0.0)) or 1.0
+    top = ROOM * solution.max_pressure or 1.0
     points = " ".join(
         f"{DRAWN_WIDTH * (place - low) / span:.1f},{DRAWN_HEIGHT * (1.0 - min(value / top, 1.0)):.1f}"
         for place, value in zip(y.tolist(), pressure.tolist(), strict=True)

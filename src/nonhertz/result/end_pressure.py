@@ -18,16 +18,18 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.finite import FINITE_FROM
 from nonhertz.model.contact import Contact
+from nonhertz.result.ends import corner_ends
 from nonhertz.result.solution import EdgeKind, EdgePressure
-from nonhertz.strip.grid import reaches
+from nonhertz.strip.batch import States
+from nonhertz.strip.grid import reaches, reaching
 from nonhertz.strip.state import Problem, State
 
 Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 
 SHARP_END_ERROR = 0.12
-# kappa; alpha is below 0.015 there, less than 10 % of pressure in three decades of distance.
-FINITE_FROM = 0.999
 FIT_REACH, BIASED_STRIPS, FEWEST_POINTS = 0.5, 2, 4  # the first in half-widths
 LEAST_EXPONENT = 0.1
 AT_ONE_PLACE = 0.01  # of the last strip
@@ -36,6 +38,69 @@ AT_ONE_PLACE = 0.01  # of the last strip
 def edge_pressures(contact: Contact, problem: Problem, state: State) -> tuple[EdgePressure, EdgePressure]:
     """Return the pressure at the low and at the high end of a solved contact."""
     return _edge_pressure(contact, problem, state, -1), _edge_pressure(contact, problem, state, 1)
+
+
+def corners(contact: Contact, problem: Problem, state: State) -> tuple[float, ...]:
+    """Return the corners of the profile at which a contact ends under pressure [mm], ascending."""
+    if not contact.bends:
+        return ()
+    half_width = problem.element.hertz_ratio * np.sqrt(state.m)
+    return corner_ends(contact, state.edges, centre_pressure(contact, problem, state), half_width)
+
+
+def centre_pressure(contact: Contact, problem: Problem, state: State) -> Array:
+    """Return the pressure on the centre line of every strip [MPa]."""
+    pressure: Array = 2.0 * state.pressure / (np.pi * problem.element.hertz_ratio * contact.compliance)
+    return pressure
+
+
+def singular_places(contact: Contact, problem: Problem, states: States) -> Array:
+    """Return where contacts on the same strips end without a limit of the pressure [mm].
+
+    Returns
+    -------
+    ndarray, shape (cases, k)
+        Nan where there are fewer such ends than in others, or none.
+    """
+    columns = []
+    for side in (-1, 1):
+        sharp = _is_sharp(contact, problem, states.edges, side)
+        place = states.edges[-1 if side > 0 else 0]
+        ends_there = reaching(states.edges, states.m, side) & pressed(problem, states.edges, states.rigid, side)
+        columns.append(np.where(sharp & ends_there, place, np.nan))
+    if contact.bends:
+        of_cases = [corners(contact, problem, states.one(case)) for case in range(states.status.size)]
+        most = max(map(len, of_cases))
+        columns += np.array([(*each, *[np.nan] * (most - len(each))) for each in of_cases]).T.tolist()
+    return np.array(columns).T
+
+
+def pressed(problem: Problem, edges: Array, rigid: Array, side: int) -> Flags:
+    """Return whether the undeformed bodies overlap at the end of the strips: only there can they touch.
+
+    A strip may be wider than what is left of a contact that runs out next to the end of a body.
+
+    Parameters
+    ----------
+    problem : Problem
+        What is solved.
+    edges : ndarray, shape (n + 1,)
+        Edges of the strips [mm].
+    rigid : ndarray, shape (..., 2)
+        Approach and tilt [mm, rad].
+    side : int
+        -1 at the low, 1 at the high end.
+    """
+    place = edges[-1 if side > 0 else 0]
+    overlap: Flags = rigid[..., 0] + rigid[..., 1] * place > problem.separation(np.array([place]))[0]
+    return overlap
+
+
+def _is_sharp(contact: Contact, problem: Problem, edges: Array, side: int) -> bool:
+    """Return whether a contact that is open at the last of the strips ends at a sharp end of a body."""
+    at, next_in = (-1, -2) if side > 0 else (0, 1)
+    place, width = float(edges[at]), abs(float(edges[at] - edges[next_in]))
+    return place in contact.interval and _image_weight(problem, place, side, AT_ONE_PLACE * width) < FINITE_FROM
 
 
 def sharp_end_error(edges: tuple[EdgePressure, ...], length: float) -> float:
@@ -48,9 +113,8 @@ def sharp_end_error(edges: tuple[EdgePressure, ...], length: float) -> float:
     return SHARP_END_ERROR * sum(left) / length
 
 
-def _image_weight_within(problem: Problem, state: State, side: int, reach: float) -> float:
-    """Return kappa of all free faces within a distance of the end."""
-    place = float(state.edges[-1 if side > 0 else 0])
+def _image_weight(problem: Problem, place: float, side: int, reach: float) -> float:
+    """Return kappa of all free faces within a distance of an end of the strips."""
     found = (end.image_weight for end in problem.influence.ends if end.side == side and abs(end.y - place) <= reach)
     return min(sum(found), 1.0)
 
@@ -58,23 +122,23 @@ def _image_weight_within(problem: Problem, state: State, side: int, reach: float
 def _edge_pressure(contact: Contact, problem: Problem, state: State, side: int) -> EdgePressure:
     at = -1 if side > 0 else 0
     place, width = float(state.edges[at]), float(state.width[at])
-    if not reaches(state, side):
+    if not reaches(state, side) or not pressed(problem, state.edges, state.rigid, side):
         y = state.contact[at][(side + 1) // 2] if state.contact else place
         told = "the contact ends before both bodies do"
         return EdgePressure(y, EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, None, told)
-    pressure = 2.0 * state.pressure[::-side] / (np.pi * problem.element.hertz_ratio * contact.compliance)
+    pressure = centre_pressure(contact, problem, state)[::-side]
     if place not in contact.interval:
         told = "the strips end before the contact does"
         return EdgePressure(place, EdgeKind.CUT_OFF, float(pressure[0]), width, 0.0, 0.0, None, None, told)
     convention = _convention(contact, problem, place, side, AT_ONE_PLACE * width)
-    kappa = _image_weight_within(problem, state, side, AT_ONE_PLACE * width)
-    if kappa >= FINITE_FROM:
+    kappa = _image_weight(problem, place, side, AT_ONE_PLACE * width)
+    if not _is_sharp(contact, problem, state.edges, side):
         return EdgePressure(place, EdgeKind.FINITE, float(pressure[0]), width, kappa, 0.0, None, None, convention)
     exponent = math.acos(kappa) / math.pi
     half_width = problem.element.hertz_ratio * math.sqrt(float(state.m[at]))
     strength = correction = None
     # The face of another body a little further out bends the pressure where K would be read off.
-    alone = kappa == _image_weight_within(problem, state, side, FIT_REACH * half_width)
+    alone = kappa == _image_weight(problem, place, side, FIT_REACH * half_width)
     if alone and exponent >= LEAST_EXPONENT:
         distance = np.abs(state.y - place)[::-side]
         strength, correction = _strength(distance, state.width[::-side], pressure, exponent, half_width)

@@ -1,22 +1,21 @@
-"""Which pressures of the strips have a meaning of their own, and which only grow with refinement."""
+"""Where a contact ends so that its pressure has no limit, and which strips are away from there."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.model.contact import Contact
+from nonhertz.result.maximum import distance_beyond, singular_y
 from nonhertz.result.protocol import Solved
-from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
+from nonhertz.result.solution import EdgeKind, SingularEnd
 from nonhertz.strip.state import runs
 
 Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
+Flags = NDArray[np.bool_]
 
-SAME = 1e-6
 # A contact that goes on past a corner by less than this, in half-widths, ends there: fine strips reach round it.
 PAST_CORNER = 0.1
 # The pressure at a corner that turns by theta grows by theta / (2 pi^2 K) whenever the distance falls to 1/e. Where
@@ -27,38 +26,32 @@ SAME_PLACE = 1e-9  # of the length
 STEP = 1e-5  # of the length, across which a corner is told from a curve
 
 
-def singular_ends(solution: Solution) -> list[EdgePressure]:
-    """Return the ends at which the pressure has no limit, ascending."""
-    return [edge for edge in solution.edge_pressure if edge.kind is EdgeKind.SINGULAR]
-
-
-def away_from_ends(solution: Solution) -> Bools:
-    """Return which strips in contact lie more than a half-width from singular ends, shape (strips,).
+def away_from_ends(solution: Solved, y: Array) -> Flags:
+    """Return which places [mm] are more than a half-width from the singular ends of a contact, shape (n,).
 
     Nearer to such an end the pressure grows with every refinement: as a maximum it says nothing.
     """
-    away = solution.line_load > 0.0
-    for edge, half_width in zip(solution.edge_pressure, solution.half_width[[0, -1]], strict=True):
-        if edge.kind is EdgeKind.SINGULAR:
-            away &= np.abs(solution.y - edge.y) > half_width
+    half_width = np.interp(y, solution.y, solution.half_width)
+    away: Flags = distance_beyond(y, half_width, singular_y(solution)) > 0.0
     return away
 
 
-def largest_away(solution: Solution) -> tuple[int, ...]:
-    """Return the strip of the largest pressure `away_from_ends`: both of a mirrored pair, none if none is away."""
-    pressure = np.where(away_from_ends(solution), solution.centre_pressure, 0.0)
-    largest = float(pressure.max())
-    if largest <= 0.0:
-        return ()
-    equal = np.flatnonzero(pressure >= (1.0 - SAME) * largest).tolist()
-    # Two neighbours are one flat crest, and many are no marked place at all.
-    is_pair = len(equal) == 2 and equal[1] - equal[0] > 1
-    return tuple(equal) if is_pair else (int(pressure.argmax()),)
+def singular_ends(sharp: Iterable[float], corners: Iterable[float], length: float) -> tuple[SingularEnd, ...]:
+    """Return the ends at which the pressure has no limit, ascending: sharp ends of bodies, corners of profiles.
 
-
-def at_corner(solution: Solution, strip: int) -> bool:
-    """Return whether a strip is the largest pressure and at a corner of the profile, where it has no limit either."""
-    return solution.peaks_at_corner and bool(solution.centre_pressure[strip] >= (1.0 - SAME) * solution.max_pressure)
+    Parameters
+    ----------
+    sharp : iterable of float
+        Where the contact reaches a sharp end [mm].
+    corners : iterable of float
+        As `corner_ends` has them [mm]; those at a sharp end count as that.
+    length : float
+        Of all that the contact may cover [mm].
+    """
+    found = [SingularEnd(y, EdgeKind.SINGULAR) for y in sharp]
+    room = SAME_PLACE * length
+    found += [SingularEnd(y, EdgeKind.CORNER) for y in corners if all(abs(y - end.y) > room for end in found)]
+    return tuple(sorted(found, key=lambda end: end.y))
 
 
 def corner_ends(contact: Contact, edges: Array, pressure: Array, half_width: Array) -> tuple[float, ...]:
@@ -117,46 +110,20 @@ def _turn(contact: Contact, place: float, step: float) -> float:
     return float((after - there) / step + (before - there) / step) if np.isfinite(there) else 0.0
 
 
-@dataclass(frozen=True, order=True)
-class LimitlessEnd:
-    """An end of a contact towards which pressure and stress have no limit.
-
-    Attributes
-    ----------
-    y : float
-        Where [mm].
-    at_corner : bool
-        Whether it is a corner of the profile, else a sharp end of a body.
-    """
-
-    y: float
-    at_corner: bool
-
-
-def limitless_ends(solution: Solved) -> tuple[LimitlessEnd, ...]:
-    """Return the ends at which the pressure has no limit, ascending: sharp ends of bodies, corners of profiles."""
-    sharp = solution.sharp_ends
-    pressure = np.where(solution.line_load > 0.0, solution.largest_across, 0.0)
-    corners = corner_ends(solution.contact, solution.edges, pressure, solution.half_width)
-    room = SAME_PLACE * float(np.ptp(solution.edges))
-    apart = [corner for corner in corners if all(abs(corner - end) > room for end in sharp)]
-    return tuple(sorted([LimitlessEnd(y, False) for y in sharp] + [LimitlessEnd(y, True) for y in apart]))
-
-
-def ends_in_words(ends: Iterable[LimitlessEnd]) -> str:
-    """Return where the stress has no limit.
+def ends_in_words(ends: Iterable[SingularEnd]) -> str:
+    """Return where pressure and stress have no limit.
 
     Examples
     --------
-    >>> ends_in_words([LimitlessEnd(-10.0, False), LimitlessEnd(9.0, True)])
+    >>> ends_in_words([SingularEnd(-10.0, EdgeKind.SINGULAR), SingularEnd(9.0, EdgeKind.CORNER)])
     'the sharp end at y = -10 mm and the corner of the profile at y = 9 mm'
     """
     parts = []
-    for one, many, at_corner in (
-        ("sharp end", "sharp ends", False),
-        ("corner of the profile", "corners of the profile", True),
+    for one, many, kind in (
+        ("sharp end", "sharp ends", EdgeKind.SINGULAR),
+        ("corner of the profile", "corners of the profile", EdgeKind.CORNER),
     ):
-        places = sorted({end.y for end in ends if end.at_corner == at_corner})
+        places = sorted({end.y for end in ends if end.kind is kind})
         if places:
             name = one if len(places) == 1 else many
             parts.append(f"the {name} at y = {' and '.join(f'{y:.5g}' for y in places)} mm")
@@ -175,7 +142,7 @@ def largest_half_width(solution: Solved, ends: Iterable[float]) -> float:
     return float(solution.half_width[away].max()) if np.any(away) else largest
 
 
-def step_at(solution: Solved, end: LimitlessEnd) -> float:
+def step_at(solution: Solved, end: SingularEnd) -> float:
     """Return the width of the strip, or of the row of cells, at an end [mm]."""
     edges = solution.edges
     touching = np.flatnonzero(solution.line_load > 0.0)

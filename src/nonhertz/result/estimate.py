@@ -5,12 +5,14 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.result.end_pressure import SHARP_END_ERROR, sharp_end_error
-from nonhertz.result.solution import EdgePressure, ErrorEstimate
+from nonhertz.result.maximum import largest_pressure
+from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate
 from nonhertz.strip.batch import States
 from nonhertz.strip.levels import SAFETY, Levels
 from nonhertz.strip.newton import CONVERGED
@@ -21,17 +23,35 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 LARGE_ERROR, LARGE_PRESSURE_ERROR = 0.05, 0.2  # estimated; a result worse than that is no design figure
+FEW_AT_END = 4  # strips within a half-width of an end, that say little of how the contact ends
+FALLS_AWAY = 0.1  # of the interference, by which it is less at an end than a half-width inside
+HIDDEN = 4.0  # times what the last strip exceeds the maximum by: its mean is lower than what it hides
 MISSED = 0.02  # of the deepest interference, overlapped where strips say that there is no contact
 
 
-def error_estimate(problem: Problem, levels: Levels, edges: tuple[EdgePressure, ...], at_corner: bool) -> ErrorEstimate:
-    """Return the estimated errors of the finest level; infinite of a loop that failed."""
+def error_estimate(
+    problem: Problem, levels: Levels, edges: tuple[EdgePressure, ...], singular: Array, at_corner: bool
+) -> ErrorEstimate:
+    """Return the estimated errors of the finest level; infinite of a loop that failed.
+
+    Parameters
+    ----------
+    problem, levels
+        What was solved.
+    edges : tuple of EdgePressure
+        How the contact ends.
+    singular : ndarray, shape (k,)
+        Where it ends so that the pressure has no limit [mm].
+    at_corner : bool
+        Whether its largest pressure is at a corner of the profile within the contact.
+    """
     state = levels.finest
     if not state.converged:
         return ErrorEstimate(math.inf, math.inf, math.inf)
     by_load = bool(problem.prescribed[0])
     floor = sharp_end_error(edges, sum(high - low for low, high in state.contact))
-    singular = at_corner or not all(edge.converges for edge in edges)
+    unlimited = at_corner or any(edge.kind is EdgeKind.CUT_OFF for edge in edges)
+    largest = partial(_largest, problem.element.hertz_ratio, singular)
     places, separation = within(problem, state.edges)
     # What stands back farther than the bodies come together is out of contact, however far it does.
     near = np.minimum(separation, np.maximum(state.rigid[0] + state.rigid[1] * places, np.min(separation)))
@@ -41,8 +61,34 @@ def error_estimate(problem: Problem, levels: Levels, edges: tuple[EdgePressure, 
     return ErrorEstimate(
         approach=max(floor, levels.difference(_approach) + unseen[0]) if by_load else 0.0,
         load=0.0 if by_load else max(floor, levels.difference(_load) + unseen[1]),
-        max_pressure=math.inf if singular else levels.difference(_pressure) + float(ripple),
+        max_pressure=math.inf
+        if unlimited
+        else max(floor, levels.difference(largest)) + float(ripple) + _hidden_at_the_ends(problem, state, singular),
     )
+
+
+def _hidden_at_the_ends(problem: Problem, state: State, singular: Array) -> float:
+    """Return by how much of itself the largest pressure may be missed because it is within a half-width of an end.
+
+    On strips as wide as that a contact that runs out shortly before the end of the bodies looks like one that reaches
+    it. Where the profile falls away there, the last strip may well have the largest pressure.
+    """
+    half_width = problem.element.hertz_ratio * np.sqrt(state.m)
+    highest, bearing, hidden = (
+        float(largest_pressure(state.y, state.pressure, half_width, singular)[0]),
+        state.m > 0.0,
+        0.0,
+    )
+    for end in singular:
+        near = bearing & (np.abs(state.y - end) <= half_width)
+        if not 0 < np.count_nonzero(near) < FEW_AT_END:
+            continue
+        inside = end + math.copysign(float(half_width[near].max()), float(np.mean(state.edges)) - end)
+        places = np.array([end, inside])
+        at_end, before = state.rigid[0] + state.rigid[1] * places - problem.separation(places)
+        if at_end < (1.0 - FALLS_AWAY) * before:
+            hidden = max(hidden, HIDDEN * (float(np.max(state.pressure[near])) / highest - 1.0))
+    return hidden
 
 
 def _relative(part: Array, whole: float) -> float:
@@ -57,15 +103,21 @@ def _load(state: State) -> float:
     return state.load
 
 
-def _pressure(state: State) -> float:
-    return float(np.max(state.pressure))
+def _largest(hertz_ratio: float, singular: Array, state: State) -> float:
+    return float(largest_pressure(state.y, state.pressure, hertz_ratio * np.sqrt(state.m), singular)[0])
 
 
-def may_be_uncertain(problem: Problem, levels: Sequence[States]) -> Flags:
-    """Return which cases may have a large estimated error: all that a coarser grid has no solution of, too."""
+def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array) -> Flags:
+    """Return which cases may have a large estimated error: all that a coarser grid has no solution of, too.
+
+    ``singular`` are the places at which they end without a limit of the pressure [mm], shape (cases, k).
+    """
     finest = levels[0]
+    highest = partial(_pressures, problem.element.hertz_ratio, singular)
     unsure: Flags = np.full(finest.status.shape, len(levels) == 1)
     width = np.diff(finest.edges)
+    few = FEW_AT_END * max(width[0], width[-1]) > problem.element.hertz_ratio * np.sqrt(finest.m.max(axis=1))
+    unsure |= few & np.any(np.isfinite(singular), axis=1)
     loads, pressures = finest.r * finest.m * width, finest.r * np.sqrt(finest.m)
     mean, ripple = roughness(departures(within(problem, finest.edges)[1]), width, loads, pressures)
     for known, left in ((finest.rigid[:, 0], mean), (np.sum(loads, axis=1), finest.stiffness[:, 0, 0] * mean)):
@@ -75,7 +127,7 @@ def may_be_uncertain(problem: Problem, levels: Sequence[States]) -> Flags:
     unsure |= ends > 0.5 * LARGE_ERROR * ((finest.m > 0.0) @ width)
     for fine, coarse in itertools.pairwise(levels[:3]):
         unsure |= coarse.status != CONVERGED
-        for value, large in ((_approaches, LARGE_ERROR), (_loads, LARGE_ERROR), (_pressures, LARGE_PRESSURE_ERROR)):
+        for value, large in ((_approaches, LARGE_ERROR), (_loads, LARGE_ERROR), (highest, LARGE_PRESSURE_ERROR)):
             with np.errstate(invalid="ignore"):
                 unsure |= ~(SAFETY * np.abs(value(fine) - value(coarse)) <= 0.5 * large * np.abs(value(finest)))
     return unsure
@@ -90,9 +142,9 @@ def _loads(states: States) -> Array:
     return loads
 
 
-def _pressures(states: States) -> Array:
-    pressures: Array = (states.r * np.sqrt(states.m)).max(axis=1)
-    return pressures
+def _pressures(hertz_ratio: float, singular: Array, states: States) -> Array:
+    y, a = 0.5 * (states.edges[1:] + states.edges[:-1]), np.sqrt(states.m)
+    return largest_pressure(y, states.r * a, hertz_ratio * a, singular)[0]
 
 
 def may_miss_contact(problem: Problem, finest: States) -> Flags:

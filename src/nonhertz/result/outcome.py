@@ -10,11 +10,13 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import ConvergenceError
 from nonhertz.model.contact import Contact
-from nonhertz.result.end_pressure import edge_pressures
-from nonhertz.result.ends import corner_ends
+from nonhertz.result.end_pressure import centre_pressure, corners, edge_pressures
+from nonhertz.result.ends import singular_ends
 from nonhertz.result.estimate import error_estimate
+from nonhertz.result.maximum import largest_pressure
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
 from nonhertz.result.validity import (
+    AT_CORNER,
     refuse_thin_bodies,
     refuse_wide_series,
     refuse_wider_than_round,
@@ -33,8 +35,8 @@ _WAY_OUT = "Try another number of strips, or a smaller load first."
 _STATUS = {CONVERGED: Status.CONVERGED, ITERATION_LIMIT: Status.ITERATION_LIMIT, STAGNATED: Status.STAGNATED}
 
 
-def outcome(contact: Contact, problem: Problem, levels: Levels) -> tuple[Solution, tuple[str, ...]]:
-    """Return the solution, and of its warnings those that strain the model.
+def outcome(contact: Contact, problem: Problem, levels: Levels) -> Solution:
+    """Return the solution with its warnings.
 
     Raises
     ------
@@ -52,8 +54,8 @@ def outcome(contact: Contact, problem: Problem, levels: Levels) -> tuple[Solutio
     unmet = _shortfall(solution, problem)
     if unmet is not None:
         raise ConvergenceError(f"{unmet} {_WAY_OUT}", replace(solution, status=Status.REFUTED))
-    found = strains(solution, problem, levels.finest)
-    return replace(solution, warnings=(*found, *singularities(solution))), found
+    found = *strains(solution, problem, levels.finest), *singularities(solution)
+    return replace(solution, warnings=found)
 
 
 def _shortfall(solution: Solution, problem: Problem) -> str | None:
@@ -70,9 +72,12 @@ def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
     with contextlib.nullcontext() if state.converged else np.errstate(all="ignore"):
         edges = edge_pressures(contact, problem, state)
         line_load, stiffness = state.r * state.m / compliance, state.stiffness / compliance
-    at_corner = state.converged and _peaks_at_kink(contact, state)
-    if state.converged:
-        edges = _with_corners(contact, problem, state, edges)
+    at_corners = corners(contact, problem, state) if state.converged else ()
+    edges = _with_corners(contact, problem, state, edges, at_corners)
+    sharp = (edge.y for edge in edges if edge.kind is EdgeKind.SINGULAR)
+    singular = singular_ends(sharp, at_corners, float(np.ptp(state.edges)))
+    places = np.array([end.y for end in singular])
+    within = state.converged and _peaks_at_kink(contact, problem, state, places)
     return Solution(
         contact=contact,
         element=problem.element,
@@ -88,23 +93,26 @@ def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
         gap=state.gap,
         contact_y=state.contact,
         edge_pressure=edges,
-        peaks_at_corner=at_corner,
+        singular_ends=singular,
+        peaks_at_corner=within,
         iterations=state.steps,
-        error_estimate=error_estimate(problem, levels, edges, at_corner),
+        error_estimate=error_estimate(problem, levels, edges, places, within),
         warnings=(),
     )
 
 
 def _with_corners(
-    contact: Contact, problem: Problem, state: State, ends: tuple[EdgePressure, EdgePressure]
+    contact: Contact,
+    problem: Problem,
+    state: State,
+    ends: tuple[EdgePressure, EdgePressure],
+    at_corners: tuple[float, ...],
 ) -> tuple[EdgePressure, EdgePressure]:
     """Return the pressures at both ends with those told apart that do not run out but press against a corner."""
-    half_width = problem.element.hertz_ratio * np.sqrt(state.m)
-    pressure = 2.0 * state.pressure / (np.pi * problem.element.hertz_ratio * contact.compliance)
-    corners = corner_ends(contact, state.edges, pressure, half_width)
+    pressure = centre_pressure(contact, problem, state)
     low, high = ends
     bearing = np.flatnonzero(state.m > 0.0)
-    for corner in corners:
+    for corner in at_corners:
         first, last = bearing[0], bearing[-1]
         if low.kind is EdgeKind.RUN_OUT and corner < state.y[first] + state.width[first]:
             low = _at_corner(low, corner, float(pressure[first]), float(state.width[first]))
@@ -118,10 +126,12 @@ def _at_corner(end: EdgePressure, corner: float, pressure: float, width: float) 
     return replace(end, y=corner, kind=EdgeKind.CORNER, pressure=pressure, strip_width=width, convention=told)
 
 
-def _peaks_at_kink(contact: Contact, state: State) -> bool:
+def _peaks_at_kink(contact: Contact, problem: Problem, state: State, ends: Array) -> bool:
     """Return whether the largest pressure is at a corner of the profile, where it has no limit either."""
-    at = int(np.argmax(state.pressure))
+    half_width = problem.element.hertz_ratio * np.sqrt(state.m)
+    y = float(largest_pressure(state.y, state.pressure, half_width, ends)[1])
+    width = float(state.width[np.abs(state.y - y).argmin()])
     return any(
-        abs(place - state.y[at]) <= 1.5 * state.width[at]
+        abs(place - y) <= AT_CORNER * width and place not in ends
         for place, _ in kinks(contact.separation, contact.bends, state)
     )

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nonhertz.finite import Shape
 from nonhertz.model.contact import Contact
-from nonhertz.result.solution import ErrorEstimate, Status
+from nonhertz.result.solution import ErrorEstimate, SingularEnd, Status
 
 Array = NDArray[np.float64]
 
@@ -82,12 +82,12 @@ class Solved(Protocol):
         """The intervals in contact along y [mm], ascending."""
 
     @property
-    def sharp_ends(self) -> tuple[float, ...]:
-        """Where the contact reaches an end of a body at which the pressure has no limit [mm], ascending."""
+    def singular_ends(self) -> tuple[SingularEnd, ...]:
+        """The ends at which the pressure has no limit, ascending."""
 
     @property
     def max_pressure(self) -> float:
-        """The largest pressure [MPa]."""
+        """The largest pressure more than a half-width from `singular_ends` [MPa]."""
 
     @property
     def max_pressure_y(self) -> float:

@@ -15,6 +15,8 @@ from nonhertz.errors import InputError
 from nonhertz.model.checks import numbers
 from nonhertz.model.contact import Contact
 from nonhertz.result import brief
+from nonhertz.result.maximum import largest_pressure, singular_y
+from nonhertz.result.numerals import digits
 from nonhertz.strip.element import Element
 
 if TYPE_CHECKING:
@@ -49,8 +51,8 @@ class ErrorEstimate:
     load : float
         |error of load| / load; zero where the load is prescribed.
     max_pressure : float
-        |error of maximum pressure| / maximum pressure. Infinite where a sharp end makes the pressure
-        singular: every refinement raises the maximum, so that it has no error but no limit.
+        |error of maximum pressure| / maximum pressure. Infinite where the maximum is at a corner of the profile within
+        the contact: every refinement raises it, so that it has no error but no limit.
     """
 
     approach: float
@@ -144,6 +146,31 @@ class EdgePressure:
         """Whether refinement brings ``pressure`` to a limit."""
         return self.kind in {EdgeKind.RUN_OUT, EdgeKind.FINITE}
 
+    @property
+    def law(self) -> str:
+        """How the pressure grows towards a sharp end, in words; empty where the contact reaches none."""
+        if self.kind is not EdgeKind.SINGULAR:
+            return ""
+        power = f"{self.exponent:.3g}"
+        known = "unknown" if self.strength is None else f"= {digits(self.strength, 4)} MPa mm^{power}"
+        return f"p ~ K / s^{power}, K {known}"
+
+
+@dataclass(frozen=True)
+class SingularEnd:
+    """An end of a contact, or of one of its intervals, towards which pressure and stress have no limit.
+
+    Attributes
+    ----------
+    y : float
+        Where [mm].
+    kind : EdgeKind
+        SINGULAR at a sharp end of a body, CORNER at a corner of the profile.
+    """
+
+    y: float
+    kind: EdgeKind
+
 
 class ReadOnly:
     """A frozen dataclass whose arrays are read-only too, also after pickling, which forgets that; printed in brief."""
@@ -182,6 +209,24 @@ class ContactResult(ReadOnly):
 
     def _said(self) -> list[str]:
         raise NotImplementedError
+
+    @cached_property
+    def _largest(self) -> tuple[float, float]:
+        solved = cast("Solved", self)
+        if not solved.contact_y:
+            return 0.0, math.nan
+        pressure, y = largest_pressure(solved.y, solved.largest_across, solved.half_width, singular_y(solved))
+        return float(pressure), float(y)
+
+    @property
+    def max_pressure(self) -> float:
+        """The largest pressure more than a half-width from `singular_ends` [MPa]."""
+        return self._largest[0]
+
+    @property
+    def max_pressure_y(self) -> float:
+        """Where along the contact the largest pressure is [mm]; nan where nothing touches."""
+        return self._largest[1]
 
     @property
     def max_half_width(self: Solved) -> float:
@@ -229,8 +274,10 @@ class Solution(ContactResult):
         continued linearly, vanishes.
     edge_pressure : tuple of two EdgePressure
         The pressure at the low and at the high end, or why there is no such number.
+    singular_ends : tuple of SingularEnd
+        The ends at which the pressure has no limit, ascending, those of inner intervals too.
     peaks_at_corner : bool
-        Whether the largest strip pressure is at a corner of the profile, where it has no limit either.
+        Whether the largest pressure is at a corner of the profile within the contact, where it has no limit either.
     iterations : int
         Newton steps on the grid of the result.
     error_estimate : ErrorEstimate
@@ -253,6 +300,7 @@ class Solution(ContactResult):
     gap: Array
     contact_y: tuple[tuple[float, float], ...]
     edge_pressure: tuple[EdgePressure, EdgePressure]
+    singular_ends: tuple[SingularEnd, ...]
     peaks_at_corner: bool
     iterations: int
     error_estimate: ErrorEstimate
@@ -309,21 +357,6 @@ class Solution(ContactResult):
     def shape(self) -> Element:
         """Shape of the pressure across: the element."""
         return self.element
-
-    @property
-    def sharp_ends(self) -> tuple[float, ...]:
-        """Where the contact reaches an end of a body at which the pressure has no limit [mm], ascending."""
-        return tuple(edge.y for edge in self.edge_pressure if edge.kind is EdgeKind.SINGULAR)
-
-    @property
-    def max_pressure(self) -> float:
-        """The largest strip pressure [MPa]."""
-        return float(self.centre_pressure.max())
-
-    @property
-    def max_pressure_y(self) -> float:
-        """Where the largest strip pressure is [mm]."""
-        return float(self.y[self.centre_pressure.argmax()])
 
     @property
     def interference(self) -> Array:

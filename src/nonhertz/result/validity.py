@@ -19,20 +19,25 @@ from nonhertz.result.checks import (
     depths,
     sharper_curvature,
 )
+from nonhertz.result.ends import step_at
 from nonhertz.result.estimate import LARGE_ERROR, LARGE_PRESSURE_ERROR, MISSED, may_be_uncertain, may_miss_contact
 from nonhertz.result.solution import EdgeKind, Solution, Status
 from nonhertz.strip.batch import States
+from nonhertz.strip.grid import reaching
 from nonhertz.strip.resolution import overlapping
 from nonhertz.strip.state import SCARCELY, Problem, State, runs, sprung
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
+AT_CORNER = 1.5  # strips from a corner of the profile, at which a largest pressure is its own
 WIDEST_SERIES = 2.0  # lengths; a line load 17 lengths away is then good to 0.2 %
 
 
-def suspected(contact: Contact, problem: Problem, levels: Sequence[States]) -> Flags:
-    """Return which of many cases may strain the model, at little cost; `outcome` tells whether they do.
+def suspected(contact: Contact, problem: Problem, levels: Sequence[States], singular: Array, peak: Array) -> Flags:
+    """Return which of many cases may have warnings, at little cost; `outcome` tells whether they do.
+
+    That of singular ends is left to who asks.
 
     Parameters
     ----------
@@ -40,6 +45,10 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States]) -> F
         What the cases share.
     levels : sequence of States
         The states of all cases on every grid, finest first.
+    singular : ndarray, shape (cases, k)
+        Where they end without a limit of the pressure [mm], nan for no such end.
+    peak : ndarray, shape (cases,)
+        Where their largest pressures are [mm].
     """
     finest = levels[0]
     y, width = 0.5 * (finest.edges[1:] + finest.edges[:-1]), np.diff(finest.edges)
@@ -51,7 +60,13 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States]) -> F
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
     hard = loads / problem.compliance > 0.5 * MOST_OF_MODULUS * softer * areas
     thin = np.any(problem.influence.shallowest(y) < LEAST_DEPTH * half_width, axis=1)
-    coarse = may_be_uncertain(problem, levels) | may_miss_contact(problem, finest)
+    coarse = may_be_uncertain(problem, levels, singular) | may_miss_contact(problem, finest)
+    for side, place in ((-1, finest.edges[0]), (1, finest.edges[-1])):
+        if place not in contact.interval:
+            coarse |= reaching(finest.edges, finest.m, side)
+    if contact.bends:
+        nearest = np.abs(peak[:, None] - np.array(contact.bends)).min(axis=1)
+        coarse |= nearest <= AT_CORNER * width[np.abs(y - peak[:, None]).argmin(axis=1)]
     suspects: Flags = wide | flat | hard | thin | coarse | any(end.wanted > HEAVIEST for end in problem.influence.ends)
     return suspects
 
@@ -62,14 +77,15 @@ def strains(solution: Solution, problem: Problem, state: State) -> tuple[str, ..
         *(sentence for check in checks(solution, problem.influence.ends) for sentence in check.sentences),
         *_large_errors(solution),
         *_missed_contact(solution, problem, state),
+        *_without_limit(solution),
     )
 
 
 def _large_errors(solution: Solution) -> list[str]:
-    """Return a sentence for every result whose estimated error is large; a singular maximum has its own."""
+    """Return a sentence for every result whose estimated error is large; a maximum without a limit has its own."""
     estimate = solution.error_estimate
     sentences = [_uncertain("approach", estimate.approach), _uncertain("load", estimate.load)]
-    if not solution.peaks_at_corner and all(edge.converges for edge in solution.edge_pressure):
+    if not (solution.peaks_at_corner or any(edge.kind is EdgeKind.CUT_OFF for edge in solution.edge_pressure)):
         sentences.append(_uncertain("maximum pressure", estimate.max_pressure, LARGE_PRESSURE_ERROR))
     return [sentence for sentence in sentences if sentence]
 
@@ -109,35 +125,47 @@ def _next_to_contact(state: State, y: Array) -> Flags:
     return found
 
 
+_NO_LIMIT = (
+    "the value there is that of a strip {:.3g} mm wide, not a limit, and the maximum pressure is taken more than a "
+    "half-width from it"
+)
+
+
 def singularities(solution: Solution) -> tuple[str, ...]:
-    """Return a sentence for every sharp end that the contact reaches, and for a corner that bears the maximum."""
+    """Return a sentence for each end of the contact at which the pressure has no limit."""
+    sharp = {edge.y: edge for edge in solution.edge_pressure if edge.kind is EdgeKind.SINGULAR}
     sentences = []
-    for edge in solution.edge_pressure:
-        if edge.kind is EdgeKind.SINGULAR:
-            known = "" if edge.strength is None else f" with K = {edge.strength:.4g} MPa mm^{edge.exponent:.3g}"
+    for end in solution.singular_ends:
+        no_limit = _NO_LIMIT.format(step_at(solution, end))
+        if end.kind is EdgeKind.SINGULAR:
+            edge = sharp[end.y]
             sentences.append(
                 f"The contact reaches the sharp end at y = {edge.y:.6g} mm ({edge.convention}), where the pressure is "
-                f"singular, p ~ K / s^{edge.exponent:.3g} at small distances s{known}: the value there is that of a "
-                f"strip {edge.strip_width:.3g} mm wide, not a limit."
+                f"singular, {edge.law} at small distances s: {no_limit}."
             )
-        elif edge.kind is EdgeKind.CORNER:
+        else:
             sentences.append(
-                f"The contact ends at a corner of the profile at y = {edge.y:.6g} mm, where the pressure has no limit: "
-                f"the value there is that of a strip {edge.strip_width:.3g} mm wide; give the corner a radius."
+                f"The contact ends at a corner of the profile at y = {end.y:.6g} mm, where the pressure is singular: "
+                f"{no_limit}; give the corner a radius."
             )
-        elif edge.kind is EdgeKind.CUT_OFF:
-            sentences.append(
-                f"The strips end at y = {edge.y:.6g} mm while the contact goes on: the pressure there is that of "
-                "bodies cut off; give strips up to the end of the contact, or leave them out."
-            )
-    ends_at_corner = any(edge.kind is EdgeKind.CORNER for edge in solution.edge_pressure)
-    if solution.peaks_at_corner and not ends_at_corner:
-        width = float(solution.strip_width[solution.centre_pressure.argmax()])
+    return tuple(sentences)
+
+
+def _without_limit(solution: Solution) -> list[str]:
+    """Return a sentence for a contact that the strips cut off, and for a corner within it that bears the maximum."""
+    sentences = [
+        f"The strips end at y = {edge.y:.6g} mm while the contact goes on: the pressure there is that of bodies cut "
+        "off; give strips up to the end of the contact, or leave them out."
+        for edge in solution.edge_pressure
+        if edge.kind is EdgeKind.CUT_OFF
+    ]
+    if solution.peaks_at_corner:
+        width = float(solution.strip_width[np.abs(solution.y - solution.max_pressure_y).argmin()])
         sentences.append(
             f"The largest pressure is at a corner of the profile near y = {solution.max_pressure_y:.6g} mm, where it "
             f"is singular: it is that of a strip {width:.3g} mm wide, not a limit; give the corner a radius."
         )
-    return tuple(sentences)
+    return sentences
 
 
 def refuse_thin_bodies(solution: Solution, problem: Problem) -> None:

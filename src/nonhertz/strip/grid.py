@@ -24,6 +24,7 @@ from nonhertz.strip.resolution import SAMPLES, overlapping
 from nonhertz.strip.state import Problem, State, runs
 
 Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 
 # Tuned on Hertz contacts and on sharp ends over two decades of load; the figures behind them are in
 # docs/explain/grid.md.
@@ -80,14 +81,20 @@ def uniform(low: float, high: float, count: int) -> Array:
 
 def reaches(state: State, side: int) -> bool:
     """Return whether the contact is still open at the outer edge of the strips on that side."""
+    return bool(reaching(state.edges, state.m, side))
+
+
+def reaching(edges: Array, m: Array, side: int) -> Flags:
+    """Return the same of many contacts on the same strips, with their m in rows."""
     at = -1 if side > 0 else 0
-    if state.m[at] == 0.0:
-        return False
-    if state.m.size < 2:
-        return True
+    touching: Flags = m[..., at] > 0.0
+    if edges.size < 3:
+        return touching
     next_in = -2 if side > 0 else 1
-    fall = (state.m[next_in] - state.m[at]) / abs(state.y[next_in] - state.y[at])
-    return bool(state.m[at] - 0.5 * fall * state.width[at] > 0.0)
+    y, width = 0.5 * (edges[1:] + edges[:-1]), abs(edges[at] - edges[next_in])
+    fall = (m[..., next_in] - m[..., at]) / abs(y[next_in] - y[at])
+    open_there: Flags = touching & (m[..., at] - 0.5 * fall * width > 0.0)
+    return open_there
 
 
 def cut_off(state: State, interval: tuple[float, float]) -> tuple[bool, bool]:

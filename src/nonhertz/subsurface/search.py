@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.result.ends import ends_in_words, limitless_ends, outermost
+from nonhertz.result.ends import ends_in_words, outermost
 from nonhertz.result.protocol import Solved
+from nonhertz.result.solution import EdgeKind
 from nonhertz.subsurface.evaluation import Within, across_at, one_station, refuse_options, stress
 from nonhertz.subsurface.inside import Inside, checked_solution
 from nonhertz.subsurface.rolling import QUANTITIES, Passage, Quantity, passage
@@ -141,7 +142,7 @@ def _stretches(solution: Solved) -> list[tuple[float, float]]:
     A corner of the profile may have contact on either side.
     """
     stretches = [outermost(solution)]
-    for end in limitless_ends(solution):
+    for end in solution.singular_ends:
         inset = float(across_at(solution, np.array([end.y]))[1][0])
         cut = [
             part
@@ -259,7 +260,7 @@ def _first_of_equals(values: Array, y: Array) -> tuple[int, int]:
 
 def _warnings(solution: Solved) -> list[str]:
     sentences = []
-    ends = limitless_ends(solution)
+    ends = solution.singular_ends
     if ends:
         what = f"The stress has no limit towards {ends_in_words(ends)}:"
         searched = f"within a half-width of {'them' if len(ends) > 1 else 'it'}"
@@ -268,7 +269,7 @@ def _warnings(solution: Solved) -> list[str]:
             if _stretches(solution) != [outermost(solution)]
             else f"{what} all of the contact lies {searched}, and the values depend on the strips."
         )
-    if solution.peaks_at_corner and not any(end.at_corner for end in ends):
+    if solution.peaks_at_corner and not any(end.kind is EdgeKind.CORNER for end in ends):
         sentences.append(
             "The pressure is largest at a corner of the profile, where it has no limit: so is the stress right below, "
             "and its largest values depend on the strips."

@@ -6,7 +6,6 @@ import math
 
 from nonhertz.io.lives import BODIES, Assessment
 from nonhertz.life import RATED, Model, VolumeModel
-from nonhertz.result.ends import largest_away, singular_ends
 from nonhertz.result.numerals import digits
 from nonhertz.result.solution import Solution
 
@@ -108,8 +107,5 @@ def _integrand(model: Model) -> str:
 
 
 def _pressure(solution: Solution) -> str:
-    """Return the largest pressure, or that away from ends where it has no limit."""
-    if not singular_ends(solution):
-        return digits(solution.max_pressure)
-    strips = largest_away(solution)
-    return f"no limit, {digits(float(solution.centre_pressure[strips[0]]))} away" if strips else "no limit"
+    """Return the largest pressure, and whether there are ends where it has no limit."""
+    return digits(solution.max_pressure) + (", away from singular ends" if solution.singular_ends else "")

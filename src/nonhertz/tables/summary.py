@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
-from nonhertz.result.ends import at_corner, largest_away, singular_ends
+from nonhertz.result.brief import where_largest
 from nonhertz.result.numerals import digits
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
@@ -39,35 +37,20 @@ def _row(name: str, solution: Solution, remark: str = "") -> tuple[str, str, str
 
 
 def _pressure_rows(solution: Solution) -> list[tuple[str, str, str]]:
-    """Return the maximum pressure and where it is, or at which singular ends it has no limit."""
-    singular = singular_ends(solution)
-    if not singular:
-        return _largest("maximum pressure", solution, _error(solution.error_estimate.max_pressure))
-    highest = max(singular, key=lambda edge: edge.pressure)
-    places = " and ".join(f"{edge.y:.5g}" for edge in singular)
-    return [
-        ("maximum pressure", "no limit", f"singular at y = {places} mm"),
-        ("", "", f"p ~ K / s^{highest.exponent:.3g}, {_strength(highest)}"),
-        *_largest("away from the ends", solution, ""),
-    ]
-
-
-def _largest(name: str, solution: Solution, remark: str) -> list[tuple[str, str, str]]:
-    """Return the largest pressure away from singular ends and where it is."""
-    strips = largest_away(solution)
-    if not strips:
+    """Return the maximum pressure and where it is."""
+    if not solution.contact_y:
         return []
-    at = strips[0]
-    edge = solution.edge_pressure[0 if solution.y[at] < np.mean(solution.edges[[0, -1]]) else 1]
-    if at_corner(solution, at):
+    remark = _error(solution.error_estimate.max_pressure)
+    if solution.peaks_at_corner:
         remark = "no limit, at a corner of the profile"
-    elif edge.kind is EdgeKind.CUT_OFF and at in {0, solution.strips - 1}:
+    elif any(edge.kind is EdgeKind.CUT_OFF and _at(edge, solution) for edge in solution.edge_pressure):
         remark = "cut off by the strips"
-    places = " and ".join(digits(y) for y in solution.y[list(strips)].tolist())
-    return [
-        (name, f"{digits(float(solution.centre_pressure[at]))} MPa", remark),
-        ("", f"at y = {places} mm", ""),
-    ]
+    where, _, away = where_largest(solution).partition(", ")
+    return [_row("max_pressure", solution, remark), ("", where, away)]
+
+
+def _at(edge: EdgePressure, solution: Solution) -> bool:
+    return abs(edge.y - solution.max_pressure_y) <= edge.strip_width
 
 
 def _convention(edge: EdgePressure) -> tuple[str, str]:
@@ -77,15 +60,11 @@ def _convention(edge: EdgePressure) -> tuple[str, str]:
         case EdgeKind.FINITE:
             return f"{digits(edge.pressure)} MPa", "finite; the true end is lower"
         case EdgeKind.SINGULAR:
-            return "singular", f"{_strength(edge)}, s^-{edge.exponent:.3g}"
+            return "singular", edge.law
         case EdgeKind.CORNER:
             return "no limit", "at a corner of the profile"
         case EdgeKind.CUT_OFF:
             return f"{digits(edge.pressure)} MPa", "cut off by the strips"
-
-
-def _strength(edge: EdgePressure) -> str:
-    return "K unknown" if edge.strength is None else f"K = {edge.strength:.4g} MPa mm^{edge.exponent:.3g}"
 
 
 def _error(relative: float) -> str:

@@ -14,12 +14,11 @@ from nonhertz.io.casefile import Case
 from nonhertz.io.document import BodyTable
 from nonhertz.io.results import plain
 from nonhertz.model.body import Body
-from nonhertz.plot.axial import regular
 from nonhertz.plot.contact_area import outlines
 from nonhertz.plot.surfaces import distances, drawn_range
-from nonhertz.result.ends import singular_ends
+from nonhertz.result.brief import where_largest
 from nonhertz.result.quantities import QUANTITIES
-from nonhertz.result.solution import Solution
+from nonhertz.result.solution import EdgeKind, Solution
 from nonhertz.tables.summary import summary_rows
 from nonhertz.web.replies import numbers
 
@@ -57,20 +56,17 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "interval": plain(case.contact.interval),
         "contact": plain(solution.contact_y),
         "singular": [
-            {"y": edge.y, "exponent": edge.exponent, "strength": plain(edge.strength)}
-            for edge in singular_ends(solution)
+            {"y": edge.y, "exponent": edge.exponent, "strength": plain(edge.strength), "corner": not edge.law}
+            for edge in solution.edge_pressure
+            if edge.kind in {EdgeKind.SINGULAR, EdgeKind.CORNER}
         ],
-        "scale": {
-            "pressure": plain(solution.centre_pressure[regular(solution)].max(initial=0.0)),
-            "half_width": plain(solution.max_half_width),
-        },
     }
 
 
 def _key_numbers(solution: Solution) -> dict[str, Any]:
     """Return the numbers that cases are compared by, with all their digits."""
     return {name: plain(quantity.get(solution)) for name, quantity in QUANTITIES.items()} | {
-        "has_limit": not singular_ends(solution),
+        "largest": where_largest(solution, 3),
         "strips": solution.strips,
         "ends": [
             {

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.result.ends import away_from_ends
 from nonhertz.result.numerals import digits
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Field, axial_plane, cross_section
@@ -54,17 +53,10 @@ def stress_answer(solution: Solution, body: str) -> dict[str, Any]:
     try:
         with ThreadPoolExecutor(1) as beside:
             axial = beside.submit(_axial, solution, body)
-            section, largest = _section(solution, _station(solution), body)
+            section, largest = _section(solution, solution.max_pressure_y, body)
             return {"section": section, "axial": axial.result(), "stress": largest}
     except (InputError, ArithmeticError):
         return {"stress_note": _NO_NUMBERS}
-
-
-def _station(solution: Solution) -> float:
-    """Return where the pressure is largest [mm], away from sharp ends if there is such a place."""
-    away = away_from_ends(solution)
-    counted = np.where(away if away.any() else solution.line_load > 0.0, solution.centre_pressure, 0.0)
-    return float(solution.y[counted.argmax()])
 
 
 def _axial(solution: Solution, body: str) -> dict[str, Any]:

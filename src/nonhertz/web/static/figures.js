@@ -69,14 +69,14 @@ function drawPressure(answer, pinned, span) {
   const { y, values: pressure } = along(answer, "pressure");
   const before = pinned && along(pinned, "pressure");
   const host = figure("pressure");
-  const cut = answer.key.has_limit ? undefined : BEYOND * answer.scale.pressure;
+  const cut = answer.singular.length ? BEYOND * answer.key.max_pressure : undefined;
   const top = cut ? /** @type {[number, number]} */ ([0, cut]) : fromZero([pressure, before?.values ?? []], 1.18);
   const clamped = (values) => values.map((value) => (value === null ? null : Math.min(value, 2 * top[1])));
   head(
     host,
     "Pressure on the centre line",
     [["first", "p₀"], ...pinnedKey(pinned)],
-    cut ? "axis cut: no limit at a sharp end" : "",
+    cut ? "axis cut: no limit at an end" : "",
   );
   draw(
     host,
@@ -92,7 +92,7 @@ function drawPressure(answer, pinned, span) {
         ...pinnedLine(before?.y, before && clamped(before.values)),
         line(y, clamped(pressure), { stroke: FIRST, clip: true }),
         ...largestMark(answer, top[1]),
-        ...sharpMarks(answer, top[1], span),
+        ...singularMarks(answer, top[1], span),
         ...reading(y, clamped(pressure), (place) => `y  ${digits(y[place])} mm\np₀ ${digits(pressure[place])} MPa`),
       ],
     },
@@ -101,7 +101,6 @@ function drawPressure(answer, pinned, span) {
 }
 
 function largestMark(answer, top) {
-  if (!answer.key.has_limit) return [];
   const place = [[answer.key.max_pressure_y, answer.key.max_pressure]];
   return [
     Plot.dot(place, { r: 3, fill: FIRST }),
@@ -116,10 +115,9 @@ function largestMark(answer, top) {
   ];
 }
 
-function sharpMarks(answer, top, span) {
-  const sharp = answer.singular;
+function singularMarks(answer, top, span) {
   const middle = (span[0] + span[1]) / 2;
-  return sharp.map((end) =>
+  return answer.singular.map((end) =>
     Plot.text([end], {
       x: "y",
       y: () => top,
@@ -128,7 +126,7 @@ function sharpMarks(answer, top, span) {
       textAnchor: end.y < middle ? "start" : "end",
       text: () =>
         [
-          `no limit, as 1/s^${digits(end.exponent, 2)}`,
+          end.corner ? "no limit at a corner" : `no limit, as 1/s^${digits(end.exponent, 2)}`,
           ...(end.strength === null ? [] : [`K = ${digits(end.strength)} MPa mm^${digits(end.exponent, 2)}`]),
         ].join("\n"),
       fill: INK,
@@ -165,8 +163,5 @@ function drawHalfWidth(answer, pinned, span) {
 
 function pressureWords(answer) {
   const { key } = answer;
-  const largest = key.has_limit
-    ? `largest ${digits(key.max_pressure)} MPa at y = ${digits(key.max_pressure_y)} mm`
-    : "no limit at a sharp end";
-  return `Pressure on the centre line along y: ${largest}.`;
+  return `Pressure on the centre line along y: largest ${digits(key.max_pressure)} MPa ${key.largest}.`;
 }

@@ -64,7 +64,7 @@ export function proportions(stretch, [upright, level] = ["x", "y"]) {
 function gradient(answer) {
   const { y, pressure } = answer.footprint;
   const [low, high] = extent(y);
-  const top = answer.scale.pressure || 1;
+  const top = answer.key.max_pressure || 1;
   const definitions = d3.create("svg:defs");
   const stops = definitions.append("linearGradient").attr("id", "along");
   for (const [place, value] of y.entries()) {

@@ -17,7 +17,13 @@ let speaking = 0;
 export function keyNumbers(answer, stress) {
   const { key } = answer;
   return [
-    pressureNumber(answer),
+    {
+      name: "Largest pressure",
+      value: digits(key.max_pressure),
+      unit: "MPa",
+      where: key.largest,
+      number: key.max_pressure,
+    },
     {
       name: "Approach",
       value: digits(1e3 * key.approach),
@@ -49,27 +55,6 @@ function moment({ key, line }) {
   return Math.abs(key.moment) < 1e-9 * Math.abs(key.load) * reach ? 0 : key.moment;
 }
 
-function pressureNumber({ key, singular }) {
-  const name = "Largest pressure";
-  if (key.has_limit) {
-    return {
-      name,
-      value: digits(key.max_pressure),
-      unit: "MPa",
-      where: `at y = ${digits(key.max_pressure_y, 3)} mm`,
-      number: key.max_pressure,
-    };
-  }
-  const strongest = singular.reduce(
-    (best, end) => ((end.strength ?? 0) > (best?.strength ?? 0) ? end : best),
-    singular[0],
-  );
-  const strength = strongest?.strength
-    ? `K = ${digits(strongest.strength)} MPa mm^${digits(strongest.exponent, 2)} at y = ${digits(strongest.y, 3)} mm`
-    : "sharp end";
-  return { name, value: "no limit", unit: "", where: strength, number: strongest?.strength ?? null };
-}
-
 /**
  * Write the key numbers, beside those of the pinned case.
  * @param {KeyNumber[]} numbers
@@ -93,10 +78,9 @@ export function writeKeyNumbers(numbers, pinned) {
 }
 
 function pinnedNumber(each, before) {
-  const comparable = (each.value === "no limit") === (before.value === "no limit");
   return element("span", { class: "pinned-number" }, [
     `pinned ${before.value} ${before.unit} `,
-    element("b", {}, [comparable ? difference(each.number, before.number) : ""]),
+    element("b", {}, [difference(each.number, before.number)]),
   ]);
 }
 
@@ -120,9 +104,7 @@ export function writeWords(answer) {
 }
 
 function spoken({ key, warnings }) {
-  const pressure = key.has_limit
-    ? `largest pressure ${digits(key.max_pressure)} MPa`
-    : "pressure without a limit at a sharp end";
+  const pressure = `largest pressure ${digits(key.max_pressure)} MPa`;
   const warned = warnings.length ? `, ${warnings.length} warning${warnings.length > 1 ? "s" : ""}` : "";
   return `${pressure}, approach ${digits(1e3 * key.approach)} micrometres, half-width ${digits(key.max_half_width)} mm${warned}`;
 }

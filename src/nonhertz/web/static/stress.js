@@ -20,7 +20,7 @@ const HEIGHT = 270; // pixels of the planes
  */
 export function drawStress(answer, unit, fine) {
   if (!answer.axial || !answer.section || !answer.stress) return;
-  const scale = unit === "p0" ? 1 / (answer.scale.pressure || 1) : 1;
+  const scale = unit === "p0" ? 1 / (answer.key.max_pressure || 1) : 1;
   const label = unit === "p0" ? "von Mises stress / largest p₀" : "von Mises stress [MPa]";
   // One scale for both, up to the largest stress that has a limit.
   const top = scale * Math.max(largestAlong(answer).value, answer.stress.von_mises.value) || 1;
@@ -62,8 +62,8 @@ function drawAcross(answer, { label, scale, top, net }) {
  * The largest stress on the net along the contact, more than a half-width away from ends where it has no limit.
  * @param {any} answer an Answer with stresses
  */
-function largestAlong({ axial, singular, scale }) {
-  const counted = (column) => singular.every((end) => Math.abs(axial.y[column] - end.y) > scale.half_width);
+function largestAlong({ axial, singular, key }) {
+  const counted = (column) => singular.every((end) => Math.abs(axial.y[column] - end.y) > key.max_half_width);
   const { value, row, column } = largestOf(axial.von_mises, counted);
   return { value, x: 0, y: axial.y[column], z: axial.z[row] };
 }
@@ -79,7 +79,7 @@ function largestOf(values, counted) {
 }
 
 function away(answer) {
-  return answer.singular.length ? ", away from sharp ends" : "";
+  return answer.singular.length ? ", away from singular ends" : "";
 }
 
 function last(values) {

@@ -1,12 +1,12 @@
 // What the program answers, for editors and for the type checker; nothing is run here.
 
 /**
- * @typedef {{y: number, strength: number | null, exponent: number}} Sharp
+ * @typedef {{y: number, strength: number | null, exponent: number, corner: boolean}} Singular
  * @typedef {{path: string, sentence: string}} Mistake
  * @typedef {{y: number[], relief_um: (number | null)[]}} Relief
  * @typedef {{a?: Relief, b?: Relief}} Profiles
  * @typedef {{
- *   max_pressure: number, max_pressure_y: number, has_limit: boolean,
+ *   max_pressure: number, max_pressure_y: number, largest: string,
  *   approach: number, load: number, tilt: number, moment: number, max_half_width: number, strips: number,
  * }} Key
  * @typedef {{
@@ -15,7 +15,7 @@
  *   line: {y: number[], pressure: (number | null)[], half_width: (number | null)[], line_load: (number | null)[]},
  *   footprint: {y: (number | null)[], half_width: (number | null)[], pressure: (number | null)[]},
  *   gap: {y: number[], before: (number | null)[], after: (number | null)[], range: [number, number] | null},
- *   contact: [number, number][], singular: Sharp[], scale: {pressure: number, half_width: number},
+ *   contact: [number, number][], singular: Singular[],
  *   stress_note?: string,
  *   body?: "a" | "b",
  *   axial?: {y: number[], z: number[], von_mises: (number | null)[][]},

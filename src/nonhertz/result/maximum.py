@@ -1,0 +1,130 @@
+"""The largest pressure that refinement does not change.
+
+Towards a sharp end, a corner of the profile at which a contact ends, or the end of strips that a contact goes on
+beyond, the pressure of strips and cells grows with every refinement. What counts there is what lies more than a
+half-width from such an end; nearer to it the true pressure is no semi-ellipse across either. Mostly the largest of that
+is at the border itself, which need not be in the middle of a strip: it is interpolated there, along the power of the
+distance that the neighbours are on.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from nonhertz.result.protocol import Solved
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+SAME = 1e-6  # of the largest, by which it may differ from another that is as large
+
+
+def distance_beyond(y: Array, half_width: Array, ends: Array) -> Array:
+    """Return how much farther than a half-width places are from the nearest of the ends, infinite where none is.
+
+    Parameters
+    ----------
+    y : ndarray, shape (n,)
+        Places [mm].
+    half_width : ndarray, shape (..., n)
+        Half-widths there [mm].
+    ends : ndarray, shape (..., k)
+        Where the pressure has no limit [mm]; nan for no end.
+
+    Returns
+    -------
+    ndarray, shape (..., n)
+        Distances [mm], negative within a half-width of an end.
+    """
+    return _nearest(y, ends) - half_width
+
+
+def largest_pressure(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[Array, Array]:
+    """Return the largest pressures of many contacts that lie more than a half-width from their ends, and where.
+
+    In a contact so short that nothing does, it is the pressure where the nearest end is farthest, in half-widths.
+
+    Parameters
+    ----------
+    y : ndarray, shape (n,)
+        Centres of strips or rows of cells [mm], ascending.
+    pressure, half_width : ndarray, shape (..., n)
+        Of each [MPa, mm], zero out of contact.
+    ends : ndarray, shape (..., k)
+        Where the pressure has no limit [mm]; nan for no end.
+
+    Returns
+    -------
+    tuple of ndarray, shape (...)
+        Pressures, and places [mm].
+    """
+    places, found = counted(y, pressure, half_width, ends)
+    at = found.argmax(axis=-1)[..., None]
+    return np.take_along_axis(found, at, -1)[..., 0], np.take_along_axis(places, at, -1)[..., 0]
+
+
+def counted(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[Array, Array]:
+    """Return all places that `largest_pressure` looks at, and the pressures there, zero where they do not count."""
+    nearest = _nearest(y, ends)
+    beyond = nearest - half_width
+    values = np.where(beyond > 0.0, pressure, 0.0)
+    places = np.broadcast_to(y, values.shape)
+    crossing = (beyond[..., 1:] > 0.0) != (beyond[..., :-1] > 0.0)
+    crossing &= (pressure[..., 1:] > 0.0) & (pressure[..., :-1] > 0.0)
+    if np.any(crossing):
+        inner, outer = (..., slice(None, -1)), (..., slice(1, None))
+        one, two = ((array[inner][crossing], array[outer][crossing]) for array in (beyond, nearest))
+        share = one[0] / (one[0] - one[1])
+        distance = two[0] + share * (two[1] - two[0])
+        with np.errstate(divide="ignore", invalid="ignore"):  # an end in the very middle of a strip
+            power = np.log(distance / two[0]) / np.log(two[1] / two[0])
+        power = np.where(np.isfinite(power), power, share)
+        before, after = pressure[inner][crossing], pressure[outer][crossing]
+        borders, at = np.zeros(crossing.shape), np.zeros(crossing.shape)
+        borders[crossing] = before ** (1.0 - power) * after**power
+        at[crossing] = (places[inner] + _filled(crossing, share) * np.diff(y))[crossing]
+        values, places = np.concatenate([values, borders], axis=-1), np.concatenate([places, at], axis=-1)
+    short = (values.max(axis=-1) == 0.0) & (pressure.max(axis=-1) > 0.0)
+    if np.any(short):
+        of_width = np.where(pressure > 0.0, nearest / np.where(half_width > 0.0, half_width, 1.0), -1.0)
+        farthest = np.arange(y.size) == of_width.argmax(axis=-1)[..., None]
+        values[..., : y.size] = np.where(short[..., None] & farthest, pressure, values[..., : y.size])
+    return places, values
+
+
+def places_of_largest(solution: Solved) -> tuple[float, ...]:
+    """Return where the largest pressure that counts is [mm], ascending: both places of a mirrored pair, else one."""
+    if not solution.contact_y:
+        return ()
+    places, values = counted(solution.y, solution.largest_across, solution.half_width, singular_y(solution))
+    places, values = places[values > 0.0], values[values > 0.0]
+    order = np.argsort(places)
+    equal = np.flatnonzero(values[order] >= (1.0 - SAME) * values.max())
+    # Two neighbours are one flat crest, and many are no marked place at all.
+    if equal.size == 2 and equal[1] - equal[0] > 1:
+        return tuple(places[order][equal].tolist())
+    return (solution.max_pressure_y,)
+
+
+def singular_y(solution: Solved) -> Array:
+    """Return where the ends are at which the pressure has no limit [mm]."""
+    return np.array([end.y for end in solution.singular_ends])
+
+
+def _nearest(y: Array, ends: Array) -> Array:
+    """Return how far places are from the nearest end, infinite where there is none."""
+    if ends.shape[-1] == 0:
+        return np.full((*ends.shape[:-1], y.size), np.inf)
+    distance = np.abs(y[:, None] - ends[..., None, :])
+    nearest: Array = np.where(np.isnan(distance), np.inf, distance).min(axis=-1)
+    return nearest
+
+
+def _filled(flags: Flags, values: Array) -> Array:
+    filled = np.zeros(flags.shape)
+    filled[flags] = values
+    return filled
