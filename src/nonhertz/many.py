@@ -7,12 +7,15 @@ is that of `nonhertz.solve`, on equal strips to the tolerance of the equations a
 
 from __future__ import annotations
 
+import contextlib
 import copy
+import math
 import warnings
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,6 +25,7 @@ from nonhertz.model.checks import listed, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
 from nonhertz.result.brief import plain_text, shortened
+from nonhertz.result.data import dataframe, dataset
 from nonhertz.result.end_pressure import singular_places
 from nonhertz.result.maximum import largest_pressure
 from nonhertz.result.numerals import digits
@@ -35,6 +39,10 @@ from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 from nonhertz.strip.levels import Levels, equal_grids, given_grids
 from nonhertz.strip.state import Problem
 
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
 Array = NDArray[np.float64]
 Strips = int | str | ArrayLike | None
 Number = int | tuple[int, ...]
@@ -43,7 +51,9 @@ Number = int | tuple[int, ...]
 # number of threads.
 CASES_AT_ONCE, CASES_APART = 64, 4
 _PRESCRIBED = ("approach", "load", "tilt", "moment")
-_COLUMNS = ("approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y")
+_COLUMNS = (
+    "approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y", "max_half_width", "contact_length",
+)  # fmt: skip
 
 
 def solve_many(
@@ -141,6 +151,8 @@ class Solutions:
         As in `Solution` [mm, rad, N, N mm].
     max_pressure, max_pressure_y : ndarray, shape (...)
         The largest pressure more than a half-width from ends where it has no limit [MPa], and where it is [mm].
+    max_half_width, contact_length : ndarray, shape (...)
+        As in `Solution` [mm].
     singular : ndarray of bool, shape (...)
         Which contacts have such ends.
     stiffness : ndarray, shape (..., 2, 2)
@@ -175,6 +187,8 @@ class Solutions:
     moment: Array
     max_pressure: Array
     max_pressure_y: Array
+    max_half_width: Array
+    contact_length: Array
 
     def __repr__(self) -> str:
         solved = int(np.count_nonzero(self.converged))
@@ -192,6 +206,52 @@ class Solutions:
     def converged(self) -> NDArray[np.bool_]:
         """Which cases have a solution."""
         return np.isfinite(self.approach)
+
+    def column(self, name: str) -> Array:
+        """Return any quantity of `nonhertz.result.quantities.QUANTITIES` of all cases, nan where one has no solution.
+
+        Parameters
+        ----------
+        name : str
+            Such as ``"approach"`` or ``"load_by_approach"``, in the units of Python.
+
+        Raises
+        ------
+        InputError
+            If there is no such quantity.
+        """
+        if name not in QUANTITIES:
+            raise InputError("name", name, f"be one of {', '.join(QUANTITIES)}", "choose one of them")
+        get, at_once = QUANTITIES[name].get, None
+        with contextlib.suppress(AttributeError):  # which a quantity has that is made of whole solutions
+            at_once = np.asarray(get(self))
+        if at_once is not None and at_once.shape == self.shape:
+            return at_once
+        cases = zip(range(len(self)), self.converged.ravel().tolist(), strict=True)
+        found = [get(self._solution(number)) if converged else math.nan for number, converged in cases]
+        return np.array(found).reshape(self.shape)
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Return a pandas DataFrame: a row for each case, a column for each quantity, units in ``attrs["units"]``.
+
+        Beside the quantities there are ``singular`` and ``converged``. Of several axes the index has a level each.
+
+        Raises
+        ------
+        ImportError
+            If pandas is not installed.
+        """
+        return dataframe(self)
+
+    def to_xarray(self) -> xr.Dataset:
+        """Return an xarray Dataset: a variable for each quantity, with units, a dimension for each axis.
+
+        Raises
+        ------
+        ImportError
+            If xarray is not installed.
+        """
+        return dataset(self)
 
     def __len__(self) -> int:
         return len(self._place)
@@ -271,8 +331,12 @@ class _Block:
         line_load = states.r * states.m / compliance
         return (
             states.rigid[:, 0], states.rigid[:, 1], line_load @ width, line_load @ (width * y),
-            *self.largest,
+            *self.largest, self.problem.element.hertz_ratio * np.sqrt(states.m.max(axis=1)), self._contact_lengths(),
         )  # fmt: skip
+
+    def _contact_lengths(self) -> Array:
+        intervals = (self.finest.one(row).contact for row in range(len(self.numbers)))
+        return np.array([math.fsum(high - low for low, high in each) for each in intervals])
 
     @cached_property
     def largest(self) -> tuple[Array, Array]:

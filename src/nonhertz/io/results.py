@@ -60,7 +60,7 @@ def as_object(solution: Solution, title: str) -> dict[str, Any]:
         "error_estimate": {name: plain(value) for name, value in vars(solution.error_estimate).items()},
         "warnings": list(solution.warnings),
         "units": UNITS,
-        **{name: plain(getattr(solution, name)) for name in ALONG},
+        **{name: plain(column) for name, column in solution.table().items()},
     }
 
 
@@ -107,8 +107,7 @@ def as_table(solution: Solution) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(f"{name} [{unit}]" for name, unit in ALONG.items())
-    columns = (getattr(solution, name).tolist() for name in ALONG)
-    writer.writerows(zip(*columns, strict=True))
+    writer.writerows(zip(*(column.tolist() for column in solution.table().values()), strict=True))
     return text.getvalue()
 
 

@@ -94,8 +94,8 @@ def _slope(row: int, column: int, name: str, unit: str, scale: Callable[[Any], f
     """Return an entry of the stiffness."""
     force, _, motion = name.partition("_by_")
 
-    def get(solution: Solution) -> float:
-        return float(solution.stiffness[row, column])
+    def get(solution: Any) -> Any:  # of many solutions too, all at once
+        return solution.stiffness[..., row, column]
 
     return Quantity(name, f"d {force} / d {motion}", "", unit, get, unit, scale=scale)
 

@@ -17,6 +17,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.result import brief
 from nonhertz.result.maximum import largest_pressure, singular_y
 from nonhertz.result.numerals import digits
+from nonhertz.result.quantities import ALONG
 from nonhertz.strip.element import Element
 
 if TYPE_CHECKING:
@@ -357,6 +358,43 @@ class Solution(ContactResult):
     def shape(self) -> Element:
         """Shape of the pressure across: the element."""
         return self.element
+
+    def pressure(self, x: ArrayLike, y: ArrayLike) -> Array:
+        """Return the pressure anywhere on the surface [MPa].
+
+        Across it is the semi-ellipse of ``centre_pressure`` and ``half_width``. Between the centres of strips the
+        squares of both are linear in y, and fall to zero where the contact runs out; up to any other end they stay.
+
+        Parameters
+        ----------
+        x, y : array_like
+            Places [mm]; they broadcast.
+
+        Returns
+        -------
+        ndarray
+            Zero out of contact; exact at the centres of strips, and in a strip at a singular end no limit of anything.
+        """
+        remedy = "give places in mm"
+        across, along = np.broadcast_arrays(numbers("x", x, remedy), numbers("y", y, remedy))
+        highest, widest = np.zeros(along.shape), np.zeros(along.shape)
+        runs_out = [edge.kind is EdgeKind.RUN_OUT for edge in self.edge_pressure]
+        for number, (low, high) in enumerate(self.contact_y):
+            strips = (self.y > low) & (self.y < high)
+            before = [low] if number > 0 or runs_out[0] else []
+            after = [high] if number + 1 < len(self.contact_y) or runs_out[1] else []
+            places = np.concatenate([before, self.y[strips], after])
+            within = (along >= low) & (along <= high)
+            for into, values in ((highest, self.centre_pressure), (widest, self.half_width)):
+                squares = np.concatenate([[0.0] * len(before), values[strips] ** 2, [0.0] * len(after)])
+                into[within] = np.sqrt(np.interp(along[within], places, squares))
+        share = np.divide(across, widest, out=np.ones(along.shape), where=widest > 0.0)
+        pressure: Array = highest * np.sqrt(np.maximum(1.0 - share**2, 0.0))
+        return pressure
+
+    def table(self) -> dict[str, Array]:
+        """Return the numbers along the contact by their names, an array each: what ``table.csv`` has."""
+        return {name: getattr(self, name) for name in ALONG}
 
     @property
     def interference(self) -> Array:

@@ -1,0 +1,58 @@
+"""Solutions as tables of other libraries: pandas for a row a case, xarray for a dimension an axis of the map."""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+from nonhertz.result.quantities import QUANTITIES
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+    from nonhertz.many import Solutions
+
+
+def dataframe(solutions: Solutions) -> pd.DataFrame:
+    """Return a row for each case; see `nonhertz.Solutions.to_dataframe`."""
+    pandas, names = _library("pandas", "to_dataframe"), _axes(solutions)
+    index = pandas.MultiIndex.from_product([range(length) for length in solutions.shape], names=names)
+    if len(names) == 1:
+        index = index.get_level_values(0)
+    frame = pandas.DataFrame({name: column.ravel() for name, column in _columns(solutions).items()}, index=index)
+    frame.attrs["units"] = {name: quantity.unit for name, quantity in QUANTITIES.items()}
+    return frame
+
+
+def dataset(solutions: Solutions) -> xr.Dataset:
+    """Return a variable for each quantity; see `nonhertz.Solutions.to_xarray`."""
+    xarray, names = _library("xarray", "to_xarray"), _axes(solutions)
+    found: xr.Dataset = xarray.Dataset(
+        {name: (names, column, _attributes(name)) for name, column in _columns(solutions).items()},
+        coords={name: range(length) for name, length in zip(names, solutions.shape, strict=True)},
+    )
+    return found
+
+
+def _axes(solutions: Solutions) -> list[str]:
+    several = len(solutions.shape) > 1
+    return [f"axis_{number}" for number in range(len(solutions.shape))] if several else ["case"]
+
+
+def _columns(solutions: Solutions) -> dict[str, Any]:
+    """Return all quantities by their names, and which cases have a solution and singular ends."""
+    found = {name: solutions.column(name) for name in QUANTITIES}
+    return {**found, "singular": solutions.singular, "converged": solutions.converged}
+
+
+def _attributes(name: str) -> dict[str, str]:
+    quantity = QUANTITIES.get(name)
+    return {} if quantity is None else {"units": quantity.unit, "long_name": quantity.label}
+
+
+def _library(name: str, asked: str) -> Any:
+    try:
+        return importlib.import_module(name)
+    except ImportError as error:
+        raise ImportError(f"{asked} needs {name}: install it, or nonhertz with the extra 'data'.") from error

@@ -1,0 +1,136 @@
+"""Solutions as tables: of one contact along y, of many as pandas and xarray have them."""
+
+import importlib
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.result.quantities import ALONG, QUANTITIES, Quantity
+
+CROWNED = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000)), nh.Plate())
+
+
+@pytest.fixture(scope="module")
+def sweep():
+    return nh.solve_many(CROWNED, load=[2e3, 3e3, 5e3], tilt=1e-4, strips=61)
+
+
+@pytest.fixture(scope="module")
+def chart():
+    return nh.solve_many(CROWNED, load=np.array([2e3, 3e3])[:, None], tilt=[0.0, 1e-4, 2e-4], strips=61)
+
+
+@pytest.mark.parametrize("name", QUANTITIES)
+def test_a_column_is_what_the_solutions_say(chart, name):
+    column = chart.column(name)
+    assert column.shape == (2, 3)
+    for at in np.ndindex(2, 3):
+        assert column[at] == pytest.approx(QUANTITIES[name].get(chart[at]), rel=1e-12, abs=1e-9)
+
+
+def test_a_quantity_that_is_made_of_whole_solutions_is_a_column_too(sweep, monkeypatch):
+    strips = Quantity("strips_in_contact", "", "", "", lambda one: float(np.count_nonzero(one.line_load)), "")
+    monkeypatch.setitem(QUANTITIES, "strips_in_contact", strips)
+    assert sweep.column("strips_in_contact").tolist() == [np.count_nonzero(one.line_load) for one in sweep]
+    assert "strips_in_contact" in sweep.to_dataframe()
+
+
+def test_no_other_column_is_known(sweep):
+    with pytest.raises(nh.InputError, match="name = 'aproach' must be one of approach, tilt"):
+        sweep.column("aproach")
+
+
+def test_a_sweep_is_a_row_a_case(sweep):
+    frame = sweep.to_dataframe()
+    assert frame.index.name == "case"
+    assert list(frame.columns) == [*QUANTITIES, "singular", "converged"]
+    np.testing.assert_array_equal(frame["max_pressure"], sweep.max_pressure)
+    assert frame.attrs["units"]["approach"] == "mm"
+    assert frame["load"].iloc[-1] == pytest.approx(5e3)
+
+
+def test_a_map_has_a_level_and_a_dimension_an_axis(chart):
+    frame, found = chart.to_dataframe(), chart.to_xarray()
+    assert frame.index.names == ["axis_0", "axis_1"]
+    assert frame.loc[(1, 2), "moment"] == chart.moment[1, 2]
+    assert dict(found.sizes) == {"axis_0": 2, "axis_1": 3}
+    assert float(found["moment"].sel(axis_0=1, axis_1=2)) == chart.moment[1, 2]
+    assert found["approach"].attrs == {"units": "mm", "long_name": "approach"}
+
+
+def test_cases_without_a_solution_have_no_numbers():
+    many = nh.solve_many(CROWNED, approach=[0.01, -0.5], strips=81)
+    frame = many.to_dataframe()
+    assert frame["converged"].tolist() == [True, False]
+    assert np.isnan(frame.loc[1, "contact_length"])
+
+
+@pytest.mark.parametrize(("library", "verb"), [("pandas", "to_dataframe"), ("xarray", "to_xarray")])
+def test_a_library_that_is_missing_is_named(sweep, monkeypatch, library, verb):
+    def missing(name, *_):
+        raise ImportError(name)
+
+    monkeypatch.setattr(importlib, "import_module", missing)
+    with pytest.raises(ImportError, match=f"{verb} needs {library}: install it, or nonhertz with the extra 'data'"):
+        getattr(sweep, verb)()
+
+
+def test_a_table_is_the_arrays_along_the_contact(sweep):
+    table = sweep[0].table()
+    assert list(table) == list(ALONG)
+    np.testing.assert_array_equal(table["half_width"], sweep[0].half_width)
+
+
+# Pressure anywhere
+
+
+SHAPES = {
+    "runs out": (nh.profile.crown(1000), {"load": 3e3, "tilt": 2e-4}),
+    "sharp ends": (nh.profile.straight(), {"load": 20e3}),
+    "two intervals": (nh.profile.crown(-40000), {"load": 200.0}),
+}
+
+
+@pytest.fixture(params=SHAPES)
+def solution(request):
+    profile, given = SHAPES[request.param]
+    return nh.solve(nh.Contact(nh.Roller(diameter=20, length=20, profile=profile), nh.Ring(diameter=80)), **given)
+
+
+def test_the_pressure_at_the_centres_is_that_of_the_strips(solution):
+    np.testing.assert_allclose(solution.pressure(0.0, solution.y), solution.centre_pressure, rtol=1e-12, atol=1e-9)
+    half = solution.pressure(0.6 * solution.half_width, solution.y)
+    np.testing.assert_allclose(half, 0.8 * solution.centre_pressure, rtol=1e-9, atol=1e-9)
+
+
+def test_the_pressure_over_the_surface_is_the_load(solution):
+    x = solution.max_half_width * np.sin(np.linspace(-0.5 * np.pi, 0.5 * np.pi, 401))
+    y = np.unique(np.concatenate([solution.edges, solution.y, np.ravel(solution.contact_y)]))
+    y = np.interp(np.arange(10 * y.size - 9) / 10.0, np.arange(y.size), y)
+    total = np.trapezoid(np.trapezoid(solution.pressure(x[:, None], y), x, axis=0), y)
+    assert total == pytest.approx(solution.load, rel=3e-3)
+
+
+def test_off_contact_there_is_no_pressure(solution):
+    (low, _), (_, high) = solution.contact_y[0], solution.contact_y[-1]
+    assert solution.pressure(0.0, [low - 0.1, high + 0.1]).tolist() == [0.0, 0.0]
+    assert solution.pressure(1.01 * solution.max_half_width, solution.y).max() == 0.0
+    if len(solution.contact_y) == 2:
+        assert solution.pressure(0.0, 0.0) == 0.0
+
+
+def test_the_pressure_falls_to_where_the_contact_runs_out():
+    profile, given = SHAPES["runs out"]
+    found = nh.solve(nh.Contact(nh.Roller(diameter=20, length=20, profile=profile), nh.Plate()), **given)
+    end = found.contact_y[-1][1]
+    last = found.y[found.line_load > 0.0][-1]
+    y = np.linspace(last, end, 11)
+    falling = found.pressure(0.0, y)
+    assert np.all(np.diff(falling) < 0.0)
+    assert falling[-1] == 0.0
+
+
+def test_places_that_are_no_numbers_are_refused(solution):
+    with pytest.raises(nh.InputError, match="x = "):
+        solution.pressure("left", 0.0)
