@@ -147,7 +147,7 @@ def _maximum(solution):
     if ends and np.any(away & touching):
         border = min(abs(solution.max_pressure_y - end) for end in ends)
         allowed = float(np.interp(solution.max_pressure_y, solution.y, half_width))
-        if border < (1.0 - SPARE) * allowed:
+        if border < (1.0 - SPARE) * allowed - 8.0 * EPS * abs(solution.max_pressure_y):
             return [("maximum next to a singular end", f"{border:.6g} from it, half-width {allowed:.6g}")]
     return []
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.result.maximum import counted
 
 HALF_SPACE = {"side_faces": "none", "depth": "none"}
 CROWN = nh.profile.crown(radius=4000)
@@ -209,3 +210,14 @@ def test_a_contact_that_runs_out_beside_a_corner_does():
     roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(500) + nh.profile.chamfer(20, 1.0))
     solution = nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), load=2e3)
     assert {edge.kind for edge in solution.edge_pressure} == {nh.EdgeKind.RUN_OUT}
+
+
+def test_the_border_before_an_end_between_two_strips_is_on_the_side_of_the_contact():
+    # A corner between the centres of wide strips: what counts ends a half-width before it, not next to it.
+    y, half_width = np.array([0.0, 1.0, 2.0, 3.0]), np.full(4, 0.3)
+    places, pressures = counted(y, np.array([1.0, 3.0, 9.0, 5.0]), half_width, np.array([1.8]))
+    at = places[pressures > 0.0].tolist()
+    assert at == pytest.approx([0.0, 1.0, 3.0, 1.5, 2.1])
+    # Between the end and the next strip the power of the distance, across the end a straight line.
+    assert pressures[pressures > 0.0][-2] == pytest.approx(3.0**0.5 * 9.0**0.5)
+    assert pressures[-1] == pytest.approx(9.0 * (5.0 / 9.0) ** (np.log(0.3 / 0.2) / np.log(1.2 / 0.2)))

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.result.end_pressure import SHARP_END_ERROR, sharp_end_error
-from nonhertz.result.maximum import largest_pressure
+from nonhertz.result.maximum import distance_beyond, largest_pressure
 from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate
 from nonhertz.strip.batch import States
 from nonhertz.strip.levels import SAFETY, Levels
@@ -56,39 +56,43 @@ def error_estimate(
     # What stands back farther than the bodies come together is out of contact, however far it does.
     near = np.minimum(separation, np.maximum(state.rigid[0] + state.rigid[1] * places, np.min(separation)))
     departure = departures(near)
-    mean, ripple = roughness(departure, state.width, state.r * state.m * state.width, state.pressure)
+    mean, ripples = roughness(departure, state.width, state.r * state.m * state.width)
     unseen = _relative(mean, state.rigid[0]), _relative(mean * state.stiffness[0, 0], state.load)
     return ErrorEstimate(
         approach=max(floor, levels.difference(_approach) + unseen[0]) if by_load else 0.0,
         load=0.0 if by_load else max(floor, levels.difference(_load) + unseen[1]),
         max_pressure=math.inf
         if unlimited
-        else max(floor, levels.difference(largest)) + float(ripple) + _hidden_at_the_ends(problem, state, singular),
+        else max(floor, levels.difference(largest)) + _beside_strips(problem, state, singular, ripples),
     )
 
 
-def _hidden_at_the_ends(problem: Problem, state: State, singular: Array) -> float:
-    """Return by how much of itself the largest pressure may be missed because it is within a half-width of an end.
+def _beside_strips(problem: Problem, state: State, singular: Array, ripples: Array) -> float:
+    """Return the relative error of the largest pressure by what strips do not see.
 
-    On strips as wide as that a contact that runs out shortly before the end of the bodies looks like one that reaches
-    it. Where the profile falls away there, the last strip may well have the largest pressure.
+    Pressing flat what departs from a parabola within them takes ripples of pressure. And on strips as wide as a contact
+    is, one that runs out shortly before the end of the bodies looks like one that reaches it: where the profile falls
+    away there, the last strip may well have the largest pressure.
     """
     half_width = problem.element.hertz_ratio * np.sqrt(state.m)
-    highest, bearing, hidden = (
-        float(largest_pressure(state.y, state.pressure, half_width, singular)[0]),
-        state.m > 0.0,
-        0.0,
-    )
+    highest, bearing = float(largest_pressure(state.y, state.pressure, half_width, singular)[0]), state.m > 0.0
+    hidden, sure = 0.0, []
     for end in singular:
         near = bearing & (np.abs(state.y - end) <= half_width)
-        if not 0 < np.count_nonzero(near) < FEW_AT_END:
-            continue
-        inside = end + math.copysign(float(half_width[near].max()), float(np.mean(state.edges)) - end)
-        places = np.array([end, inside])
-        at_end, before = state.rigid[0] + state.rigid[1] * places - problem.separation(places)
-        if at_end < (1.0 - FALLS_AWAY) * before:
+        if 0 < np.count_nonzero(near) < FEW_AT_END and _falls_away(problem, state, end, float(half_width[near].max())):
             hidden = max(hidden, HIDDEN * (float(np.max(state.pressure[near])) / highest - 1.0))
-    return hidden
+        else:
+            sure.append(end)
+    counted = bearing & (distance_beyond(state.y, half_width, np.array(sure)) > 0.0)
+    return hidden + float(np.max(np.where(counted, ripples, 0.0))) / highest
+
+
+def _falls_away(problem: Problem, state: State, end: float, half_width: float) -> bool:
+    """Return whether the bodies overlap less at an end than a half-width inside."""
+    inside = end + math.copysign(half_width, float(np.mean(state.edges)) - end)
+    places = np.array([end, inside])
+    at_end, before = state.rigid[0] + state.rigid[1] * places - problem.separation(places)
+    return bool(at_end < (1.0 - FALLS_AWAY) * before)
 
 
 def _relative(part: Array, whole: float) -> float:
@@ -118,11 +122,11 @@ def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array
     width = np.diff(finest.edges)
     few = FEW_AT_END * max(width[0], width[-1]) > problem.element.hertz_ratio * np.sqrt(finest.m.max(axis=1))
     unsure |= few & np.any(np.isfinite(singular), axis=1)
-    loads, pressures = finest.r * finest.m * width, finest.r * np.sqrt(finest.m)
-    mean, ripple = roughness(departures(within(problem, finest.edges)[1]), width, loads, pressures)
+    loads = finest.r * finest.m * width
+    mean, ripples = roughness(departures(within(problem, finest.edges)[1]), width, loads)
     for known, left in ((finest.rigid[:, 0], mean), (np.sum(loads, axis=1), finest.stiffness[:, 0, 0] * mean)):
         unsure |= left > 0.5 * LARGE_ERROR * np.abs(known)
-    unsure |= ripple > 0.5 * LARGE_PRESSURE_ERROR
+    unsure |= np.max(np.where(loads > 0.0, ripples, 0.0), axis=1) > 0.5 * LARGE_PRESSURE_ERROR * highest(finest)
     ends = SHARP_END_ERROR * (width[0] * (loads[:, 0] > 0.0) + width[-1] * (loads[:, -1] > 0.0))
     unsure |= ends > 0.5 * LARGE_ERROR * ((finest.m > 0.0) @ width)
     for fine, coarse in itertools.pairwise(levels[:3]):

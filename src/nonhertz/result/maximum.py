@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from nonhertz.result.protocol import Solved
 
 Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 SAME = 1e-6  # of the largest, by which it may differ from another that is as large
 
@@ -76,17 +75,8 @@ def counted(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[
     crossing = (beyond[..., 1:] > 0.0) != (beyond[..., :-1] > 0.0)
     crossing &= (pressure[..., 1:] > 0.0) & (pressure[..., :-1] > 0.0)
     if np.any(crossing):
-        inner, outer = (..., slice(None, -1)), (..., slice(1, None))
-        one, two = ((array[inner][crossing], array[outer][crossing]) for array in (beyond, nearest))
-        share = one[0] / (one[0] - one[1])
-        distance = two[0] + share * (two[1] - two[0])
-        with np.errstate(divide="ignore", invalid="ignore"):  # an end in the very middle of a strip
-            power = np.log(distance / two[0]) / np.log(two[1] / two[0])
-        power = np.where(np.isfinite(power), power, share)
-        before, after = pressure[inner][crossing], pressure[outer][crossing]
         borders, at = np.zeros(crossing.shape), np.zeros(crossing.shape)
-        borders[crossing] = before ** (1.0 - power) * after**power
-        at[crossing] = (places[inner] + _filled(crossing, share) * np.diff(y))[crossing]
+        at[crossing], borders[crossing] = _at_borders(np.nonzero(crossing), y, pressure, half_width, ends)
         values, places = np.concatenate([values, borders], axis=-1), np.concatenate([places, at], axis=-1)
     short = (values.max(axis=-1) == 0.0) & (pressure.max(axis=-1) > 0.0)
     if np.any(short):
@@ -94,6 +84,36 @@ def counted(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[
         farthest = np.arange(y.size) == of_width.argmax(axis=-1)[..., None]
         values[..., : y.size] = np.where(short[..., None] & farthest, pressure, values[..., : y.size])
     return places, values
+
+
+def _at_borders(
+    crossing: tuple[NDArray[np.intp], ...], y: Array, pressure: Array, half_width: Array, ends: Array
+) -> tuple[Array, Array]:
+    """Return the places a half-width from an end, and the pressures there, each between a strip and the next.
+
+    Along the power of the distance from the end that both strips are on; or along a straight line, where the end lies
+    between them.
+    """
+    *case, left = crossing
+    right = (*case, left + 1)
+    first, second = ((y[index[-1]], half_width[index], pressure[index]) for index in (crossing, right))
+    of_case = ends[tuple(case)] if case else np.broadcast_to(ends, (left.size, ends.size))
+    distances = np.abs(np.stack([first[0], second[0]])[..., None] - of_case)
+    distances = np.where(np.isnan(distances), np.inf, distances)
+    # The end that the strip next to it is within a half-width of, and the distance from it towards the other strip.
+    first_is_near = distances[0].min(axis=-1) <= first[1]
+    end = of_case[
+        np.arange(left.size), np.where(first_is_near, distances[0].argmin(axis=-1), distances[1].argmin(axis=-1))
+    ]
+    away = np.where(first_is_near, 1.0, -1.0)
+    from_end = [away * (each[0] - end) for each in (first, second)]
+    beyond = [distance - each[1] for distance, each in zip(from_end, (first, second), strict=True)]
+    share = beyond[0] / (beyond[0] - beyond[1])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        distance = from_end[0] + share * (from_end[1] - from_end[0])
+        power = np.log(distance / from_end[0]) / np.log(from_end[1] / from_end[0])
+    power = np.where(np.isfinite(power), power, share)
+    return first[0] + share * (second[0] - first[0]), first[2] ** (1.0 - power) * second[2] ** power
 
 
 def places_of_largest(solution: Solved) -> tuple[float, ...]:
@@ -122,9 +142,3 @@ def _nearest(y: Array, ends: Array) -> Array:
     distance = np.abs(y[:, None] - ends[..., None, :])
     nearest: Array = np.where(np.isnan(distance), np.inf, distance).min(axis=-1)
     return nearest
-
-
-def _filled(flags: Flags, values: Array) -> Array:
-    filled = np.zeros(flags.shape)
-    filled[flags] = values
-    return filled

@@ -43,27 +43,26 @@ def departures(separation: Array) -> Array:
     return departure
 
 
-def roughness(departure: Array, width: Array, load: Array, pressure: Array) -> tuple[Array, Array]:
+def roughness(departure: Array, width: Array, load: Array) -> tuple[Array, Array]:
     """Return what strips leave out of the bodies by departing from their profile, for one case or many.
 
     Parameters
     ----------
     departure, width : ndarray, shape (strips,)
         See `departures`; widths [mm].
-    load, pressure : ndarray, shape (..., strips)
-        Load of each strip in any unit; q / a, K times, as `State.pressure`.
+    load : ndarray, shape (..., strips)
+        Load of each strip in any unit.
 
     Returns
     -------
-    tuple of two ndarray, shape (...)
-        Mean over the contact [mm], each strip weighted with its load; and the largest ripple of pressure that pressing
-        it flat takes, over the largest pressure. A wave of amplitude A and length l takes pi E* A / l = A / (K l), and
+    tuple of ndarray, shape (...), and ndarray, shape (strips,)
+        Mean over the contact [mm], each strip weighted with its load; and the ripple of pressure that pressing each
+        strip flat takes, as q / a, K times. A wave of amplitude A and length l takes pi E* A / l = A / (K l), and
         within a strip it is no longer than that.
     """
     mean = load @ departure / np.sum(load, axis=-1)
     # q / a is pi / 2 times the pressure.
-    ripple = 0.5 * np.pi * np.sqrt(2.0) * departure / width
-    return mean, np.max(np.where(load > 0.0, ripple, 0.0), axis=-1) / np.max(pressure, axis=-1)
+    return mean, 0.5 * np.pi * np.sqrt(2.0) * departure / width
 
 
 def _summits(y: Array, depth: Array) -> Array:
