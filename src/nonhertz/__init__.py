@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from nonhertz.errors import NonhertzError as NonhertzError
     from nonhertz.io.casefile import Case as Case
     from nonhertz.io.casefile import read_case as read_case
+    from nonhertz.io.resultfile import Result as Result
+    from nonhertz.io.resultfile import read_result as read_result
     from nonhertz.many import Solutions as Solutions
     from nonhertz.many import solve_many as solve_many
     from nonhertz.model import profile as profile
@@ -47,6 +49,7 @@ if TYPE_CHECKING:
     from nonhertz.result.solution import EdgeKind as EdgeKind
     from nonhertz.result.solution import EdgePressure as EdgePressure
     from nonhertz.result.solution import ErrorEstimate as ErrorEstimate
+    from nonhertz.result.solution import SingularEnd as SingularEnd
     from nonhertz.result.solution import Solution as Solution
     from nonhertz.result.solution import Status as Status
     from nonhertz.solver import solve as solve
@@ -74,15 +77,18 @@ _HOMES = {
     "NonhertzError": "nonhertz.errors",
     "PARABOLIC": "nonhertz.strip.element",
     "Plate": "nonhertz.model.body",
+    "Result": "nonhertz.io.resultfile",
     "Ring": "nonhertz.model.body",
     "Roller": "nonhertz.model.body",
     "SEMI_ELLIPTIC": "nonhertz.strip.element",
+    "SingularEnd": "nonhertz.result.solution",
     "Solution": "nonhertz.result.solution",
     "Solutions": "nonhertz.many",
     "Status": "nonhertz.result.solution",
     "TabulatedDiameter": "nonhertz.model.body",
     "compare": "nonhertz.comparison",
     "read_case": "nonhertz.io.casefile",
+    "read_result": "nonhertz.io.resultfile",
     "solve": "nonhertz.solver",
     "solve_many": "nonhertz.many",
 }

@@ -220,7 +220,7 @@ class Solutions:
         InputError
             If there is no such quantity.
         """
-        if name not in QUANTITIES:
+        if not isinstance(name, str) or name not in QUANTITIES:
             raise InputError("name", name, f"be one of {', '.join(QUANTITIES)}", "choose one of them")
         get, at_once = QUANTITIES[name].get, None
         with contextlib.suppress(AttributeError):  # which a quantity has that is made of whole solutions

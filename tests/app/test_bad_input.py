@@ -350,7 +350,7 @@ MISTAKES = {
     ),
     "number for a kind": (
         f"{A}kind = 1\n{B}{LOAD}",
-        ["body.a.kind = 1 must be a known kind of body: known are 'roller', 'ring', 'plate'."],
+        ["body.a.kind = 1 must be a known kind of body: known are 'roller', 'ring', 'plate', 'body'."],
     ),
     "roller without diameter and length": (
         f"[body.a]\nkind = 'roller'\n{B}{LOAD}",

@@ -198,11 +198,17 @@ def test_words_to_choose_from_are_those_that_the_solver_knows():
     assert words["solver.element"] == list(ELEMENTS)
     assert words["body.a.material"] == list(MATERIALS)
     assert words["life.models"] == list(MODELS)
-    assert words["body.a.kind"] == ["roller", "ring", "plate"]
+    assert words["body.a.kind"] == ["roller", "ring", "plate", "body"]
     for name in ("edge_stress", "line_loads"):
         for word in words[f"life.{name}"]:
             iso_16281(**{name: word})  # refuses what it does not know
         assert len(words[f"life.{name}"]) > 1
+
+
+def test_the_format_of_a_file_is_not_asked_for_but_a_wrong_one_is_shown():
+    asked = {field.path for field in form(with_life()).fields}
+    assert {field.path for field in form({"format": 1} | with_life()).fields} == asked
+    assert "format" in {field.path for field in form({"format": 7} | with_life()).fields}
 
 
 @pytest.mark.parametrize("number", range(3))

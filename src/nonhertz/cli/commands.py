@@ -74,9 +74,9 @@ def solve(
 
     problem = read_case(case)
     solution, complaint = solved_or_not(problem)
-    written = results_written(out, solution, problem.title) if out is not None else ()
+    written = results_written(out, solution, problem) if out is not None else ()
     if as_json:
-        print(json_text(solution, problem.title))
+        print(json_text(solution, problem))
     else:
         from nonhertz.cli.summary import print_summary  # noqa: PLC0415
 

@@ -30,13 +30,13 @@ def spectrum_or_not(case: Case) -> tuple[Spectrum, str]:
         return (), str(error)
 
 
-def results_written(directory: Path, solution: Solution, title: str) -> tuple[Path, ...]:
+def results_written(directory: Path, solution: Solution, case: Case) -> tuple[Path, ...]:
     """Write a solution with its figures, and return the files."""
     from nonhertz.io.results import write_results  # noqa: PLC0415
     from nonhertz.plot import figures, save  # noqa: PLC0415
 
     def draw(folder: Path) -> None:
-        for name, figure in figures(solution, title).items():
+        for name, figure in figures(solution, case.title).items():
             save(figure, folder / name)
 
-    return write_results(directory, solution, title, draw)
+    return write_results(directory, solution, case, draw)

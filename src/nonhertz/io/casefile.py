@@ -80,22 +80,22 @@ class LifeCase:
 
 @dataclass(frozen=True)
 class Case:
-    """What a case file says.
+    """Two bodies, what presses them together, how that is solved, and how long the bodies last.
 
     Attributes
     ----------
-    title : str
-        The title; the file's name if it has none.
     contact : Contact
         The two bodies.
     prescribed : dict
         Load or approach, tilt or moment: keywords for `nonhertz.solve`.
     solver : dict
-        Element and strips: keywords for `nonhertz.solve`.
-    path : Path
-        The file.
+        Element and strips: keywords for `nonhertz.solve`; semi-elliptic and automatic where left out.
     life : LifeCase
         How long the bodies last: models and a spectrum of loads.
+    title : str
+        What it is called; of a file without a title the file's name.
+    path : Path
+        The file that it was read from, which names of other files are relative to.
 
     Examples
     --------
@@ -110,12 +110,32 @@ class Case:
     20000
     """
 
-    title: str
     contact: Contact
     prescribed: dict[str, Any]
-    solver: dict[str, Any]
-    path: Path
+    solver: dict[str, Any] = field(default_factory=dict)
     life: LifeCase = field(default_factory=LifeCase)
+    title: str = ""
+    path: Path = field(default=Path("case.toml"), compare=False)
+
+    def __post_init__(self) -> None:
+        from nonhertz.strip.element import SEMI_ELLIPTIC  # noqa: PLC0415  (brings the compiler along)
+
+        for name, value, kind in (
+            ("contact", self.contact, Contact),
+            ("life", self.life, LifeCase),
+            ("title", self.title, str),
+            ("path", self.path, Path),
+        ):
+            if not isinstance(value, kind):
+                raise InputError(name, value, f"be a {kind.__name__}", "make the case with one")
+        for name, given, section in (("prescribed", self.prescribed, "load"), ("solver", self.solver, "solver")):
+            known = _SECTIONS[section]
+            if not isinstance(given, dict) or not set(given) <= set(known):
+                raise InputError(name, given, f"be a dictionary of {', '.join(known)}", "give no other names")
+        if len({"load", "approach"} & set(self.prescribed)) != 1:
+            condition = "hold either load or approach"
+            raise InputError("prescribed", self.prescribed, condition, 'write {"load": 20e3}, say, in N')
+        object.__setattr__(self, "solver", {"element": SEMI_ELLIPTIC, "strips": "auto"} | self.solver)
 
     def solve(self) -> Solution:
         """Return the solution of the case, as `nonhertz.solve` does.
@@ -138,6 +158,32 @@ class Case:
             return solve(self.contact, **self.prescribed, **self.solver)
         except InputError as error:
             raise placed(error) from None
+
+    def write(self, path: str | Path) -> None:
+        """Write the case to a file, which `read_case` reads back as this case.
+
+        Values are in mm, N, MPa and rad. Points of measured and tabulated profiles stand in the file, so that it needs
+        no other one. A file of that name is replaced.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be written, or holds what no case file can: a profile or diameter of a class of your own,
+            edges of strips.
+        """
+        from nonhertz.io.results import write_files  # noqa: PLC0415
+        from nonhertz.io.written import document  # noqa: PLC0415
+
+        if not isinstance(path, str | Path):
+            raise InputError("path", path, "be the name of a file to write", "give a string or a Path")
+        text, path = as_toml(document(self)), Path(path)
+        if len(text) > LARGEST_CASE:
+            condition = f"make a file of {LARGEST_CASE / 1e6:g} MB at most, which is what is read"
+            raise InputError("profile", f"{len(text) / 1e6:.1f} MB", condition, "smooth it or take every tenth point")
+        try:
+            write_files(path.parent, lambda folder: (folder / path.name).write_text(text, encoding="utf-8"))
+        except InputError as error:
+            raise InputError("path", str(path), error.condition, error.remedy) from None
 
 
 def read_case(path: str | Path) -> Case:

@@ -34,6 +34,7 @@ from nonhertz.io.bounds import LOADS, MISTAKES
 from nonhertz.io.mistakes import Mistake, TableError, missing, mistake_in, mistakes_in, nearest, unknown
 from nonhertz.io.profiles import BROKEN, profile_schema, quantity_schema, read_profile
 from nonhertz.io.units import begins_with_digits, in_unit
+from nonhertz.io.written import FORMAT
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter, convex
 from nonhertz.model.checks import MOST, above_zero, finite, positive
 from nonhertz.model.contact import Contact
@@ -43,7 +44,7 @@ from nonhertz.model.profile import Profile, straight
 
 _FAR_AWAY = 1e3  # mm; how far an unbounded contact is looked at before it is solved
 
-_KINDS: dict[str, type[Body]] = {"roller": Roller, "ring": Ring, "plate": Plate}
+_KINDS: dict[str, type[Body]] = {"roller": Roller, "ring": Ring, "plate": Plate, "body": Body}
 # What a refused key might have been, so that keys which depend on it are not refused on its account.
 _STAND_INS: dict[str, Any] = {"diameter": 1.0, "length": MOST, "side_faces": "none", "depth": 1.0}
 
@@ -211,8 +212,8 @@ class BodyTable(Table):
     # out is left to the body's class.
     kind: Annotated[type[Body] | None, PlainValidator(_read_kind), WithJsonSchema({"enum": list(_KINDS)})] = Field(
         default=None,
-        description="'roller', 'ring' or 'plate': what the diameter must be, and the default of the depth; "
-        "left out, a body with a positive diameter and a length is a roller",
+        description="'roller', 'ring' or 'plate': what the diameter must be, and the default of the depth; 'body' for "
+        "any; left out, a body with a positive diameter and a length is a roller",
     )
     diameter: Annotated[Any, PlainValidator(_read_diameter, json_schema_input_type=Length | DiameterTable)] = Field(
         default=None,
@@ -535,9 +536,19 @@ class LifeTable(Table):
         return {name: getattr(self, name) for name in _MODEL_WITH if getattr(self, name) is not None}
 
 
+def _read_format(value: Any) -> int:
+    if value != FORMAT or isinstance(value, bool):
+        remedy = "use the release of nonhertz that wrote it, or a later one"
+        raise InputError("format", value, f"be {FORMAT}, the newest that is known here", remedy)
+    return FORMAT
+
+
 class CaseTable(Table):
     """A case file."""
 
+    format: Annotated[int, PlainValidator(_read_format), WithJsonSchema({"const": FORMAT})] = Field(
+        default=FORMAT, description="of the file; older files that leave it out are read"
+    )
     title: str = Field(default="", description="what the case is called in tables and figures")
     body: BodiesTable = Field(description="the two bodies")
     load: LoadTable = Field(description="what presses them together")

@@ -10,14 +10,18 @@ import math
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from nonhertz.errors import InputError
 from nonhertz.io.drafts import drafts_in
+from nonhertz.io.written import FORMAT, document
 from nonhertz.result.quantities import ALONG, QUANTITIES
 from nonhertz.result.solution import EdgePressure, Solution
+
+if TYPE_CHECKING:
+    from nonhertz.io.casefile import Case
 
 # The stiffness is written as the matrix that it is.
 _NUMBERS = tuple(name for name in QUANTITIES if "_by_" not in name)
@@ -36,18 +40,23 @@ UNITS: dict[str, Any] = {
     "singular_ends": {"y": "mm"},
     "stiffness": [["N/mm", "N/rad"], ["N mm/mm", "N mm/rad"]],
     **ALONG,
+    "edges": "mm",
+    "element_half_width": "mm",
 }
 _OUT_REMEDY = "give a directory to write to"
 
 
-def as_object(solution: Solution, title: str) -> dict[str, Any]:
-    """Return a solution as plain numbers, text, lists and dictionaries.
+def as_object(solution: Solution, case: Case) -> dict[str, Any]:
+    """Return a solution as plain numbers, text, lists and dictionaries, with the case that it is of.
+
+    `nonhertz.io.resultfile.read_result` reads it back.
 
     Numbers are as the solver has them; one that is not finite is None, since JSON has no infinity. Such is the error
     estimate of a maximum pressure at a corner of the profile.
     """
     return {
-        "title": title,
+        "format": FORMAT,
+        "title": case.title,
         "status": solution.status.label,
         "element": solution.element.name,
         **{name: plain(QUANTITIES[name].get(solution)) for name in _NUMBERS},
@@ -55,12 +64,16 @@ def as_object(solution: Solution, title: str) -> dict[str, Any]:
         "edge_pressure": [_edge_object(edge) for edge in solution.edge_pressure],
         "singular_ends": [{"y": plain(end.y), "kind": end.kind.label} for end in solution.singular_ends],
         "stiffness": plain(solution.stiffness),
+        "peaks_at_corner": solution.peaks_at_corner,
         "iterations": int(solution.iterations),
         "strips": solution.strips,
         "error_estimate": {name: plain(value) for name, value in vars(solution.error_estimate).items()},
         "warnings": list(solution.warnings),
         "units": UNITS,
         **{name: plain(column) for name, column in solution.table().items()},
+        "edges": plain(solution.edges),
+        "element_half_width": plain(solution.element_half_width),
+        "case": document(case),
     }
 
 
@@ -82,9 +95,9 @@ def plain(value: Any) -> Any:
     return number if math.isfinite(number) else None
 
 
-def as_json(solution: Solution, title: str) -> str:
+def as_json(solution: Solution, case: Case) -> str:
     """Return `as_object` as JSON text, one key to a line."""
-    return key_by_key(as_object(solution, title))
+    return key_by_key(as_object(solution, case))
 
 
 def key_by_key(entries: dict[str, Any]) -> str:
@@ -112,7 +125,7 @@ def as_table(solution: Solution) -> str:
 
 
 def write_results(
-    directory: str | Path, solution: Solution, title: str, draw: Callable[[Path], object] | None = None
+    directory: str | Path, solution: Solution, case: Case, draw: Callable[[Path], object] | None = None
 ) -> tuple[Path, ...]:
     """Write result.json, table.csv and what ``draw`` writes into a directory, all of them or none.
 
@@ -122,8 +135,8 @@ def write_results(
         Where to; made if it does not exist. Files of the same names are replaced.
     solution : Solution
         What to write.
-    title : str
-        What it is called.
+    case : Case
+        What was solved.
     draw : callable or None
         Writes further files, figures that is, into the directory that it is given.
 
@@ -139,7 +152,7 @@ def write_results(
     """
 
     def write(folder: Path) -> None:
-        (folder / "result.json").write_text(as_json(solution, title) + "\n", encoding="utf-8")
+        (folder / "result.json").write_text(as_json(solution, case) + "\n", encoding="utf-8")
         (folder / "table.csv").write_text(as_table(solution), encoding="utf-8")
         if draw is not None:
             draw(folder)

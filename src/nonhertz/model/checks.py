@@ -122,7 +122,18 @@ def thread_count(threads: int | None) -> int:
     return int(threads)
 
 
+def broadcast(remedy: str, *places: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
+    """Return arrays broadcast against each other, or refuse shapes that cannot be."""
+    try:
+        return np.broadcast_arrays(*places)
+    except ValueError:
+        shapes = tuple(place.shape for place in places)
+        raise InputError("shapes of the coordinates", shapes, "broadcast against each other", remedy) from None
+
+
 def _is_number(value: object) -> bool:
+    if isinstance(value, np.ndarray) and (value.ndim > 0 or value.dtype.kind not in "iuf"):
+        return False  # older NumPy makes numbers of some, with a warning
     try:
         float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError, OverflowError):

@@ -46,7 +46,9 @@ def downloads(found: Finding) -> list[Download]:
     ]
     stem = PurePosixPath(subject.name).stem
     files.append(_text(f"{stem}-table.csv", "the strips", as_table(found.solution)))
-    files.append(_text(f"{stem}-result.json", "all numbers of the solution", as_json(found.solution, title) + "\n"))
+    files.append(
+        _text(f"{stem}-result.json", "all numbers of the solution", as_json(found.solution, subject.case) + "\n")
+    )
     if found.stress:
         text = stresses_as_json(found.solution, *found.stress, title)
         files.append(_text(f"{stem}-stress.json", "the largest stresses", text + "\n"))

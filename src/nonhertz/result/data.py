@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 from nonhertz.result.quantities import QUANTITIES
 
@@ -11,7 +14,19 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-    from nonhertz.many import Solutions
+
+class Solutions(Protocol):
+    """What is read of many solutions."""
+
+    shape: tuple[int, ...]
+    singular: NDArray[np.bool_]
+
+    @property
+    def converged(self) -> NDArray[np.bool_]:
+        """Which cases have a solution."""
+
+    def column(self, name: str) -> NDArray[np.float64]:
+        """Return a quantity of all cases."""
 
 
 def dataframe(solutions: Solutions) -> pd.DataFrame:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import numbers
+from nonhertz.model.checks import broadcast, numbers
 from nonhertz.model.contact import Contact
 from nonhertz.result import brief
 from nonhertz.result.maximum import largest_pressure, singular_y
@@ -374,9 +374,14 @@ class Solution(ContactResult):
         -------
         ndarray
             Zero out of contact; exact at the centres of strips, and in a strip at a singular end no limit of anything.
+
+        Raises
+        ------
+        InputError
+            If the places are no numbers, or their shapes do not broadcast.
         """
         remedy = "give places in mm"
-        across, along = np.broadcast_arrays(numbers("x", x, remedy), numbers("y", y, remedy))
+        across, along = broadcast(remedy, numbers("x", x, remedy), numbers("y", y, remedy))
         highest, widest = np.zeros(along.shape), np.zeros(along.shape)
         runs_out = [edge.kind is EdgeKind.RUN_OUT for edge in self.edge_pressure]
         for number, (low, high) in enumerate(self.contact_y):

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import callback, finite, flag, numbers, thread_count, whole
+from nonhertz.model.checks import broadcast, callback, finite, flag, numbers, thread_count, whole
 from nonhertz.result.protocol import Solved
 from nonhertz.subsurface.field import Field
 from nonhertz.subsurface.inside import Inside, check_body, checked_solution
@@ -70,7 +70,7 @@ def refuse_options(verb: str, options: Mapping[str, Any], known: type) -> None:
     callback("announce", options.get("announce"))
 
 
-_POINTS_REMEDY = "give finite numbers in mm, as arrays that broadcast against each other"
+POINTS_REMEDY = "give finite numbers in mm, as arrays that broadcast against each other"
 
 
 def stress(
@@ -145,7 +145,9 @@ def stress(
     flag("displacement", displacement, "write True for displacements too")
     callback("announce", announce)
     inside = Inside.of(solution, body)
-    places = broadcast(*(finite_numbers(name, value) for name, value in zip("xyz", (x, y, z), strict=True)))
+    places = broadcast(
+        POINTS_REMEDY, *(finite_numbers(name, value) for name, value in zip("xyz", (x, y, z), strict=True))
+    )
     inside.refuse_outside(places[1], places[2])
     count = places[0].size
     stresses = np.empty((count, 6))
@@ -327,17 +329,8 @@ def _depths(solution: Solved) -> Array:
 def finite_numbers(name: str, value: ArrayLike) -> Array:
     """Return numbers as an array, or refuse what is not a finite number."""
     return (
-        numbers(name, value, _POINTS_REMEDY, FARTHEST, "mm") + 0.0
+        numbers(name, value, POINTS_REMEDY, FARTHEST, "mm") + 0.0
     )  # a depth of -0 would be on the wrong side of a branch
-
-
-def broadcast(*places: Array) -> tuple[Array, ...]:
-    """Return arrays broadcast against each other, or refuse shapes that cannot be."""
-    try:
-        return np.broadcast_arrays(*places)
-    except ValueError:
-        shapes = tuple(place.shape for place in places)
-        raise InputError("shapes of the coordinates", shapes, "broadcast against each other", _POINTS_REMEDY) from None
 
 
 def _row(name: str, value: ArrayLike) -> Array:

@@ -15,9 +15,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.hertz import LineContact
+from nonhertz.model.checks import broadcast
 from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import ReadOnly
-from nonhertz.subsurface.evaluation import Within, across_at, broadcast, finite_numbers, refuse_options, stress
+from nonhertz.subsurface.evaluation import POINTS_REMEDY, Within, across_at, finite_numbers, refuse_options, stress
 from nonhertz.subsurface.field import TAU_XZ, max_shear_of, orthogonal_shear_of, von_mises_of
 from nonhertz.subsurface.inside import checked_solution
 
@@ -97,7 +98,7 @@ def passage(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[With
     """
     refuse_options("passage", options, Within)
     checked_solution(solution)
-    along, below = broadcast(finite_numbers("y", y), finite_numbers("z", z))
+    along, below = broadcast(POINTS_REMEDY, finite_numbers("y", y), finite_numbers("z", z))
     announce = options.pop("announce", None)
     found = np.empty((2 * len(QUANTITIES) + 1, along.size))
     at_once = POINTS_AT_ONCE // (2 * (WITHIN + OUTSIDE))

@@ -14,6 +14,7 @@ from dataclasses import replace
 from typing import Any, Final
 
 from nonhertz.io.mistakes import Place, path_of
+from nonhertz.io.written import FORMAT
 from nonhertz.model.body import Roller
 from nonhertz.web.fields import Edits, Field, Group, Option, text_of
 from nonhertz.web.inputs import ABSENT, as_it_is, input_for, label_of, stray
@@ -44,8 +45,11 @@ FIRST: Final = ("title", "kind", "load", "body", "diameter", "length", "profile"
 
 
 def form(document: dict[str, Any]) -> Group:
-    """Return the form of a document, mistaken or not."""
-    return _group(case_schema(), document, (), "Case")
+    """Return the form of a document, mistaken or not; what format it has is not for anyone to fill in."""
+    schema = case_schema()
+    asked = {name: part for name, part in schema["properties"].items() if name != "format"}
+    given = {name: value for name, value in document.items() if name != "format" or value != FORMAT}
+    return _group(schema | {"properties": asked}, given, (), "Case")
 
 
 def _table(part: Schema, value: Any, place: Place, legend: str) -> Group | Field:

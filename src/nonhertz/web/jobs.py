@@ -106,7 +106,7 @@ def table(document: dict[str, Any]) -> bytes | dict[str, Any]:
 
 def result(document: dict[str, Any]) -> bytes | dict[str, Any]:
     """Return all numbers of a solution as JSON, or what is wrong with a document."""
-    return _made(document, lambda case, solution: as_json(solution, case.title) + "\n")
+    return _made(document, lambda case, solution: as_json(solution, case) + "\n")
 
 
 def _made(document: dict[str, Any], make: Callable[[Case, Solution], str]) -> bytes | dict[str, Any]:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,6 +22,21 @@ def places(y: ArrayLike) -> Array:
 
 class Profile(ABC):
     """Relief along the axis of a body; `nonhertz.model.profile` has the catalogue."""
+
+    # Kind and parameters of the catalogue; None of what is not of it. No field, so that equal reliefs are equal.
+    _called: tuple[str, dict[str, Any]] | None = None
+
+    def called(self, kind: str, **parameters: Any) -> Profile:
+        """Return this profile with the kind and the parameters by which a case file has it; None is left out."""
+        named = copy.copy(self)
+        given = {name: value for name, value in parameters.items() if value is not None}
+        object.__setattr__(named, "_called", (kind, given))
+        return named
+
+    @property
+    def catalogue_entry(self) -> tuple[str, dict[str, Any]] | None:
+        """Kind and parameters of a profile of the catalogue, None of any other."""
+        return self._called
 
     @abstractmethod
     def relief(self, y: ArrayLike) -> Array:

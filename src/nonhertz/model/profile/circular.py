@@ -85,8 +85,9 @@ def crown(radius: float, centre: float = 0.0) -> Profile:
     if radius == 0.0:
         raise InputError("radius", radius, "not be zero", remedy)
     finite("centre", centre, "give the position of the summit in mm")
-    profile = Arcs(math.inf, float(radius), junction=0.0, end_summit=0.0)
-    return profile.shifted(centre) if centre != 0.0 else profile
+    arcs = Arcs(math.inf, float(radius), junction=0.0, end_summit=0.0)
+    profile = arcs.shifted(centre) if centre != 0.0 else arcs
+    return profile.called("crown", radius=radius, centre=centre)
 
 
 def partial_crown(radius: float, straight: float, blended: bool = True) -> Profile:
@@ -132,16 +133,15 @@ def partial_crown(radius: float, straight: float, blended: bool = True) -> Profi
     positive("radius", radius, "give the radius of the end arcs in mm")
     not_negative("straight", straight, "give the length of the straight middle in mm, 0 for none")
     half = 0.5 * float(straight)
-    if blended:
-        return Arcs(math.inf, float(radius), junction=half, end_summit=half)
-    if half > radius:
+    if not blended and half > radius:
         raise InputError(
             "straight",
             straight,
             f"not exceed twice the radius of {radius} mm",
             "shorten it or raise the radius",
         )
-    return Arcs(math.inf, float(radius), junction=half, end_summit=0.0)
+    arcs = Arcs(math.inf, float(radius), junction=half, end_summit=half if blended else 0.0)
+    return arcs.called("partial-crown", radius=radius, straight=straight, blended=blended)
 
 
 def two_radius(radius: float, end_radius: float, middle: float) -> Profile:
@@ -191,4 +191,5 @@ def two_radius(radius: float, end_radius: float, middle: float) -> Profile:
             "shorten it or raise the radius",
         )
     half = 0.5 * float(middle)
-    return Arcs(float(radius), float(end_radius), half, end_summit=half * (1.0 - end_radius / radius))
+    arcs = Arcs(float(radius), float(end_radius), half, end_summit=half * (1.0 - end_radius / radius))
+    return arcs.called("two-radius", radius=radius, end_radius=end_radius, middle=middle)

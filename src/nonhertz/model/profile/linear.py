@@ -59,7 +59,7 @@ def straight() -> Profile:
     >>> float(straight().relief(3.0))
     0.0
     """
-    return Straight()
+    return Straight().called("straight")
 
 
 def conical(angle: float) -> Profile:
@@ -96,7 +96,7 @@ def conical(angle: float) -> Profile:
     finite("angle", angle, _ANGLE_REMEDY)
     if abs(angle) >= 0.5 * math.pi:
         raise InputError("angle", angle, "lie in (-pi/2, pi/2)", _ANGLE_REMEDY)
-    return Conical(float(angle))
+    return Conical(float(angle)).called("conical", angle=angle)
 
 
 def tapered_ends(straight: float, angle: float) -> Profile:
@@ -133,7 +133,7 @@ def tapered_ends(straight: float, angle: float) -> Profile:
     """
     not_negative("straight", straight, "give the length of the straight middle in mm, 0 for none")
     _acute(angle)
-    return TaperedEnds(float(straight), float(angle))
+    return TaperedEnds(float(straight), float(angle)).called("tapered-ends", straight=straight, angle=angle)
 
 
 def chamfer(length: float, width: float, angle: float = 0.25 * math.pi) -> Profile:
@@ -181,7 +181,8 @@ def chamfer(length: float, width: float, angle: float = 0.25 * math.pi) -> Profi
             "give the length of one chamfer in mm",
         )
     _acute(angle)
-    return TaperedEnds(float(length) - 2.0 * float(width), float(angle))
+    ends = TaperedEnds(float(length) - 2.0 * float(width), float(angle))
+    return ends.called("chamfer", length=length, width=width, angle=angle)
 
 
 def _acute(angle: float) -> None:

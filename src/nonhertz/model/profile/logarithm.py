@@ -113,7 +113,8 @@ def logarithmic(amplitude: float, length: float, fraction: float = 1.0, straight
         raise InputError("fraction", fraction, "lie in (0, 1]", "give a share of the half-length")
     not_negative("straight", straight, "give the length of the straight middle in mm, 0 for none")
     rest = (1.0 - float(fraction)) * (1.0 + float(fraction))
-    return Logarithmic(float(amplitude), float(length) + float(straight), rest, curved=float(length))
+    profile = Logarithmic(float(amplitude), float(length) + float(straight), rest, curved=float(length))
+    return profile.called("logarithmic", amplitude=amplitude, length=length, fraction=fraction, straight=straight)
 
 
 def iso_logarithmic(diameter: float, length: float) -> Profile:
@@ -160,7 +161,8 @@ def iso_logarithmic(diameter: float, length: float) -> Profile:
     _check_roller(diameter, length)
     curved = min(float(length), 2.5 * float(diameter))
     coefficient = 0.00035 if curved == length else 0.0005
-    return Logarithmic(coefficient * float(diameter), float(length), rest=0.0, curved=curved)
+    profile = Logarithmic(coefficient * float(diameter), float(length), rest=0.0, curved=curved)
+    return profile.called("iso-logarithmic", diameter=diameter, length=length)
 
 
 def iso_tapered(diameter: float, length: float) -> Profile:
@@ -200,7 +202,8 @@ def iso_tapered(diameter: float, length: float) -> Profile:
     0.00129457
     """
     _check_roller(diameter, length)
-    return Logarithmic(0.00045 * float(diameter), float(length), rest=0.0, curved=float(length))
+    profile = Logarithmic(0.00045 * float(diameter), float(length), rest=0.0, curved=float(length))
+    return profile.called("iso-tapered", diameter=diameter, length=length)
 
 
 def iso_thrust(diameter: float, length: float) -> Profile:
@@ -240,7 +243,7 @@ def iso_thrust(diameter: float, length: float) -> Profile:
     >>> iso_thrust(diameter=8, length=8) == iso_logarithmic(diameter=8, length=8)
     True
     """
-    return iso_logarithmic(diameter, length)
+    return iso_logarithmic(diameter, length).called("iso-thrust", diameter=diameter, length=length)
 
 
 def johns_gohar(load: float, length: float, radius: float, compliance: float | None = None) -> Profile:
@@ -285,7 +288,9 @@ def johns_gohar(load: float, length: float, radius: float, compliance: float | N
     """
     amplitude = design_amplitude(load, length, compliance)
     half_width = design_half_width(load, length, radius, compliance)
-    return Logarithmic(amplitude, float(length), rest=_END * 2.0 * half_width / float(length), curved=float(length))
+    rest = _END * 2.0 * half_width / float(length)
+    profile = Logarithmic(amplitude, float(length), rest, curved=float(length))
+    return profile.called("johns-gohar", load=load, length=length, radius=radius, compliance=compliance)
 
 
 def fujiwara_kawase(
@@ -359,7 +364,10 @@ def fujiwara_kawase(
         rest = _END * 2.0 * design_half_width(load, length, radius, compliance) / float(length)
     else:
         raise InputError("zm", zm, "be given where radius is not", "give the relief at the end in mm")
-    return Logarithmic(amplitude, float(length), rest, curved=float(k2) * float(length), at_end=at_end)
+    profile = Logarithmic(amplitude, float(length), rest, curved=float(k2) * float(length), at_end=at_end)
+    return profile.called(
+        "fujiwara-kawase", load=load, length=length, radius=radius, k1=k1, k2=k2, zm=zm, compliance=compliance
+    )
 
 
 def _check_roller(diameter: float, length: float) -> None:

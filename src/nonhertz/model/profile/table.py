@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -35,6 +36,11 @@ class Tabulated(Profile):
     y: tuple[float, ...]
     values: tuple[float, ...]
     interpolation: str = "pchip"
+
+    @property
+    def catalogue_entry(self) -> tuple[str, dict[str, Any]]:
+        """The kind and the points, wherever they came from."""
+        return "tabulated", {"y": self.y, "relief": self.values, "interpolation": self.interpolation}
 
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm]; infinite outside the table."""

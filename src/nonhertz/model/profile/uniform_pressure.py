@@ -99,7 +99,8 @@ def lundberg(load: float, length: float, radius: float, compliance: float | None
     (0.000805, 0.012848)
     """
     amplitude = design_amplitude(load, length, compliance)
-    return UniformPressure(amplitude, float(length), design_half_width(load, length, radius, compliance))
+    profile = UniformPressure(amplitude, float(length), design_half_width(load, length, radius, compliance))
+    return profile.called("lundberg", load=load, length=length, radius=radius, compliance=compliance)
 
 
 def _displacement(t: Array) -> Array:

@@ -1,0 +1,151 @@
+"""Result files: ``result.json``, as `nonhertz.io.results` writes it, back to the case and its solution."""
+
+from __future__ import annotations
+
+import errno
+import json
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonhertz.errors import CaseError, InputError
+from nonhertz.files import content
+from nonhertz.io.casefile import Case, case_in
+from nonhertz.io.written import FORMAT
+
+if TYPE_CHECKING:
+    from nonhertz.result.solution import EdgePressure, Solution
+
+LARGEST_RESULT = 200_000_000  # bytes
+_WAY_OUT = "give a result.json that 'nonhertz solve' or the page wrote"
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """What a result file holds.
+
+    Attributes
+    ----------
+    case : Case
+        What was solved; ``case.solve()`` solves it again.
+    solution : Solution
+        The solution, with the digits that it was written with.
+    """
+
+    case: Case
+    solution: Solution
+
+
+def read_result(path: str | Path) -> Result:
+    """Return the case and the solution in a result file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A ``result.json``, or what ``nonhertz solve --json`` printed.
+
+    Returns
+    -------
+    Result
+        Nothing is solved.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, is no such file, or comes from a later release.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from nonhertz.io.casefile import read_case, starting_case
+    >>> from nonhertz.io.results import write_results
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder, "case.toml")
+    ...     _ = path.write_text(starting_case())
+    ...     case = read_case(path)
+    ...     solution = case.solve()
+    ...     _ = write_results(folder, solution, case)
+    ...     found = read_result(Path(folder, "result.json"))
+    >>> found.case == case, found.solution.approach == solution.approach
+    (True, True)
+    """
+    if not isinstance(path, str | Path):
+        raise InputError("path", path, "be the name of a result file", "give a string or a Path")
+    path = Path(path)
+    found = _object(path)
+    if found.get("format") != FORMAT:
+        shown = found.get("format")
+        condition = f"hold a result of format {FORMAT}" + (f", not {shown!r}" if shown is not None else "")
+        raise InputError("path", str(path), condition, f"{_WAY_OUT}, with this release")
+    try:
+        case = case_in(found["case"], path, files=False)
+        return Result(case, _solution(found, case))
+    except CaseError as error:
+        raise InputError("path", str(path), f"hold a case ({error.mistakes[0]})", _WAY_OUT) from None
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        reason = f"{type(error).__name__}: {error}"[:80]
+        raise InputError("path", str(path), f"hold all of a solution ({reason})", _WAY_OUT) from None
+
+
+def _object(path: Path) -> dict[str, Any]:
+    try:
+        found = json.loads(content(path, LARGEST_RESULT))
+    except (OSError, ValueError, RecursionError) as error:
+        too_large = getattr(error, "errno", None) == errno.EFBIG
+        reason = getattr(error, "strerror", None) or ("larger than any result" if too_large else "no JSON")
+        raise InputError("path", str(path), f"be a result file ({reason.lower()})", _WAY_OUT) from None
+    if not isinstance(found, dict):
+        raise InputError("path", str(path), "hold one JSON object", _WAY_OUT)
+    return found
+
+
+def _solution(found: dict[str, Any], case: Case) -> Solution:
+    # Here and not above: they bring the compiler along.
+    from nonhertz.result.solution import EdgeKind, ErrorEstimate, SingularEnd, Solution, Status  # noqa: PLC0415
+    from nonhertz.strip.element import ELEMENTS  # noqa: PLC0415
+
+    low, high = found["edge_pressure"]
+    return Solution(
+        contact=case.contact,
+        element=ELEMENTS[found["element"]],
+        status=Status[_member(found["status"])],
+        approach=float(found["approach"]),
+        tilt=float(found["tilt"]),
+        load=float(found["load"]),
+        moment=float(found["moment"]),
+        stiffness=np.array(found["stiffness"], dtype=float).reshape(2, 2),
+        edges=_array(found["edges"]),
+        line_load=_array(found["line_load"]),
+        element_half_width=_array(found["element_half_width"]),
+        gap=_array(found["gap"]),
+        contact_y=tuple((float(first), float(last)) for first, last in found["contact_y"]),
+        edge_pressure=(_edge(low), _edge(high)),
+        singular_ends=tuple(SingularEnd(each["y"], EdgeKind[_member(each["kind"])]) for each in found["singular_ends"]),
+        peaks_at_corner=bool(found["peaks_at_corner"]),
+        iterations=int(found["iterations"]),
+        error_estimate=ErrorEstimate(**{name: _number(value) for name, value in found["error_estimate"].items()}),
+        warnings=tuple(map(str, found["warnings"])),
+    )
+
+
+def _edge(found: dict[str, Any]) -> EdgePressure:
+    from nonhertz.result.solution import EdgeKind, EdgePressure  # noqa: PLC0415
+
+    kept = {name: value for name, value in found.items() if name not in {"kind", "converges"}}
+    return EdgePressure(kind=EdgeKind[_member(found["kind"])], **kept)
+
+
+def _member(label: str) -> str:
+    return label.upper().replace("-", "_")
+
+
+def _number(value: float | None) -> float:
+    """Return what was written as null: JSON has no infinity."""
+    return math.inf if value is None else float(value)
+
+
+def _array(values: list[float | None]) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+    return np.array([_number(value) for value in values])

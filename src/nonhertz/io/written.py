@@ -1,0 +1,123 @@
+"""A case as the document of a case file: every value in the units of Python, nothing left to a default.
+
+What comes out is read back by `nonhertz.io.casefile.case_in` as the same case. Points of measured and tabulated
+profiles stand in it, so that it needs no other file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from nonhertz.errors import InputError
+from nonhertz.model.body import Body, TabulatedDiameter
+from nonhertz.model.material import MATERIALS, Material
+from nonhertz.model.profile import Profile, Scaled, Shifted, Straight, Sum
+
+if TYPE_CHECKING:
+    from nonhertz.io.casefile import Case, LifeCase
+    from nonhertz.model.contact import Contact
+
+#: Of case files and results; what a later release cannot read as it stands has a higher one.
+FORMAT = 1
+
+
+def document(case: Case) -> dict[str, Any]:
+    """Return a case as a case file holds it.
+
+    Raises
+    ------
+    InputError
+        If a profile or diameter is a class of your own, or strips are edges, which no case file has.
+    """
+    found: dict[str, Any] = {"format": FORMAT} | ({"title": case.title} if case.title else {})
+    found["body"] = bodies(case.contact)
+    found["load"] = {name: float(value) for name, value in case.prescribed.items()}
+    found["solver"] = _solver(case.solver)
+    life = _life(case.life)
+    return found | ({"life": life} if life else {})
+
+
+def bodies(contact: Contact) -> dict[str, Any]:
+    """Return the tables of both bodies."""
+    found = {}
+    for name, body in (("a", contact.a), ("b", contact.b)):
+        try:
+            found[name] = _body(body)
+        except InputError as error:
+            raise error.within(f"body.{name}") from None
+    return found
+
+
+def _body(body: Body) -> dict[str, Any]:
+    table: dict[str, Any] = {"kind": type(body).__name__.lower()}
+    if isinstance(body.diameter, TabulatedDiameter):
+        table["diameter"] = {"y": _plain(body.diameter.y), "diameter": _plain(body.diameter.diameter)}
+    elif body.diameter is not None:
+        if not isinstance(body.diameter, float | int):
+            remedy = "give a TabulatedDiameter of its values"
+            raise InputError("diameter", body.diameter, "be a number or a table to be written", remedy)
+        table["diameter"] = float(body.diameter)
+    for name in ("length", "effective_length", "position"):
+        value = getattr(body, name)
+        if value is not None:
+            table[name] = float(value)
+    table["material"] = _material(body.material)
+    profiles = list(_profiles(body.profile))
+    if profiles:
+        table["profile"] = profiles
+    for name in ("side_faces", "images", "depth"):
+        table[name] = _plain(getattr(body, name))
+    return table
+
+
+def _material(material: Material) -> str | dict[str, float]:
+    named = [name for name, known in MATERIALS.items() if known == material]
+    return named[0] if named else {"modulus": float(material.modulus), "poisson": float(material.poisson)}
+
+
+def _profiles(profile: Profile) -> list[dict[str, Any]]:
+    """Return the tables whose profiles add up to this one."""
+    entry = profile.catalogue_entry
+    if entry is not None:
+        kind, parameters = entry
+        table = {"kind": kind} | {name: _plain(each) for name, each in parameters.items()}
+        return [] if kind == "straight" else [table]
+    if isinstance(profile, Straight):
+        return []
+    if isinstance(profile, Sum):
+        return [table for part in profile.parts for table in _profiles(part)]
+    if isinstance(profile, Shifted):
+        return [table | {"shift": table.get("shift", 0.0) + profile.by} for table in _profiles(profile.profile)]
+    if isinstance(profile, Scaled):
+        return [table | {"scale": table.get("scale", 1.0) * profile.by} for table in _profiles(profile.profile)]
+    remedy = "tabulate it: nonhertz.profile.tabulated(y, profile.relief(y))"
+    raise InputError("profile", type(profile).__name__, "be of the catalogue to be written", remedy)
+
+
+def _solver(options: Mapping[str, Any]) -> dict[str, Any]:
+    strips = options.get("strips")
+    if not (strips is None or isinstance(strips, str | int)):
+        raise InputError("strips", "edges", "be 'auto' or a number to be written", "give the number of strips")
+    element = options.get("element")
+    name = "semi-elliptic" if element is None else element.name
+    return {"element": name, "strips": "auto" if strips is None else strips}
+
+
+def _life(life: LifeCase) -> dict[str, Any]:
+    found = {"rollers": life.rollers, "models": list(life.names), **life.parameters}
+    found["spectrum"] = [
+        {"load": float(each.load), "share": float(each.share), "tilt": float(each.tilt)} for each in life.spectrum
+    ]
+    return {name: value for name, value in found.items() if value is not None and value != []}
+
+
+def _plain(value: Any) -> Any:
+    """Return words, flags and numbers as TOML and JSON have them, and sequences of them as lists."""
+    if isinstance(value, str | bool):
+        return value
+    if isinstance(value, int):
+        return int(value)
+    if hasattr(value, "__iter__"):
+        return [_plain(each) for each in value]
+    return float(value)

@@ -1,0 +1,232 @@
+"""Cases written and read back, results read back: the same values, and a sentence for what is none."""
+
+import dataclasses
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.io.casefile import LifeCase, case_in, read_case
+from nonhertz.io.results import as_json, as_object
+from nonhertz.io.written import FORMAT, document
+from nonhertz.life import LoadCase
+from nonhertz.model.profile import CATALOGUE, Profile
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+LENGTH = 20.0
+PARAMETERS = {
+    "straight": {},
+    "crown": {"radius": 4000, "centre": 0.5},
+    "partial-crown": {"radius": 1000.0, "straight": 12.0, "blended": False},
+    "two-radius": {"radius": 5000.0, "end_radius": 500.0, "middle": 12.0},
+    "logarithmic": {"amplitude": 0.005, "length": LENGTH, "fraction": 0.9999},
+    "lundberg": {"load": 20e3, "length": LENGTH, "radius": 8.0},
+    "johns-gohar": {"load": 20e3, "length": LENGTH, "radius": 8.0},
+    "fujiwara-kawase": {"load": 20e3, "length": LENGTH, "k1": 1.5, "k2": 0.6, "zm": 0.03},
+    "iso-logarithmic": {"diameter": 20.0, "length": LENGTH},
+    "iso-tapered": {"diameter": 20.0, "length": LENGTH},
+    "iso-thrust": {"diameter": 20.0, "length": LENGTH},
+    "conical": {"angle": 1e-4},
+    "tapered-ends": {"straight": 14.0, "angle": 0.004},
+    "chamfer": {"length": LENGTH, "width": 1.0},
+    "tabulated": {"y": [-10.0, 0.0, 10.0], "relief": [0.01, 0.0, 0.02], "interpolation": "linear"},
+}
+
+
+def made(profile=None, **changes):
+    body = {"diameter": 20.0, "length": LENGTH} | ({} if profile is None else {"profile": profile}) | changes
+    return nh.Case(nh.Contact(nh.Roller(**body), nh.Ring(diameter=80)), {"load": 5e3}, title="one")
+
+
+def back(case):
+    return case_in(document(case), Path("case.toml"), files=False)
+
+
+def test_every_kind_of_profile_is_tried():
+    assert set(PARAMETERS) == set(CATALOGUE)
+
+
+@pytest.mark.parametrize("kind", CATALOGUE)
+def test_every_kind_of_profile_is_written_as_it_was_made(kind, tmp_path):
+    profile = CATALOGUE[kind](**PARAMETERS[kind])
+    case, path = made(profile), tmp_path / "case.toml"
+    case.write(path)
+    found = read_case(path)
+    assert found.contact == case.contact
+    assert found.prescribed == case.prescribed
+    y = np.linspace(-9.0, 9.0, 101)
+    np.testing.assert_array_equal(found.contact.separation(y), case.contact.separation(y))
+    tables = document(case)["body"]["a"].get("profile", [])
+    assert [table["kind"] for table in tables] == ([] if kind == "straight" else [kind])
+
+
+@pytest.mark.parametrize("kind", [kind for kind in CATALOGUE if kind != "straight"])
+def test_sums_shifts_and_factors_are_written_too(kind):
+    profile = CATALOGUE[kind](**PARAMETERS[kind]).scaled(2.0).shifted(0.25) + nh.profile.crown(8000).shifted(-0.5)
+    case = made(profile)
+    y = np.linspace(-8.0, 8.0, 101)
+    np.testing.assert_allclose(back(case).contact.separation(y), case.contact.separation(y), rtol=1e-12, atol=1e-15)
+    shifted_first = made(CATALOGUE[kind](**PARAMETERS[kind]).shifted(0.25).scaled(2.0))
+    np.testing.assert_allclose(
+        back(shifted_first).contact.separation(y), shifted_first.contact.separation(y), rtol=1e-12, atol=1e-15
+    )
+
+
+@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)
+def test_the_examples_come_back_as_they_are_and_need_no_other_file(path, tmp_path):
+    case = read_case(path)
+    case.write(tmp_path / "again.toml")
+    again = read_case(tmp_path / "again.toml")
+    assert again == case
+    assert '"file"' not in json.dumps(document(case))
+
+
+BODIES = {
+    "body of any kind": nh.Body(diameter=20.0, length=LENGTH, depth="diameter"),
+    "concave": nh.Ring(diameter=-30.0, length=25.0, side_faces=("calibrated", 1.2), images=3),
+    "series": nh.Roller(diameter=20.0, length=LENGTH, images="series", depth=8.0),
+    "changing diameter": nh.Ring(diameter=nh.TabulatedDiameter(y=(-10.0, 10.0), diameter=(79.0, 81.0)), length=LENGTH),
+    "own material": nh.Plate(material=nh.Material(100e3, 0.25), depth=12.0, length=40.0, position=0.5),
+    "effective length": nh.Roller(diameter=20.0, length=LENGTH, effective_length=18.0),
+}
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_every_kind_of_body_comes_back(name):
+    case = nh.Case(nh.Contact(nh.Roller(diameter=15.0, length=LENGTH), BODIES[name]), {"approach": 0.01, "moment": 5.0})
+    found = back(case)
+    assert found.contact == case.contact
+    assert type(found.contact.b) is type(case.contact.b)
+    assert found.prescribed == case.prescribed
+
+
+def test_options_and_life_come_back():
+    life = LifeCase(
+        14, ("iso-16281",), {"laminae": 40}, (LoadCase(load=5e3, share=0.25), LoadCase(load=2e3, share=0.75))
+    )
+    case = dataclasses.replace(made(), solver={"element": nh.PARABOLIC, "strips": 41}, life=life)
+    assert back(case) == case
+
+
+@dataclasses.dataclass(frozen=True)
+class Own(Profile):
+    """A profile that no case file has."""
+
+    def relief(self, y):
+        return 1e-5 * np.asarray(y, dtype=float) ** 2
+
+
+@pytest.mark.parametrize(
+    ("case", "sentence"),
+    [
+        (made(Own()), r"body\.a\.profile = 'Own' must be of the catalogue to be written: tabulate it"),
+        (dataclasses.replace(made(), solver={"strips": [-1.0, 1.0]}), "strips = 'edges' must be 'auto' or a number"),
+    ],
+)
+def test_what_no_case_file_has_is_refused_and_nothing_is_left_behind(case, sentence, tmp_path):
+    with pytest.raises(nh.InputError, match=sentence):
+        case.write(tmp_path / "case.toml")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_place_that_cannot_be_written_to_is_named(tmp_path):
+    (tmp_path / "taken").write_text("")
+    with pytest.raises(nh.InputError, match=r"^path = .* must be a directory, not a file"):
+        made().write(tmp_path / "taken" / "case.toml")
+
+
+def test_a_case_is_written_to_a_file_and_to_nothing_else():
+    with pytest.raises(nh.InputError, match="path = 3 must be the name of a file to write"):
+        made().write(3)
+
+
+@pytest.mark.parametrize("value", [2, 0, "1", True])
+def test_other_formats_of_case_files_are_refused(value):
+    with pytest.raises(nh.CaseError, match=r"format = .* must be 1, the newest that is known here"):
+        case_in(document(made()) | {"format": value}, Path("case.toml"))
+
+
+def test_files_without_a_format_are_read():
+    found = document(made())
+    del found["format"]
+    assert case_in(found, Path("case.toml")) == made()
+
+
+# Results
+
+SOLVED = {
+    "runs out": made(nh.profile.iso_logarithmic(20.0, LENGTH)),
+    "sharp ends": made(),
+    "grooved": made(nh.profile.tabulated([-10, -2.1, -2, 2, 2.1, 10], [0, 0, 1, 1, 0, 0])),
+    "few strips": dataclasses.replace(made(), solver={"strips": 1, "element": nh.PARABOLIC}),
+}
+
+
+@pytest.fixture(scope="module", params=SOLVED)
+def solved(request):
+    case = SOLVED[request.param]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("warnings.warn", lambda *_, **__: None)
+        return case, case.solve()
+
+
+def test_a_result_is_read_back_to_the_last_digit(solved, tmp_path):
+    case, solution = solved
+    path = tmp_path / "result.json"
+    path.write_text(as_json(solution, case))
+    found = nh.read_result(path)
+    assert found.case.contact == case.contact
+    for field in dataclasses.fields(solution):
+        one, other = getattr(solution, field.name), getattr(found.solution, field.name)
+        if isinstance(one, np.ndarray):
+            np.testing.assert_array_equal(other, one)
+        else:
+            assert other == one
+    assert found.solution.max_pressure == solution.max_pressure
+    assert repr(found.solution) == repr(solution)
+
+
+def whole():
+    case = SOLVED["runs out"]
+    return as_object(case.solve(), case)
+
+
+BROKEN = {
+    "another format": (lambda result: result | {"format": FORMAT + 1}, "hold a result of format 1, not 2"),
+    "of an older release": (
+        lambda result: {k: v for k, v in result.items() if k != "format"},
+        "hold a result of format 1",
+    ),
+    "no case": (lambda result: {k: v for k, v in result.items() if k != "case"}, "hold all of a solution .KeyError"),
+    "a case that is none": (lambda result: result | {"case": {"load": {}}}, r"hold a case \(load\.load must be given"),
+    "a list": (lambda result: [result], "hold one JSON object"),
+    "no ends": (lambda result: result | {"edge_pressure": []}, "hold all of a solution"),
+    "an unknown element": (lambda result: result | {"element": "cubic"}, "hold all of a solution"),
+}
+
+
+@pytest.mark.parametrize("name", BROKEN)
+def test_a_file_that_is_no_result_is_refused_in_one_sentence(name, tmp_path):
+    change, sentence = BROKEN[name]
+    path = tmp_path / "result.json"
+    path.write_text(json.dumps(change(whole())))
+    with pytest.raises(nh.InputError, match=sentence) as caught:
+        nh.read_result(path)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("text", ["", "{", "[" * 100_000, "\x00", '{"format": 1'])
+def test_text_that_is_no_json_is_refused(text, tmp_path):
+    path = tmp_path / "result.json"
+    path.write_text(text)
+    with pytest.raises(nh.InputError, match=r"must be a result file \(no json\)"):
+        nh.read_result(path)
+
+
+def test_a_missing_file_and_a_wrong_argument_are_named(tmp_path):
+    with pytest.raises(nh.InputError, match="no such file"):
+        nh.read_result(tmp_path / "nothing.json")
+    with pytest.raises(nh.InputError, match="path = 3 must be the name of a result file"):
+        nh.read_result(3)
