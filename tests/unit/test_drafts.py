@@ -13,7 +13,7 @@ import pytest
 import nonhertz as nh
 from nonhertz.io import drafts
 from nonhertz.io.drafts import PREFIX, drafts_in
-from nonhertz.io.results import write_files
+from nonhertz.io.folder import write_files
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="folders are locked as Unix does")
 
@@ -38,20 +38,19 @@ def left_by_a_killed_process(directory: Path) -> Path:
     return folder
 
 
-def write_one(folder: Path) -> None:
-    (folder / "one.txt").write_text("whole")
+ONE = {"one.txt": "whole"}
 
 
 def test_what_a_killed_process_left_is_swept_by_the_next_run(tmp_path: Path) -> None:
     left_by_a_killed_process(tmp_path)
-    write_files(tmp_path, write_one)
+    write_files(tmp_path, ONE)
     assert [path.name for path in tmp_path.iterdir()] == ["one.txt"]
 
 
 def test_what_another_run_is_writing_stays(tmp_path: Path) -> None:
     with drafts_in(tmp_path) as living:
         (living / "two.txt").write_text("half")
-        write_files(tmp_path, write_one)
+        write_files(tmp_path, ONE)
         assert (living / "two.txt").read_text() == "half"
     assert [path.name for path in tmp_path.iterdir()] == ["one.txt"]
 
@@ -64,7 +63,7 @@ def test_what_is_not_ours_stays(tmp_path: Path) -> None:
     elsewhere.mkdir()
     (tmp_path / f"{PREFIX}linked_8").symlink_to(elsewhere)
     (tmp_path / f"{PREFIX}a_file_8").write_text("mine")
-    write_files(tmp_path, write_one)
+    write_files(tmp_path, ONE)
     names = {path.name for path in tmp_path.iterdir()}
     assert names == {"elsewhere", "one.txt", f"{PREFIX}linked_8", f"{PREFIX}a_file_8", *kept}
 
@@ -72,7 +71,7 @@ def test_what_is_not_ours_stays(tmp_path: Path) -> None:
 def test_nothing_is_swept_where_nothing_can_be_locked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     abandoned = left_by_a_killed_process(tmp_path)
     monkeypatch.setattr(drafts, "_lock", lambda descriptor: None)
-    write_files(tmp_path, write_one)
+    write_files(tmp_path, ONE)
     assert {path.name for path in tmp_path.iterdir()} == {"one.txt", abandoned.name}
 
 
@@ -90,5 +89,5 @@ def test_a_folder_that_is_swept_before_it_is_locked_is_made_anew(
         return locked(descriptor)
 
     monkeypatch.setattr(drafts, "_lock", late)
-    write_files(tmp_path, write_one)
+    write_files(tmp_path, ONE)
     assert [path.name for path in tmp_path.iterdir()] == ["one.txt"]

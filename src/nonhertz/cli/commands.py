@@ -117,7 +117,7 @@ def compare(
     from nonhertz.cli.comparing import compared, comparison_written, print_comparison  # noqa: PLC0415
     from nonhertz.io.casefile import read_case  # noqa: PLC0415
     from nonhertz.io.comparisons import as_json as json_text  # noqa: PLC0415
-    from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
+    from nonhertz.io.folder import refuse_unwritable  # noqa: PLC0415
 
     problem = read_case(case)
     if out is not None:
@@ -168,7 +168,7 @@ def stress(
     from nonhertz.cli.solving import solved_or_not  # noqa: PLC0415
     from nonhertz.cli.stressing import check_request, tell_stresses  # noqa: PLC0415
     from nonhertz.io.casefile import read_case  # noqa: PLC0415
-    from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
+    from nonhertz.io.folder import refuse_unwritable  # noqa: PLC0415
 
     check_request(station, body)
     problem = read_case(case)
@@ -213,7 +213,7 @@ def life(
     """
     from nonhertz.cli.living import check_models, tell_lives  # noqa: PLC0415
     from nonhertz.io.casefile import named, read_case  # noqa: PLC0415
-    from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
+    from nonhertz.io.folder import refuse_unwritable  # noqa: PLC0415
 
     check_models(model)
     problems = [read_case(case)]
@@ -250,7 +250,7 @@ def report(
         Look below the surface.
     """
     from nonhertz.cli.reporting import made, read_subjects, target, write  # noqa: PLC0415
-    from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
+    from nonhertz.io.folder import refuse_unwritable  # noqa: PLC0415
 
     if not cases:
         raise InputError("CASE", "", "be given", "name one case file or more")
@@ -329,8 +329,8 @@ def profile(
         Print one JSON object in place of the tables.
     """
     from nonhertz.cli import profiling  # noqa: PLC0415
+    from nonhertz.io.folder import refuse_unwritable  # noqa: PLC0415
     from nonhertz.io.prepared import as_json as json_text  # noqa: PLC0415
-    from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
 
     if out is not None:
         refuse_unwritable(out)
@@ -453,7 +453,7 @@ def verify(
         Print a JSON list of all checks in place of the tables.
     """
     from nonhertz.cli.verification import Progress, print_section  # noqa: PLC0415
-    from nonhertz.io.results import refuse_unwritable  # noqa: PLC0415
+    from nonhertz.io.folder import refuse_unwritable  # noqa: PLC0415
     from nonhertz.verify import chosen, sections  # noqa: PLC0415
     from nonhertz.verify.page import as_json as json_text  # noqa: PLC0415
     from nonhertz.verify.page import summary, tally, write_page  # noqa: PLC0415

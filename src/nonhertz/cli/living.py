@@ -76,14 +76,15 @@ def tell_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_jso
 
 
 def _lives_written(directory: Path, found: Assessment, other: Assessment | None) -> tuple[Path, ...]:
-    from nonhertz.io.lives import write_lives  # noqa: PLC0415
+    from nonhertz.io.folder import write_files  # noqa: PLC0415
+    from nonhertz.io.lives import files  # noqa: PLC0415
     from nonhertz.plot import life_figure, save  # noqa: PLC0415
 
     def draw(folder: Path) -> None:
         compared = None if other is None else other.lives
         save(life_figure(found.spectrum, found.lives, found.title, compared), folder / "life-density")
 
-    return write_lives(directory, found, other, draw)
+    return write_files(directory, files(found, other), draw)
 
 
 def print_lives(found: Assessment, other: Assessment | None) -> None:

@@ -13,8 +13,9 @@ from rich.text import Text
 
 from nonhertz.cli.printing import console, print_table
 from nonhertz.errors import InputError
+from nonhertz.io.folder import write_files
 from nonhertz.io.measured import checked, measured_from, trace_from
-from nonhertz.io.prepared import write_prepared
+from nonhertz.io.prepared import files
 from nonhertz.measured import Fit, Measured
 from nonhertz.measured.fit import KINDS
 from nonhertz.model.checks import one_of
@@ -104,7 +105,7 @@ def written(
         figure = measured_figure(measured, measured.trace.name, fits[0] if fits else None)
         save(figure, folder / "profile-steps")
 
-    return write_prepared(directory, file, values, measured, fits, draw)
+    return write_files(directory, files(directory, file, values, measured, fits), draw)
 
 
 def print_profile(measured: Measured, fits: Sequence[Fit]) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 from nonhertz.cli.verification import Progress
 from nonhertz.errors import CaseError, InputError
 from nonhertz.io.casefile import named
-from nonhertz.io.results import write_files
+from nonhertz.io.folder import write_files
 from nonhertz.report import MARK, Finding, Subject, examined, read_subject, rendered, settled, steps
 
 _REMEDY = "give the name of a file such as report.html"
@@ -74,7 +74,7 @@ def write(path: Path, text: str) -> None:
     InputError
         If its directory cannot be written to.
     """
-    write_files(path.parent, lambda folder: (folder / path.name).write_text(text, encoding="utf-8", newline="\n"))
+    write_files(path.parent, {path.name: text})
 
 
 def _is_report(path: Path) -> bool:

@@ -32,11 +32,12 @@ def spectrum_or_not(case: Case) -> tuple[Spectrum, str]:
 
 def results_written(directory: Path, solution: Solution, case: Case) -> tuple[Path, ...]:
     """Write a solution with its figures, and return the files."""
-    from nonhertz.io.results import write_results  # noqa: PLC0415
+    from nonhertz.io.folder import write_files  # noqa: PLC0415
+    from nonhertz.io.results import files  # noqa: PLC0415
     from nonhertz.plot import figures, save  # noqa: PLC0415
 
     def draw(folder: Path) -> None:
         for name, figure in figures(solution, case.title).items():
             save(figure, folder / name)
 
-    return write_results(directory, solution, case, draw)
+    return write_files(directory, files(solution, case), draw)

@@ -74,7 +74,8 @@ def tell_stresses(
 def _stresses_written(
     directory: Path, solution: Solution, found: tuple[Extremes, Extremes], text: str, title: str
 ) -> tuple[Path, ...]:
-    from nonhertz.io.stresses import write_stresses  # noqa: PLC0415
+    from nonhertz.io.folder import write_files  # noqa: PLC0415
+    from nonhertz.io.stresses import files  # noqa: PLC0415
     from nonhertz.plot import save, stress_figures, stress_planes  # noqa: PLC0415
 
     planes = stress_planes(solution, found[1])
@@ -83,7 +84,7 @@ def _stresses_written(
         for name, figure in stress_figures(solution, *found, title, planes).items():
             save(figure, folder / name)
 
-    return write_stresses(directory, text, planes, draw)
+    return write_files(directory, files(text, planes), draw)
 
 
 def print_stresses(solution: Solution, overall: Extremes, section: Extremes, title: str) -> None:

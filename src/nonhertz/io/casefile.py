@@ -171,7 +171,7 @@ class Case:
             If the file cannot be written, or holds what no case file can: a profile or diameter of a class of your own,
             edges of strips.
         """
-        from nonhertz.io.results import write_files  # noqa: PLC0415
+        from nonhertz.io.folder import write_files  # noqa: PLC0415
         from nonhertz.io.written import document  # noqa: PLC0415
 
         if not isinstance(path, str | Path):
@@ -181,7 +181,7 @@ class Case:
             condition = f"make a file of {LARGEST_CASE / 1e6:g} MB at most, which is what is read"
             raise InputError("profile", f"{len(text) / 1e6:.1f} MB", condition, "smooth it or take every tenth point")
         try:
-            write_files(path.parent, lambda folder: (folder / path.name).write_text(text, encoding="utf-8"))
+            write_files(path.parent, {path.name: text})
         except InputError as error:
             raise InputError("path", str(path), error.condition, error.remedy) from None
 

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from nonhertz.comparison import Comparison, Quantity, Stretch
-from nonhertz.io.results import key_by_key, plain, write_files
+from nonhertz.io.results import key_by_key, plain
 from nonhertz.result.solution import Solution
 
 #: Units of the numbers in a comparison; quantities have their own, and what has none is left out.
@@ -67,23 +65,9 @@ def as_table(found: Comparison) -> str:
     return text.getvalue()
 
 
-def write_comparison(
-    directory: str | Path, found: Comparison, title: str, draw: Callable[[Path], object]
-) -> tuple[Path, ...]:
-    """Write comparison.json, comparison.csv and what ``draw`` writes into a directory, all of them or none.
-
-    Raises
-    ------
-    InputError
-        If the directory cannot be written to.
-    """
-
-    def write(folder: Path) -> None:
-        (folder / "comparison.json").write_text(as_json(found, title) + "\n", encoding="utf-8")
-        (folder / "comparison.csv").write_text(as_table(found), encoding="utf-8")
-        draw(folder)
-
-    return write_files(directory, write)
+def files(found: Comparison, title: str) -> dict[str, str]:
+    """Return the texts of comparison.json and comparison.csv, by their names."""
+    return {"comparison.json": as_json(found, title) + "\n", "comparison.csv": as_table(found)}
 
 
 def _quantity(each: Quantity) -> dict[str, Any]:

@@ -5,12 +5,11 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
-from pathlib import Path
 from typing import Any
 
-from nonhertz.io.results import key_by_key, plain, write_files
+from nonhertz.io.results import key_by_key, plain
 from nonhertz.life import Life
 from nonhertz.result.solution import Solution
 
@@ -108,41 +107,10 @@ def as_table(found: Assessment) -> str:
     return text.getvalue()
 
 
-def write_lives(
-    directory: str | Path, found: Assessment, other: Assessment | None, draw: Callable[[Path], object]
-) -> tuple[Path, ...]:
-    """Write life.json, life.csv and what ``draw`` writes into a directory, all of them or none.
-
-    Parameters
-    ----------
-    directory : str or Path
-        Where to; made if it does not exist. Files of the same names are replaced.
-    found : Assessment
-        What to write.
-    other : Assessment or None
-        What it is compared with; its densities go into compared.csv.
-    draw : callable
-        Writes further files, figures that is, into the directory that it is given.
-
-    Returns
-    -------
-    tuple of Path
-        The files.
-
-    Raises
-    ------
-    InputError
-        If the directory cannot be written to.
-    """
-
-    def write(folder: Path) -> None:
-        (folder / "life.json").write_text(as_json(found, other) + "\n", encoding="utf-8")
-        (folder / "life.csv").write_text(as_table(found), encoding="utf-8")
-        if other is not None:
-            (folder / "compared.csv").write_text(as_table(other), encoding="utf-8")
-        draw(folder)
-
-    return write_files(directory, write)
+def files(found: Assessment, other: Assessment | None) -> dict[str, str]:
+    """Return the texts of life.json and life.csv, and of compared.csv with what is compared, by their names."""
+    texts = {"life.json": as_json(found, other) + "\n", "life.csv": as_table(found)}
+    return texts if other is None else texts | {"compared.csv": as_table(other)}
 
 
 def _head(found: Assessment) -> dict[str, Any]:

@@ -6,12 +6,12 @@ import csv
 import io
 import json
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from nonhertz.io.measured import KIND
-from nonhertz.io.results import key_by_key, plain, write_files
+from nonhertz.io.results import key_by_key, plain
 from nonhertz.measured import Fit, Measured, Roughness
 
 #: Units of the numbers; what has none is left out. Parameters of fits have those of the catalogue.
@@ -108,20 +108,15 @@ def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Seq
     return "\n".join(lines) + "\n"
 
 
-def write_prepared(
-    directory: str | Path,
-    file: Path,
-    values: Mapping[str, Any],
-    measured: Measured,
-    fits: Sequence[Fit],
-    draw: Callable[[Path], object],
-) -> tuple[Path, ...]:
-    """Write profile.json, profile.csv, profile.toml and what ``draw`` writes into a directory, all of them or none.
+def files(
+    directory: Path, file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[Fit]
+) -> dict[str, str]:
+    """Return the texts of profile.json, profile.csv and profile.toml, by their names.
 
     Parameters
     ----------
-    directory : str or Path
-        Where to; made if it does not exist. Files of the same names are replaced.
+    directory : Path
+        Where they will be: the case file names the measured one from there.
     file : Path
         The measured file.
     values : mapping
@@ -130,28 +125,12 @@ def write_prepared(
         The trace and its steps.
     fits : sequence of Fit
         Fitted profiles, the best first.
-    draw : callable
-        Writes further files, figures that is, into the directory that it is given.
-
-    Returns
-    -------
-    tuple of Path
-        The files.
-
-    Raises
-    ------
-    InputError
-        If the directory cannot be written to.
     """
-
-    def write(folder: Path) -> None:
-        (folder / "profile.json").write_text(as_json(measured, fits) + "\n", encoding="utf-8")
-        (folder / TABLE).write_text(as_table(measured), encoding="utf-8")
-        text = as_case(_seen_from(Path(directory), file), values, measured, fits)
-        (folder / "profile.toml").write_text(text, encoding="utf-8")
-        draw(folder)
-
-    return write_files(directory, write)
+    return {
+        "profile.json": as_json(measured, fits) + "\n",
+        TABLE: as_table(measured),
+        "profile.toml": as_case(_seen_from(directory, file), values, measured, fits),
+    }
 
 
 def _seen_from(directory: Path, file: Path) -> Path:

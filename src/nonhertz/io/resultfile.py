@@ -61,13 +61,14 @@ def read_result(path: str | Path) -> Result:
     --------
     >>> import tempfile
     >>> from nonhertz.io.casefile import read_case, starting_case
-    >>> from nonhertz.io.results import write_results
+    >>> from nonhertz.io.folder import write_files
+    >>> from nonhertz.io.results import files
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     path = Path(folder, "case.toml")
     ...     _ = path.write_text(starting_case())
     ...     case = read_case(path)
     ...     solution = case.solve()
-    ...     _ = write_results(folder, solution, case)
+    ...     _ = write_files(folder, files(solution, case))
     ...     found = read_result(Path(folder, "result.json"))
     >>> found.case == case, found.solution.approach == solution.approach
     (True, True)

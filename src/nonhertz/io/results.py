@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-import contextlib
 import csv
 import io
 import json
 import math
-import os
-from collections.abc import Callable, Iterator
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonhertz.errors import InputError
-from nonhertz.io.drafts import drafts_in
 from nonhertz.io.written import FORMAT, document
 from nonhertz.result.quantities import ALONG, QUANTITIES
 from nonhertz.result.solution import EdgePressure, Solution
@@ -43,7 +37,6 @@ UNITS: dict[str, Any] = {
     "edges": "mm",
     "element_half_width": "mm",
 }
-_OUT_REMEDY = "give a directory to write to"
 
 
 def as_object(solution: Solution, case: Case) -> dict[str, Any]:
@@ -124,128 +117,9 @@ def as_table(solution: Solution) -> str:
     return text.getvalue()
 
 
-def write_results(
-    directory: str | Path, solution: Solution, case: Case, draw: Callable[[Path], object] | None = None
-) -> tuple[Path, ...]:
-    """Write result.json, table.csv and what ``draw`` writes into a directory, all of them or none.
-
-    Parameters
-    ----------
-    directory : str or Path
-        Where to; made if it does not exist. Files of the same names are replaced.
-    solution : Solution
-        What to write.
-    case : Case
-        What was solved.
-    draw : callable or None
-        Writes further files, figures that is, into the directory that it is given.
-
-    Returns
-    -------
-    tuple of Path
-        The files.
-
-    Raises
-    ------
-    InputError
-        If the directory cannot be written to.
-    """
-
-    def write(folder: Path) -> None:
-        (folder / "result.json").write_text(as_json(solution, case) + "\n", encoding="utf-8")
-        (folder / "table.csv").write_text(as_table(solution), encoding="utf-8")
-        if draw is not None:
-            draw(folder)
-
-    return write_files(directory, write)
-
-
-def write_files(directory: str | Path, write: Callable[[Path], object]) -> tuple[Path, ...]:
-    """Put into a directory what ``write`` writes, all files or none.
-
-    Parameters
-    ----------
-    directory : str or Path
-        Where to; made if it does not exist. Files of the same names are replaced.
-    write : callable
-        Writes the files into the directory that it is given, where they are drafts until it returns.
-
-    Returns
-    -------
-    tuple of Path
-        The files.
-
-    Raises
-    ------
-    InputError
-        If the directory cannot be written to.
-    """
-    directory = Path(directory)
-    try:
-        with _directory(directory), drafts_in(directory) as drafts:
-            write(drafts)
-            return _moved(drafts, directory)
-    except OSError as error:
-        raise _unwritable(directory, error) from None
-
-
-def refuse_unwritable(directory: Path) -> None:
-    """Refuse what is no directory to write to: `write_files` would, but only when all the work is done.
-
-    The directory is tried and left as it was.
-
-    Raises
-    ------
-    InputError
-        If the directory cannot be written to.
-    """
-    made = _missing(directory)
-    try:
-        with _directory(directory), drafts_in(directory):
-            pass
-    except OSError as error:
-        raise _unwritable(directory, error) from None
-    _take_away(made)
-
-
-def _unwritable(directory: Path, error: OSError) -> InputError:
-    reason = (error.strerror or str(error)).lower()
-    return InputError("--out", str(directory), f"be a directory to write to ({reason})", "choose another")
-
-
-@contextlib.contextmanager
-def _directory(directory: Path) -> Iterator[None]:
-    """Make a directory, and take it away again if what follows fails."""
-    if directory.exists() and not directory.is_dir():
-        raise InputError("--out", str(directory), "be a directory, not a file", _OUT_REMEDY)
-    made = _missing(directory)
-    try:
-        directory.mkdir(parents=True, exist_ok=True)
-        yield
-    except BaseException:
-        _take_away(made)
-        raise
-
-
-def _missing(directory: Path) -> list[Path]:
-    """Return what has to be made for a directory to be there, the innermost first."""
-    return [path for path in (directory, *directory.parents) if not path.exists()]
-
-
-def _take_away(made: list[Path]) -> None:
-    for path in made:
-        with contextlib.suppress(OSError):
-            path.rmdir()
-
-
-def _moved(drafts: Path, directory: Path) -> tuple[Path, ...]:
-    files = [(draft, directory / draft.name) for draft in sorted(drafts.iterdir())]
-    for _, target in files:
-        if target.is_dir():
-            raise InputError("--out", str(directory), f"not hold a directory named {target.name}", _OUT_REMEDY)
-    for draft, target in files:
-        os.replace(draft, target)  # noqa: PTH105  (says that it replaces)
-    return tuple(target for _, target in files)
+def files(solution: Solution, case: Case) -> dict[str, str]:
+    """Return the texts of result.json and table.csv, by their names."""
+    return {"result.json": as_json(solution, case) + "\n", "table.csv": as_table(solution)}
 
 
 def _edge_object(edge: EdgePressure) -> dict[str, Any]:

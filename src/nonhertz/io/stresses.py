@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Callable, Mapping
-from pathlib import Path
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.io.results import key_by_key, plain, write_files
+from nonhertz.io.results import key_by_key, plain
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes, Field
 
@@ -75,40 +74,9 @@ def as_table(field: Field) -> str:
     return text.getvalue()
 
 
-def write_stresses(
-    directory: str | Path, text: str, planes: Mapping[str, Field], draw: Callable[[Path], object]
-) -> tuple[Path, ...]:
-    """Write stress.json, a table of each plane and what ``draw`` writes into a directory, all of them or none.
-
-    Parameters
-    ----------
-    directory : str or Path
-        Where to; made if it does not exist. Files of the same names are replaced.
-    text : str
-        What `as_json` returned.
-    planes : mapping of str to Field
-        By the names of their tables, without the ending.
-    draw : callable
-        Writes further files, figures that is, into the directory that it is given.
-
-    Returns
-    -------
-    tuple of Path
-        The files.
-
-    Raises
-    ------
-    InputError
-        If the directory cannot be written to.
-    """
-
-    def write(folder: Path) -> None:
-        (folder / "stress.json").write_text(text + "\n", encoding="utf-8")
-        for name, field in planes.items():
-            (folder / f"{name}.csv").write_text(as_table(field), encoding="utf-8")
-        draw(folder)
-
-    return write_files(directory, write)
+def files(text: str, planes: Mapping[str, Field]) -> dict[str, str]:
+    """Return the texts of stress.json, which `as_json` made, and of a table for each plane, by their names."""
+    return {"stress.json": text + "\n", **{f"{name}.csv": as_table(field) for name, field in planes.items()}}
 
 
 def poisson(solution: Solution, body: str) -> float:

@@ -112,11 +112,9 @@ def _end(edge: EdgePressure) -> tuple[str, str]:
     return "no limit", edge.law
 
 
-# What changes from case to case, beside pressures.
-_COMPARED = (
-    "max_pressure", "approach", "tilt", "load", "moment", "max_half_width", "contact_length", "load_by_approach",
-    "moment_by_tilt",
-)  # fmt: skip
+# The largest pressure first; the place of it and what is the same as its mirror image are left out.
+_LEFT_OUT = {"max_pressure_y", "load_by_tilt", "moment_by_approach"}
+_COMPARED = sorted(set(QUANTITIES) - _LEFT_OUT, key=["max_pressure", *QUANTITIES].index)
 _STRESSES = {"von Mises stress": "von_mises", "shear stress": "shear", "orthogonal shear stress": "orthogonal_shear"}
 
 

@@ -3,40 +3,51 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from nonhertz.result.brief import where_largest
 from nonhertz.result.numerals import digits
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 
+Row = tuple[str, str, str]
 
-def summary_rows(solution: Solution) -> list[tuple[str, str, str]]:
-    """Return name, value and remark of everything in the summary."""
-    estimate = solution.error_estimate
+
+def summary_rows(solution: Solution) -> list[Row]:
+    """Return name, value and remark of everything in the summary: all quantities, and what they are numbers of."""
+    rows = [("status", solution.status.label, "")]
+    for name in QUANTITIES:
+        rows += _TOLD[name](solution) if name in _TOLD else [_row(name, solution)]
+    rows.append(("strips", f"{solution.strips}, {solution.element.name}", ""))
+    rows.append(("Newton steps", str(solution.iterations), ""))
+    return rows
+
+
+def _approach_rows(solution: Solution) -> list[Row]:
+    shown = QUANTITIES["approach"].text(solution)
+    error = _error(solution.error_estimate.approach)
+    return [("approach", f"{digits(solution.approach)} mm", error), ("", shown, "")]
+
+
+def _load_rows(solution: Solution) -> list[Row]:
+    return [_row("load", solution, _error(solution.error_estimate.load))]
+
+
+def _contact_rows(solution: Solution) -> list[Row]:
+    """Return where the bodies touch, and how that ends."""
     touching = "; ".join(f"{digits(low)} to {digits(high)}" for low, high in solution.contact_y)
-    return [
-        ("status", solution.status.label, ""),
-        ("approach", f"{digits(solution.approach)} mm", _error(estimate.approach)),
-        ("", QUANTITIES["approach"].text(solution), ""),
-        _row("tilt", solution),
-        _row("load", solution, _error(estimate.load)),
-        _row("moment", solution),
-        *_pressure_rows(solution),
-        _row("max_half_width", solution),
-        ("contact along y", f"{touching} mm" if touching else "none", ""),
-        *((f"edge at y = {edge.y:.5g} mm", *_convention(edge)) for edge in solution.edge_pressure if touching),
-        *(_row(f"{force}_by_{motion}", solution) for force in ("load", "moment") for motion in ("approach", "tilt")),
-        ("strips", f"{solution.strips}, {solution.element.name}", ""),
-        ("Newton steps", str(solution.iterations), ""),
-    ]
+    if not touching:
+        return [("contact along y", "none", "")]
+    ends = [(f"edge at y = {edge.y:.5g} mm", *_convention(edge)) for edge in solution.edge_pressure]
+    return [("contact along y", f"{touching} mm", ""), *ends]
 
 
-def _row(name: str, solution: Solution, remark: str = "") -> tuple[str, str, str]:
+def _row(name: str, solution: Solution, remark: str = "") -> Row:
     quantity = QUANTITIES[name]
     return quantity.label, quantity.text(solution), remark
 
 
-def _pressure_rows(solution: Solution) -> list[tuple[str, str, str]]:
+def _pressure_rows(solution: Solution) -> list[Row]:
     """Return the maximum pressure and where it is."""
     if not solution.contact_y:
         return []
@@ -72,3 +83,13 @@ def _error(relative: float) -> str:
         return "error unknown"
     # A load that is prescribed, say, is met to rounding.
     return f"error about {100.0 * relative:.1g} %" if relative > 1e-12 else ""
+
+
+# Quantities of which more is said than the number, or which another row has.
+_TOLD: dict[str, Callable[[Solution], list[Row]]] = {
+    "approach": _approach_rows,
+    "load": _load_rows,
+    "max_pressure": _pressure_rows,
+    "max_pressure_y": lambda _: [],
+    "contact_length": _contact_rows,
+}

@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz import __version__
-from nonhertz.io.results import plain, write_files
+from nonhertz.io.folder import write_files
+from nonhertz.io.results import plain
 from nonhertz.verify.claim import Check, Picture, Section
 
 #: What `row` returns, in this order.
@@ -83,36 +84,17 @@ def as_markdown(found: Mapping[str, Section], command: str) -> str:
 
 
 def write_page(directory: str | Path, found: Mapping[str, Section], command: str) -> tuple[Path, ...]:
-    """Write page, figures (SVG and PNG) and checks (JSON) into a directory, all of them or none.
+    """Write page, figures (SVG and PNG) and checks (JSON) into a directory; see `nonhertz.io.folder.write_files`.
 
-    Parameters
-    ----------
-    directory : str or Path
-        Where to; made if it does not exist. Files of the same names are replaced.
-    found : mapping of str to Section
-        The sections in reading order, by name.
-    command : str
-        The command that makes the page.
-
-    Returns
-    -------
-    tuple of Path
-        The files.
-
-    Raises
-    ------
-    InputError
-        If the directory cannot be written to.
+    ``found`` are the sections in reading order, by name, ``command`` is the one that makes the page.
     """
 
     def draw(folder: Path) -> None:
-        (folder / PAGE).write_text(as_markdown(found, command), encoding="utf-8")
-        (folder / CHECKS).write_text(as_json(found) + "\n", encoding="utf-8")
         for section in found.values():
             for picture in section.pictures:
                 _save(picture, folder)
 
-    return write_files(directory, draw)
+    return write_files(directory, {PAGE: as_markdown(found, command), CHECKS: as_json(found) + "\n"}, draw)
 
 
 def _save(picture: Picture, folder: Path) -> None:

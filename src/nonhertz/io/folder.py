@@ -1,0 +1,109 @@
+"""Files written into a directory, all of them or none."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+
+from nonhertz.errors import InputError
+from nonhertz.io.drafts import drafts_in
+
+_OUT_REMEDY = "give a directory to write to"
+
+
+def write_files(
+    directory: str | Path, texts: Mapping[str, str], draw: Callable[[Path], object] | None = None
+) -> tuple[Path, ...]:
+    """Write texts, and what ``draw`` writes, into a directory: all files or none.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Where to; made if it does not exist. Files of the same names are replaced.
+    texts : mapping of str to str
+        By the names of their files.
+    draw : callable or None
+        Writes further files, figures that is, into the directory that it is given, where they are drafts until it
+        returns.
+
+    Returns
+    -------
+    tuple of Path
+        The files.
+
+    Raises
+    ------
+    InputError
+        If the directory cannot be written to.
+    """
+    directory = Path(directory)
+    try:
+        with _directory(directory), drafts_in(directory) as drafts:
+            for name, text in texts.items():
+                (drafts / name).write_text(text, encoding="utf-8", newline="\n")
+            if draw is not None:
+                draw(drafts)
+            return _moved(drafts, directory)
+    except OSError as error:
+        raise _unwritable(directory, error) from None
+
+
+def refuse_unwritable(directory: Path) -> None:
+    """Refuse what is no directory to write to: `write_files` would, but only when all the work is done.
+
+    The directory is tried and left as it was.
+
+    Raises
+    ------
+    InputError
+        If the directory cannot be written to.
+    """
+    made = _missing(directory)
+    try:
+        with _directory(directory), drafts_in(directory):
+            pass
+    except OSError as error:
+        raise _unwritable(directory, error) from None
+    _take_away(made)
+
+
+def _unwritable(directory: Path, error: OSError) -> InputError:
+    reason = (error.strerror or str(error)).lower()
+    return InputError("--out", str(directory), f"be a directory to write to ({reason})", "choose another")
+
+
+@contextlib.contextmanager
+def _directory(directory: Path) -> Iterator[None]:
+    """Make a directory, and take it away again if what follows fails."""
+    if directory.exists() and not directory.is_dir():
+        raise InputError("--out", str(directory), "be a directory, not a file", _OUT_REMEDY)
+    made = _missing(directory)
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+        yield
+    except BaseException:
+        _take_away(made)
+        raise
+
+
+def _missing(directory: Path) -> list[Path]:
+    """Return what has to be made for a directory to be there, the innermost first."""
+    return [path for path in (directory, *directory.parents) if not path.exists()]
+
+
+def _take_away(made: list[Path]) -> None:
+    for path in made:
+        with contextlib.suppress(OSError):
+            path.rmdir()
+
+
+def _moved(drafts: Path, directory: Path) -> tuple[Path, ...]:
+    files = [(draft, directory / draft.name) for draft in sorted(drafts.iterdir())]
+    for _, target in files:
+        if target.is_dir():
+            raise InputError("--out", str(directory), f"not hold a directory named {target.name}", _OUT_REMEDY)
+    for draft, target in files:
+        os.replace(draft, target)  # noqa: PTH105  (says that it replaces)
+    return tuple(target for _, target in files)
