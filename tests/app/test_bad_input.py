@@ -254,6 +254,14 @@ MISTAKES = {
         f"load = '20 kN'\n{A}{B}",
         ["load = '20 kN' must be a section: write it under a heading [load]."],
     ),
+    "a title of two lines": (
+        f'title = "a\\nb"\n{A}{B}{LOAD}',
+        [r"title = 'a\nb' must be one line of text without control characters: write a short name."],
+    ),
+    "a bell in a title": (
+        f'title = "a\\u0007"\n{A}{B}{LOAD}',
+        [r"title = 'a\x07' must be one line of text without control characters: write a short name."],
+    ),
     "number for a title": (f"title = 3\n{A}{B}{LOAD}", ["title = 3 must be text: put it in quotes."]),
     # Side faces
     "misspelt side faces": refused_word(

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 from nonhertz.errors import CaseError, InputError
 from nonhertz.files import content, legible
 from nonhertz.io.bounds import LARGEST_CASE, TOO_DEEP, excess, has_long_key
+from nonhertz.model.checks import one_line
 from nonhertz.model.contact import Contact
 
 if TYPE_CHECKING:
@@ -128,6 +129,7 @@ class Case:
         ):
             if not isinstance(value, kind):
                 raise InputError(name, value, f"be a {kind.__name__}", "make the case with one")
+        one_line("title", self.title, "give a short name")
         for name, given, section in (("prescribed", self.prescribed, "load"), ("solver", self.solver, "solver")):
             known = _SECTIONS[section]
             if not isinstance(given, dict) or not set(given) <= set(known):

@@ -36,7 +36,7 @@ from nonhertz.io.profiles import BROKEN, profile_schema, quantity_schema, read_p
 from nonhertz.io.units import begins_with_digits, in_unit
 from nonhertz.io.written import FORMAT
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter, convex
-from nonhertz.model.checks import MOST, above_zero, finite, positive
+from nonhertz.model.checks import MOST, above_zero, finite, one_line, positive
 from nonhertz.model.contact import Contact
 from nonhertz.model.finite import FEWEST_IMAGES, MOST_IMAGES, SERIES
 from nonhertz.model.material import MATERIALS, STEEL, Material
@@ -554,3 +554,9 @@ class CaseTable(Table):
     load: LoadTable = Field(description="what presses them together")
     solver: SolverTable = Field(default_factory=SolverTable, description="how it is solved")
     life: LifeTable = Field(default_factory=LifeTable, description="how long the bodies last")
+
+    @field_validator("title")
+    @classmethod
+    def _check(cls, value: str) -> str:
+        one_line("title", value, "write a short name")
+        return value

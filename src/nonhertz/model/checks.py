@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import os
+import unicodedata
 from collections.abc import Iterable, Mapping
 from numbers import Integral
 from typing import Any
@@ -120,6 +121,12 @@ def thread_count(threads: int | None) -> int:
     if isinstance(threads, bool) or not isinstance(threads, Integral) or threads < 1:
         raise InputError("threads", threads, "be a whole number of at least 1", "leave it out for all cores")
     return int(threads)
+
+
+def one_line(field: str, value: str, remedy: str) -> None:
+    """Refuse text with control characters or ends of lines, which no table, picture or page can show."""
+    if any(unicodedata.category(character) in {"Cc", "Cs", "Zl", "Zp"} for character in value):
+        raise InputError(field, value, "be one line of text without control characters", remedy)
 
 
 def broadcast(remedy: str, *places: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
