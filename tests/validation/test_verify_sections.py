@@ -19,6 +19,7 @@ MODULES = PAPER + BODIES + BELOW
 pytestmark = [
     pytest.mark.campaign,
     pytest.mark.filterwarnings("ignore:The discretisation error of:nonhertz.AccuracyWarning"),
+    pytest.mark.filterwarnings("ignore:The maximum pressure is uncertain:nonhertz.AccuracyWarning"),
 ]
 over_modules = pytest.mark.parametrize("module", MODULES)
 

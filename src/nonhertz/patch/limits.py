@@ -20,7 +20,7 @@ from nonhertz.patch.grid import Grid
 from nonhertz.patch.nearness import Overlap
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.maximum import largest_pressure, singular_y
-from nonhertz.result.solution import EdgeKind, ErrorEstimate, Status
+from nonhertz.result.solution import EdgeKind, ErrorEstimate, SingularEnd, Status
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -32,6 +32,7 @@ HEAVIEST = 1.0 + 1e-9
 # Of the last change, for approach and load and for the largest pressure: calibrated on random contacts
 # (tests/campaign/test_patch_estimate.py); 1.5 for all left out one approach in 25.
 MARGIN, PRESSURE_MARGIN = 3.0, 1.5
+LONGEST_AT_END = 0.8  # half-widths: a longer cell at a singular end leaves nothing to interpolate to the border
 LEAST_CELLS = 2.0  # of a feature: over a shorter one the largest pressure is anything
 STEEPEST = 1.5  # d ln(load) / d ln(displacement) of a paraboloid
 ROUGH, ROUGH_PRESSURE = 0.05, 0.2  # estimated relative errors that are warned of
@@ -53,13 +54,15 @@ def error_estimate(
     ``levels`` are grids that double the cells in both directions (`cascade.halved`), ``largest`` is the largest
     displacement [mm]. Infinite where there is no coarser
     one, fewer than 8 cells having no half; and for a pressure without a limit: at the edge of a body, where the region
-    cuts the contact, or over a feature of less than two cells.
+    cuts the contact, over a feature of less than two cells, or next to a singular end on cells longer than the
+    half-width there.
     """
     if solution.status is not Status.CONVERGED or len(levels) < 2:
         return ErrorEstimate(math.inf, math.inf, math.inf)
     by_load, pressure = problem.by_force[0], solution.max_pressure
     lost = any(size < LEAST_CELLS * side for _, size, side in _features(problem, solution))
     unlimited = lost or bool(_cut_off(solution, outcome.grid) or _edges_of_bodies(solution))
+    unlimited |= any(_too_long(solution, end) for end in solution.singular_ends)
     singular = singular_y(solution)
     highest = [float(largest_pressure(*level.along, singular)[0]) for level in levels]
     return ErrorEstimate(
@@ -253,13 +256,24 @@ def _heavy_images(influence: Influence) -> list[str]:
     ]
 
 
+def _too_long(solution: PatchSolution, end: SingularEnd) -> bool:
+    """Return whether the cells at a singular end are longer than the half-width there, and show nothing of the rise."""
+    touching = np.flatnonzero(solution.half_width > 0.0)
+    nearest = touching[np.abs(solution.y[touching] - end.y).argmin()]
+    return bool(solution.dy > LONGEST_AT_END * solution.half_width[nearest])
+
+
 def singularities(solution: PatchSolution) -> tuple[str, ...]:
     """Return a sentence for every singular end, and for the edges of bodies in the gap."""
     reached = {EdgeKind.SINGULAR: "reaches the sharp end", EdgeKind.CORNER: "ends at a corner of the profile"}
     ends = tuple(
         f"The contact {reached[end.kind]} at y = {end.y:.6g} mm, where the pressure is singular: the value there is "
-        f"that of a cell {solution.dy:.3g} mm long, not a limit, and the maximum pressure is taken more than a "
-        "half-width from it."
+        f"that of a cell {solution.dy:.3g} mm long, not a limit, and the maximum pressure is "
+        + (
+            "that of the row next to it, since cells are about as long as the half-width; give more cells along."
+            if _too_long(solution, end)
+            else "taken more than a half-width from it."
+        )
         for end in solution.singular_ends
     )
     return (*ends, *_edges_of_bodies(solution))

@@ -113,7 +113,12 @@ def _at_borders(
         distance = from_end[0] + share * (from_end[1] - from_end[0])
         power = np.log(distance / from_end[0]) / np.log(from_end[1] / from_end[0])
     power = np.where(np.isfinite(power), power, share)
-    return first[0] + share * (second[0] - first[0]), first[2] ** (1.0 - power) * second[2] ** power
+    place, pressures = first[0] + share * (second[0] - first[0]), first[2] ** (1.0 - power) * second[2] ** power
+    # A border before one end may lie next to another.
+    others = np.abs(place[:, None] - of_case)
+    nearest = np.where(np.isnan(others), np.inf, others).min(axis=-1)
+    half_width_there = first[1] + share * (second[1] - first[1])
+    return place, np.where(nearest >= (1.0 - SAME) * half_width_there, pressures, 0.0)
 
 
 def places_of_largest(solution: Solved) -> tuple[float, ...]:
