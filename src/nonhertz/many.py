@@ -98,7 +98,8 @@ def solve_many(
     Warns
     -----
     AccuracyWarning
-        If some results strain the model's validity, once for all of them; see `Solutions.strained`.
+        If some results strain the model's validity, or contacts end where the pressure has no limit, once for all of
+        each; see `Solutions.warnings`.
 
     Notes
     -----
