@@ -378,7 +378,8 @@ class _Block:
         asked = self.contact, self.problem, self.states, self.singular, self.largest[1]
         for row in np.flatnonzero(suspected(*asked)):
             solution = self.solution(int(row))
-            sentences = [each for each in solution.warnings if each not in singularities(solution)]
+            of_ends = singularities(solution)
+            sentences = [each for each in solution.warnings if each not in of_ends]
             if sentences:
                 yield self.numbers[row], sentences[0]
 

@@ -39,15 +39,12 @@ def write_files(
         If the directory cannot be written to.
     """
     directory = Path(directory)
-    try:
-        with _directory(directory), drafts_in(directory) as drafts:
-            for name, text in texts.items():
-                (drafts / name).write_text(text, encoding="utf-8", newline="\n")
-            if draw is not None:
-                draw(drafts)
-            return _moved(drafts, directory)
-    except OSError as error:
-        raise _unwritable(directory, error) from None
+    with _drafts(directory) as drafts:
+        for name, text in texts.items():
+            (drafts / name).write_text(text, encoding="utf-8", newline="\n")
+        if draw is not None:
+            draw(drafts)
+        return _moved(drafts, directory)
 
 
 def refuse_unwritable(directory: Path) -> None:
@@ -61,17 +58,21 @@ def refuse_unwritable(directory: Path) -> None:
         If the directory cannot be written to.
     """
     made = _missing(directory)
-    try:
-        with _directory(directory), drafts_in(directory):
-            pass
-    except OSError as error:
-        raise _unwritable(directory, error) from None
+    with _drafts(directory):
+        pass
     _take_away(made)
 
 
-def _unwritable(directory: Path, error: OSError) -> InputError:
-    reason = (error.strerror or str(error)).lower()
-    return InputError("--out", str(directory), f"be a directory to write to ({reason})", "choose another")
+@contextlib.contextmanager
+def _drafts(directory: Path) -> Iterator[Path]:
+    """Make a folder for drafts in a directory that is made if need be, or refuse one that cannot be written to."""
+    try:
+        with _directory(directory), drafts_in(directory) as drafts:
+            yield drafts
+    except OSError as error:
+        reason = (error.strerror or str(error)).lower()
+        condition = f"be a directory to write to ({reason})"
+        raise InputError("--out", str(directory), condition, "choose another") from None
 
 
 @contextlib.contextmanager
