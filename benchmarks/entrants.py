@@ -85,7 +85,7 @@ def batch(race: Race, grid: int | str, element: str, threads: int) -> Solve:
 
 def patch(race: Race, cells: Cells, threads: int) -> Solve:
     """Return a solve with this package's plane grid."""
-    import nonhertz.patch  # noqa: PLC0415  (may not be there)
+    import nonhertz.patch
 
     def solve(tolerance: float) -> Answer:
         found = nonhertz.patch.solve(
@@ -104,7 +104,7 @@ def patch(race: Race, cells: Cells, threads: int) -> Solve:
 
 def tamaas(race: Race, cells: Cells) -> Solve:
     """Return a solve by tamaas: its only solver for this, Polonsky and Keer's as Rey has it, without periodicity."""
-    import tamaas as tm  # noqa: PLC0415
+    import tamaas as tm
 
     tm.set_log_level(tm.LogLevel.warning)
     gap, size = race.gap(cells), race.size()
@@ -131,9 +131,9 @@ def tamaas(race: Race, cells: Cells) -> Solve:
 
 def contact_mechanics(race: Race, cells: Cells, solver: str) -> Solve:
     """Return a solve by ContactMechanics with prescribed load, by one of the solvers that it has for that."""
-    from ContactMechanics import FreeFFTElasticHalfSpace  # noqa: PLC0415
-    from ContactMechanics.Systems import NonSmoothContactSystem  # noqa: PLC0415
-    from SurfaceTopography import Topography  # noqa: PLC0415
+    from ContactMechanics import FreeFFTElasticHalfSpace
+    from ContactMechanics.Systems import NonSmoothContactSystem
+    from SurfaceTopography import Topography
 
     gap, size = race.gap(cells), tuple(race.size())
     space = FreeFFTElasticHalfSpace(cells, 1.0 / (np.pi * race.contact.compliance), size)
@@ -158,7 +158,7 @@ def _proxy(system: Any, load: float, tolerance: float, _: str) -> np.ndarray:
 
 
 def _dual(system: Any, load: float, tolerance: float, solver: str) -> np.ndarray:
-    from NuMPI.Optimization import CCGWithoutRestart, CCGWithRestart  # noqa: PLC0415
+    from NuMPI.Optimization import CCGWithoutRestart, CCGWithRestart
 
     # What dual_minimize_proxy calls, with the mean force prescribed, which it does not pass on.
     minimize = {
@@ -218,6 +218,6 @@ def versions() -> dict[str, str]:
 
 
 def _has_patch() -> bool:
-    import nonhertz.patch  # noqa: PLC0415
+    import nonhertz.patch
 
     return hasattr(nonhertz.patch, "solve")

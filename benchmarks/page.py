@@ -86,7 +86,7 @@ def in_browser(address: str) -> Times | None:
     """Return round trips from a move of the mouse to redrawn figures, None where there is no browser."""
     path = os.environ.get("NONHERTZ_CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
     try:
-        from playwright.sync_api import sync_playwright  # noqa: PLC0415  (need not be there)
+        from playwright.sync_api import sync_playwright
     except ModuleNotFoundError:
         return None
     if path is None:

@@ -309,7 +309,7 @@ def test_new_never_overwrites(case: str, capsys: pytest.CaptureFixture[str]) -> 
 
 @pytest.mark.skipif(os.name != "posix", reason="a file that may not grow stands for a full disk")
 def test_new_leaves_nothing_on_a_full_disk(tmp_path: Path) -> None:
-    import resource  # noqa: PLC0415  (Unix has it)
+    import resource
 
     run = subprocess.run(
         [sys.executable, "-m", "nonhertz", "new", "case.toml"],

@@ -119,8 +119,8 @@ def test_a_missing_file_is_told(tmp_path, monkeypatch, capsys):
 
 
 def test_a_figure_has_a_panel_for_each_step(file):
-    from nonhertz.io.traces import read_trace  # noqa: PLC0415
-    from nonhertz.plot import measured_figure  # noqa: PLC0415
+    from nonhertz.io.traces import read_trace
+    from nonhertz.plot import measured_figure
 
     measured = nh.measured.prepare(read_trace(file, height_unit="um"))
     figure = measured_figure(measured, "roller", measured.fit("crown"))

@@ -37,7 +37,7 @@ def browser() -> Iterator[Any]:
     """A headless browser; tests are skipped where there is none, unless NONHERTZ_BROWSER is "required"."""
     path = executable()
     try:
-        from playwright.sync_api import sync_playwright  # noqa: PLC0415
+        from playwright.sync_api import sync_playwright
     except ModuleNotFoundError:
         path = None
     if path is None:

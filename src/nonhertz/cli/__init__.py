@@ -52,7 +52,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if sys.stdout is None:
             raise OSError(errno.EBADF, "standard output is closed")
-        from nonhertz.cli.commands import run  # noqa: PLC0415  (its imports may be missing)
+        from nonhertz.cli.commands import run  # here, since what it imports may be missing
 
         code = run([word for word in words if word != "--debug"])
         sys.stdout.flush()

@@ -68,9 +68,9 @@ def solve(
     as_json : bool
         Print one JSON object with all numbers in place of the summary.
     """
-    from nonhertz.cli.solving import results_written, solved_or_not  # noqa: PLC0415
-    from nonhertz.io.casefile import read_case  # noqa: PLC0415
-    from nonhertz.io.results import as_json as json_text  # noqa: PLC0415
+    from nonhertz.cli.solving import results_written, solved_or_not
+    from nonhertz.io.casefile import read_case
+    from nonhertz.io.results import as_json as json_text
 
     problem = read_case(case)
     solution, complaint = solved_or_not(problem)
@@ -78,7 +78,7 @@ def solve(
     if as_json:
         print(json_text(solution, problem))
     else:
-        from nonhertz.cli.summary import print_summary  # noqa: PLC0415
+        from nonhertz.cli.summary import print_summary
 
         print_summary(solution, problem.title)
         for path in written:
@@ -114,10 +114,10 @@ def compare(
     as_json : bool
         Print one JSON object with all numbers in place of the table.
     """
-    from nonhertz.cli.comparing import compared, comparison_written, print_comparison  # noqa: PLC0415
-    from nonhertz.io.casefile import read_case  # noqa: PLC0415
-    from nonhertz.io.comparisons import as_json as json_text  # noqa: PLC0415
-    from nonhertz.io.folder import refuse_unwritable  # noqa: PLC0415
+    from nonhertz.cli.comparing import compared, comparison_written, print_comparison
+    from nonhertz.io.casefile import read_case
+    from nonhertz.io.comparisons import as_json as json_text
+    from nonhertz.io.folder import refuse_unwritable
 
     problem = read_case(case)
     if out is not None:
@@ -165,10 +165,10 @@ def stress(
     as_json : bool
         Print one JSON object in place of the table.
     """
-    from nonhertz.cli.solving import solved_or_not  # noqa: PLC0415
-    from nonhertz.cli.stressing import check_request, tell_stresses  # noqa: PLC0415
-    from nonhertz.io.casefile import read_case  # noqa: PLC0415
-    from nonhertz.io.folder import refuse_unwritable  # noqa: PLC0415
+    from nonhertz.cli.solving import solved_or_not
+    from nonhertz.cli.stressing import check_request, tell_stresses
+    from nonhertz.io.casefile import read_case
+    from nonhertz.io.folder import refuse_unwritable
 
     check_request(station, body)
     problem = read_case(case)
@@ -211,9 +211,9 @@ def life(
     as_json : bool
         Print one JSON object in place of the table.
     """
-    from nonhertz.cli.living import check_models, tell_lives  # noqa: PLC0415
-    from nonhertz.io.casefile import named, read_case  # noqa: PLC0415
-    from nonhertz.io.folder import refuse_unwritable  # noqa: PLC0415
+    from nonhertz.cli.living import check_models, tell_lives
+    from nonhertz.io.casefile import named, read_case
+    from nonhertz.io.folder import refuse_unwritable
 
     check_models(model)
     problems = [read_case(case)]
@@ -249,8 +249,8 @@ def report(
     stress : bool
         Look below the surface.
     """
-    from nonhertz.cli.reporting import made, read_subjects, target, write  # noqa: PLC0415
-    from nonhertz.io.folder import refuse_unwritable  # noqa: PLC0415
+    from nonhertz.cli.reporting import made, read_subjects, target, write
+    from nonhertz.io.folder import refuse_unwritable
 
     if not cases:
         raise InputError("CASE", "", "be given", "name one case file or more")
@@ -328,9 +328,9 @@ def profile(
     as_json : bool
         Print one JSON object in place of the tables.
     """
-    from nonhertz.cli import profiling  # noqa: PLC0415
-    from nonhertz.io.folder import refuse_unwritable  # noqa: PLC0415
-    from nonhertz.io.prepared import as_json as json_text  # noqa: PLC0415
+    from nonhertz.cli import profiling
+    from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.io.prepared import as_json as json_text
 
     if out is not None:
         refuse_unwritable(out)
@@ -360,8 +360,8 @@ def check(case: Path, /) -> int:
     case : Path
         The case file.
     """
-    from nonhertz.cli.solving import solved_or_not  # noqa: PLC0415
-    from nonhertz.io.casefile import read_case  # noqa: PLC0415
+    from nonhertz.cli.solving import solved_or_not
+    from nonhertz.io.casefile import read_case
 
     try:
         problem = read_case(case)
@@ -386,7 +386,7 @@ def new(path: Path | None = None, /) -> int:
     path : Path
         Where to; an existing file is never overwritten. Left out, the file is printed.
     """
-    from nonhertz.io.casefile import starting_case, write_starting_case  # noqa: PLC0415
+    from nonhertz.io.casefile import starting_case, write_starting_case
 
     if path is None:
         print(starting_case(), end="")
@@ -418,8 +418,8 @@ def serve(
     browser : bool
         Whether to open the page in a browser.
     """
-    from nonhertz.cli.serving import starting_document  # noqa: PLC0415
-    from nonhertz.web.server import serve as serve_page  # noqa: PLC0415
+    from nonhertz.cli.serving import starting_document
+    from nonhertz.web.server import serve as serve_page
 
     document, notes = starting_document(case)
     for note in notes:
@@ -452,11 +452,11 @@ def verify(
     as_json : bool
         Print a JSON list of all checks in place of the tables.
     """
-    from nonhertz.cli.verification import Progress, print_section  # noqa: PLC0415
-    from nonhertz.io.folder import refuse_unwritable  # noqa: PLC0415
-    from nonhertz.verify import chosen, sections  # noqa: PLC0415
-    from nonhertz.verify.page import as_json as json_text  # noqa: PLC0415
-    from nonhertz.verify.page import summary, tally, write_page  # noqa: PLC0415
+    from nonhertz.cli.verification import Progress, print_section
+    from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.verify import chosen, sections
+    from nonhertz.verify.page import as_json as json_text
+    from nonhertz.verify.page import summary, tally, write_page
 
     names = chosen(only)
     if out is not None:

@@ -42,9 +42,9 @@ def compared(case: Case, cells: tuple[int, int] | None) -> Comparison:
 
 def comparison_written(directory: Path, found: Comparison, title: str) -> tuple[Path, ...]:
     """Write a comparison with its figure, and return the files."""
-    from nonhertz.io.comparisons import files  # noqa: PLC0415
-    from nonhertz.io.folder import write_files  # noqa: PLC0415
-    from nonhertz.plot import comparison, save  # noqa: PLC0415
+    from nonhertz.io.comparisons import files
+    from nonhertz.io.folder import write_files
+    from nonhertz.plot import comparison, save
 
     return write_files(
         directory, files(found, title), lambda folder: save(comparison(found, title), folder / "comparison")

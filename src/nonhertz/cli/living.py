@@ -76,9 +76,9 @@ def tell_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_jso
 
 
 def _lives_written(directory: Path, found: Assessment, other: Assessment | None) -> tuple[Path, ...]:
-    from nonhertz.io.folder import write_files  # noqa: PLC0415
-    from nonhertz.io.lives import files  # noqa: PLC0415
-    from nonhertz.plot import life_figure, save  # noqa: PLC0415
+    from nonhertz.io.folder import write_files
+    from nonhertz.io.lives import files
+    from nonhertz.plot import life_figure, save
 
     def draw(folder: Path) -> None:
         compared = None if other is None else other.lives

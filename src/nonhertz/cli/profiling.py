@@ -98,8 +98,8 @@ def written(
     InputError
         If the directory cannot be written to.
     """
-    from nonhertz.plot import save  # noqa: PLC0415  (slow, and only wanted where something is drawn)
-    from nonhertz.plot.measured import measured_figure  # noqa: PLC0415
+    from nonhertz.plot import save
+    from nonhertz.plot.measured import measured_figure
 
     def draw(folder: Path) -> None:
         figure = measured_figure(measured, measured.trace.name, fits[0] if fits else None)

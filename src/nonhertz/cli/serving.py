@@ -23,9 +23,9 @@ def starting_document(path: Path | None) -> tuple[dict[str, Any], tuple[str, ...
     """
     if path is None:
         return parsed(starting_case(), "case.toml"), ()
-    from nonhertz.io.mistakes import case_error  # noqa: PLC0415  (pydantic is slow to import)
-    from nonhertz.web.inlining import inlined  # noqa: PLC0415
-    from nonhertz.web.limits import slow, unfit  # noqa: PLC0415
+    from nonhertz.io.mistakes import case_error
+    from nonhertz.web.inlining import inlined
+    from nonhertz.web.limits import slow, unfit
 
     document = parsed(case_text(path), str(path))
     title = case_in(document, path).title

@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 def solved_or_not(case: Case) -> tuple[Solution, str]:
     """Return the solution and, if it has not converged, what to say about that."""
-    from nonhertz.casework import attempted  # noqa: PLC0415
+    from nonhertz.casework import attempted
 
     return attempted(case)
 
 
 def spectrum_or_not(case: Case) -> tuple[Spectrum, str]:
     """Return the solutions of all loads with their shares, or what to say about why there are none."""
-    from nonhertz.casework import spectrum_solved  # noqa: PLC0415
+    from nonhertz.casework import spectrum_solved
 
     try:
         return spectrum_solved(case), ""
@@ -32,9 +32,9 @@ def spectrum_or_not(case: Case) -> tuple[Spectrum, str]:
 
 def results_written(directory: Path, solution: Solution, case: Case) -> tuple[Path, ...]:
     """Write a solution with its figures, and return the files."""
-    from nonhertz.io.folder import write_files  # noqa: PLC0415
-    from nonhertz.io.results import files  # noqa: PLC0415
-    from nonhertz.plot import figures, save  # noqa: PLC0415
+    from nonhertz.io.folder import write_files
+    from nonhertz.io.results import files
+    from nonhertz.plot import figures, save
 
     def draw(folder: Path) -> None:
         for name, figure in figures(solution, case.title).items():

@@ -51,7 +51,7 @@ def tell_stresses(
     solution: Solution, title: str, station: float | None, body: str, out: Path | None, as_json: bool
 ) -> None:
     """Find the largest stresses, write them if there is where to, and print them."""
-    from nonhertz.io.stresses import as_json as json_text  # noqa: PLC0415
+    from nonhertz.io.stresses import as_json as json_text
 
     progress = Progress(_SEARCHES if out is None else _SEARCHES + 1)
     try:
@@ -74,9 +74,9 @@ def tell_stresses(
 def _stresses_written(
     directory: Path, solution: Solution, found: tuple[Extremes, Extremes], text: str, title: str
 ) -> tuple[Path, ...]:
-    from nonhertz.io.folder import write_files  # noqa: PLC0415
-    from nonhertz.io.stresses import files  # noqa: PLC0415
-    from nonhertz.plot import save, stress_figures, stress_planes  # noqa: PLC0415
+    from nonhertz.io.folder import write_files
+    from nonhertz.io.stresses import files
+    from nonhertz.plot import save, stress_figures, stress_planes
 
     planes = stress_planes(solution, found[1])
 

@@ -70,7 +70,7 @@ class LifeCase:
         InputError
             If there is no such model.
         """
-        from nonhertz.life import MODELS, model  # noqa: PLC0415  (brings the compiler along)
+        from nonhertz.life import MODELS, model
 
         made = []
         for name in tuple(names) or self.names or MODELS:
@@ -119,7 +119,7 @@ class Case:
     path: Path = field(default=Path("case.toml"), compare=False)
 
     def __post_init__(self) -> None:
-        from nonhertz.strip.element import SEMI_ELLIPTIC  # noqa: PLC0415  (brings the compiler along)
+        from nonhertz.strip.element import SEMI_ELLIPTIC
 
         for name, value, kind in (
             ("contact", self.contact, Contact),
@@ -154,7 +154,7 @@ class Case:
         AccuracyWarning
             If the result strains the model's validity.
         """
-        from nonhertz.solver import solve  # noqa: PLC0415  (brings the compiler along)
+        from nonhertz.solver import solve
 
         try:
             return solve(self.contact, **self.prescribed, **self.solver)
@@ -173,8 +173,8 @@ class Case:
             If the file cannot be written, or holds what no case file can: a profile or diameter of a class of your own,
             edges of strips.
         """
-        from nonhertz.io.folder import write_files  # noqa: PLC0415
-        from nonhertz.io.written import document  # noqa: PLC0415
+        from nonhertz.io.folder import write_files
+        from nonhertz.io.written import document
 
         if not isinstance(path, str | Path):
             raise InputError("path", path, "be the name of a file to write", "give a string or a Path")
@@ -258,11 +258,11 @@ def case_in(document: dict[str, Any], path: Path, *, files: bool = True) -> Case
         With every mistake in the document, one sentence each.
     """
     # Here and not above: pydantic and its schemas take a tenth of a second.
-    from pydantic import ValidationError  # noqa: PLC0415
+    from pydantic import ValidationError
 
-    from nonhertz.io.document import CaseTable  # noqa: PLC0415
-    from nonhertz.io.mistakes import case_error, mistakes_in  # noqa: PLC0415
-    from nonhertz.strip.element import ELEMENTS  # noqa: PLC0415
+    from nonhertz.io.document import CaseTable
+    from nonhertz.io.mistakes import case_error, mistakes_in
+    from nonhertz.strip.element import ELEMENTS
 
     try:
         table = CaseTable.model_validate(document, context={"folder": path.parent if files else None})
@@ -305,14 +305,14 @@ def as_toml(document: dict[str, Any]) -> str:
     [load]
     load = "20 kN"
     """
-    import tomli_w  # noqa: PLC0415
+    import tomli_w
 
     return tomli_w.dumps(document)
 
 
 def schema() -> dict[str, Any]:
     """Return the JSON schema of a case file, with the meaning and the unit of every key."""
-    from nonhertz.io.document import CaseTable  # noqa: PLC0415  (pydantic is slow to import)
+    from nonhertz.io.document import CaseTable
 
     return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | CaseTable.model_json_schema()
 
@@ -354,8 +354,8 @@ def _taken_away_unless_whole(path: Path) -> Iterator[None]:
 
 def placed(error: InputError) -> CaseError:
     """Return a complaint that `nonhertz.solve` made as one about the case file, with the field as the file names it."""
-    from nonhertz.io.document import of_both  # noqa: PLC0415  (pydantic is slow to import)
-    from nonhertz.io.mistakes import Mistake, case_error  # noqa: PLC0415
+    from nonhertz.io.document import of_both
+    from nonhertz.io.mistakes import Mistake, case_error
 
     if error.field in _OF_BOTH_BODIES:
         return case_error([of_both(error).within(("body",))])
@@ -376,7 +376,7 @@ def named(path: str | Path) -> Iterator[None]:
 def _life(table: LifeTable) -> LifeCase:
     spectrum: tuple[LoadCase, ...] = ()
     if table.spectrum:
-        from nonhertz.life import LoadCase  # noqa: PLC0415  (brings the compiler along)
+        from nonhertz.life import LoadCase
 
         spectrum = tuple(LoadCase(**dict(case)) for case in table.spectrum)
     return LifeCase(table.rollers, table.models, table.parameters(), spectrum)

@@ -384,7 +384,7 @@ def _pair_mistakes(given: dict[str, Any]) -> list[Mistake]:
 
 def _read_element(value: Any) -> str:
     # Here and not above: the elements bring the compiler along, which takes a third of a second.
-    from nonhertz.strip.element import ELEMENTS  # noqa: PLC0415
+    from nonhertz.strip.element import ELEMENTS
 
     if not isinstance(value, str) or value not in ELEMENTS:
         raise unknown("element", value, "element", value, ELEMENTS)
@@ -427,14 +427,14 @@ class LoadCaseTable(Table):
     @field_validator("load", "share", "tilt")
     @classmethod
     def _check(cls, value: float, info: ValidationInfo) -> float:
-        from nonhertz.life import LoadCase  # noqa: PLC0415  (brings the compiler along)
+        from nonhertz.life import LoadCase
 
         LoadCase(**{"load": 1.0, "share": 1.0} | {str(info.field_name): value})
         return value
 
 
 def _read_spectrum(value: Any) -> tuple[LoadCaseTable, ...]:
-    from nonhertz.life.spectrum import WHOLE  # noqa: PLC0415  (brings the compiler along)
+    from nonhertz.life.spectrum import WHOLE
 
     if not isinstance(value, list) or not value:
         raise InputError("spectrum", value, "be a list of tables", _SPECTRUM_REMEDY)
@@ -458,7 +458,7 @@ def _read_spectrum(value: Any) -> tuple[LoadCaseTable, ...]:
 
 
 def _read_models(value: Any) -> tuple[str, ...]:
-    from nonhertz.life import MODELS  # noqa: PLC0415  (brings the compiler along)
+    from nonhertz.life import MODELS
 
     if not isinstance(value, list) or not value:
         raise InputError("models", value, "be a list of names", f"choose from {', '.join(MODELS)}")
@@ -525,7 +525,7 @@ class LifeTable(Table):
     @field_validator(*_MODEL_WITH)
     @classmethod
     def _check(cls, value: Any, info: ValidationInfo) -> Any:
-        from nonhertz.life import model  # noqa: PLC0415  (brings the compiler along)
+        from nonhertz.life import model
 
         name = str(info.field_name)
         model(_MODEL_WITH[name], **{name: value})

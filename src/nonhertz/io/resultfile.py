@@ -105,8 +105,8 @@ def _object(path: Path) -> dict[str, Any]:
 
 def _solution(found: dict[str, Any], case: Case) -> Solution:
     # Here and not above: they bring the compiler along.
-    from nonhertz.result.solution import EdgeKind, ErrorEstimate, SingularEnd, Solution, Status  # noqa: PLC0415
-    from nonhertz.strip.element import ELEMENTS  # noqa: PLC0415
+    from nonhertz.result.solution import EdgeKind, ErrorEstimate, SingularEnd, Solution, Status
+    from nonhertz.strip.element import ELEMENTS
 
     low, high = found["edge_pressure"]
     return Solution(
@@ -133,7 +133,7 @@ def _solution(found: dict[str, Any], case: Case) -> Solution:
 
 
 def _edge(found: dict[str, Any]) -> EdgePressure:
-    from nonhertz.result.solution import EdgeKind, EdgePressure  # noqa: PLC0415
+    from nonhertz.result.solution import EdgeKind, EdgePressure
 
     kept = {name: value for name, value in found.items() if name not in {"kind", "converges"}}
     return EdgePressure(kind=EdgeKind[_member(found["kind"])], **kept)

@@ -118,7 +118,7 @@ def _factor(written: str, unit: str) -> float:
     """Return how many of ``unit`` one of ``written`` is; ValueError says what the quantity must do."""
     if len(written) > _LONGEST or _UNIT.fullmatch(written) is None:
         raise ValueError("be a number with a unit")
-    import pint  # noqa: PLC0415  (slow, and most case files hold numbers only)
+    import pint
 
     spelled = _RUN_TOGETHER.sub(r"\1 \2", written)
     spelled = _BARE_EXPONENT.sub(r"^\1", spelled.replace("**", "^"))
@@ -139,6 +139,6 @@ def _factor(written: str, unit: str) -> float:
 
 @functools.cache
 def _registry() -> pint.UnitRegistry[float]:
-    import pint  # noqa: PLC0415
+    import pint
 
     return pint.UnitRegistry()

@@ -213,7 +213,7 @@ class Measured:
 
     def fit(self, kind: str, *, shift: bool = True, tilt: bool = False, **fixed: float) -> Fit:
         """Return the profile of a kind of the catalogue that comes nearest; see `nonhertz.measured.fit.fit`."""
-        from nonhertz.measured.fit import fit  # noqa: PLC0415  (brings scipy.optimize along)
+        from nonhertz.measured.fit import fit
 
         highest = float(self.points.height.max())
         return fit(self._before("smooth", "thin"), kind, shift=shift, tilt=tilt, highest=highest, **fixed)
@@ -222,7 +222,7 @@ class Measured:
         self, kinds: Iterable[str] | None = None, *, shift: bool = True, tilt: bool = False
     ) -> tuple[Fit, ...]:
         """Return fits of several kinds, the best first; see `nonhertz.measured.fit.fit_best`."""
-        from nonhertz.measured.fit import fit_best  # noqa: PLC0415  (brings scipy.optimize along)
+        from nonhertz.measured.fit import fit_best
 
         highest = float(self.points.height.max())
         return fit_best(self._before("smooth", "thin"), kinds, shift=shift, tilt=tilt, highest=highest)

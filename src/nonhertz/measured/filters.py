@@ -94,7 +94,7 @@ def spline(points: Points, cutoff: float) -> Array:
     ----------
     ISO 16610-22:2015, Geometrical product specifications - Filtration - Linear profile filters: Spline filters.
     """
-    from scipy.interpolate import make_smoothing_spline  # noqa: PLC0415  (slow to import)
+    from scipy.interpolate import make_smoothing_spline
 
     check_cutoff(points, cutoff)
     y, height, weight = _gathered(points, cutoff / _PER_CUTOFF)

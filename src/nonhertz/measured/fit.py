@@ -230,7 +230,7 @@ def _start(kind: str, y: Array, relief: Array, fixed: Mapping[str, float]) -> di
 def _solved(
     kind: str, y: Array, relief: Array, free: dict[str, float], fixed: Mapping[str, float], shift: bool, tilt: bool
 ) -> Fit:
-    from scipy.optimize import least_squares  # noqa: PLC0415  (slow to import)
+    from scipy.optimize import least_squares
 
     names = [*free, "offset", *(["shift"] if shift else []), *(["tilt"] if tilt else [])]
     if len(y) <= len(names):

@@ -107,7 +107,7 @@ def steps_in(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[SurfaceStep,
 
 def chord_slopes(points: Points) -> Array:
     """Return the slope of a short chord around every point, from one side at the outermost ones."""
-    from scipy.ndimage import median_filter  # noqa: PLC0415  (slow to import)
+    from scipy.ndimage import median_filter
 
     height = median_filter(points.height, _SPIKE, mode="nearest")
     half = max(_CHORD * points.span, 2.0 * float(np.median(np.diff(points.y))))

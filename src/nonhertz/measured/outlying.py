@@ -75,7 +75,7 @@ def _farthest(points: Points) -> int:
 
 def _suspected(points: Points, height: Array, limit: float) -> NDArray[np.int8]:
     """Return 1 for points that lie above what is on both of their sides, -1 for those below, 0 for all others."""
-    from scipy.ndimage import median_filter  # noqa: PLC0415  (slow to import)
+    from scipy.ndimage import median_filter
 
     count, more = len(points), (len(height) - len(points)) // 2
     y = np.pad(points.y, more, mode="reflect", reflect_type="odd")

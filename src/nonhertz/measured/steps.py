@@ -341,7 +341,7 @@ def enough_points(length: float, cutoff: float) -> int:
 
 def _from_chords(points: Points) -> Array:
     """Return how far each point lies from chords over it, less the bend of the surface there."""
-    from scipy.ndimage import median_filter  # noqa: PLC0415  (slow to import)
+    from scipy.ndimage import median_filter
 
     half = min(max(int(_MEDIAN_SHARE * len(points)), _FEWEST_IN_MEDIAN // 2), (len(points) - 1) // 2)
     y, height = _carried_on(points, half)

@@ -91,8 +91,8 @@ def colour_limit(solution: Solution) -> float:
 
 def draw_colour_bar(solution: Solution, area: Axes, **where: Any) -> None:
     """Draw the colour bar of an ``area`` in its figure, pointed if pressures go on beyond the last colour."""
-    from matplotlib.cm import ScalarMappable  # noqa: PLC0415  (slow, and only wanted where something is drawn)
-    from matplotlib.colors import Normalize  # noqa: PLC0415
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
 
     highest = colour_limit(solution)
     beyond = any(piece.pressure.max() > highest for piece in outlines(solution))

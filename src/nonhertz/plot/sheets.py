@@ -113,7 +113,7 @@ def _footprint_sheet(solution: Solution, title: str) -> Figure:
 
 def blank(height: float) -> Figure:
     """Return an empty sheet of a page's width and so high [inch]."""
-    from matplotlib.figure import Figure  # noqa: PLC0415  (slow, and only wanted where something is drawn)
+    from matplotlib.figure import Figure
 
     return Figure(figsize=(WIDTH, height))
 

@@ -115,7 +115,7 @@ def _draw_along(found: Comparison, axes: Axes) -> None:
 
 def _draw_key(found: Comparison, axes: Axes) -> None:
     """Write above the axes what is what, there and in the cuts across: marks along are lines across."""
-    from matplotlib.lines import Line2D  # noqa: PLC0415  (slow, and only wanted where something is drawn)
+    from matplotlib.lines import Line2D
 
     marks: Any = {"markersize": 3.2, "markeredgewidth": THIN, "markerfacecolor": "none", "linewidth": LINE}
     handles = [Line2D([], [], color=INK, linewidth=THIN, marker=".", markersize=2.4)]

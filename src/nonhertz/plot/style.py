@@ -70,7 +70,7 @@ _LOCK = threading.RLock()
 @contextmanager
 def sheet_style() -> Iterator[None]:
     """Draw the body of a ``with`` statement in the style of the finished sheets, then put everything back."""
-    import matplotlib as mpl  # noqa: PLC0415  (slow, and only wanted where something is drawn)
+    import matplotlib as mpl
 
     with _LOCK, mpl.rc_context(SETTINGS):
         yield

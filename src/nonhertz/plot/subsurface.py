@@ -269,7 +269,7 @@ def _last_colour(solution: Solution, found: Extremes) -> float:
 
 def _draw_contours(field: Field, along: Array, limit: float, ax: Axes, bar: Axes | None) -> ContourSet:
     """Fill bands of von Mises stress, draw the lines between them and the colour bar; return the lines."""
-    from matplotlib.ticker import MaxNLocator  # noqa: PLC0415  (slow, and only wanted where something is drawn)
+    from matplotlib.ticker import MaxNLocator
 
     levels = MaxNLocator(BANDS, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, limit or 1.0)
     stress, depths = np.ma.masked_invalid(field.von_mises.T), field.z[0]
@@ -369,7 +369,7 @@ def _draw_ends(solution: Solution, span: tuple[float, float], ax: Axes) -> list[
 
 def _head(solution: Solution, plane: str, landmarks: list[Entry], others: list[Entry], ax: Axes) -> None:
     """Write above the axes what was solved and what is drawn, and the key: landmarks, and beside them the rest."""
-    from matplotlib.lines import Line2D  # noqa: PLC0415  (slow, and only wanted where something is drawn)
+    from matplotlib.lines import Line2D
 
     # A key is filled column by column, and the shorter column would be filled up from the other.
     blank_entry = (Line2D([], [], linestyle="none"), "")

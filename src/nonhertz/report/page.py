@@ -196,7 +196,7 @@ def _marked(picture: Any) -> dict[str, Any]:
 
 @functools.cache
 def _environment() -> Environment:
-    from jinja2 import Environment, PackageLoader, StrictUndefined  # noqa: PLC0415  (slow, and only wanted here)
+    from jinja2 import Environment, PackageLoader, StrictUndefined
 
     environment = Environment(
         loader=PackageLoader("nonhertz.report"),
@@ -211,7 +211,7 @@ def _environment() -> Environment:
 
 def _linked(text: str) -> Markup:
     """Return a reference with its DOIs and addresses as links."""
-    from markupsafe import Markup, escape  # noqa: PLC0415  (as Jinja2)
+    from markupsafe import Markup, escape
 
     told, at = Markup(), 0
     for found in _ADDRESS.finditer(text):
@@ -224,7 +224,7 @@ def _linked(text: str) -> Markup:
 
 def _safe(text: str) -> Markup:
     """Return text of our own making as HTML that is not escaped."""
-    from markupsafe import Markup  # noqa: PLC0415  (as Jinja2)
+    from markupsafe import Markup
 
     return Markup(text)
 

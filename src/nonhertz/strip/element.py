@@ -237,7 +237,7 @@ def _evaluate_all(t: Array, table: Array, values: Array) -> None:
 
 
 def _semi_elliptic_closed_forms(t: Array) -> tuple[Array, Array, Array]:
-    from scipy.special import ellipe, ellipkm1  # noqa: PLC0415  (a slow import, wanted once)
+    from scipy.special import ellipe, ellipkm1
 
     square = t * t
     k2, k2_other = 1.0 / (1.0 + square), square / (1.0 + square)

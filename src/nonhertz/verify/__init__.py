@@ -87,7 +87,7 @@ def sections(
 
 def _broken(name: str, error: Exception) -> Section:
     """Return what stands in the place of a section that could not finish: one check that fails."""
-    from nonhertz.verify.claim import Check, Section  # noqa: PLC0415
+    from nonhertz.verify.claim import Check, Section
 
     check = Check(f"{name} runs to its end", "this command", 1.0, 0.0, 0.0)
     return Section(name, f"This section did not run to its end: {error}", (check,))

@@ -79,7 +79,7 @@ class _End:
     @functools.cached_property
     def extrapolated(self) -> float:
         """The exponent of the fit, which knows nothing of the formula."""
-        from scipy.optimize import minimize_scalar  # noqa: PLC0415  (a slow import, wanted here only)
+        from scipy.optimize import minimize_scalar
 
         near = (np.arange(self.distance.size) >= BIASED_STRIPS) & (self.distance < FIT_REACH)
         s, log_pressure = self.distance[near], np.log(self.pressure[near])
@@ -152,7 +152,7 @@ def _end(weight: float, ratio: float) -> _End:
 
 
 def _draw(ends: list[_End], figure: Figure) -> None:
-    import matplotlib as mpl  # noqa: PLC0415  (slow, and only wanted where something is drawn)
+    import matplotlib as mpl
 
     axes = figure.add_subplot()
     colours = mpl.colormaps[COLOUR_MAP]

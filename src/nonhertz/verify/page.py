@@ -98,11 +98,11 @@ def write_page(directory: str | Path, found: Mapping[str, Section], command: str
 
 
 def _save(picture: Picture, folder: Path) -> None:
-    from matplotlib.figure import Figure  # noqa: PLC0415  (slow, and only wanted where something is drawn)
+    from matplotlib.figure import Figure
 
-    from nonhertz.plot import save  # noqa: PLC0415
-    from nonhertz.plot.sheets import WIDTH  # noqa: PLC0415
-    from nonhertz.plot.style import sheet_style  # noqa: PLC0415
+    from nonhertz.plot import save
+    from nonhertz.plot.sheets import WIDTH
+    from nonhertz.plot.style import sheet_style
 
     with sheet_style():
         figure = Figure(figsize=(WIDTH, picture.height), layout="constrained")

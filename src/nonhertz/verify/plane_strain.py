@@ -98,7 +98,7 @@ def section() -> Section:
 
 
 def _find(element: Element, diameter: float, line_load: float, poisson: float) -> _Found:
-    from scipy.optimize import brentq  # noqa: PLC0415  (a slow import, wanted here only)
+    from scipy.optimize import brentq
 
     material = Material(MODULUS, poisson)
     line = line_contact(line_load=line_load, radius=0.25 * diameter, compliance=2.0 * material.compliance)

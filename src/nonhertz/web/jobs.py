@@ -120,7 +120,7 @@ def _made(document: dict[str, Any], make: Callable[[Case, Solution], str]) -> by
 
 def report(document: dict[str, Any]) -> bytes | dict[str, Any]:
     """Return the report on a document, or what is wrong with it."""
-    from nonhertz.report import Subject, compose  # noqa: PLC0415  (brings drawing along)
+    from nonhertz.report import Subject, compose
 
     with _calmly():
         try:

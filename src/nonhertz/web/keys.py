@@ -59,7 +59,7 @@ def words_for(name: str, part: Schema) -> tuple[str, ...]:
     if name == "material":
         return tuple(MATERIALS)
     if name == "models":
-        from nonhertz.life import MODELS  # noqa: PLC0415  (brings the compiler along)
+        from nonhertz.life import MODELS
 
         return tuple(MODELS)
     listed = [

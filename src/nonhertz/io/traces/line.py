@@ -95,7 +95,7 @@ def in_mm(field: str, unit: str) -> float:
     factor = _MM.get(unit.strip()) or _MM.get(unit.strip().lower() if unit.isupper() and len(unit.strip()) > 1 else "")
     if factor is not None:
         return factor
-    from nonhertz.io.units import in_unit  # noqa: PLC0415  (knows all units, and is slow to learn them)
+    from nonhertz.io.units import in_unit
 
     try:
         return float(in_unit(field, f"1 {unit}", "mm"))

@@ -67,7 +67,7 @@ def read_container(data: bytes, request: Request) -> Line:
 
 def _profile(archive: bytes, request: Request) -> x3pio.Profile:
     """Return what x3pio makes of an archive, refused by its description before there are arrays of its points."""
-    import x3pio  # noqa: PLC0415  (few files are of this kind)
+    import x3pio
 
     try:
         described = x3pio.info(io.BytesIO(archive))

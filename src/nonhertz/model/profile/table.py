@@ -83,7 +83,7 @@ class Tabulated(Profile):
         if self.interpolation == "linear":
             return _Polyline(np.array(self.y), np.array(self.values))
         # Here and not above: importing scipy.interpolate takes half a second.
-        from scipy.interpolate import CubicSpline, PchipInterpolator  # noqa: PLC0415
+        from scipy.interpolate import CubicSpline, PchipInterpolator
 
         make = PchipInterpolator if self.interpolation == "pchip" else CubicSpline
         with np.errstate(over="ignore"):  # pchip divides by slopes and means zero by what overflows

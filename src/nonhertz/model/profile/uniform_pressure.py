@@ -139,7 +139,7 @@ def _table() -> Array:
 def _slope(u: Array) -> Array:
     """Return t A'(t) at t = exp(u)."""
     # Here and not above: importing scipy costs more than everything else that this package imports first.
-    from scipy.special import ellipe, ellipkm1  # noqa: PLC0415
+    from scipy.special import ellipe, ellipkm1
 
     t = np.exp(u)
     m = 1.0 / (1.0 + t * t)
