@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.special import elliprd, elliprf
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import numbers, positive
+from nonhertz.inputs.checks import numbers, positive
 from nonhertz.model.material import Material, check_poisson
 
 Array = NDArray[np.float64]

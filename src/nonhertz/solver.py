@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import AccuracyWarning, InputError
 from nonhertz.finite import influence_of
-from nonhertz.model.checks import numbers
+from nonhertz.inputs.checks import numbers
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.result.outcome import outcome

@@ -13,12 +13,12 @@ from rich.text import Text
 
 from nonhertz.cli.printing import console, print_table
 from nonhertz.errors import InputError
+from nonhertz.inputs.checks import one_of
 from nonhertz.io.folder import write_files
 from nonhertz.io.measured import checked, measured_from, trace_from
 from nonhertz.io.prepared import files
 from nonhertz.measured import Fit, Measured
 from nonhertz.measured.fit import KINDS
-from nonhertz.model.checks import one_of
 from nonhertz.model.profile import PARAMETER_UNITS
 from nonhertz.result.numerals import digits
 

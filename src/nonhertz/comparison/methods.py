@@ -15,7 +15,7 @@ from nonhertz.comparison.reasons import stretches
 from nonhertz.comparison.stations import stations
 from nonhertz.comparison.value import Comparison, Seconds
 from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
-from nonhertz.model.checks import callback, thread_count
+from nonhertz.inputs.checks import callback, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.patch import PatchSolution
 from nonhertz.patch import solve as solve_patch

@@ -17,9 +17,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from nonhertz.errors import CaseError, InputError
-from nonhertz.files import content, legible
+from nonhertz.inputs.checks import one_line
+from nonhertz.inputs.files import content, legible
 from nonhertz.io.bounds import LARGEST_CASE, TOO_DEEP, excess, has_long_key
-from nonhertz.model.checks import one_line
 from nonhertz.model.contact import Contact
 
 if TYPE_CHECKING:

@@ -30,13 +30,13 @@ from pydantic import (
 )
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.checks import MOST, above_zero, finite, one_line, positive
 from nonhertz.io.bounds import LOADS, MISTAKES
 from nonhertz.io.mistakes import Mistake, TableError, missing, mistake_in, mistakes_in, nearest, unknown
 from nonhertz.io.profiles import BROKEN, profile_schema, quantity_schema, read_profile
 from nonhertz.io.units import begins_with_digits, in_unit
 from nonhertz.io.written import FORMAT
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter, convex
-from nonhertz.model.checks import MOST, above_zero, finite, one_line, positive
 from nonhertz.model.contact import Contact
 from nonhertz.model.finite import FEWEST_IMAGES, MOST_IMAGES, SERIES
 from nonhertz.model.material import MATERIALS, STEEL, Material

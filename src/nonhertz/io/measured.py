@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.errors import AccuracyWarning, InputError
-from nonhertz.files import special
+from nonhertz.inputs.files import special
 from nonhertz.io.mistakes import Mistake, TableError, missing, nearest, unknown
 from nonhertz.io.traces import read_trace
 from nonhertz.io.units import in_unit

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonhertz.errors import CaseError, InputError
-from nonhertz.files import content
+from nonhertz.inputs.files import content
 from nonhertz.io.casefile import Case, case_in
 from nonhertz.io.written import FORMAT
 

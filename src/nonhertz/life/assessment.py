@@ -18,11 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.checks import listed, positive, whole
 from nonhertz.life.capacity import Raceway, raceway
 from nonhertz.life.catalogue import MODELS, RATED, Model, VolumeModel, lundberg_palmgren, model
 from nonhertz.life.lamina import EXPONENT, LEFT_OUT, LaminaModel, laminae_of
 from nonhertz.life.volume import Exposure, exposure
-from nonhertz.model.checks import listed, positive, whole
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.ends import ends_in_words, largest_half_width, outermost, step_at

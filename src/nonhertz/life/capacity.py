@@ -17,8 +17,8 @@ import math
 from dataclasses import dataclass
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.checks import flag, one_of, positive, whole
 from nonhertz.model.body import Body, Ring, Roller
-from nonhertz.model.checks import flag, one_of, positive, whole
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
 

@@ -17,8 +17,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.checks import not_negative, one_of, positive, text
 from nonhertz.life.lamina import LaminaModel, iso_16281
-from nonhertz.model.checks import not_negative, one_of, positive, text
 
 LINE_CONTACT_SLOPE = 9.0 / 8.0
 SLOPES = 0.2, 5.0  # far beyond what has been found; the powers stay within double precision

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import one_of, text, whole
+from nonhertz.inputs.checks import one_of, text, whole
 from nonhertz.model.contact import Contact
 from nonhertz.result.ends import largest_half_width
 from nonhertz.result.protocol import Solved

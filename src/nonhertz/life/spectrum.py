@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.checks import above_zero, finite, listed, positive
 from nonhertz.many import Strips, solve_many
-from nonhertz.model.checks import above_zero, finite, listed, positive
 from nonhertz.model.contact import Contact
 from nonhertz.result.solution import Solution
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element

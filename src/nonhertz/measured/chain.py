@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.checks import flag, listed, one_of
 from nonhertz.measured.filters import unresolved
 from nonhertz.measured.land import SurfaceStep, steps_in
 from nonhertz.measured.roughness import (
@@ -33,7 +34,6 @@ from nonhertz.measured.steps import (
     enough_points,
 )
 from nonhertz.measured.trace import Array, Points, Trace
-from nonhertz.model.checks import flag, listed, one_of
 from nonhertz.model.profile import Profile, tabulated
 
 if TYPE_CHECKING:

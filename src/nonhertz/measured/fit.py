@@ -21,8 +21,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.checks import finite, flag, listed, one_of
 from nonhertz.measured.trace import Array, Points
-from nonhertz.model.checks import finite, flag, listed, one_of
 from nonhertz.model.profile import CATALOGUE, Profile
 
 _MOST_POINTS = 2000

@@ -15,11 +15,11 @@ from typing import ClassVar, Protocol
 import numpy as np
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.checks import finite, one_of, positive
 from nonhertz.measured.filters import check_cutoff, gaussian, spline
 from nonhertz.measured.land import CHAMFER_SLOPE, land, symmetry, tilt
 from nonhertz.measured.outlying import carried_on, outlying
 from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
-from nonhertz.model.checks import finite, one_of, positive
 
 #: Wavelength [mm] above which roughness ends and form begins, of the standard values of ISO 21920-3 and ISO 4288 that
 #: for finely ground surfaces.

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import listed, numbers, text
+from nonhertz.inputs.checks import listed, numbers, text
 
 Array = NDArray[np.float64]
 

@@ -12,7 +12,7 @@ from numbers import Real
 import numpy as np
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import not_negative, positive
+from nonhertz.inputs.checks import not_negative, positive
 
 FaceRule = str | float
 DepthRule = str | float

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import finite, positive
+from nonhertz.inputs.checks import finite, positive
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import above_zero, finite
+from nonhertz.inputs.checks import above_zero, finite
 from nonhertz.model.contact import Contact
 
 # Compliance times load over the square of the bodies' smallest size, and of their largest. Below the first the contact

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import finite, not_negative, positive
+from nonhertz.inputs.checks import finite, not_negative, positive
 
 Array = NDArray[np.float64]
 

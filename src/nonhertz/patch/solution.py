@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.finite import FINITE_FROM, HERTZ, Shape, ends
-from nonhertz.model.checks import finite
+from nonhertz.inputs.checks import finite
 from nonhertz.model.contact import Contact
 from nonhertz.patch.footprint import half_widths
 from nonhertz.patch.resources import memory

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
 from nonhertz.finite import HERTZ, influence_of
-from nonhertz.model.checks import finite
+from nonhertz.inputs.checks import finite
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch import nearness

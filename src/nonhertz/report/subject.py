@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.errors import AccuracyWarning
-from nonhertz.files import legible
+from nonhertz.inputs.files import legible
 from nonhertz.io.casefile import Case, case_in, case_text, parsed
 from nonhertz.io.profiles import profile_tables
 

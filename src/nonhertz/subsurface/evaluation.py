@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import broadcast, callback, finite, flag, numbers, thread_count, whole
+from nonhertz.inputs.checks import broadcast, callback, finite, flag, numbers, thread_count, whole
 from nonhertz.result.protocol import Solved
 from nonhertz.subsurface.field import Field
 from nonhertz.subsurface.inside import Inside, check_body, checked_solution

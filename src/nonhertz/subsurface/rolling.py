@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.hertz import LineContact
-from nonhertz.model.checks import broadcast
+from nonhertz.inputs.checks import broadcast
 from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import ReadOnly
 from nonhertz.subsurface.evaluation import POINTS_REMEDY, Within, across_at, finite_numbers, refuse_options, stress

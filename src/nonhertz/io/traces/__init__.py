@@ -10,7 +10,7 @@ import os
 from pathlib import Path
 
 from nonhertz.errors import InputError
-from nonhertz.files import legible
+from nonhertz.inputs.files import legible
 from nonhertz.io.traces.columns import read_columns
 from nonhertz.io.traces.line import Line, Request, made
 from nonhertz.io.traces.mahr import is_marwin, read_marwin

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.checks import one_of
 from nonhertz.measured.trace import FEWEST_POINTS, Array, Trace, dropouts, holes, usual_step
-from nonhertz.model.checks import one_of
 
 #: Points of the longest line that is read.
 MOST_POINTS = 500_000

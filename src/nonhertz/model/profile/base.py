@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.model.checks import finite, numbers
+from nonhertz.inputs.checks import finite, numbers
 
 Array = NDArray[np.float64]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import positive
+from nonhertz.inputs.checks import positive
 from nonhertz.model.material import STEEL
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from nonhertz.errors import InputError
-from nonhertz.model.checks import finite, not_negative, positive
+from nonhertz.inputs.checks import finite, not_negative, positive
 from nonhertz.model.profile.base import Array, Profile, Straight, places
 
 _ANGLE_REMEDY = "give the angle in rad, 1 degree is 0.01745"

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from nonhertz.errors import InputError
-from nonhertz.files import content, legible, special
-from nonhertz.model.checks import MOST, one_of
+from nonhertz.inputs.checks import MOST, one_of
+from nonhertz.inputs.files import content, legible, special
 from nonhertz.model.profile.base import Array, Profile, places
 
 _INTERPOLATIONS = ("pchip", "linear", "cubic")
