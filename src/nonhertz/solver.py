@@ -9,8 +9,8 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.bodies.influence import influence_of
 from nonhertz.errors import AccuracyWarning, InputError
-from nonhertz.finite import influence_of
 from nonhertz.inputs.checks import numbers
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription

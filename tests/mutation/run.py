@@ -70,11 +70,11 @@ GROUPS = {
             "validation/test_paper_regression.py",
         ),
     ),
-    "finite": Group(
-        ("finite.py",),
+    "bodies": Group(
+        ("bodies/*.py", "bodies/*/*.py"),
         30,
         (
-            *(f"unit/test_{name}.py" for name in ("finite", "newton", "influence", "edge", "subsurface")),
+            *(f"unit/test_{name}.py" for name in ("side_faces_and_depth", "newton", "influence", "edge", "subsurface")),
             "property/test_solution_properties.py",
             "validation/test_finite_bodies.py",
         ),

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nonhertz as nh
-from nonhertz.finite import plane_strain_depth
+from nonhertz.bodies.depths.plane_strain import plane_strain_depth
 from nonhertz.model.profile import Profile
 
 # Faces that come to lie together may ask for more weight than has a solution; the laws hold with what is used.

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.finite import influence_of
+from nonhertz.bodies.influence import influence_of
 from nonhertz.model.prescription import Prescription
 from nonhertz.model.profile import Profile
 from nonhertz.solver import problem_of
@@ -194,7 +194,7 @@ def displaced_half_spaces(solution, y):
 
 
 def displaced_finite_bodies(solution, y):
-    """Displacement at ``y`` with images and depths, as `nonhertz.finite` lists them."""
+    """Displacement at ``y`` with images and depths, as `nonhertz.bodies.influence` lists them."""
     m = solution.element_half_width**2
     q = solution.contact.compliance * solution.line_load
     r = np.divide(q, m, out=np.zeros_like(q), where=m > 0.0)

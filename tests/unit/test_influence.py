@@ -5,7 +5,8 @@ import pytest
 from scipy.integrate import quad
 
 import nonhertz as nh
-from nonhertz.finite import HALF_SPACE, Depth, Influence
+from nonhertz.bodies.depths.depth import PointsAtDepth
+from nonhertz.bodies.influence import HALF_SPACE, Influence
 from nonhertz.strip.influence import coefficients, displacement, displacements, self_displacement
 
 EDGES = np.array([-2.0, -1.4, -0.3, 0.1, 0.9, 3.0])
@@ -133,7 +134,7 @@ def test_a_strip_at_its_own_centre(element):
 
 
 def deep(depth, *, terms=HALF_SPACE, poisson=0.3, far=None):
-    return Depth(lambda y: np.full(y.shape, depth), 1.0 / (2.0 * (1.0 - poisson)), np.atleast_2d(terms), far)
+    return PointsAtDepth(lambda y: np.full(y.shape, depth), 1.0 / (2.0 * (1.0 - poisson)), np.atleast_2d(terms), far)
 
 
 @pytest.mark.parametrize("poisson", [0.0, 0.3, 0.5])
@@ -195,7 +196,7 @@ def test_terms_add_up_at_depth():
 
 def test_every_place_has_its_own_depth():
     depths = 1.0 + Y**2
-    varying = Depth(lambda y: 1.0 + y**2, 1.0 / 1.4, HALF_SPACE)
+    varying = PointsAtDepth(lambda y: 1.0 + y**2, 1.0 / 1.4, HALF_SPACE)
     rows = [deep(depth).displacement(np.array([y]), EDGES)[0] for y, depth in zip(Y, depths, strict=True)]
     np.testing.assert_allclose(varying.displacement(Y, EDGES), rows, rtol=1e-13, atol=0.0)
 

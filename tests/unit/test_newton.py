@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.finite import HALF_SPACE, Influence, influence_of
+from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
 from nonhertz.strip import newton as loop
 
 STRIPS = 21

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.finite import HALF_SPACE, HERTZ, Influence, influence_of
+from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
+from nonhertz.bodies.solid import HERTZ
 from nonhertz.patch.convolution import Convolution
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.inverse import Inverse

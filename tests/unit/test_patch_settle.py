@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.finite import HALF_SPACE, Influence
+from nonhertz.bodies.influence import HALF_SPACE, Influence
 from nonhertz.patch import settle as settling
 from nonhertz.patch.convolution import Convolution
 from nonhertz.patch.grid import Grid

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.finite import HALF_SPACE, Influence
+from nonhertz.bodies.influence import HALF_SPACE, Influence
 from nonhertz.strip.state import Problem, settle
 
 LENGTH, RADIUS, LOAD = 200.0, 500.0, 35780.0

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.finite import influence_of
+from nonhertz.bodies.influence import influence_of
 from nonhertz.strip.influence import coefficients
 
 pytestmark = pytest.mark.filterwarnings("ignore:The maximum pressure is uncertain")  # of 41 equal strips

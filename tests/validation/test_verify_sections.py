@@ -6,7 +6,8 @@ import pytest
 from matplotlib.figure import Figure
 
 import nonhertz as nh
-from nonhertz import finite
+from nonhertz.bodies import images
+from nonhertz.bodies.depths import plane_strain
 from nonhertz.patch import convolution, inverse, kernel
 from nonhertz.verify import plane_grid
 
@@ -71,14 +72,14 @@ def test_a_solver_with_five_per_cent_too_much_compliance_fails(monkeypatch, modu
 
 @pytest.mark.parametrize("module", ["finite_bodies", "edge_exponents", "quarter_space"])
 def test_images_that_weigh_a_tenth_too_little_are_noticed(monkeypatch, module):
-    right = finite._images
-    monkeypatch.setattr(finite, "_images", lambda *args: {place: 0.9 * w for place, w in right(*args).items()})
+    right = images._chains
+    monkeypatch.setattr(images, "_chains", lambda *args: {place: 0.9 * w for place, w in right(*args).items()})
     assert section(module).failed > 0
 
 
 def test_a_depth_a_tenth_too_small_is_noticed(monkeypatch):
-    right = finite.plane_strain_depth
-    monkeypatch.setattr(finite, "plane_strain_depth", lambda *args: 0.9 * right(*args))
+    right = plane_strain.plane_strain_depth
+    monkeypatch.setattr(plane_strain, "plane_strain_depth", lambda *args: 0.9 * right(*args))
     assert section("plane_strain").failed > 0
     assert section("finite_bodies").failed > 0
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Annotated, Any, Self, TypeVar
 
@@ -29,6 +29,13 @@ from pydantic import (
     model_validator,
 )
 
+from nonhertz.bodies.depths import DEPTHS
+from nonhertz.bodies.depths.depth import Depth
+from nonhertz.bodies.depths.thickness import Thickness
+from nonhertz.bodies.images import FEWEST_IMAGES, MOST_IMAGES, SERIES
+from nonhertz.bodies.sides import SIDE_FACES
+from nonhertz.bodies.sides.side_face import SideFace
+from nonhertz.bodies.sides.weighted import Weighted
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import MOST, above_zero, finite, one_line, positive
 from nonhertz.io.bounds import LOADS, MISTAKES
@@ -38,7 +45,6 @@ from nonhertz.io.units import begins_with_digits, in_unit
 from nonhertz.io.written import FORMAT
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter, convex
 from nonhertz.model.contact import Contact
-from nonhertz.model.finite import FEWEST_IMAGES, MOST_IMAGES, SERIES
 from nonhertz.model.material import MATERIALS, STEEL, Material
 from nonhertz.model.profile import Profile, straight
 
@@ -49,7 +55,7 @@ _KINDS: dict[str, type[Body]] = {"roller": Roller, "ring": Ring, "plate": Plate,
 _STAND_INS: dict[str, Any] = {"diameter": 1.0, "length": MOST, "side_faces": "none", "depth": 1.0}
 
 _FACE_SCHEMA: list[dict[str, Any]] = [
-    {"enum": ["mirror", "calibrated", "none"]},
+    {"enum": list(SIDE_FACES)},
     {"type": "number", "minimum": 0},
 ]
 _FACES_SCHEMA = {
@@ -58,12 +64,17 @@ _FACES_SCHEMA = {
 _IMAGES_SCHEMA = {"anyOf": [{"type": "integer", "minimum": FEWEST_IMAGES, "maximum": MOST_IMAGES}, {"const": SERIES}]}
 _DEPTH_SCHEMA = {
     "anyOf": [
-        {"enum": ["none", "plane-strain", "diameter"]},
+        {"enum": list(DEPTHS)},
         {"type": "number", "exclusiveMinimum": 0},
         {"type": "string", "pattern": "[0-9]"},
     ],
     "unit": "mm",
 }
+
+
+def _choices(named: Iterable[SideFace | Depth], number: type[SideFace | Depth]) -> str:
+    """Return what words mean, and what a number in their place does."""
+    return ", ".join([*(f"{each.word!r} ({each.meaning})" for each in named), f"or {number.meaning}"])
 
 
 class Table(BaseModel):
@@ -223,8 +234,8 @@ class BodyTable(Table):
     )
     side_faces: Annotated[Any, PlainValidator(_read_side_faces), WithJsonSchema(_FACES_SCHEMA)] = Field(
         default=Body.side_faces,
-        description="how the side faces are made free: 'mirror' images of the pressure, 'calibrated' ones, images "
-        "of a weight of your own, 'none'; or two of these, for low and high y",
+        description=f"how the side faces are made free: {_choices(SIDE_FACES.values(), Weighted)}; or two of these, "
+        "for low and high y",
     )
     length: Length | None = Field(
         default=None,
@@ -244,8 +255,7 @@ class BodyTable(Table):
     )
     depth: Annotated[Any, PlainValidator(_read_depth), WithJsonSchema(_DEPTH_SCHEMA)] = Field(
         default=None,
-        description="the point that the displacement is measured against: far away ('none'), where a long cylinder "
-        "is compressed as in 'plane-strain' (a roller's default), the 'diameter', or a depth below the surface [mm]",
+        description=f"the point that the displacement is measured against: {_choices(DEPTHS.values(), Thickness)}",
         json_schema_extra={"default": Body.depth},
     )
     images: Annotated[Any, PlainValidator(_read_images), WithJsonSchema(_IMAGES_SCHEMA)] = Field(

@@ -9,9 +9,13 @@ from numbers import Real
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.bodies.depths import DepthRule, depth_of
+from nonhertz.bodies.depths.depth import Depth
+from nonhertz.bodies.images import FEWEST_IMAGES, check_images
+from nonhertz.bodies.sides import FaceRule, side_faces
+from nonhertz.bodies.sides.side_face import SideFace
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, numbers, positive
-from nonhertz.model.finite import FEWEST_IMAGES, DepthRule, FaceRule, check_depth, check_images, face_weights
 from nonhertz.model.material import STEEL, Material
 from nonhertz.model.profile import Profile, Straight
 from nonhertz.model.profile.base import moved_back
@@ -141,11 +145,10 @@ class Body:
         finite("position", self.position, "give the axial position of the body's middle in mm")
         if isinstance(self.side_faces, list) or (isinstance(self.side_faces, np.ndarray) and self.side_faces.ndim):
             object.__setattr__(self, "side_faces", tuple(self.side_faces))
-        asked = face_weights(self.side_faces, self.material.poisson)
+        asked = [side.image_weight(self.material.poisson) for side in self.sides]
         if self.length is None and self.side_faces != "mirror" and max(asked) > 0.0:
             raise InputError("length", None, f"be given where side_faces = {self.side_faces!r}", _FACELESS_REMEDY)
-        check_depth(self.depth, convex(self.diameter))
-        check_images(self.images, self.face_weights, self.depth)
+        check_images(self.images, self.face_weights, self.behind)
 
     def _check_effective_length(self, effective_length: float) -> None:
         remedy = "give the length that can touch in mm, or leave it out for all of the body"
@@ -168,9 +171,22 @@ class Body:
         return (self.position - half, self.position + half)
 
     @property
+    def sides(self) -> tuple[SideFace, SideFace]:
+        """How the side faces at low and high y are treated, if there are any."""
+        return side_faces(self.side_faces)
+
+    @property
+    def behind(self) -> Depth:
+        """What displacement is measured against."""
+        return depth_of(self.depth, convex(self.diameter))
+
+    @property
     def face_weights(self) -> tuple[float, float]:
-        """Weights of the images about the side faces; zero where a face is not made free."""
-        return (0.0, 0.0) if self.length is None else face_weights(self.side_faces, self.material.poisson)
+        """Weights of the images about the side faces; zero where a face is not made free, or there is none."""
+        if self.length is None:
+            return 0.0, 0.0
+        low, high = (side.image_weight(self.material.poisson) for side in self.sides)
+        return low, high
 
     @property
     def bends(self) -> tuple[float, ...]:

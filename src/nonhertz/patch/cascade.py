@@ -14,8 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.bodies.influence import Influence
 from nonhertz.errors import InputError
-from nonhertz.finite import Influence
 from nonhertz.patch.convolution import Convolution
 from nonhertz.patch.footprint import half_widths
 from nonhertz.patch.grid import Grid

@@ -4,10 +4,10 @@ The displacement is the convolution of the pressure with `kernel.rectangles`, do
 twice the size, so that nothing that leaves the region on one side comes back on the other.
 
 The kernel is even across the contact, and the direct effect along it too: its spectrum is a cosine transform, real,
-and a quarter of the doubled grid. Side faces add terms (`nonhertz.finite`). A shifted copy of the pressure changes the
-spectrum, which is complex then. A mirrored copy is a convolution with the mirrored pressure, whose spectrum is the
-conjugate, in x reversed: one more product, and no further transform. What the loads do at depth under the centre line
-depends on the line loads alone: a matrix, subtracted from all cells of a row.
+and a quarter of the doubled grid. Side faces add terms (`nonhertz.bodies.influence`). A shifted copy of the pressure
+changes the spectrum, which is complex then. A mirrored copy is a convolution with the mirrored pressure, whose spectrum
+is the conjugate, in x reversed: one more product, and no further transform. What the loads do at depth under the centre
+line depends on the line loads alone: a matrix, subtracted from all cells of a row.
 
 References
 ----------
@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import fft
 
-from nonhertz.finite import Influence
+from nonhertz.bodies.influence import Influence
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.kernel import edges_from, rectangles
 from nonhertz.patch.transform import ROWS, fast_half, filtered, in_blocks, times_even
@@ -59,7 +59,7 @@ class Convolution:
         self._half = fast_half(grid.cells[0]), fast_half(grid.cells[1])
         self._shifted, self._mirrored = self._spectra(influence.terms)
         self.own = float(rectangles(edges_from(0.0, 1, grid.dx), edges_from(0.0, 1, grid.dy))[0, 0])
-        self._at_depth = grid.dx * influence.at_depth(grid.y, grid.y_edges) if influence.depths else None
+        self._at_depth = grid.dx * influence.at_depth(grid.y, grid.y_edges) if influence.references else None
 
     def __call__(self, pressure: Array) -> Array:
         """Return the displacement [mm] under a pressure times K [-], both of shape (nx, ny)."""

@@ -8,8 +8,9 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.bodies.influence import Influence
+from nonhertz.bodies.solid import HERTZ
 from nonhertz.errors import InputError
-from nonhertz.finite import HERTZ, Influence, depth_below
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
 from nonhertz.patch import region as regions
@@ -152,7 +153,7 @@ def _depths(contact: Contact, y: Array, half_width: Array) -> list[tuple[str, Bo
     touching = half_width > 0.0
     found = []
     for name, body in (("a", contact.a), ("b", contact.b)):
-        below = depth_below(body, HERTZ)
+        below = body.behind.below(body, HERTZ)
         if below is not None and np.any(touching):
             found.append((name, body, float(np.min(below(y[touching]) / half_width[touching]))))
     return found

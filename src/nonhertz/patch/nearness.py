@@ -366,7 +366,7 @@ def _raised_nearby(grid: Grid, pressure: Array, x: Array, y: Array) -> Array:
 
 def _sunk(problem: Problem, grid: Grid, pressure: Array, y: Array) -> Array:
     """Return how far the points at depth move, shape (places,)."""
-    if not problem.influence.depths:
+    if not problem.influence.references:
         return np.zeros(y.size)
     starts = np.linspace(0, grid.cells[1], min(grid.cells[1], 64), endpoint=False).astype(int)
     edges = grid.y_edges[np.append(starts, grid.cells[1])]

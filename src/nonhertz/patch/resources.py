@@ -6,8 +6,9 @@ import os
 
 import numpy as np
 
+from nonhertz.bodies.influence import influence_of
+from nonhertz.bodies.solid import HERTZ
 from nonhertz.errors import InputError
-from nonhertz.finite import HERTZ, influence_of
 from nonhertz.model.contact import Contact
 from nonhertz.patch.cascade import FEWEST
 from nonhertz.patch.surface import refuse_no_bodies
@@ -50,7 +51,7 @@ def memory(cells: tuple[int, int], contact: Contact | None = None) -> int:
         mirrored = bool((influence.terms[:, 0] < 0.0).any())
         shifted = int((influence.terms[:, 0] > 0.0).sum()) > 1
         spectra *= 1 + 2 * mirrored + 2 * shifted  # complex ones
-        depth = DOUBLE * ny * ny * bool(influence.depths)
+        depth = DOUBLE * ny * ny * bool(influence.references)
     # Either while the iterations run, or before, while the matrix of the depths is made of larger ones.
     return int(spectra + max(FIELDS * fields + depth, FEW * fields + MAKING * depth))
 

@@ -9,8 +9,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.bodies.ends import FINITE_FROM, ends
+from nonhertz.bodies.solid import HERTZ, Shape
 from nonhertz.errors import InputError
-from nonhertz.finite import FINITE_FROM, HERTZ, Shape, ends
 from nonhertz.inputs.checks import finite
 from nonhertz.model.contact import Contact
 from nonhertz.patch.footprint import half_widths

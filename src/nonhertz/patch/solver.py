@@ -12,8 +12,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.bodies.influence import influence_of
+from nonhertz.bodies.solid import HERTZ
 from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
-from nonhertz.finite import HERTZ, influence_of
 from nonhertz.inputs.checks import finite
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
@@ -116,7 +117,7 @@ def solve(
 
     Notes
     -----
-    Uniform pressure in each cell, half-space displacements with the corrections of `nonhertz.finite`, no friction.
+    Uniform pressure in each cell, half-space displacements with the corrections of `nonhertz.bodies`, no friction.
     Nothing is assumed of the shape of the pressure. See docs/explain/patch.md.
 
     References

@@ -13,7 +13,8 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.finite import HERTZ, Influence, influence_of
+from nonhertz.bodies.influence import Influence, influence_of
+from nonhertz.bodies.solid import HERTZ
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch.cascade import Gap
 from nonhertz.patch.kernel import edges_from, rectangles
@@ -161,7 +162,7 @@ def displacement(solution: PatchSolution, places: Places) -> Array:
             for place, (i, j) in enumerate(places.tolist()):
                 columns = kernel[:, j : j + pressure.shape[1]] if sign < 0.0 else _backwards(kernel, j, pressure)
                 total[place] += np.vdot(columns, _folded(pressure, i, distances))
-    if influence.depths:
+    if influence.references:
         edges = np.append(solution.y - 0.5 * solution.dy, solution.y[-1] + 0.5 * solution.dy)
         rows, which = np.unique(places[:, 1], return_inverse=True)
         total -= (influence.at_depth(solution.y[rows], edges) @ solution.line_load)[which]

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.bodies.ends import ends
 from nonhertz.comparison.reasons import TOLD
-from nonhertz.finite import depth_below, ends
 from nonhertz.report.finding import Finding
 from nonhertz.result.checks import LEAST_DEPTH, checks
 from nonhertz.result.numerals import digits, given
@@ -94,7 +94,7 @@ def _valid(solution: Solution) -> Iterator[Assumption]:
         number = digits(check.value, 3)
         yield Assumption(check.assumption, check.criterion, number, _strained_if(not check.holds), check.remark)
     for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
-        if depth_below(body, solution.element) is None:
+        if body.behind.below(body, solution.element) is None:
             remark = "A half-space of endless depth: approach counts from a point far away."
             criterion = f"depth of at least {LEAST_DEPTH:g} half-widths"
             yield Assumption(f"Body {name} is thick", criterion, "no depth given", Verdict.OPEN, remark)

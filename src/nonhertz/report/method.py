@@ -10,13 +10,11 @@ import re
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from nonhertz import hertz
 from nonhertz.io.profiles import profile_tables
 from nonhertz.life import MODELS
 from nonhertz.model.body import Body
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.report.finding import Finding
-from nonhertz.result.numerals import given
 from nonhertz.strip.element import Element
 from nonhertz.subsurface import stress
 
@@ -76,8 +74,7 @@ def references(found: Finding) -> list[str]:
         *_of_profiles(found),
     ]
     bodies = found.solution.contact.a, found.solution.contact.b
-    if any(body.depth == "plane-strain" for body in bodies):
-        told += [source(hertz.plane_strain_cylinder_compression)]
+    told += [source(type(body.behind)) for body in bodies]
     if found.solution.singular_ends:
         told.append(_SHARP_ENDS)
     if found.stress or found.lives:
@@ -103,16 +100,7 @@ def _body_words(name: str, body: Body) -> Iterator[str]:
             f"Side faces of body {name} are freed of shear by mirror images of the pressure with the weight {told}. A "
             "normal stress is left on them, so that the true pressure at an end is lower."
         )
-    if body.depth == "none":
-        yield f"Displacement of body {name} is measured against a point far away: it is a half-space of endless depth."
-    elif body.depth == "plane-strain":
-        yield (
-            f"Displacement of body {name} is measured against the depth that makes the compression of a long cylinder "
-            "that of plane strain."
-        )
-    else:
-        where = "its diameter" if body.depth == "diameter" else f"{given(float(body.depth))} mm"
-        yield f"Displacement of body {name} is measured against a point {where} below the surface."
+    yield f"Displacement of body {name} is measured against {body.behind.place}."
 
 
 def _flowing(text: str) -> str:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.finite import End, depth_below
+from nonhertz.bodies.ends import End
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
 from nonhertz.result.solution import Solution
@@ -57,7 +57,7 @@ class Check:
 
 
 def checks(solution: Solution, freed: tuple[End, ...]) -> tuple[Check, ...]:
-    """Return all checks of a solution that has a contact; ``freed`` side faces as `nonhertz.finite.ends` has them."""
+    """Return all checks of a solution that has a contact; ``freed`` side faces as `nonhertz.bodies.ends` has them."""
     return (_long(solution), _curved(solution), _small_strains(solution), *_deep(solution), *_images(freed))
 
 
@@ -121,7 +121,7 @@ def depths(solution: Solution, half_width: Array) -> list[tuple[str, Body, float
         return []
     found = []
     for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
-        below = depth_below(body, solution.element)
+        below = body.behind.below(body, solution.element)
         if below is not None:
             found.append((name, body, float(np.min(below(solution.y[touching]) / half_width[touching]))))
     return found

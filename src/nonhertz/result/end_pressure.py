@@ -2,7 +2,7 @@
 
 Where a contact runs out inside the bodies its pressure falls to zero. Where it reaches the end of a body the surface
 stops short, and at distances s small against the half-width the equations of the strips become those of a plane
-wedge, with p ~ K / s^alpha and cos(pi alpha) = kappa (`nonhertz.finite`). Only for kappa = 1, as where both
+wedge, with p ~ K / s^alpha and cos(pi alpha) = kappa (`nonhertz.bodies.ends`). Only for kappa = 1, as where both
 bodies end together with mirrored faces, is that a finite pressure. For less every refinement raises the pressure of
 the last strip, so it says nothing; K and alpha do.
 
@@ -18,7 +18,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.finite import FINITE_FROM
+from nonhertz.bodies.ends import FINITE_FROM, edge_exponent
 from nonhertz.model.contact import Contact
 from nonhertz.result.ends import corner_ends
 from nonhertz.result.solution import EdgeKind, EdgePressure
@@ -134,7 +134,7 @@ def _edge_pressure(contact: Contact, problem: Problem, state: State, side: int) 
     kappa = _image_weight(problem, place, side, AT_ONE_PLACE * width)
     if not _is_sharp(contact, problem, state.edges, side):
         return EdgePressure(place, EdgeKind.FINITE, float(pressure[0]), width, kappa, 0.0, None, None, convention)
-    exponent = math.acos(kappa) / math.pi
+    exponent = edge_exponent(kappa)
     half_width = problem.element.hertz_ratio * math.sqrt(float(state.m[at]))
     strength = correction = None
     # The face of another body a little further out bends the pressure where K would be read off.

@@ -7,7 +7,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.finite import Shape
+from nonhertz.bodies.solid import Shape
 from nonhertz.model.contact import Contact
 from nonhertz.result.solution import ErrorEstimate, SingularEnd, Status
 

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.bodies.images import SERIES
 from nonhertz.errors import InputError
 from nonhertz.model.contact import Contact
-from nonhertz.model.finite import SERIES
 from nonhertz.result.checks import (
     HEAVIEST,
     LEAST_DEPTH,

@@ -1,8 +1,8 @@
 """From strip loads to displacement and curvature on the centre line.
 
 A strip acts at a point through the difference of an element's functions between its two edges, and its images do
-the same from where they are. The loops below add up *terms* (`nonhertz.finite`) and know nothing about what they
-stand for. What the loads do at depth depends neither on the loads nor on the half-widths, so it is worked out once
+the same from where they are. The loops below add up *terms* (`nonhertz.bodies.influence`) and know nothing about what
+they stand for. What the loads do at depth depends neither on the loads nor on the half-widths, so it is worked out once
 for a grid, as a matrix that the loop subtracts.
 
 All coefficients are per unit of compliance: with r = K q / a^2 and m = a^2 as unknowns, K appears nowhere.
@@ -15,8 +15,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.bodies.influence import Influence
 from nonhertz.compiled import compiled
-from nonhertz.finite import Influence
 from nonhertz.strip.element import evaluate, evaluate_displacement
 
 Array = NDArray[np.float64]

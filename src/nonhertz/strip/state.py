@@ -9,8 +9,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.bodies.influence import Influence
 from nonhertz.compiled import compiled
-from nonhertz.finite import Influence
 from nonhertz.strip.element import Element
 from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, STAGNATED, TOLERANCE, newton
 from nonhertz.strip.start import springs, started
@@ -268,7 +268,7 @@ class Strips:
         Where points at depth lie within the contact they move more than the surface, and the equations have either
         no solution or some that mean nothing.
         """
-        if not problem.influence.depths:
+        if not problem.influence.references:
             return False
         return bool(np.any(self.shallowest < least * problem.element.hertz_ratio * np.sqrt(m)))
 

@@ -15,11 +15,12 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.bodies.depths.depth import Reference
+from nonhertz.bodies.images import SEPARATE_LINKS, SERIES
+from nonhertz.bodies.influence import influence_within
 from nonhertz.compiled import compiled
 from nonhertz.errors import InputError
-from nonhertz.finite import SEPARATE_LINKS, Depth, influence_within
 from nonhertz.model.body import Body
-from nonhertz.model.finite import SERIES
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import Solution
@@ -59,8 +60,8 @@ class Inside:
         The pressure.
     terms : ndarray, shape (terms, 3)
         Rows (sign, offset, weight) of the pressure itself and its images in this body.
-    depth : Depth or None
-        The points that displacement is measured against; None where they are far away.
+    reference : Reference or None
+        What displacement is measured against; None where that is far away.
     edges, pressed : ndarray, shape (stations + 1,) and (stations,)
         Edges along y [mm] and compliance times line load [mm] between them, for displacement at depth.
     afar : float
@@ -71,7 +72,7 @@ class Inside:
     body: Body
     load: Load
     terms: Array
-    depth: Depth | None
+    reference: Reference | None
     edges: Array
     pressed: Array
     afar: float
@@ -89,13 +90,13 @@ class Inside:
         checked_solution(solution)
         edges = solution.edges
         which = "ab".index(name)
-        terms, depth = influence_within(solution.contact, solution.shape, which)
+        terms, reference = influence_within(solution.contact, solution.shape, which)
         body = (solution.contact.a, solution.contact.b)[which]
         afar = 0.0
         if body.images == SERIES and body.length is not None and terms.shape[0] > SEPARATE_LINKS:
             afar = solution.load / body.length * float(terms[-1, 2])
         pressed = solution.contact.compliance * solution.line_load
-        return cls(name, body, _load(solution), terms, depth, edges, pressed, afar)
+        return cls(name, body, _load(solution), terms, reference, edges, pressed, afar)
 
     def _sides(self) -> tuple[tuple[float, float], tuple[float, float]]:
         return (self.body.faces[0], -1.0), (self.body.faces[1], 1.0)
@@ -138,9 +139,9 @@ class Inside:
             part[:, U_Y] *= sign
             total += weight * part
         total /= material.shear_modulus
-        if self.depth is not None:
+        if self.reference is not None:
             y, back = np.unique(points[:, 1], return_inverse=True)
-            total[:, U_Z] -= (self.depth.displacement(y, self.edges) @ self.pressed)[back.ravel()]
+            total[:, U_Z] -= (self.reference.displacement(y, self.edges) @ self.pressed)[back.ravel()]
         return total
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nonhertz.finite import influence_of
+from nonhertz.bodies.influence import influence_of
 from nonhertz.model.body import Ring, Roller
 from nonhertz.model.contact import Contact
 from nonhertz.model.profile import iso_logarithmic

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nonhertz.finite import plane_strain_depth
+from nonhertz.bodies.depths.plane_strain import plane_strain_depth
 from nonhertz.hertz import line_contact, plane_strain_cylinder_compression
 from nonhertz.model.body import Roller
 from nonhertz.model.contact import Contact

@@ -15,7 +15,7 @@ from typing import Any, Final
 
 from nonhertz.io.mistakes import Place, path_of
 from nonhertz.io.written import FORMAT
-from nonhertz.model.body import Roller
+from nonhertz.model.body import Body, Roller
 from nonhertz.web.fields import Edits, Field, Group, Option, text_of
 from nonhertz.web.inputs import ABSENT, as_it_is, input_for, label_of, stray
 from nonhertz.web.keys import (
@@ -210,7 +210,7 @@ def _one_or_two(part: Schema, value: Any, place: Place, ends: bool) -> Group | F
     """Return the form of a key that holds one value for both ends of a body, or two; without ends it needs none."""
     path = path_of(place)
     is_pair = isinstance(value, list) and len(value) == 2
-    first = value[0] if is_pair else ("mirror" if value is ABSENT else value)
+    first = value[0] if is_pair else (Body.side_faces if value is ABSENT else value)
     options = (
         Option("value", "one for both ends", [(path, first)]),
         Option("pair", "one for each end", [(path, value if is_pair else [first, first])]),

@@ -7,7 +7,15 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.finite import ALL_LINKS, HERTZ, SEPARATE_LINKS, End, Influence, ends, influence_of, plane_strain_depth
+from nonhertz.bodies.depths import DEPTHS
+from nonhertz.bodies.depths.depth import Depth
+from nonhertz.bodies.depths.plane_strain import plane_strain_depth
+from nonhertz.bodies.ends import End, ends
+from nonhertz.bodies.images import ALL_LINKS, SEPARATE_LINKS
+from nonhertz.bodies.influence import Influence, influence_of
+from nonhertz.bodies.sides import SIDE_FACES
+from nonhertz.bodies.sides.side_face import SideFace
+from nonhertz.bodies.solid import HERTZ
 from nonhertz.strip.influence import displacements
 
 EDGES = np.linspace(-8.0, 8.0, 25)
@@ -38,7 +46,7 @@ def rows(contact, element=nh.SEMI_ELLIPTIC):
 
 def below(contact, element=nh.SEMI_ELLIPTIC):
     """Depth at Y of each body that has any."""
-    return [depth.below(Y) for depth in influence_of(contact, element).depths]
+    return [depth.below(Y) for depth in influence_of(contact, element).references]
 
 
 # Ends
@@ -142,7 +150,7 @@ def test_images_have_the_weights_that_were_lowered():
 def test_half_spaces_act_directly_alone():
     influence = influence_of(on_plate(side_faces="none", depth="none"), nh.SEMI_ELLIPTIC)
     assert influence.terms.tolist() == [[1.0, 0.0, 1.0]]
-    assert influence.depths == ()
+    assert influence.references == ()
 
 
 def test_one_image_per_face_is_two_mirrored_strips():
@@ -235,7 +243,7 @@ def test_a_series_is_what_many_images_add_up_to(side_faces, within, depth):
     # A lopsided load, so that places and strips are told apart.
     load = np.linspace(0.5, 1.5, Y.size)
     exact, found = displacement(explicit, load), displacement(series, load)
-    nearest_only = Influence(series.terms, tuple(dataclasses.replace(part, far=None) for part in series.depths))
+    nearest_only = Influence(series.terms, tuple(dataclasses.replace(part, far=None) for part in series.references))
     far = np.max(np.abs(displacement(nearest_only, load) - exact))
     assert far > 1e-9 * np.max(exact)
     assert np.max(np.abs(found - exact)) < within * far
@@ -245,7 +253,7 @@ def test_a_series_is_what_many_images_add_up_to(side_faces, within, depth):
 
 
 def test_a_roller_on_a_plate_has_one_depth_of_its_own():
-    (depth,) = influence_of(on_plate(), nh.SEMI_ELLIPTIC).depths
+    (depth,) = influence_of(on_plate(), nh.SEMI_ELLIPTIC).references
     assert depth.poisson_factor == pytest.approx(1.0 / 1.4, rel=1e-14)
     # The roller's half of the compliance, directly and in both images.
     table = {(sign, offset): weight for sign, offset, weight in depth.terms.tolist()}
@@ -307,10 +315,71 @@ def test_the_shallower_body_counts():
 def test_images_too_far_to_be_told_apart_are_those_of_an_endless_series():
     """Against the same sum of line loads at multiples of the length, to a hundred times as many links."""
     length, depth, factor = 16.0, 5.0, 1.0 / (2.0 * (1.0 - STEEL.poisson))
-    (below,) = influence_of(on_plate(depth=depth, images="series"), nh.SEMI_ELLIPTIC).depths
+    (below,) = influence_of(on_plate(depth=depth, images="series"), nh.SEMI_ELLIPTIC).references
     distance = length * (np.arange(SEPARATE_LINKS, 100 * ALL_LINKS) + 1.0)
     square = distance**2 + depth**2
     kernel = 1.0 / distance - 1.0 / np.sqrt(square) - factor * depth**2 / square**1.5
     # The roller has half of the compliance. Links go to either side.
     expected = 2.0 * 0.5 * kernel.sum()
     np.testing.assert_allclose(below.far(np.zeros(1)), expected, rtol=1e-6)
+
+
+# Treatments of one's own: a side face and a reference are in solver, stress, case files and messages at once
+
+
+class Halved(SideFace):
+    word = "halved"
+    meaning = "by images of half the pressure"
+
+    def image_weight(self, poisson):
+        return 0.5
+
+
+class Springs(Depth):
+    """A bed of springs in place of half-spaces' depth: a matrix that knows nothing of points below the surface."""
+
+    word = "springs"
+    meaning = "on springs"
+    place = "a bed of springs"
+
+    def below(self, body, shape):
+        return None
+
+    def reference(self, body, shape, images):
+        return OnSprings()
+
+
+class OnSprings:
+    def below(self, y):
+        return np.full(y.shape, np.inf)
+
+    def displacement(self, y, edges):
+        at = (y[:, None] > edges[:-1]) & (y[:, None] < edges[1:])
+        return -np.where(at, SINKS, 0.0)
+
+
+SINKS = 3.0  # each spring, under K q
+
+
+def test_a_side_face_of_ones_own_is_a_word_everywhere(monkeypatch, tmp_path):
+    monkeypatch.setitem(SIDE_FACES, "halved", Halved())
+    halved, weighted = (nh.solve(on_plate(side_faces=rule), load=5e3, strips=21) for rule in ("halved", 0.5))
+    np.testing.assert_array_equal(halved.line_load, weighted.line_load)
+    assert halved.edge_pressure[0].image_weight == 0.25
+    below, same = (nh.subsurface.stress(solution, 0.0, 7.9, 0.1).von_mises for solution in (halved, weighted))
+    np.testing.assert_array_equal(below, same)
+    case = nh.Case(on_plate(side_faces="halved"), {"load": 5e3})
+    case.write(tmp_path / "case.toml")
+    assert nh.read_case(tmp_path / "case.toml").contact == case.contact
+
+
+def test_a_reference_of_ones_own_moves_the_surface_by_its_matrix(monkeypatch):
+    monkeypatch.setitem(DEPTHS, "springs", Springs())
+    solution = nh.solve(on_plate(depth="springs"), load=5e3, strips=21)
+    influence = influence_of(on_plate(depth="none"), nh.SEMI_ELLIPTIC)
+    K, element = solution.contact.compliance, nh.SEMI_ELLIPTIC
+    m = (solution.half_width / element.hertz_ratio) ** 2
+    r = K * solution.line_load / m
+    risen = displacements(influence, solution.y, solution.edges, r, m, element.table)
+    expected = risen + SINKS * K * solution.line_load
+    np.testing.assert_allclose(solution.interference, expected, rtol=1e-8)

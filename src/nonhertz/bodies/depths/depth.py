@@ -1,0 +1,116 @@
+"""What a choice of depth says of itself, and how the points that displacement is measured against move.
+
+The displacement of the surface of a half-space under a line load is measured against a point at depth, which moves
+itself: a load lifts a point at depth d below the centre line by a function of its distance along y over d alone.
+"""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.compiled import compiled
+
+if TYPE_CHECKING:
+    from nonhertz.bodies.images import Images
+    from nonhertz.bodies.solid import Shape, Solid
+
+Array = NDArray[np.float64]
+
+
+class Reference(Protocol):
+    """What the displacement of one body is measured against, in contact with another."""
+
+    @property
+    def below(self) -> Callable[[Array], Array]:
+        """Y [mm] -> depth below the surface [mm] that half-widths must be small against."""
+
+    def displacement(self, y: Array, edges: Array) -> Array:
+        """Return its displacement under ``y`` per unit of K q of each strip, shape (places, strips)."""
+
+
+class Depth(ABC):
+    """Against what the displacement of a body is measured.
+
+    Attributes
+    ----------
+    word : str
+        What files and Python call it; empty for what is given as a number.
+    meaning : str
+        Where that is, as it follows the word in descriptions of case files.
+    of_diameter : bool
+        Whether only a body that is convex everywhere can have it.
+    """
+
+    word: ClassVar[str]
+    meaning: ClassVar[str]
+    of_diameter: ClassVar[bool] = False
+
+    @property
+    @abstractmethod
+    def place(self) -> str:
+        """Against what, as it follows "is measured against"."""
+
+    @abstractmethod
+    def below(self, body: Solid, shape: Shape) -> Callable[[Array], Array] | None:
+        """Return y [mm] -> depth of the point below the surface [mm]; None where it is far away."""
+
+    def reference(self, body: Solid, shape: Shape, images: Images) -> Reference | None:
+        """Return what the displacement of a body with these mirror images is measured against; None if far away."""
+        below = self.below(body, shape)
+        if below is None:
+            return None
+        factor = 1.0 / (2.0 * (1.0 - body.material.poisson))
+        far = None if images.far is None else images.far.less_depth(below, factor)
+        return PointsAtDepth(below, factor, images.with_direct(), far)
+
+
+@dataclass(frozen=True)
+class PointsAtDepth:
+    """How loads on the surface of one body move points below its centre line.
+
+    Attributes
+    ----------
+    below : callable
+        y [mm] -> depth d of the point below the surface [mm].
+    poisson_factor : float
+        1 / (2 (1 - nu)).
+    terms : ndarray, shape (terms, 3)
+        Rows (sign, offset, weight) as for the surface, of this body alone, its share of the compliance in the weights.
+    far : callable or None
+        y [mm] -> what images too far away to be told apart add to the surface's displacement, per unit of load.
+    """
+
+    below: Callable[[Array], Array]
+    poisson_factor: float
+    terms: Array
+    far: Callable[[Array], Array] | None = None
+
+    def displacement(self, y: Array, edges: Array) -> Array:
+        """Return the displacement at depth under ``y`` per unit of K q of each strip, shape (places, strips)."""
+        result = np.diff(_at_depth(y, self.below(y), edges, self.poisson_factor, self.terms), axis=1)
+        if self.far is not None:
+            result -= self.far(y)[:, None] * np.diff(edges)
+        return np.ascontiguousarray(result)
+
+
+@compiled
+def _at_depth(y: Array, depth: Array, edges: Array, poisson_factor: float, terms: Array) -> Array:
+    """Return what a load from the far left up to each edge does at depth under each place, up to a constant."""
+    out = np.zeros((y.size, edges.size))
+    for i in range(y.size):
+        inverse = 1.0 / depth[i]
+        for k in range(terms.shape[0]):
+            sign, offset, weight = terms[k, 0], terms[k, 1] - y[i], terms[k, 0] * terms[k, 2]
+            for e in range(edges.size):
+                u = (sign * edges[e] + offset) * inverse
+                root = math.sqrt(1.0 + u * u)
+                value = math.log(abs(u) + root)
+                out[i, e] += weight * (math.copysign(value, u) + poisson_factor * u / root)
+    return out

@@ -1,0 +1,46 @@
+"""A number: a depth below the surface in mm, such as the thickness of a ring."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.bodies.depths.depth import Depth
+
+if TYPE_CHECKING:
+    from nonhertz.bodies.solid import Shape, Solid
+
+Array = NDArray[np.float64]
+
+
+class Thickness(Depth):
+    """Displacement against a point at one depth everywhere.
+
+    Parameters
+    ----------
+    depth : float
+        Below the surface [mm].
+    """
+
+    word = ""
+    meaning = "a depth below the surface [mm], such as the thickness of a ring"
+
+    def __init__(self, depth: float) -> None:
+        self._depth = depth
+
+    @property
+    def place(self) -> str:
+        """A point at the depth that was given."""
+        return f"a point {self._depth:.6g} mm below the surface"
+
+    def below(self, body: Solid, shape: Shape) -> Callable[[Array], Array]:
+        """Return y [mm] -> depth [mm]."""
+        return partial(_even, self._depth)
+
+
+def _even(depth: float, y: Array) -> Array:
+    return np.full(y.shape, depth)

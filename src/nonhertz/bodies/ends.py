@@ -1,0 +1,97 @@
+"""The free side faces of two bodies in contact, and the number that governs a sharp end.
+
+It is kappa, the sum over the bodies that end there of image weight times share of the compliance. Up to kappa = 1 the
+pressure goes with the distance s from the end like s^-alpha, cos(pi alpha) = kappa; beyond, the equations have no
+solution that refinement converges to, so weights are lowered to kappa = 1.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from nonhertz.bodies.solid import Pair
+
+APART = 0.02  # of the combined radius: about the half-width of a heavily loaded contact of metals
+TOGETHER = 1.0 - 1e-4
+# kappa from which on the pressure counts as finite up to an end: alpha is below 0.015 there, less than 10 % of pressure
+# in three decades of distance.
+FINITE_FROM = 0.999
+
+
+@dataclass(frozen=True)
+class End:
+    """A place where one body or both have a free side face, with image weights that have a solution.
+
+    Attributes
+    ----------
+    y : float
+        Where [mm].
+    side : int
+        -1 at the low, 1 at the high end of the bodies.
+    weights : tuple of float
+        Weights of the images of body a and b about this face, at most such that ``image_weight`` is 1.
+    wanted : float
+        kappa of the weights that were asked for on this side, near faces of the other body counted in.
+    image_weight : float
+        kappa of this face alone with the weights used.
+    """
+
+    y: float
+    side: int
+    weights: tuple[float, float]
+    wanted: float
+    image_weight: float
+
+
+def edge_exponent(kappa: float) -> float:
+    """Return alpha of a pressure that goes with the distance s from an end like s^-alpha.
+
+    Examples
+    --------
+    >>> edge_exponent(0.0), edge_exponent(1.0)  # a half-space ends, and a mirrored end that both bodies share
+    (0.5, 0.0)
+    """
+    return math.acos(kappa) / math.pi
+
+
+def shares(contact: Pair) -> tuple[float, float]:
+    """Return the shares of both bodies in the compliance of the contact."""
+    return (contact.a.material.compliance / contact.compliance, contact.b.material.compliance / contact.compliance)
+
+
+def ends(contact: Pair) -> tuple[End, ...]:
+    """Return the free side faces of both bodies, those at one place together."""
+    found: list[End] = []
+    share = shares(contact)
+    for index, side in enumerate((-1, 1)):
+        faces = contact.a.faces[index], contact.b.faces[index]
+        asked = contact.a.face_weights[index], contact.b.face_weights[index]
+        kappa = asked[0] * share[0], asked[1] * share[1]
+        together = _nearness(contact, faces)
+        wanted = kappa[0] + together * kappa[1], kappa[1] + together * kappa[0]
+        by = 1.0 / max(wanted[0], 1.0), 1.0 / max(wanted[1], 1.0)
+        if together == 1.0:
+            weights = by[0] * asked[0], by[0] * asked[1]
+            found.append(End(0.5 * (faces[0] + faces[1]), side, weights, wanted[0], by[0] * wanted[0]))
+        else:
+            found.append(End(faces[0], side, (by[0] * asked[0], 0.0), wanted[0], by[0] * kappa[0]))
+            found.append(End(faces[1], side, (0.0, by[1] * asked[1]), wanted[1], by[1] * kappa[1]))
+    return tuple(end for end in found if end.image_weight > 0.0)
+
+
+def _nearness(contact: Pair, faces: tuple[float, float]) -> float:
+    """Return 1 for faces at one place, falling to 0 at a distance of APART.
+
+    Faces much nearer to each other than the half-width act as one on all the contact but the last bit of it. The
+    measure is continuous so that the approach does not jump where they meet, and geometrical, not of the load, so that
+    twice the load is still a change of the load alone.
+    """
+    if not np.all(np.isfinite(faces)):
+        return 0.0
+    place = np.clip(0.5 * (faces[0] + faces[1]), *contact.interval)
+    radius = 1.0 / float(contact.curvature(np.array([place]))[0])
+    nearness = 1.0 - abs(faces[0] - faces[1]) / (APART * radius)
+    return 1.0 if nearness > TOGETHER else max(0.0, nearness)

@@ -1,0 +1,154 @@
+"""Mirror images of the pressure about the side faces of one body.
+
+A side face at y = f is freed of shear by the image of every strip about it, for the body that ends there and for
+its share of the compliance alone. With two faces the images have images: one chain begins at either face, and its
+links alternate between both. The first image of a face may weigh more than 1, to make up for the normal stress that
+mirroring leaves on the face; further images only cancel the shear of earlier ones, for which 1 is right.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from numbers import Real
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.bodies.depths.endless import Endless
+from nonhertz.errors import InputError
+
+if TYPE_CHECKING:
+    from nonhertz.bodies.depths.depth import Depth
+    from nonhertz.bodies.solid import Solid
+
+Array = NDArray[np.float64]
+
+FEWEST_IMAGES, MOST_IMAGES = 1, 100
+SERIES = "series"
+SEPARATE_LINKS, ALL_LINKS = 16, 1000  # of a series: told apart, and summed one by one
+NO_WEIGHT = 1e-12
+DIRECT = (1.0, 0.0)
+
+_REMEDY = f"give {FEWEST_IMAGES} to {MOST_IMAGES}, or {SERIES!r} for all of them"
+
+
+def check_images(images: int | str, weights: tuple[float, float], behind: Depth) -> None:
+    """Refuse a number of images out of range, or a series of a body of endless depth, which has no sum."""
+    if isinstance(images, str):
+        if images != SERIES:
+            raise InputError("images", images, f"be a whole number or {SERIES!r}", _REMEDY)
+        if isinstance(behind, Endless) and math.prod(weights) > 0.0:
+            remedy = "give the body a depth, or a number of images"
+            raise InputError(
+                "images", images, "only be asked of a body with a depth, without which it has no sum", remedy
+            )
+        return
+    whole = (
+        isinstance(images, Real) and not isinstance(images, bool) and math.isfinite(images) and images == int(images)
+    )
+    if not whole or not FEWEST_IMAGES <= images <= MOST_IMAGES:
+        raise InputError("images", images, f"be a whole number from {FEWEST_IMAGES} to {MOST_IMAGES}", _REMEDY)
+
+
+@dataclass(frozen=True)
+class Images:
+    """The images of one body.
+
+    Attributes
+    ----------
+    places : dict
+        (sign, offset) -> weight, the body's share of the compliance in it: what lies at y is sent to
+        ``sign * y + offset``.
+    share : float
+        Of the body in the compliance of both.
+    far : FarImages or None
+        Those of a series that are too far away to be told apart.
+    """
+
+    places: dict[tuple[float, float], float]
+    share: float
+    far: FarImages | None
+
+    @classmethod
+    def of(cls, body: Solid, weights: tuple[float, float], share: float) -> Images:
+        """Return the images about the faces at low and high y of a body, with weights of the first about each."""
+        both = min(weights) > 0.0  # one mirror alone makes one image
+        far = FarImages.of(body.length, weights, share) if body.images == SERIES and both and body.length else None
+        return cls(_chains(body, weights, share), share, far)
+
+    def with_direct(self) -> Array:
+        """Return rows (sign, offset, weight) of the load itself and its images."""
+        return rows({DIRECT: self.share, **self.places})
+
+
+def rows(terms: dict[tuple[float, float], float]) -> Array:
+    """Return rows (sign, offset, weight)."""
+    return np.array([(*place, weight) for place, weight in terms.items()])
+
+
+def _chains(body: Solid, weights: tuple[float, float], share: float) -> dict[tuple[float, float], float]:
+    count = SEPARATE_LINKS if body.images == SERIES else 2 * int(body.images) - 1
+    found: dict[tuple[float, float], float] = {}
+    for first in (0, 1):
+        sign, offset, weight = 1.0, 0.0, share
+        for link in range(count):
+            at = (first + link) % 2
+            weight *= weights[at] if link == 0 else min(weights[at], 1.0)
+            if weight < NO_WEIGHT * share:
+                break
+            sign, offset = -sign, 2.0 * body.faces[at] - offset
+            # The chains that begin at either face meet in no place, but their numbers may.
+            found[sign, offset] = found.get((sign, offset), 0.0) + weight
+    return found
+
+
+@dataclass(frozen=True)
+class FarImages:
+    """Images of a series as line loads at multiples of the body's length; those beyond the last come as an integral.
+
+    Attributes
+    ----------
+    distance, weight : ndarray, shape (links,)
+        Of each on either side [mm], and how much it counts.
+    beyond : float
+        Where the integral begins [mm].
+    length : float
+        Of the body [mm].
+    """
+
+    distance: Array
+    weight: Array
+    beyond: float
+    length: float
+
+    @classmethod
+    def of(cls, length: float, weights: tuple[float, float], share: float) -> FarImages:
+        """Return those beyond the `SEPARATE_LINKS` of a chain."""
+        link = np.arange(SEPARATE_LINKS, ALL_LINKS, dtype=np.float64)
+        weight: Array = np.zeros(link.size)
+        for first, other in (weights, weights[::-1]):
+            again = min(first, 1.0) ** (link // 2) * min(other, 1.0) ** ((link + 1) // 2)
+            weight += share * first * again
+        return cls(length * (link + 1.0), weight, length * (ALL_LINKS + 0.5), length)
+
+    def less_depth(self, below: Callable[[Array], Array], poisson_factor: float) -> Callable[[Array], Array]:
+        """Return y [mm] -> what they do at the surface less what they do at depth, per unit of load.
+
+        From a distance s that is 1/s - 1/sqrt(s^2 + d^2) - d^2 / (2 (1 - nu) (s^2 + d^2)^(3/2)).
+        """
+        # A partial function rather than a nested one, so that what holds it can be pickled.
+        return partial(_less_depth, self, below, poisson_factor)
+
+
+def _less_depth(far: FarImages, below: Callable[[Array], Array], factor: float, y: Array) -> Array:
+    depth, back = np.unique(below(y), return_inverse=True)
+    square = far.distance**2 + depth[:, None] ** 2
+    kernel = 1.0 / far.distance - (1.0 + factor * depth[:, None] ** 2 / square) / np.sqrt(square)
+    u = far.beyond / depth
+    remainder = np.arcsinh(u) - np.log(2.0 * u) + factor * (u / np.hypot(1.0, u) - 1.0)
+    total: Array = kernel @ far.weight + remainder / far.length * far.weight[-1]
+    return total[back.ravel()]

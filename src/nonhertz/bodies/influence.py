@@ -1,0 +1,100 @@
+"""How loads on the surfaces of two bodies act: direct effect, mirror images, and what displacement is measured against.
+
+Everything that acts beside the load itself is a *term*: a row (sign, offset, weight) that sends what lies at y to
+``sign * y + offset`` and counts ``weight`` times. The direct effect is the term (1, 0, 1); a mirror image about a face
+at f is (-1, 2 f, weight). Displacements are measured against *references*, points at depth for one, which move
+themselves, by a matrix for each grid.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.bodies.depths.depth import Reference
+from nonhertz.bodies.ends import End, ends, shares
+from nonhertz.bodies.images import DIRECT, Images, rows
+from nonhertz.bodies.solid import Pair, Shape, Solid
+
+Array = NDArray[np.float64]
+
+#: The direct effect alone, as `Influence.terms`: two half-spaces.
+HALF_SPACE = np.array([[*DIRECT, 1.0]])
+
+
+@dataclass(frozen=True)
+class Influence:
+    """How strips act on the centre line: on both surfaces, and on what their displacement is measured against.
+
+    Attributes
+    ----------
+    terms : ndarray, shape (terms, 3)
+        Rows (sign, offset, weight); see the module.
+    references : tuple of Reference
+        Of the bodies whose displacement is not measured against a point far away.
+    ends : tuple of End
+        The free side faces that the images in ``terms`` are about.
+    """
+
+    terms: Array
+    references: tuple[Reference, ...] = ()
+    ends: tuple[End, ...] = ()
+
+    def at_depth(self, y: Array, edges: Array) -> Array:
+        """Return the displacement of the references per unit of K q, shape (places, strips)."""
+        if not self.references:
+            return np.zeros((y.size, edges.size - 1))
+        first, *others = (each.displacement(y, edges) for each in self.references)
+        return sum(others, first)
+
+    def shallowest(self, y: Array) -> Array:
+        """Return the lesser depth of both bodies under the places ``y``, infinite where neither has one."""
+        shallowest = np.full(y.shape, np.inf)
+        for reference in self.references:
+            shallowest = np.minimum(shallowest, reference.below(y))
+        return shallowest
+
+
+def influence_of(contact: Pair, shape: Shape) -> Influence:
+    """Return how strips between two bodies act, with their side faces and depths."""
+    found = ends(contact)
+    terms, references = {DIRECT: 1.0}, []
+    for which in (0, 1):
+        images, reference = _of_body(contact, shape, found, which)
+        for place, weight in images.places.items():
+            terms[place] = terms.get(place, 0.0) + weight
+        if reference is not None:
+            references.append(reference)
+    return Influence(rows(terms), tuple(references), found)
+
+
+def influence_within(contact: Pair, shape: Shape, which: int) -> tuple[Array, Reference | None]:
+    """Return how loads act within one body alone: the terms, and what its displacement is measured against.
+
+    Parameters
+    ----------
+    contact : Contact
+        The two bodies.
+    shape : Shape
+        How the pressure is distributed across.
+    which : int
+        0 for body a, 1 for body b.
+
+    Returns
+    -------
+    tuple of ndarray, shape (terms, 3), and Reference or None
+        Rows (sign, offset, weight), the weight 1 for the load itself; None where the points are far away.
+    """
+    images, reference = _of_body(contact, shape, ends(contact), which)
+    terms = rows({DIRECT: 1.0, **images.places})
+    terms[1:, 2] /= images.share
+    return terms, reference
+
+
+def _of_body(contact: Pair, shape: Shape, found: tuple[End, ...], which: int) -> tuple[Images, Reference | None]:
+    body: Solid = (contact.a, contact.b)[which]
+    weights = {end.side: end.weights[which] for end in found if end.weights[which] > 0.0}
+    images = Images.of(body, (weights.get(-1, 0.0), weights.get(1, 0.0)), shares(contact)[which])
+    return images, body.behind.reference(body, shape, images)

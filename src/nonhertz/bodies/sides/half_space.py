@@ -1,0 +1,14 @@
+"""``"none"``: the body goes on behind the face, as a half-space does."""
+
+from nonhertz.bodies.sides.side_face import SideFace
+
+
+class HalfSpace(SideFace):
+    """A face that is not made free."""
+
+    word = "none"
+    meaning = "not at all"
+
+    def image_weight(self, poisson: float) -> float:
+        """Return 0."""
+        return 0.0

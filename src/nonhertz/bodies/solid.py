@@ -1,0 +1,103 @@
+"""What has to be known of bodies, and of how pressure is distributed across their contact, to tell how loads act."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from nonhertz.bodies.depths.depth import Depth
+
+Array = NDArray[np.float64]
+
+
+class Elastic(Protocol):
+    """Elastic constants."""
+
+    @property
+    def poisson(self) -> float:
+        """Poisson's ratio."""
+
+    @property
+    def compliance(self) -> float:
+        """K = (1 - nu^2) / (pi E) [1/MPa]."""
+
+
+class Solid(Protocol):
+    """A body, as far as loads act because of it: `nonhertz.Body` is one."""
+
+    @property
+    def material(self) -> Elastic:
+        """Elastic constants."""
+
+    @property
+    def length(self) -> float | None:
+        """Distance between the side faces [mm]; None for an unbounded body."""
+
+    @property
+    def faces(self) -> tuple[float, float]:
+        """Axial positions of the side faces [mm], infinite for an unbounded body."""
+
+    @property
+    def face_weights(self) -> tuple[float, float]:
+        """Weights of the images about the side faces; zero where a face is not made free, or there is none."""
+
+    @property
+    def images(self) -> int | str:
+        """Mirror images per face, or that there is a series of them."""
+
+    @property
+    def behind(self) -> Depth:
+        """What its displacement is measured against."""
+
+    def curvature(self, y: Array) -> Array:
+        """Return the curvature across the contact at ``y`` [1/mm]."""
+
+
+class Pair(Protocol):
+    """Two bodies in contact: `nonhertz.Contact` is one."""
+
+    @property
+    def a(self) -> Solid:
+        """One body."""
+
+    @property
+    def b(self) -> Solid:
+        """The other."""
+
+    @property
+    def compliance(self) -> float:
+        """Sum of both compliances K [1/MPa]."""
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """The axial interval on which both can touch [mm]."""
+
+    def curvature(self, y: Array) -> Array:
+        """Return the combined curvature across the contact at ``y`` [1/mm]."""
+
+
+class Shape(Protocol):
+    """What matters, far away, of how the pressure is distributed across the contact: a strip element, or `HERTZ`."""
+
+    @property
+    def far_constant(self) -> float:
+        """-int phi ln|xi| of the shape phi, whose integral is 1, over its half-width."""
+
+    @property
+    def hertz_ratio(self) -> float:
+        """Half-width of the Hertz line contact of equal load over that of the shape."""
+
+
+@dataclass(frozen=True)
+class _Hertz:
+    far_constant: float = math.log(2.0) + 0.5
+    hertz_ratio: float = 1.0
+
+
+#: The semi-ellipse of a line contact.
+HERTZ: Shape = _Hertz()
