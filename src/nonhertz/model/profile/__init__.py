@@ -6,7 +6,8 @@ chamfer(...)``), shift along the axis and scale, and each change makes a new one
 profile knows its *bends*, the places where slope or curvature jump, because the strips must be refined there,
 and its *extent*, outside of which there is nothing to touch. An infinite relief says the same: no body here.
 
-The lower-case functions are the catalogue: what engineers call a profile by, each with its source. Those that
+The lower-case functions are the catalogue: what engineers call a profile by, each with its source. Each returns a
+`Profile`, and raises `InputError` where a value is out of range. Those that
 are drawn for a design load take it in the same four words: load [N], length [mm], radius (combined, across
 the contact) [mm] and compliance (of both bodies) [1/MPa].
 """

@@ -60,11 +60,6 @@ def crown(radius: float, centre: float = 0.0) -> Profile:
     centre : float
         Position y0 of the summit [mm] from the middle of the body.
 
-    Returns
-    -------
-    Profile
-        The profile.
-
     Raises
     ------
     InputError
@@ -106,11 +101,6 @@ def partial_crown(radius: float, straight: float, blended: bool = True) -> Profi
         Length of the straight middle [mm], not negative; 0 makes a `crown`.
     blended : bool
         Whether the arcs leave the straight middle tangentially.
-
-    Returns
-    -------
-    Profile
-        The profile.
 
     Raises
     ------
@@ -158,16 +148,6 @@ def two_radius(radius: float, end_radius: float, middle: float) -> Profile:
         Radius R2 of the end arcs along the axis [mm], positive.
     middle : float
         Length of the middle arc [mm], positive and below twice ``radius``.
-
-    Returns
-    -------
-    Profile
-        The profile.
-
-    Raises
-    ------
-    InputError
-        If a value is out of range.
 
     References
     ----------

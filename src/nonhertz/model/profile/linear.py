@@ -49,11 +49,6 @@ class TaperedEnds(Profile):
 def straight() -> Profile:
     """Return a straight profile: no relief anywhere.
 
-    Returns
-    -------
-    Profile
-        The profile.
-
     Examples
     --------
     >>> float(straight().relief(3.0))
@@ -73,11 +68,6 @@ def conical(angle: float) -> Profile:
     angle : float
         Angle of the surface to its nominal direction [rad], in (-pi/2, pi/2); positive: thinner towards
         positive y.
-
-    Returns
-    -------
-    Profile
-        The profile.
 
     Raises
     ------
@@ -111,16 +101,6 @@ def tapered_ends(straight: float, angle: float) -> Profile:
     angle : float
         Angle of the ends to the middle [rad], in [0, pi/2).
 
-    Returns
-    -------
-    Profile
-        The profile.
-
-    Raises
-    ------
-    InputError
-        If a value is out of range.
-
     References
     ----------
     "Tapered-end" roller profile in J. V. Poplawski, S. M. Peters and E. V. Zaretsky, Effect of roller profile
@@ -149,16 +129,6 @@ def chamfer(length: float, width: float, angle: float = 0.25 * math.pi) -> Profi
         Length of one chamfer along the axis [mm], positive, at most half of ``length``.
     angle : float
         Angle of the chamfer to the axis [rad], in [0, pi/2); 45 degrees if left out.
-
-    Returns
-    -------
-    Profile
-        The profile.
-
-    Raises
-    ------
-    InputError
-        If a value is out of range.
 
     References
     ----------

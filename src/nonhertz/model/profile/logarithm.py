@@ -84,16 +84,6 @@ def logarithmic(amplitude: float, length: float, fraction: float = 1.0, straight
     straight : float
         Length of a straight middle [mm], not negative.
 
-    Returns
-    -------
-    Profile
-        The profile.
-
-    Raises
-    ------
-    InputError
-        If a value is out of range.
-
     References
     ----------
     G. Lundberg, Elastische Beruehrung zweier Halbraeume, Forschung auf dem Gebiete des Ingenieurwesens 10
@@ -134,11 +124,6 @@ def iso_logarithmic(diameter: float, length: float) -> Profile:
     -------
     Profile
         The profile; at abs(y) = length / 2 its relief is infinite.
-
-    Raises
-    ------
-    InputError
-        If a value is out of range.
 
     Notes
     -----
@@ -182,11 +167,6 @@ def iso_tapered(diameter: float, length: float) -> Profile:
     Profile
         The profile; at abs(y) = length / 2 its relief is infinite.
 
-    Raises
-    ------
-    InputError
-        If a value is out of range.
-
     Notes
     -----
     The text of the standard was not at hand. Formula and coefficient agree with minzhun/ISO16281 and with
@@ -223,11 +203,6 @@ def iso_thrust(diameter: float, length: float) -> Profile:
     -------
     Profile
         The profile; at abs(y) = length / 2 its relief is infinite.
-
-    Raises
-    ------
-    InputError
-        If a value is out of range.
 
     Notes
     -----
