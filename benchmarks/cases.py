@@ -78,7 +78,7 @@ def below() -> dict[str, Callable[[int], object]]:
             cells, *points, threads=threads
         ),
         "largest stresses, automatic strips": lambda threads: extremes(automatic, threads=threads),
-        "lives by all models, automatic strips": lambda threads: nh.life.assess(automatic, threads=threads),
+        "lives by all models, automatic strips": lambda threads: nh.life.assess(automatic, threads=threads, body="b"),
     }
 
 

@@ -152,7 +152,7 @@ def study(pressures: Sequence[float] = PRESSURES, strips: int | None = None) -> 
     relative, nearer, sharp_from, highest, lives = {}, {}, {}, {}, {}
     for name in (*PROFILES, HALF_SPACE):
         solutions = [solve(contact(name), pressure, strips) for pressure in pressures]
-        lives[name] = [dict(zip(wanted, life.assess(each, wanted), strict=True)) for each in solutions]
+        lives[name] = [dict(zip(wanted, life.assess(each, wanted, body="b"), strict=True)) for each in solutions]
         relative[name] = {
             label: np.array([each[model].relative for each in lives[name]]) for label, model in MODELS.items()
         }
@@ -179,7 +179,7 @@ def _exponents(pressures: Sequence[float], lives: Sequence[life.Life]) -> np.nda
 
 def _nearer(solution: nh.Solution) -> dict[str, float]:
     """Return relative lives with only a twentieth of the half-width around sharp ends left out, not a tenth."""
-    seen = life.exposure(solution)
+    seen = life.exposure(solution, body="b")
     away = [np.hypot(seen.y[:, None] - end, seen.half_width[:, None] * seen.depth) for end in seen.sharp]
     seen = replace(seen, counted=np.min(away, axis=0) >= 0.05 * seen.half_width.max())
     return {
@@ -268,7 +268,7 @@ def _tapered_is_best(results: Study) -> Finding:
     found = [f"{model}: {_span(values)} times the better of the two others" for model, values in over.items()]
     for flat, drop in OTHER_TAPERS:
         bodies = nh.Contact(nh.Roller(diameter=DIAMETER, length=LENGTH, profile=tapered(flat, drop)), nh.Plate())
-        lives = life.assess(solve(bodies, DESIGN), list(MODELS.values()))
+        lives = life.assess(solve(bodies, DESIGN), list(MODELS.values()), body="b")
         at = results.pressures == DESIGN
         each = [one.relative / results.relative[AEROSPACE][m][at][0] for m, one in zip(MODELS, lives, strict=True)]
         found.append(

@@ -31,7 +31,7 @@ def solved(profile, tilt):
 
 def life(profile, tilt, model):
     """Return the life of the ring over that under Hertz's even pressure."""
-    (found,) = nh.life.assess(solved(profile, tilt), model)
+    (found,) = nh.life.assess(solved(profile, tilt), model, body="b")
     return found
 
 

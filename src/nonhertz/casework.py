@@ -15,8 +15,9 @@ import numpy as np
 
 from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
 from nonhertz.io.casefile import Case, placed
-from nonhertz.io.lives import BODIES, Assessment
+from nonhertz.io.lives import Assessment
 from nonhertz.life import Model, VolumeModel, assess, solve_spectrum
+from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.ends import ends_in_words
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extremes, extremes
@@ -75,7 +76,7 @@ def spectrum_solved(case: Case) -> Spectrum:
 
 
 def largest_stresses(
-    solution: Solution, station: float | None = None, body: str = "a", announce: Announce = in_silence
+    solution: Solution, station: float | None = None, body: BodyName = "a", announce: Announce = in_silence
 ) -> tuple[Extremes, Extremes]:
     """Return the largest stresses in a body and in a cross-section of it, that of the largest von Mises stress.
 
@@ -85,8 +86,8 @@ def largest_stresses(
         A solved contact.
     station : float or None
         Another place of the cross-section [mm].
-    body : str
-        ``"a"`` or ``"b"``.
+    body : {"a", "b"}
+        Which body.
     announce : callable
         Is told which search begins.
 
@@ -162,7 +163,7 @@ def _in_the_words_of_the_file() -> Iterator[None]:
             raise placed(error) from None
 
 
-def _announcer(announce: Announce, body: str, loads: int) -> Callable[[int, int], None]:
+def _announcer(announce: Announce, body: BodyName, loads: int) -> Callable[[int, int], None]:
     """Say that a body is begun, and return what says whenever another load is."""
     words = (
         [f"body {body}"] if loads == 1 else [f"body {body}, load {number} of {loads}" for number in range(1, loads + 1)]

@@ -33,7 +33,7 @@ from nonhertz.result.outcome import outcome
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution, read_only
 from nonhertz.result.validity import singularities, suspected, wider_than_round
-from nonhertz.solver import levels_of, problem_of, refuse_no_element, wanted_strips
+from nonhertz.solver import Strips, levels_of, problem_of, refuse_no_element, wanted_strips
 from nonhertz.strip.batch import States, settle_all
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 from nonhertz.strip.levels import Levels, equal_grids, given_grids
@@ -44,7 +44,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Array = NDArray[np.float64]
-Strips = int | str | ArrayLike | None
 Number = int | tuple[int, ...]
 
 # A turn of a thread: on shared strips, and on a grid of its own for each. Fixed, so that results do not depend on the

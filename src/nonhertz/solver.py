@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Sequence
 from functools import partial
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,6 +22,8 @@ from nonhertz.strip.levels import Levels, on_automatic_strips, on_equal_strips, 
 from nonhertz.strip.state import Problem
 
 Array = NDArray[np.float64]
+#: A number of equal strips, their edges, or a grid that follows the contact.
+Strips = int | Literal["auto"] | ArrayLike | None
 
 FEWEST_STRIPS, MOST_STRIPS = 1, 2000
 
@@ -33,7 +36,7 @@ def solve(
     tilt: float | None = None,
     moment: float | None = None,
     element: Element = SEMI_ELLIPTIC,
-    strips: int | str | ArrayLike | None = None,
+    strips: Strips = None,
 ) -> Solution:
     """Press the bodies of a contact together.
 
@@ -119,7 +122,7 @@ def refuse_no_element(element: object) -> None:
         raise InputError("element", element, "be an element", remedy)
 
 
-def levels_of(contact: Contact, problem: Problem, strips: int | str | ArrayLike | None) -> Levels:
+def levels_of(contact: Contact, problem: Problem, strips: Strips) -> Levels:
     """Return the states on the wanted strips and on coarser ones."""
     count, edges = wanted_strips(contact, strips)
     if count is not None:
@@ -129,7 +132,7 @@ def levels_of(contact: Contact, problem: Problem, strips: int | str | ArrayLike 
     return on_automatic_strips(problem, contact.interval, contact.bends)
 
 
-def wanted_strips(contact: Contact, strips: int | str | ArrayLike | None) -> tuple[int | None, Array | None]:
+def wanted_strips(contact: Contact, strips: Strips) -> tuple[int | None, Array | None]:
     """Return the number of equal strips or the edges of given ones, neither for an automatic grid."""
     remedy = "leave it out for an automatic grid"
     if strips is None or (isinstance(strips, str) and strips == "auto"):

@@ -109,7 +109,7 @@ def test_the_table_says_what_its_numbers_mean(case: str, capsys: pytest.CaptureF
     assert lines[0] == "Roller on a ring"
     assert re.split(r"\s{2,}", lines[1].strip()) == ["life in a", "in b", "L10 [10^6 rev]", "damage"]
     rows = {cells[0]: cells[1:] for cells in (re.split(r"\s{2,}", line.strip()) for line in lines[2:4])}
-    (life,) = assess(solved(case), "lundberg-palmgren", rollers=14)
+    (life,) = assess(solved(case), "lundberg-palmgren", rollers=14, body="b")
     assert float(rows["lundberg-palmgren"][1]) == pytest.approx(life.relative, rel=1e-3)
     assert float(rows["lundberg-palmgren"][2]) == pytest.approx(life.million_revolutions, rel=1e-3)
     assert rows["lundberg-palmgren"][3] == "tau_xz^10.33 / z^2.333, e = 1.125"
@@ -126,7 +126,7 @@ def test_a_spectrum_takes_the_place_of_the_load(case: str, capsys: pytest.Captur
     contact = read_case(case).contact
     lives = []
     for load, tilt, _ in LOADS:
-        (life,) = assess(nh.solve(contact, load=load, tilt=tilt, strips=15), "iso-16281", rollers=14)
+        (life,) = assess(nh.solve(contact, load=load, tilt=tilt, strips=15), "iso-16281", rollers=14, body="b")
         lives.append(life.million_revolutions)
     # Palmgren and Miner by hand; solutions of one load and of many agree to the solver's tolerance.
     together = 1.0 / sum(share / life for (_, _, share), life in zip(LOADS, lives, strict=True) if life)
@@ -147,7 +147,7 @@ def test_parameters_come_from_the_file_and_models_from_either(case: str, capsys:
     assert (of_file["name"], of_file["parameters"]["laminae"]) == ("iso-16281", 40)
     (asked,) = found_in([path, "--model", "ioannides-harris"], capsys)["models"]
     assert (asked["parameters"]["fatigue_limit"], asked["parameters"]["slope"]) == (300.0, 1.5)
-    (life,) = assess(solved(case), ioannides_harris(fatigue_limit=300.0, slope=1.5))
+    (life,) = assess(solved(case), ioannides_harris(fatigue_limit=300.0, slope=1.5), body="b")
     assert asked["relative_life"]["b"] == life.relative
 
 
@@ -159,9 +159,9 @@ def test_another_case_is_compared_by_the_models_of_the_first(case: str, capsys: 
     assert (compared["rollers"], len(compared["spectrum"])) == (15, 3)
     assert compared["models"][0]["parameters"]["laminae"] == 60
     problem = read_case(other)
-    (of_first,) = assess(solved(case), "iso-16281")
+    (of_first,) = assess(solved(case), "iso-16281", body="b")
     spectrum = solve_spectrum(problem.contact, [LoadCase(load=q, tilt=t, share=u) for q, t, u in LOADS], strips=15)
-    (of_other,) = assess(spectrum, "iso-16281")
+    (of_other,) = assess(spectrum, "iso-16281", body="b")
     assert compared["models"][0]["ratio"] == dict.fromkeys("ab", of_first.over(of_other))
     assert abs(compared["models"][0]["ratio"]["b"] - 1.0) > 1e-3
     assert main(["life", case, *QUICK, "--compare", other]) == 0

@@ -114,8 +114,8 @@ with warnings.catch_warnings():  # as coarse as it may be: nothing is read off t
     COMPARISON = nh.compare(CONTACT, load=6e3, cells=(12, 16), strips=11)
     MANY = nh.solve_many(CONTACT, load=[1e3, 2e3], strips=11)
     PALMGREN = life.lundberg_palmgren()
-    LIFE = life.assess(SOLUTION, "iso-16281")[0]
-    EXPOSURE = life.exposure(SOLUTION)
+    LIFE = life.assess(SOLUTION, "iso-16281", body="b")[0]
+    EXPOSURE = life.exposure(SOLUTION, body="b")
 POINT = hertz.point_contact(load=1e3, radius_x=10.0, radius_y=100.0, compliance=2.8e-6)
 LINE = hertz.line_contact(line_load=1e3, radius=10.0, compliance=2.8e-6)
 RACEWAY = life.Raceway(10.0, 9.6, 65.0, True)
@@ -476,13 +476,13 @@ def test_what_a_verb_does_not_return_is_no_option_of_it():
 @pytest.mark.parametrize("share", [1e308, 1e300, float("inf"), float("nan"), -1.0, None, "half"])
 def test_shares_out_of_range_are_refused(share):
     with pytest.raises(nh.InputError, match=r"^share = "):
-        life.assess([(SOLUTION, share), (SOLUTION, share)], "iso-16281")
+        life.assess([(SOLUTION, share), (SOLUTION, share)], "iso-16281", body="b")
 
 
 @pytest.mark.parametrize("pairs", [[], [SOLUTION], [(SOLUTION,)], [(1.0, SOLUTION)], [(None, 1.0)], "ab", None, 3])
 def test_what_is_no_spectrum_is_refused(pairs):
     with pytest.raises(nh.InputError, match=r"^solution = "):
-        life.assess(pairs, "iso-16281")
+        life.assess(pairs, "iso-16281", body="b")
 
 
 def test_an_impossible_raceway_is_refused():

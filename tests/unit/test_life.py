@@ -49,7 +49,7 @@ def sharp():
 
 @pytest.fixture(scope="module")
 def lives(logarithmic):
-    return {life.model.name: life for life in assess(logarithmic, rollers=12)}
+    return {life.model.name: life for life in assess(logarithmic, rollers=12, body="b")}
 
 
 # Models
@@ -140,12 +140,12 @@ def test_damage_is_counted_up_to_two_half_widths_beyond_where_a_contact_runs_out
 
 
 def test_more_strips_change_the_life_little(lives):
-    for life in assess(solved(tilt=5e-4, strips=93)):
+    for life in assess(solved(tilt=5e-4, strips=93), body="b"):
         assert life.relative == pytest.approx(lives[life.model.name].relative, rel=2e-2)
 
 
 def test_a_tilt_shortens_life_and_moves_the_damage(lives):
-    upright = {life.model.name: life for life in assess(solved())}
+    upright = {life.model.name: life for life in assess(solved(), body="b")}
     for name, life in lives.items():
         assert life.relative < 0.99 * upright[name].relative < 1.0
         assert np.average(life.y, weights=life.density) > 0.3
@@ -301,15 +301,15 @@ def test_life_in_revolutions_is_the_capacity_over_the_load(lives, logarithmic):
     assert laminar == pytest.approx(expected, rel=0.02)
     assert lives["zaretsky"].million_revolutions is None
     assert lives["zaretsky"].no_revolutions == "zaretsky has no capacity of its own"
-    (unrated,) = assess(logarithmic, "iso-16281")
+    (unrated,) = assess(logarithmic, "iso-16281", body="b")
     assert (unrated.million_revolutions, unrated.no_revolutions) == (None, "it needs the number of rollers")
 
 
 def test_the_roller_has_no_capacity_and_other_materials_and_slopes_have_none(logarithmic):
     whys = {
-        "the capacity is that of the ring, body b": assess(logarithmic, "iso-16281", body="a", rollers=12),
+        "the capacity is that of the ring, body b": assess(logarithmic, "iso-16281", rollers=12),
         "the capacity of ISO 281 belongs to the slope 9/8 and the usual exponents": assess(
-            logarithmic, lundberg_palmgren(slope=1.5), rollers=12
+            logarithmic, lundberg_palmgren(slope=1.5), rollers=12, body="b"
         ),
         "the capacity of ISO 281 is that of bearing steel": assess(
             solved(ring=nh.Ring(diameter=60, material=nh.MATERIALS["bronze"]), strips=9), "iso-16281", rollers=12
@@ -336,7 +336,7 @@ def test_a_plane_grid_leaves_out_sharp_ends_too():
         # Rows of cells, too, are cut off a tenth of a half-width from the end, to a row.
         assert life.relative == pytest.approx(strips.relative, rel=0.08)
         assert any("no limit towards the sharp ends" in sentence for sentence in life.warnings)
-    seen = exposure(nh.patch.solve(straight, load=8e3, cells=(8, 32)))
+    seen = exposure(nh.patch.solve(straight, load=8e3, cells=(8, 32)), body="b")
     assert seen.sharp == (-6.0, 6.0)
     assert not seen.counted.all()
 
@@ -349,8 +349,8 @@ def test_a_spectrum_adds_damage_as_palmgren_and_miner_do(lives):
     contact = nh.Contact(roller(), RING)
     cases = [LoadCase(load=8e3, share=0.25, tilt=5e-4), LoadCase(load=5e3, share=0.75)]
     spectrum = solve_spectrum(contact, cases, strips=15)
-    together = assess(spectrum, ["lundberg-palmgren", "iso-16281"], rollers=12)
-    alone = [assess(solution, ["lundberg-palmgren", "iso-16281"], rollers=12) for solution, _ in spectrum]
+    together = assess(spectrum, ["lundberg-palmgren", "iso-16281"], rollers=12, body="b")
+    alone = [assess(solution, ["lundberg-palmgren", "iso-16281"], rollers=12, body="b") for solution, _ in spectrum]
     for number, life in enumerate(together):
         expected = 1.0 / sum(
             case.share / each[number].million_revolutions for case, each in zip(cases, alone, strict=True)
@@ -366,7 +366,7 @@ def test_a_spectrum_adds_damage_as_palmgren_and_miner_do(lives):
 
 
 def test_one_load_twice_is_that_load(logarithmic, lives):
-    (life,) = assess([(logarithmic, 0.3), (logarithmic, 0.7)], "lundberg-palmgren", rollers=12)
+    (life,) = assess([(logarithmic, 0.3), (logarithmic, 0.7)], "lundberg-palmgren", rollers=12, body="b")
     of_one = lives["lundberg-palmgren"]
     assert life.relative == pytest.approx(of_one.relative, rel=1e-12)
     np.testing.assert_allclose(life.density, of_one.density, rtol=1e-9, atol=1e-12)
@@ -381,7 +381,7 @@ def test_lives_are_compared_by_one_model(lives):
 
 def test_laminae_are_compared_where_both_have_raceways_or_neither(logarithmic):
     plain = solved(ring=nh.Plate())
-    (with_raceway,), (without,) = assess(logarithmic, "iso-16281", rollers=12), assess(plain, "iso-16281")
+    (with_raceway,), (without,) = assess(logarithmic, "iso-16281", rollers=12, body="b"), assess(plain, "iso-16281")
     assert with_raceway.raceway is not None
     assert without.raceway is None
     assert without.over(without) == pytest.approx(1.0)

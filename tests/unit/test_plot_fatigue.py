@@ -26,7 +26,7 @@ def solution() -> nh.Solution:
 
 @pytest.fixture(scope="module")
 def lives(solution: nh.Solution) -> tuple[Life, ...]:
-    return assess(solution, NAMES)
+    return assess(solution, NAMES, body="b")
 
 
 def labels(figure: Figure) -> list[list[str]]:

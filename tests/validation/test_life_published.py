@@ -29,7 +29,7 @@ def test_quadrature_of_the_ideal_integral(model, top, integral):
 def test_zaretsky_hardly_depends_on_the_slope(slope, expected):
     # The life goes with the pressure to the power c + 1/e: half of it with the load.
     model = life.zaretsky(slope=slope)
-    (first,), (second,) = (life.assess(fatigue_life._line(load), model) for load in (5e3, 20e3))
+    (first,), (second,) = (life.assess(fatigue_life._line(load), model, body="b") for load in (5e3, 20e3))
     found = -np.log2(second.over(first))
     np.testing.assert_allclose(found, expected, rtol=1e-4, atol=0.0)
 
@@ -42,7 +42,7 @@ def test_stresses_that_are_five_per_cent_off_are_noticed(monkeypatch):
     right = Inside.stress
     monkeypatch.setattr(Inside, "stress", lambda inside, points: 1.05 * right(inside, points))
     line = fatigue_life._line()
-    lives = life.assess(line)
+    lives = life.assess(line, body="b")
     by_volume = {"lundberg-palmgren", "ioannides-harris", "zaretsky", "weibull"}
     assert {claim.partition(":")[0] for claim in failed(fatigue_life._ideal(lives))} == by_volume
     assert len(failed(fatigue_life._integrals(line, lives))) == 3

@@ -166,11 +166,11 @@ def stress(
         Print one JSON object in place of the table.
     """
     from nonhertz.cli.solving import solved_or_not
-    from nonhertz.cli.stressing import check_request, tell_stresses
+    from nonhertz.cli.stressing import checked_body, tell_stresses
     from nonhertz.io.casefile import read_case
     from nonhertz.io.folder import refuse_unwritable
 
-    check_request(station, body)
+    name = checked_body(station, body)
     problem = read_case(case)
     if out is not None:
         refuse_unwritable(out)
@@ -178,7 +178,7 @@ def stress(
     if complaint:
         print(complaint, file=sys.stderr)
         return NOT_CONVERGED
-    tell_stresses(solution, problem.title, station, body, out, as_json)
+    tell_stresses(solution, problem.title, station, name, out, as_json)
     return FINE
 
 

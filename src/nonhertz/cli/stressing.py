@@ -13,6 +13,7 @@ from nonhertz.cli.printing import console, print_table
 from nonhertz.cli.verification import Progress
 from nonhertz.errors import InputError
 from nonhertz.io.stresses import all_warnings
+from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extremes
 from nonhertz.tables.stresses import COLUMNS, sentences, stress_rows
@@ -21,20 +22,23 @@ _SEARCHES = 2  # for the largest stresses: in the whole body and in a cross-sect
 _STATION_REMEDY = "choose a place in the body, or leave it out for the cross-section of the largest von Mises stress"
 
 
-def check_request(station: float | None, body: str) -> None:
-    """Refuse what no solution is needed to see.
+def checked_body(station: float | None, body: str) -> BodyName:
+    """Return the body, and refuse what no solution is needed to see.
 
     Raises
     ------
     InputError
     """
-    if body not in {"a", "b"}:
+    if body not in BODIES:
         raise InputError("--body", body, "be one of the two bodies", "write a or b")
     if station is not None and not math.isfinite(station):
         raise InputError("--station", station, "be finite", "give a place along the contact in mm")
+    return BODIES[BODIES.index(body)]
 
 
-def searched(solution: Solution, station: float | None, body: str, progress: Progress) -> tuple[Extremes, Extremes]:
+def searched(
+    solution: Solution, station: float | None, body: BodyName, progress: Progress
+) -> tuple[Extremes, Extremes]:
     """Return the largest stresses in a body and in a cross-section of it.
 
     Raises
@@ -48,7 +52,7 @@ def searched(solution: Solution, station: float | None, body: str, progress: Pro
 
 
 def tell_stresses(
-    solution: Solution, title: str, station: float | None, body: str, out: Path | None, as_json: bool
+    solution: Solution, title: str, station: float | None, body: BodyName, out: Path | None, as_json: bool
 ) -> None:
     """Find the largest stresses, write them if there is where to, and print them."""
     from nonhertz.io.stresses import as_json as json_text
@@ -104,7 +108,7 @@ def print_stresses(solution: Solution, overall: Extremes, section: Extremes, tit
         printing.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
 
 
-def _check_station(solution: Solution, station: float, body: str) -> None:
+def _check_station(solution: Solution, station: float, body: BodyName) -> None:
     low, high = (solution.contact.a if body == "a" else solution.contact.b).faces
     if not low <= station <= high:
         condition = f"lie between the side faces of body {body}, {low:.6g} and {high:.6g} mm"

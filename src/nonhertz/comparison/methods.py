@@ -8,8 +8,6 @@ import warnings
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from numpy.typing import ArrayLike
-
 from nonhertz.comparison.quantities import quantities
 from nonhertz.comparison.reasons import stretches
 from nonhertz.comparison.stations import stations
@@ -21,7 +19,7 @@ from nonhertz.patch import PatchSolution
 from nonhertz.patch import solve as solve_patch
 from nonhertz.patch.resources import checked_cells
 from nonhertz.result.solution import Solution
-from nonhertz.solver import solve
+from nonhertz.solver import Strips, solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 
 RUNS = 5
@@ -36,7 +34,7 @@ def compare(
     tilt: float | None = None,
     moment: float | None = None,
     cells: tuple[int, int] | None = None,
-    strips: int | str | ArrayLike | None = None,
+    strips: Strips = None,
     threads: int | None = None,
     announce: Callable[[str], object] | None = None,
 ) -> Comparison:

@@ -11,9 +11,8 @@ from typing import Any
 
 from nonhertz.io.results import key_by_key, plain
 from nonhertz.life import Life
+from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.solution import Solution
-
-BODIES = ("a", "b")
 
 #: Units of the numbers; what has none is left out.
 UNITS: dict[str, Any] = {
@@ -49,11 +48,11 @@ class Assessment:
     title: str
     rollers: int | None
     spectrum: tuple[tuple[Solution, float], ...]
-    lives: Mapping[str, tuple[Life, ...]]
+    lives: Mapping[BodyName, tuple[Life, ...]]
     notes: tuple[str, ...] = ()
 
     @property
-    def raceway(self) -> str | None:
+    def raceway(self) -> BodyName | None:
         """The body that a roller rolls on, whose life is told in revolutions; None if there is no such."""
         ring = self.lives["b"][0].raceway
         return None if ring is None else ring.body
@@ -70,7 +69,7 @@ class Assessment:
         """Return the life of the raceway by one of the models [10^6 revolutions], None where there is none."""
         return self.lives[self.raceway or "b"][number].million_revolutions
 
-    def over(self, other: Assessment, body: str, number: int) -> float:
+    def over(self, other: Assessment, body: BodyName, number: int) -> float:
         """Return the life of a body by one of the models over that in another case [-]."""
         return self.lives[body][number].over(other.lives[body][number])
 

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.io.results import key_by_key, plain
+from nonhertz.model.body import BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes, Field
 
@@ -79,7 +80,7 @@ def files(text: str, planes: Mapping[str, Field]) -> dict[str, str]:
     return {"stress.json": text + "\n", **{f"{name}.csv": as_table(field) for name, field in planes.items()}}
 
 
-def poisson(solution: Solution, body: str) -> float:
+def poisson(solution: Solution, body: BodyName) -> float:
     """Return Poisson's ratio of body ``"a"`` or ``"b"``, on which the stress along the contact depends."""
     return float({"a": solution.contact.a, "b": solution.contact.b}[body].material.poisson)
 

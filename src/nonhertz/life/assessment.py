@@ -23,13 +23,14 @@ from nonhertz.life.capacity import Raceway, raceway
 from nonhertz.life.catalogue import MODELS, RATED, Model, VolumeModel, lundberg_palmgren, model
 from nonhertz.life.lamina import EXPONENT, LEFT_OUT, LaminaModel, laminae_of
 from nonhertz.life.volume import Exposure, exposure
+from nonhertz.model.body import BodyName
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.ends import ends_in_words, largest_half_width, outermost, step_at
 from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import EdgeKind, ReadOnly, SingularEnd, Solution
 from nonhertz.subsurface.evaluation import Running, refuse_options
-from nonhertz.subsurface.inside import check_body, checked_solution
+from nonhertz.subsurface.inside import checked_body, checked_solution
 
 Array = NDArray[np.float64]
 Spectrum = Sequence[tuple[Solved, float]]
@@ -47,8 +48,8 @@ class Life(ReadOnly):
     ----------
     model : Model
         The model with its parameters.
-    body : str
-        ``"a"`` or ``"b"``.
+    body : {"a", "b"}
+        Which body.
     damage : float
         The integral of the model over a cross-section of the stressed volume [MPa^k mm^(2-h)], or the sum over laminae
         of (f q / q_c)^(9/2) [-] for one roller; under a spectrum, that of the even load with the same life. Lives of
@@ -72,7 +73,7 @@ class Life(ReadOnly):
     """
 
     model: Model
-    body: str
+    body: BodyName
     damage: float
     reference: float
     million_revolutions: float | None
@@ -120,11 +121,11 @@ def assess(
     solution: Solved | Spectrum,
     models: Model | str | Iterable[Model | str] = (),
     *,
-    body: str = "b",
+    body: BodyName = "a",
     rollers: int | None = None,
     **options: Unpack[Running],
 ) -> tuple[Life, ...]:
-    """Return how long one body of a contact lasts, by several models; body b, usually the ring, unless told otherwise.
+    """Return how long one body of a contact lasts, by several models.
 
     Parameters
     ----------
@@ -133,8 +134,8 @@ def assess(
         `nonhertz.life.solve_spectrum`.
     models : model or name, or several
         See `nonhertz.life.MODELS`; all of them, with their usual parameters, if left out.
-    body : str
-        ``"a"`` or ``"b"``: the body that fatigues.
+    body : {"a", "b"}
+        The body that fatigues. The capacity of ISO 281, and with it a life in revolutions, is that of the ring.
     rollers : int, optional
         Number of rollers in the bearing, for absolute lives.
     **options
@@ -161,12 +162,12 @@ def assess(
     >>> import nonhertz as nh
     >>> ring = nh.Ring(diameter=80)
     >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.iso_logarithmic(diameter=20, length=20))
-    >>> (life,) = assess(nh.solve(nh.Contact(roller, ring), load=20e3), "lundberg-palmgren")
+    >>> (life,) = assess(nh.solve(nh.Contact(roller, ring), load=20e3), "lundberg-palmgren", body="b")
     >>> round(life.relative, 2)
     0.76
     """
     refuse_options("assess", options, Running)
-    check_body(body)
+    checked_body(body)
     wanted = _wanted(models)
     spectrum = _spectrum(solution)
     rollers = _checked_rollers(rollers, spectrum[0][0].contact)
@@ -223,7 +224,7 @@ def _spectrum(solution: Solved | Spectrum) -> Spectrum:
 
 
 def _by_volume(
-    wanted: VolumeModel, spectrum: Spectrum, seen: list[Exposure], shares: Array, body: str, rollers: int | None
+    wanted: VolumeModel, spectrum: Spectrum, seen: list[Exposure], shares: Array, body: BodyName, rollers: int | None
 ) -> Life:
     damages = np.array([each.damage(wanted) for each in seen])
     ideal = [each.reference for each in seen]
@@ -244,7 +245,7 @@ def _by_volume(
     return Life(wanted, body, damage, reference, absolute, why, ring, y, _over(density, reference / length), warnings)
 
 
-def _by_laminae(wanted: LaminaModel, spectrum: Spectrum, shares: Array, body: str, rollers: int | None) -> Life:
+def _by_laminae(wanted: LaminaModel, spectrum: Spectrum, shares: Array, body: BodyName, rollers: int | None) -> Life:
     cut = [laminae_of(each, wanted) for each, _ in spectrum]
     edges = cut[0].edges
     ring, why = raceway(spectrum[0][0].contact)
@@ -299,7 +300,7 @@ def _over(density: Array, mean: float) -> Array:
         return density / mean
 
 
-def _why_unrated(wanted: Model, ring: Raceway | None, body: str, rollers: int | None) -> str:
+def _why_unrated(wanted: Model, ring: Raceway | None, body: BodyName, rollers: int | None) -> str:
     """Return why a model has no life in revolutions for a body, nothing if it has."""
     if wanted.name not in RATED:
         return f"{wanted.name} has no capacity of its own"

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import flag, one_of, positive, whole
-from nonhertz.model.body import Body, Ring, Roller
+from nonhertz.model.body import Body, BodyName, Ring, Roller
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
 
@@ -51,7 +51,7 @@ class Raceway:
     length: float
     pitch_diameter: float
     inner: bool
-    body: str = "b"
+    body: BodyName = "b"
 
     def __post_init__(self) -> None:
         positive("roller_diameter", self.roller_diameter, "give the roller's diameter in mm")
@@ -132,7 +132,7 @@ def raceway(contact: Contact) -> tuple[Raceway | None, str]:
     return _raceway(name, float(ring.diameter), float(roller.diameter), contact.interval)  # type: ignore[arg-type]
 
 
-def _raceway(name: str, ring: float, roller: float, interval: tuple[float, float]) -> tuple[Raceway | None, str]:
+def _raceway(name: BodyName, ring: float, roller: float, interval: tuple[float, float]) -> tuple[Raceway | None, str]:
     low, high = interval
     if roller <= 0.0 or not math.isfinite(high - low):
         return None, "neither of the bodies is a roller that ends"

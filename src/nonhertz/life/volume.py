@@ -24,6 +24,7 @@ from nonhertz.errors import InputError
 from nonhertz.hertz import line_contact
 from nonhertz.life.catalogue import VolumeModel
 from nonhertz.life.lamina import LEFT_OUT
+from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.ends import largest_half_width
 from nonhertz.result.protocol import Solved
@@ -49,8 +50,8 @@ class Exposure(ReadOnly):
 
     Attributes
     ----------
-    body : str
-        ``"a"`` or ``"b"``.
+    body : {"a", "b"}
+        Which body.
     y, width : ndarray, shape (stations,)
         Stations [mm], and what each stands for in an integral along y [mm].
     half_width : ndarray, shape (stations,)
@@ -67,7 +68,7 @@ class Exposure(ReadOnly):
         the profile.
     """
 
-    body: str
+    body: BodyName
     y: Array
     width: Array
     half_width: Array
@@ -113,15 +114,15 @@ def _levels() -> tuple[Array, Array]:
     return root**2, np.asarray(CubicSpline(root, np.eye(LEVELS))(np.sqrt(depths()[0])))
 
 
-def exposure(solution: Solved, body: str = "b", **options: Unpack[Running]) -> Exposure:
+def exposure(solution: Solved, body: BodyName = "a", **options: Unpack[Running]) -> Exposure:
     """Return what the volume of one body suffers under a solved contact.
 
     Parameters
     ----------
     solution : Solution or PatchSolution
         A solved contact.
-    body : str
-        ``"a"`` or ``"b"``.
+    body : {"a", "b"}
+        Which body.
     **options
         ``threads`` and ``announce`` as in `nonhertz.subsurface.stress`.
 
@@ -177,7 +178,7 @@ def _edges_in_contact(solution: Solved) -> Array:
     return fewer
 
 
-def _ideal(solution: Solved, body: str) -> Exposure | None:
+def _ideal(solution: Solved, body: BodyName) -> Exposure | None:
     """Return the exposure under Hertz's line contact, the load spread evenly over where the bodies can touch."""
     contact = solution.contact
     low, high = contact.interval

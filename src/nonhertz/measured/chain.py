@@ -24,7 +24,9 @@ from nonhertz.measured.steps import (
     CUTOFF,
     THRESHOLD,
     Align,
+    Filter,
     Level,
+    Middle,
     Outliers,
     Smooth,
     State,
@@ -35,6 +37,7 @@ from nonhertz.measured.steps import (
 )
 from nonhertz.measured.trace import Array, Points, Trace
 from nonhertz.model.profile import Profile, tabulated
+from nonhertz.model.profile.table import Interpolation
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -95,7 +98,7 @@ class Measured:
         """Return a copy with the tilt taken off; see `Level`."""
         return self._with(Level() if slope is None else Level(slope))
 
-    def aligned(self, by: str = "ends") -> Measured:
+    def aligned(self, by: Middle = "ends") -> Measured:
         """Return a copy with y = 0 in the middle of the body; see `Align`."""
         return self._with(Align(by))
 
@@ -107,7 +110,7 @@ class Measured:
         """Return a copy without points that do not belong to the surface; see `Outliers`."""
         return self._with(Outliers(threshold))
 
-    def smoothed(self, cutoff: float = CUTOFF, method: str = "gaussian") -> Measured:
+    def smoothed(self, cutoff: float = CUTOFF, method: Filter = "gaussian") -> Measured:
         """Return a copy without roughness; see `Smooth`."""
         return self._with(Smooth(cutoff, method))
 
@@ -153,7 +156,7 @@ class Measured:
         """Relief [mm] at the points after the last step: highest minus height."""
         return np.asarray(self.points.height.max() - self.points.height)
 
-    def profile(self, interpolation: str | None = None) -> Profile:
+    def profile(self, interpolation: Interpolation | None = None) -> Profile:
         """Return the profile to solve with, zero at its highest point.
 
         Parameters
@@ -274,10 +277,10 @@ def prepare(
     trace: Trace,
     *,
     level: bool = True,
-    align: bool | str = True,
+    align: bool | Middle = True,
     trim: float | str | bool = "auto",
     outliers: float | bool = True,
-    smooth: str | bool = "gaussian",
+    smooth: bool | Filter = "gaussian",
     cutoff: float = CUTOFF,
     slope: float | None = None,
     points: int | str | bool = "auto",

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import ClassVar, Protocol
+from typing import ClassVar, Literal, Protocol, get_args
 
 import numpy as np
 
@@ -37,6 +37,10 @@ _MAD_TO_SIGMA, _NINE_TENTHS_TO_SIGMA = 1.482602218505602, 0.6079568319117692
 _RESOLUTION = 1e-6  # mm
 _POINTS_PER_CUTOFF = 8
 _FEWEST_THINNED, _MOST_THINNED = 51, 1001
+#: What the middle of a body is found by.
+Middle = Literal["ends", "symmetry"]
+#: What takes roughness off.
+Filter = Literal["gaussian", "spline"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,11 +145,11 @@ class Align:
     """
 
     name: ClassVar[str] = "align"
-    by: str = "ends"
+    by: Middle = "ends"
     slope: float = CHAMFER_SLOPE
 
     def __post_init__(self) -> None:
-        one_of("align", self.by, ("ends", "symmetry"), "choose what the middle is found by")
+        one_of("align", self.by, get_args(Middle), "choose what the middle is found by")
         _check_slope(self.slope)
 
     def apply(self, points: Points) -> State:
@@ -276,10 +280,10 @@ class Smooth:
 
     name: ClassVar[str] = "smooth"
     cutoff: float = CUTOFF
-    method: str = "gaussian"
+    method: Filter = "gaussian"
 
     def __post_init__(self) -> None:
-        one_of("smooth", self.method, ("gaussian", "spline"), "choose a filter")
+        one_of("smooth", self.method, get_args(Filter), "choose a filter")
         positive("cutoff", self.cutoff, "give a wavelength in mm, such as 0.8")
 
     def apply(self, points: Points) -> State:

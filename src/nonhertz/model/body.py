@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from numbers import Real
+from typing import Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,6 +22,10 @@ from nonhertz.model.profile import Profile, Straight
 from nonhertz.model.profile.base import moved_back
 
 Array = NDArray[np.float64]
+#: Which of the two bodies of a contact.
+BodyName = Literal["a", "b"]
+BODIES: Final[tuple[BodyName, BodyName]] = ("a", "b")
+
 Diameter = float | Callable[[Array], ArrayLike] | None
 
 _LENGTH_REMEDY = "give the distance between the side faces in mm, or leave it out for an unbounded body"
@@ -126,7 +131,7 @@ class Body:
     effective_length: float | None = None
     position: float = 0.0
     side_faces: FaceRule | tuple[FaceRule, FaceRule] = "mirror"
-    images: int | str = FEWEST_IMAGES
+    images: int | Literal["series"] = FEWEST_IMAGES
     depth: DepthRule = "none"
 
     def __post_init__(self) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.life import Life
+from nonhertz.model.body import BODIES, BodyName
 from nonhertz.plot.axial import AXIAL_LABEL, axial_range, conditions, draw_body_ends, number
 from nonhertz.plot.sheets import BOTTOM, LEFT, TITLE, WIDTH, blank, panel, write_title
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
@@ -89,9 +90,9 @@ def life_density(spectrum: Spectrum, lives: Sequence[Life], ax: Axes, *, compare
 
 def life_figure(
     spectrum: Spectrum,
-    lives: Mapping[str, Sequence[Life]],
+    lives: Mapping[BodyName, Sequence[Life]],
     title: str = "",
-    compared: Mapping[str, Sequence[Life]] | None = None,
+    compared: Mapping[BodyName, Sequence[Life]] | None = None,
 ) -> Figure:
     """Return a finished figure of `life_density`, a panel for each body, or for b alone if their lives are within 5 %.
 
@@ -112,7 +113,7 @@ def life_figure(
         `save` writes it.
     """
     other = compared or {}
-    bodies = ["b"] if _alike(lives) and _alike(other) else ["a", "b"]
+    bodies = BODIES[1:] if _alike(lives) and _alike(other) else BODIES
     rows = _rows(lives["b"], bool(other))
     height = HIGH if len(bodies) == 1 else HIGH_OF_TWO
     above = NAME + ROW * rows
@@ -200,9 +201,9 @@ def _key_points(rows: int) -> float:
     return 6.0 + 72.0 * ROW * rows
 
 
-def _alike(lives: Mapping[str, Sequence[Life]]) -> bool:
+def _alike(lives: Mapping[BodyName, Sequence[Life]]) -> bool:
     """Return whether both bodies live as long by all models."""
-    a, b = ([life.relative for life in lives.get(body, ())] for body in "ab")
+    a, b = ([life.relative for life in lives.get(body, ())] for body in BODIES)
     return bool(np.allclose(a, b, rtol=ALIKE, atol=0.0, equal_nan=True))
 
 

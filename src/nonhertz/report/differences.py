@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from nonhertz.io.lives import BODIES
+from nonhertz.model.body import BODIES
 from nonhertz.report.finding import Finding
 from nonhertz.report.inputs import Entry, inputs
 from nonhertz.report.subject import Subject

@@ -9,8 +9,9 @@ from dataclasses import dataclass, replace
 from nonhertz.casework import Announce, assessed, attempted, in_silence, largest_stresses, models_for, spectrum_solved
 from nonhertz.errors import CaseError, ConvergenceError
 from nonhertz.io.casefile import LifeCase, named
-from nonhertz.io.lives import BODIES, Assessment
+from nonhertz.io.lives import Assessment
 from nonhertz.io.stresses import all_warnings
+from nonhertz.model.body import BODIES
 from nonhertz.report.subject import Subject, labels
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extremes

@@ -17,9 +17,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import broadcast, callback, finite, flag, numbers, thread_count, whole
+from nonhertz.model.body import BodyName
 from nonhertz.result.protocol import Solved
 from nonhertz.subsurface.field import Field
-from nonhertz.subsurface.inside import Inside, check_body, checked_solution
+from nonhertz.subsurface.inside import Inside, checked_body, checked_solution
 
 Array = NDArray[np.float64]
 Announce = Callable[[int, int], object]
@@ -43,7 +44,7 @@ class Running(TypedDict, total=False):
 class Within(Running, total=False):
     """The body too."""
 
-    body: str
+    body: BodyName
 
 
 class Options(Within, total=False):
@@ -65,7 +66,7 @@ def refuse_options(verb: str, options: Mapping[str, Any], known: type) -> None:
     for name in options:
         if name not in known.__optional_keys__:  # type: ignore[attr-defined]
             raise TypeError(f"{verb}() got an unexpected keyword argument {name!r}")
-    check_body(options.get("body", "a"))
+    checked_body(options.get("body", "a"))
     thread_count(options.get("threads"))
     callback("announce", options.get("announce"))
 
@@ -79,7 +80,7 @@ def stress(
     y: ArrayLike,
     z: ArrayLike,
     *,
-    body: str = "a",
+    body: BodyName = "a",
     displacement: bool = False,
     threads: int | None = None,
     announce: Announce | None = None,
@@ -92,7 +93,7 @@ def stress(
         Strips of either element, or a plane grid.
     x, y, z : array_like
         Points [mm] across, along and below the surface, z >= 0; broadcast against each other.
-    body : str
+    body : {"a", "b"}
         ``"a"`` or ``"b"``: the body that the points lie in. Both bear the same pressure; Poisson's ratio and mirror
         images are each body's own.
     displacement : bool
@@ -313,7 +314,7 @@ def one_station(station: float) -> float:
     return float(station)
 
 
-def axial_range(solution: Solved, body: str) -> Array:
+def axial_range(solution: Solved, body: BodyName) -> Array:
     """Return stations [mm] over the contact and what is stressed beyond its ends."""
     checked_solution(solution)
     beyond = WIDEST * float(across_at(solution, solution.y)[1].max())

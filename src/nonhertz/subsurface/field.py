@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.model.body import BodyName
 from nonhertz.result.solution import ReadOnly, read_only
 
 Array = NDArray[np.float64]
@@ -21,7 +22,7 @@ class Field(ReadOnly):
 
     Attributes
     ----------
-    body : str
+    body : {"a", "b"}
         ``"a"`` or ``"b"``, the body that the points lie in.
     x, y, z : ndarray, shape (...)
         The points [mm]: across, along, and below the surface.
@@ -37,7 +38,7 @@ class Field(ReadOnly):
     other's mirror image.
     """
 
-    body: str
+    body: BodyName
     x: Array
     y: Array
     z: Array

@@ -20,7 +20,7 @@ from nonhertz.bodies.images import SEPARATE_LINKS, SERIES
 from nonhertz.bodies.influence import influence_within
 from nonhertz.compiled import compiled
 from nonhertz.errors import InputError
-from nonhertz.model.body import Body
+from nonhertz.model.body import Body, BodyName
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import Solution
@@ -68,7 +68,7 @@ class Inside:
         Line load [N/mm] of what lies beyond the last image on either side; zero without a whole series of them.
     """
 
-    name: str
+    name: BodyName
     body: Body
     load: Load
     terms: Array
@@ -78,7 +78,7 @@ class Inside:
     afar: float
 
     @classmethod
-    def of(cls, solution: Solved, name: str) -> Inside:
+    def of(cls, solution: Solved, name: BodyName) -> Inside:
         """Return body ``name`` of a solution.
 
         Raises
@@ -86,7 +86,7 @@ class Inside:
         InputError
             If there is no such body, or ``solution`` is not a solution.
         """
-        check_body(name)
+        checked_body(name)
         checked_solution(solution)
         edges = solution.edges
         which = "ab".index(name)
@@ -159,10 +159,13 @@ def checked_solution(solution: object) -> Solved:
     return solution
 
 
-def check_body(name: object) -> None:
-    """Refuse what is neither of the bodies."""
-    if not isinstance(name, str) or name not in {"a", "b"}:
-        raise InputError("body", name, "be one of the two bodies", _BODY_REMEDY)
+def checked_body(name: object) -> BodyName:
+    """Return the name of a body, or refuse what is neither of them."""
+    if name == "a":
+        return "a"
+    if name == "b":
+        return "b"
+    raise InputError("body", name, "be one of the two bodies", _BODY_REMEDY)
 
 
 # Solutions never change, and a search asks for the field below one a hundred times.

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.hertz import LineContact
 from nonhertz.inputs.checks import broadcast
+from nonhertz.model.body import BodyName
 from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import ReadOnly
 from nonhertz.subsurface.evaluation import POINTS_REMEDY, Within, across_at, finite_numbers, refuse_options, stress
@@ -46,8 +47,8 @@ class Passage(ReadOnly):
 
     Attributes
     ----------
-    body : str
-        ``"a"`` or ``"b"``.
+    body : {"a", "b"}
+        Which body.
     y, z : ndarray, shape (...)
         The places [mm].
     von_mises, shear, orthogonal_shear : ndarray, shape (...)
@@ -58,7 +59,7 @@ class Passage(ReadOnly):
         Largest less smallest tau_xz over the pass [MPa]: twice the largest where the field is symmetric.
     """
 
-    body: str
+    body: BodyName
     y: Array
     z: Array
     von_mises: Array

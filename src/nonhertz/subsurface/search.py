@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.ends import ends_in_words, outermost
 from nonhertz.result.protocol import Solved
@@ -56,15 +57,15 @@ class Extremes:
 
     Attributes
     ----------
-    body : str
-        ``"a"`` or ``"b"``.
+    body : {"a", "b"}
+        Which body.
     von_mises, shear, orthogonal_shear : Extreme
         Largest von Mises stress, maximum shear stress and |tau_xz|.
     warnings : tuple of str
         What has been left out, and what else has to be known; empty if nothing.
     """
 
-    body: str
+    body: BodyName
     von_mises: Extreme
     shear: Extreme
     orthogonal_shear: Extreme
@@ -127,7 +128,7 @@ def extremes(solution: Solved, station: float | None = None, **options: Unpack[W
     return Extremes(body=options.get("body", "a"), warnings=warnings, **largest)
 
 
-def _refuse_outside(solution: Solved, station: float, body: str) -> None:
+def _refuse_outside(solution: Solved, station: float, body: BodyName) -> None:
     try:
         Inside.of(solution, body).refuse_outside(np.array([station]), np.zeros(1))
     except InputError as error:

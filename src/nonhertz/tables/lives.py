@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 
-from nonhertz.io.lives import BODIES, Assessment
+from nonhertz.io.lives import Assessment
 from nonhertz.life import RATED, Model, VolumeModel
+from nonhertz.model.body import BODIES
 from nonhertz.result.numerals import digits
 from nonhertz.result.solution import Solution
 

@@ -84,9 +84,9 @@ lives of the tilted roller on strips are {low:+.2f} to {high:+.2f} % off those o
 def section() -> Section:
     """Return all comparisons."""
     tilted = {tilt: _tilted(tilt) for tilt in TILTS}
-    on_strips, on_cells = assess(tilted[TILTS[1]]), _on_cells()
+    on_strips, on_cells = assess(tilted[TILTS[1]], body="b"), _on_cells()
     line = _line()
-    lives = assess(line)
+    lives = assess(line, body="b")
     of_exponents, of_integrals, of_ideal = _exponents(lives), _integrals(line, lives), _ideal(lives)
     of_grids = [
         Check(f"tilted roller, {ours.model.name}: relative life", "plane grid", theirs.relative, ours.relative, 5e-3)
@@ -145,15 +145,17 @@ def _tilted(tilt: float) -> Solution:
 
 def _on_cells() -> tuple[Life, ...]:
     # Many cells across, for the shear right below the surface; along, the pressure is smooth.
-    return assess(solve_patch(_roller(), load=LOAD, tilt=TILTS[1], cells=CELLS))
+    return assess(solve_patch(_roller(), load=LOAD, tilt=TILTS[1], cells=CELLS), body="b")
 
 
 def _exponents(once: tuple[Life, ...]) -> list[Check]:
     limit = ioannides_harris().fatigue_limit
     raised = ioannides_harris(fatigue_limit=math.sqrt(2.0) * limit)
     models = [life.model for life in once]
-    twice = assess(_line(2.0 * LOAD_ON_LINE), [raised if each.name == raised.name else each for each in models])
-    longer = assess(_line(length=2.0 * LENGTH), models)
+    twice = assess(
+        _line(2.0 * LOAD_ON_LINE), [raised if each.name == raised.name else each for each in models], body="b"
+    )
+    longer = assess(_line(length=2.0 * LENGTH), models, body="b")
     source = "b and p0 like the root of the load"
     checks = []
     for first, loaded, long in zip(once, twice, longer, strict=True):
@@ -284,7 +286,10 @@ def _miner() -> list[Check]:
     solutions = [_line(load) for load in loads]
     checks = []
     for name in ("lundberg-palmgren", "iso-16281"):
-        (longest,), (mixed,) = assess(solutions[0], name), assess(list(zip(solutions, _HOURS, strict=True)), name)
+        (longest,), (mixed,) = (
+            assess(solutions[0], name, body="b"),
+            assess(list(zip(solutions, _HOURS, strict=True)), name, body="b"),
+        )
         lived = _LIVES[0] * mixed.over(longest)
         checks.append(
             Check(f"{name}: life under three loads", "Palmgren & Miner, by hand", _by_hand(), lived, 1e-4, "h")
@@ -296,7 +301,7 @@ def _draw(tilted: dict[float, Solution], known: tuple[Life, ...], figure: Figure
     left, right = figure.subplots(1, 2)
     loads = np.geomspace(0.5, 2.0, 5) * LOAD_ON_LINE
     models = [lundberg_palmgren(), zaretsky(), weibull(), ioannides_harris()]
-    lives = [assess(_line(load), models) for load in loads]
+    lives = [assess(_line(load), models, body="b") for load in loads]
     styles = ((FIRST, "-"), (SECOND, "--"), (INK, ":"), (FAINT_INK, "-."))
     for i, (model, (colour, dashes)) in enumerate(zip(models, styles, strict=True)):
         lived = np.array([each[i].damage for each in lives]) ** (-1.0 / model.slope)
@@ -308,7 +313,7 @@ def _draw(tilted: dict[float, Solution], known: tuple[Life, ...], figure: Figure
     left.minorticks_off()
     left.legend(loc="upper right")
     for (tilt, solution), (colour, dashes) in zip(tilted.items(), styles, strict=False):
-        life, *_ = known if tilt == TILTS[1] else assess(solution, "lundberg-palmgren")
+        life, *_ = known if tilt == TILTS[1] else assess(solution, "lundberg-palmgren", body="b")
         words = f"{1e3 * tilt:g} mrad: life {life.relative:.2f}"
         right.semilogy(life.y, life.density, color=colour, linestyle=dashes, label=words)
     right.set(xlabel="y (mm)", ylabel="damage / ideal", xlim=(-10.0, 10.0), ylim=(1e-3, 10.0))

@@ -15,7 +15,7 @@ from scipy.optimize import brentq, minimize_scalar
 from scipy.special import elliprd
 
 from nonhertz.hertz import LineContact, PointContact, line_contact, point_contact
-from nonhertz.model.body import Body, Plate, Ring, Roller
+from nonhertz.model.body import BODIES, Body, BodyName, Plate, Ring, Roller
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
 from nonhertz.model.profile import crown, iso_logarithmic
@@ -146,7 +146,7 @@ class _Tilted:
         ends = np.ravel(self.automatic.contact_y)
         return np.asarray(np.min(np.abs(y[:, None] - ends), axis=1) < float(self.automatic.half_width.max()))
 
-    def differences(self, solution: Loaded, body: str) -> tuple[Array, Array]:
+    def differences(self, solution: Loaded, body: BodyName) -> tuple[Array, Array]:
         """Return differences of components and of von Mises stress, of the largest at the depth, (levels, stations)."""
         x, y, z = np.moveaxis(self.points, -1, 0)
         found, expected = stress(solution, x, y, z, body=body), Field(body, x, y, z, self.direct[body])
@@ -465,7 +465,7 @@ def _roller(tilted: _Tilted) -> list[Check]:
     near = tilted.near_the_ends
     shallow = f"{LEVELS[0]:g} half-widths deep"
     checks = []
-    for body, name in (("a", "roller"), ("b", "ring")):
+    for body, name in zip(BODIES, ("roller", "ring"), strict=True):
         of_automatic, of_refined = (tilted.differences(each, body) for each in (tilted.automatic, tilted.refined))
         for what, automatic, refined in zip(("any stress", "von Mises"), of_automatic, of_refined, strict=True):
             for where, differences, tolerance in (

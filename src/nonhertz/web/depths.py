@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.model.body import BodyName
 from nonhertz.result.numerals import digits
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Field, axial_plane, cross_section
@@ -37,15 +38,15 @@ _TOO_MUCH = (
 )
 
 
-def stress_answer(solution: Solution, body: str) -> dict[str, Any]:
+def stress_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
     """Return the von Mises stress along the contact and across it where the pressure is largest, or why there is none.
 
     Parameters
     ----------
     solution : Solution
         A solved contact with something in contact.
-    body : str
-        ``"a"`` or ``"b"``.
+    body : {"a", "b"}
+        Which body.
     """
     work = solution.strips * Inside.of(solution, body).terms.shape[0]
     if work > MOST_WORK:
@@ -59,7 +60,7 @@ def stress_answer(solution: Solution, body: str) -> dict[str, Any]:
         return {"stress_note": _NO_NUMBERS}
 
 
-def _axial(solution: Solution, body: str) -> dict[str, Any]:
+def _axial(solution: Solution, body: BodyName) -> dict[str, Any]:
     along = axial_range(solution, body)
     y = np.linspace(along[0], along[-1], ALONG)
     z = _levels(solution.max_half_width)
@@ -67,7 +68,7 @@ def _axial(solution: Solution, body: str) -> dict[str, Any]:
     return {"y": numbers(field.y[:, 0]), "z": numbers(field.z[0]), "von_mises": numbers(_short(field.von_mises.T))}
 
 
-def _section(solution: Solution, station: float, body: str) -> tuple[dict[str, Any], dict[str, Any]]:
+def _section(solution: Solution, station: float, body: BodyName) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return the plane across the contact, and the largest von Mises stress in it."""
     half_width = float(across_at(solution, np.array([station]))[1][0])
     x = WIDEST * half_width * np.linspace(0.0, 1.0, ACROSS)
@@ -104,7 +105,7 @@ def _short(values: Array) -> Array:
     return np.round(values / step) * step
 
 
-def _largest(solution: Solution, field: Field, body: str) -> dict[str, Extreme]:
+def _largest(solution: Solution, field: Field, body: BodyName) -> dict[str, Extreme]:
     """Return the largest stresses of a cross-section: the best places of its net, looked at closely."""
     x, z, station = field.x[:, 0], field.z[0], float(field.y[0, 0])
     found = {}

@@ -16,6 +16,7 @@ from nonhertz.errors import CaseError
 from nonhertz.io.casefile import Case, as_toml, case_in, parsed, starting_case
 from nonhertz.io.mistakes import Mistake, case_error
 from nonhertz.io.results import as_json, as_table
+from nonhertz.model.body import BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.web.answers import answer, drawable
 from nonhertz.web.depths import stress_answer
@@ -27,7 +28,7 @@ from nonhertz.web.uploads import answer_to_file
 PATH = Path("case.toml")
 
 
-def solve(document: dict[str, Any], stress: bool, body: str) -> bytes:
+def solve(document: dict[str, Any], stress: bool, body: BodyName) -> bytes:
     """Return the answer to a case as JSON: what the page shows of it, or what is wrong with it where.
 
     Parameters
@@ -36,7 +37,7 @@ def solve(document: dict[str, Any], stress: bool, body: str) -> bytes:
         The case.
     stress : bool
         Whether the stress below the surface is wanted too.
-    body : str
+    body : {"a", "b"}
         In which body, ``"a"`` or ``"b"``.
     """
     begun = time.perf_counter()

@@ -13,6 +13,7 @@ from nonhertz.errors import InputError
 from nonhertz.io.measured import checked, measured_from, trace_from
 from nonhertz.measured import Measured, Trace
 from nonhertz.model.profile import Tabulated
+from nonhertz.model.profile.table import Interpolation
 from nonhertz.result.numerals import digits
 from nonhertz.web.limits import UPLOAD_POINTS
 from nonhertz.web.replies import as_bytes, broken
@@ -87,7 +88,7 @@ def _path(field: str) -> str:
     return f"upload.{field}" if field.isidentifier() and field != "file" else "upload"
 
 
-def _answer(measured: Measured, interpolation: str | None) -> dict[str, Any]:
+def _answer(measured: Measured, interpolation: Interpolation | None) -> dict[str, Any]:
     states = measured.states
     profile = _short(measured).profile(interpolation)
     assert isinstance(profile, Tabulated)

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,7 +19,8 @@ from nonhertz.inputs.checks import MOST, one_of
 from nonhertz.inputs.files import content, legible, special
 from nonhertz.model.profile.base import Array, Profile, places
 
-_INTERPOLATIONS = ("pchip", "linear", "cubic")
+#: The curve through tabulated points.
+Interpolation = Literal["pchip", "linear", "cubic"]
 _MOST_BENDS, _MOST_CRESTS = 20, 5000
 _CLOSEST = 1e-12  # of the farthest position: rounding of the positions would hide less
 LARGEST_FILE = 5_000_000  # bytes
@@ -35,7 +36,7 @@ class Tabulated(Profile):
 
     y: tuple[float, ...]
     values: tuple[float, ...]
-    interpolation: str = "pchip"
+    interpolation: Interpolation = "pchip"
 
     @property
     def catalogue_entry(self) -> tuple[str, dict[str, Any]]:
@@ -100,7 +101,7 @@ class _Polyline:
         return np.asarray(np.interp(y, self.y, self.values))
 
 
-def tabulated(y: Sequence[float], relief: Sequence[float], interpolation: str = "pchip") -> Profile:
+def tabulated(y: Sequence[float], relief: Sequence[float], interpolation: Interpolation = "pchip") -> Profile:
     """Return a profile through given points, such as a measured one.
 
     Parameters
@@ -109,7 +110,7 @@ def tabulated(y: Sequence[float], relief: Sequence[float], interpolation: str = 
         Axial positions [mm] from the middle of the body, two at least, all different, in any order.
     relief : sequence of float
         Relief there [mm], positive where material is taken away.
-    interpolation : str
+    interpolation : {"pchip", "cubic", "linear"}
         The curve through the points: ``"pchip"``, a smooth one that never overshoots them; ``"linear"``; or
         ``"cubic"``, the spline with continuous curvature, which may overshoot.
 
@@ -136,7 +137,7 @@ def tabulated(y: Sequence[float], relief: Sequence[float], interpolation: str = 
     (0.005, (-10.0, 10.0))
     """
     positions, reliefs = _numbers("y", y), _numbers("relief", relief)
-    one_of("interpolation", interpolation, _INTERPOLATIONS, "choose the curve through the points")
+    one_of("interpolation", interpolation, get_args(Interpolation), "choose the curve through the points")
     if len(positions) != len(reliefs):
         raise InputError(
             "relief", relief, f"hold as many numbers as y, {len(positions)}", "give one relief per position"
@@ -161,7 +162,7 @@ def _refuse_crowded(positions: Array) -> None:
         raise InputError("y", positions.tolist(), condition, "keep one point per position")
 
 
-def from_file(path: str | os.PathLike[str], interpolation: str = "pchip") -> Profile:
+def from_file(path: str | os.PathLike[str], interpolation: Interpolation = "pchip") -> Profile:
     r"""Return a profile read from a text file of two columns, y and relief, both in mm.
 
     Columns are separated by semicolon, tab, comma or blanks; with semicolon or tab the decimal sign may be a
@@ -171,7 +172,7 @@ def from_file(path: str | os.PathLike[str], interpolation: str = "pchip") -> Pro
     ----------
     path : str or os.PathLike
         The file, in UTF-8.
-    interpolation : str
+    interpolation : {"pchip", "cubic", "linear"}
         The curve through the points, as in `tabulated`.
 
     Returns
