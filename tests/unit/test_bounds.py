@@ -18,7 +18,6 @@ from nonhertz.io.bounds import KEYS, LARGEST_CASE, MISTAKES, NESTING, PROFILES, 
 from nonhertz.io.casefile import parsed, read_case
 from nonhertz.model.profile import table
 from nonhertz.model.profile.table import LARGEST_FILE, from_file
-from nonhertz.report import read_subject
 
 BODIES = "[body.a]\ndiameter = 20.0\nlength = 20.0\n{keys}\n[body.b]\n"
 LOAD = "[load]\nload = 20000.0\n"
@@ -236,7 +235,7 @@ def test_a_name_that_is_no_text_makes_a_title_that_is(tmp_path: Path) -> None:
     path = tmp_path / os.fsdecode(b"roller\xff.toml")
     path.write_text(CASE)
     assert read_case(path).title == "roller\ufffd"
-    assert read_subject(path).name == "roller\ufffd.toml"
+    assert read_case(path).file_name == "roller\ufffd.toml"
 
 
 @posix

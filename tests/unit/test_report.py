@@ -13,10 +13,11 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+import nonhertz as nh
 from nonhertz.casework import solved
 from nonhertz.errors import CaseError
-from nonhertz.io.casefile import case_in, parsed, read_case
-from nonhertz.report import Finding, Subject, compose, examined, read_subject, rendered, settled, steps
+from nonhertz.io.casefile import Case, case_in, parsed, read_case
+from nonhertz.report import Finding, compose, examined, rendered, settled, steps
 from nonhertz.report.assumptions import Verdict, assumptions
 from nonhertz.report.differences import differing_inputs, lives, results
 from nonhertz.report.downloads import downloads
@@ -93,12 +94,12 @@ class Page(HTMLParser):
         return {link["download"]: base64.b64decode(link["href"].partition("base64,")[2]) for link in links}
 
 
-def subject(text: str, name: str = "case.toml") -> Subject:
-    return Subject(case_in(parsed(text, name), Path(name), files=False), text, name)
+def case_of(text: str, name: str = "case.toml") -> Case:
+    return case_in(parsed(text, name), Path(name), text, files=False)
 
 
 def found_in(text: str, name: str = "case.toml") -> Finding:
-    (found,) = settled([subject(text, name)])
+    (found,) = settled([case_of(text, name)])
     return found
 
 
@@ -108,7 +109,7 @@ def finding(tmp_path_factory: pytest.TempPathFactory) -> Finding:
     (folder / "points").mkdir()
     (folder / "points/a.csv").write_text(POINTS, encoding="utf-8")
     (folder / "roller.toml").write_text(CASE, encoding="utf-8")
-    (found,) = examined(settled([read_subject(folder / "roller.toml")]))
+    (found,) = examined(settled([read_case(folder / "roller.toml")]))
     return found
 
 
@@ -207,7 +208,7 @@ def test_where_the_pressure_has_no_limit_its_strength_is_told() -> None:
 
 
 def test_inputs_have_value_unit_meaning_and_say_what_is_a_default() -> None:
-    body, other, load, solver = inputs(subject(PLAIN))
+    body, other, load, solver = inputs(case_of(PLAIN))
     entries = {entry.place: entry for entry in (*body.entries, *other.entries, *load.entries, *solver.entries)}
     assert (entries["body.a.diameter"].value, entries["body.a.diameter"].unit) == ("15", "mm")
     assert not entries["body.a.diameter"].default
@@ -231,9 +232,9 @@ def test_inputs_have_value_unit_meaning_and_say_what_is_a_default() -> None:
 def test_steps_of_a_measured_profile_are_told_though_the_case_file_leaves_them_out(tmp_path: Path) -> None:
     rows = (f"{y:.3f} {-(y**2) / 1000.0:.7f}" for y in np.linspace(-5.0, 5.0, 401))
     (tmp_path / "roller.txt").write_text("\n".join(rows), encoding="utf-8")
-    case = '[body.a]\ndiameter = 10\nprofile = { kind = "measured", file = "roller.txt", trim = "9 mm" }\n[body.b]\n'
-    (tmp_path / "case.toml").write_text(case + "[load]\nload = 100\n", encoding="utf-8")
-    (profile,) = inputs(read_subject(tmp_path / "case.toml"))[0].profiles
+    text = '[body.a]\ndiameter = 10\nprofile = { kind = "measured", file = "roller.txt", trim = "9 mm" }\n[body.b]\n'
+    (tmp_path / "case.toml").write_text(text + "[load]\nload = 100\n", encoding="utf-8")
+    (profile,) = inputs(read_case(tmp_path / "case.toml"))[0].profiles
     told = {entry.key: (f"{entry.value} {entry.unit}".strip(), entry.default) for entry in profile.entries}
     assert told["trim"] == ("9 mm", False)
     assert told["cutoff"] == ("0.8 mm", True)
@@ -250,14 +251,14 @@ def test_what_was_done_to_a_measured_profile_is_told_and_drawn(tmp_path: Path) -
     table = '{ kind = "measured", file = "roller.txt", height_unit = "um" }'
     case = f"[body.a]\ndiameter = 10\nlength = 10\nprofile = [{table}]\n[body.b]\n[load]\nload = 100\n"
     (tmp_path / "case.toml").write_text(case, encoding="utf-8")
-    subject = read_subject(tmp_path / "case.toml")
-    (measurement,) = measurements(subject)
+    case = read_case(tmp_path / "case.toml")
+    (measurement,) = measurements(case)
     assert (measurement.place, measurement.file) == ("body.a.profile[1]", "roller.txt")
     told = dict(measurement.rows)
     assert list(told) == ["raw", "level", "align", "trim", "outliers", "smooth", "thin"]
     assert told["level"].startswith("A tilt of 2 mrad was taken off")
     assert told["align"].startswith("The middle of the body, 4 mm in the file, became y = 0")
-    page = compose([subject], stress=False)
+    page = compose([case], stress=False)
     assert "What was done to roller.txt" in page
     assert told["level"] in page
     assert "From the measured points of roller.txt to the profile, step by step." in page
@@ -358,7 +359,7 @@ def test_figures_share_no_identifier_and_no_style() -> None:
 @pytest.mark.usefixtures("undrawn")
 def test_two_cases_are_compared_by_what_differs() -> None:
     other = PLAIN.replace("4 kN", "8 kN").replace("diameter = 60", "diameter = 60\nposition = 0")
-    pair = [subject(PLAIN, "first.toml"), subject(other, "second.toml")]
+    pair = [case_of(PLAIN, "first.toml"), case_of(other, "second.toml")]
     # A default that is written down is no difference.
     assert [(row.name, row.values) for row in differing_inputs(pair)] == [("load.load", ("4000 N", "8000 N"))]
     found = settled(pair)
@@ -383,13 +384,13 @@ def test_two_cases_are_compared_by_what_differs() -> None:
     ids=["names", "folders", "numbers"],
 )
 def test_cases_of_one_title_are_told_apart(names: tuple[str, str], told: list[str]) -> None:
-    subjects = [replace(subject(PLAIN, name), name=Path(name).name) for name in names]
-    assert [each.label for each in settled(subjects)] == told
+    cases = [case_of(PLAIN, name) for name in names]
+    assert [each.label for each in settled(cases)] == told
 
 
 def test_lives_are_told_where_the_case_asks_and_compared() -> None:
     asked = PLAIN + '[life]\nmodels = ["iso-16281"]\n'
-    pair = settled([subject(asked, "a.toml"), subject(asked.replace("4 kN", "2 kN"), "b.toml")])
+    pair = settled([case_of(asked, "a.toml"), case_of(asked.replace("4 kN", "2 kN"), "b.toml")])
     assert [steps(pair, life=life, stress=False) for life in (None, True, False)] == [4, 4, 0]
     assert steps([found_in(PLAIN)], stress=True) == 2
     announced: list[str] = []
@@ -409,7 +410,7 @@ def test_lives_are_told_where_the_case_asks_and_compared() -> None:
 def test_a_case_that_has_not_converged_is_told_as_such(finding: Finding) -> None:
     stopped = replace(
         finding,
-        subject=replace(finding.subject, attachments={}),
+        case=replace(finding.case, origin=replace(finding.case.origin, folder=None)),
         solution=replace(finding.solution, status=Status.STAGNATED),
         complaint="It stopped.",
         stress=None,
@@ -427,17 +428,27 @@ def test_a_case_that_has_not_converged_is_told_as_such(finding: Finding) -> None
 def test_what_the_solver_refuses_is_named_by_its_file() -> None:
     never = PLAIN.replace('load = "4 kN"', "approach = -1.0")
     with pytest.raises(CaseError) as caught:
-        compose([subject(never, "a.toml"), subject(PLAIN, "b.toml"), subject(never, "c.toml")])
+        compose([case_of(never, "a.toml"), case_of(PLAIN, "b.toml"), case_of(never, "c.toml")])
     assert [mistake.partition(":")[0] for mistake in caught.value.mistakes] == ["a.toml", "c.toml"]
     with pytest.raises(CaseError, match=r"^load\.approach = -1\.0 must "):
-        compose([subject(never)])
+        compose([case_of(never)])
 
 
 def test_files_that_are_too_large_are_left_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("nonhertz.report.subject.MOST_ATTACHED", 10)
+    monkeypatch.setattr("nonhertz.io.origin.MOST_ATTACHED", 10)
     (tmp_path / "points").mkdir()
     (tmp_path / "points/a.csv").write_text(POINTS, encoding="utf-8")
     (tmp_path / "roller.toml").write_text(CASE, encoding="utf-8")
-    found = read_subject(tmp_path / "roller.toml")
-    assert found.files == ("points/a.csv",)
+    found = read_case(tmp_path / "roller.toml")
+    assert found.origin.files == ("points/a.csv",)
     assert found.attachments == {}
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_a_case_that_was_made_in_python_has_a_report_and_a_file_of_its_own() -> None:
+    roller = nh.Roller(diameter=10, length=10, profile=nh.profile.crown(radius=500))
+    case = nh.Case(nh.Contact(roller, nh.Plate()), {"load": 300.0}, title="Made in Python")
+    page = Page(compose([case], stress=False))
+    assert "Made in Python" in page.text
+    again = case_of(page.files()["case.toml"].decode())
+    assert again == case

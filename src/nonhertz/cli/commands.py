@@ -249,15 +249,15 @@ def report(
     stress : bool
         Look below the surface.
     """
-    from nonhertz.cli.reporting import made, read_subjects, target, write
+    from nonhertz.cli.reporting import made, read_cases, target, write
     from nonhertz.io.folder import refuse_unwritable
 
     if not cases:
         raise InputError("CASE", "", "be given", "name one case file or more")
     path = target(out, cases)
-    subjects = read_subjects(cases)
+    read = read_cases(cases)
     refuse_unwritable(path.parent)
-    text, found = made(subjects, life, stress)
+    text, found = made(read, life, stress)
     write(path, text)
     print(f"wrote {path}")
     complaints = [f"{each.label}: {each.complaint}" for each in found if each.complaint]

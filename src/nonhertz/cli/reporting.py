@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from pathlib import Path
 
 from nonhertz.cli.verification import Progress
-from nonhertz.errors import CaseError, InputError
-from nonhertz.io.casefile import named
+from nonhertz.errors import AccuracyWarning, CaseError, InputError
+from nonhertz.io.casefile import Case, named, read_case
 from nonhertz.io.folder import write_files
-from nonhertz.report import MARK, Finding, Subject, examined, read_subject, rendered, settled, steps
+from nonhertz.report import MARK, Finding, examined, rendered, settled, steps
 
 _REMEDY = "give the name of a file such as report.html"
 _NEAR = 2000  # characters at the beginning of a report, among which its mark stands
 
 
-def read_subjects(paths: Sequence[Path]) -> list[Subject]:
-    """Return the subjects in case files.
+def read_cases(paths: Sequence[Path]) -> list[Case]:
+    """Return the cases in files.
 
     Raises
     ------
@@ -24,18 +25,25 @@ def read_subjects(paths: Sequence[Path]) -> list[Subject]:
         With every mistake in all of them; of several files each has its path in front.
     """
     if len(paths) == 1:
-        return [read_subject(paths[0])]
-    subjects: list[Subject] = []
+        return [_silently(paths[0])]
+    cases: list[Case] = []
     mistakes: list[str] = []
     for path in paths:
         try:
             with named(path):
-                subjects.append(read_subject(path))
+                cases.append(_silently(path))
         except CaseError as error:
             mistakes += error.mistakes
     if mistakes:
         raise CaseError(mistakes)
-    return subjects
+    return cases
+
+
+def _silently(path: Path) -> Case:
+    """Return a case; what is warned of on reading it stands in the report."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", AccuracyWarning)
+        return read_case(path)
 
 
 def target(out: Path | None, cases: Sequence[Path]) -> Path:
@@ -54,9 +62,9 @@ def target(out: Path | None, cases: Sequence[Path]) -> Path:
     return path
 
 
-def made(subjects: Sequence[Subject], life: bool | None, stress: bool) -> tuple[str, tuple[Finding, ...]]:
-    """Return the report on subjects as text and what it tells of."""
-    found = settled(subjects)
+def made(cases: Sequence[Case], life: bool | None, stress: bool) -> tuple[str, tuple[Finding, ...]]:
+    """Return the report on cases as text and what it tells of."""
+    found = settled(cases)
     progress = Progress(steps(found, life=life, stress=stress) + 1)
     try:
         found = examined(found, life=life, stress=stress, announce=progress.announce)

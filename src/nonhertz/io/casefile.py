@@ -10,7 +10,7 @@ import errno
 import inspect
 import sys
 import tomllib
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from importlib import resources
 from pathlib import Path
@@ -25,6 +25,7 @@ from nonhertz.model.contact import Contact
 if TYPE_CHECKING:
     from nonhertz.io.document import LifeTable
     from nonhertz.io.mistakes import Mistake
+    from nonhertz.io.origin import Origin
     from nonhertz.life import LoadCase, Model
     from nonhertz.result.solution import Solution
 
@@ -97,6 +98,8 @@ class Case:
         What it is called; of a file without a title the file's name.
     path : Path
         The file that it was read from, which names of other files are relative to.
+    origin : Origin or None
+        What the file held; None of a case that was made in Python.
 
     Examples
     --------
@@ -117,6 +120,7 @@ class Case:
     life: LifeCase = field(default_factory=LifeCase)
     title: str = ""
     path: Path = field(default=Path("case.toml"), compare=False)
+    origin: Origin | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         from nonhertz.strip.element import SEMI_ELLIPTIC
@@ -138,6 +142,46 @@ class Case:
             condition = "hold either load or approach"
             raise InputError("prescribed", self.prescribed, condition, 'write {"load": 20e3}, say, in N')
         object.__setattr__(self, "solver", {"element": SEMI_ELLIPTIC, "strips": "auto"} | self.solver)
+
+    @property
+    def file_name(self) -> str:
+        """What its file is called, without the folder."""
+        return legible(self.path.name)
+
+    @property
+    def document(self) -> dict[str, Any]:
+        """What its file holds, or would hold.
+
+        Raises
+        ------
+        InputError
+            If no case file can hold it; see `write`.
+        """
+        from nonhertz.io.written import document
+
+        return document(self) if self.origin is None else self.origin.document
+
+    @property
+    def text(self) -> str:
+        """The text of its file, or what `write` would write.
+
+        Raises
+        ------
+        InputError
+            If no case file can hold it; see `write`.
+        """
+        text = None if self.origin is None else self.origin.text
+        return as_toml(self.document) if text is None else text
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was warned of when its file was read, such as gaps in a measured profile."""
+        return () if self.origin is None else self.origin.notes
+
+    @property
+    def attachments(self) -> Mapping[str, bytes]:
+        """What is in the files that its file names, by these names, as far as they are there and not too large."""
+        return {} if self.origin is None else self.origin.attachments
 
     def solve(self) -> Solution:
         """Return the solution of the case, as `nonhertz.solve` does.
@@ -211,7 +255,8 @@ def read_case(path: str | Path) -> Case:
     if not isinstance(path, str | Path):
         raise InputError("path", path, "be the name of a case file", "give a string or a Path")
     path = Path(path)
-    return case_in(parsed(case_text(path), str(path)), path)
+    text = case_text(path)
+    return case_in(parsed(text, str(path)), path, text)
 
 
 def case_text(path: Path) -> str:
@@ -240,7 +285,7 @@ def case_text(path: Path) -> str:
     raise CaseError([sentence])
 
 
-def case_in(document: dict[str, Any], path: Path, *, files: bool = True) -> Case:
+def case_in(document: dict[str, Any], path: Path, text: str | None = None, *, files: bool = True) -> Case:
     """Return the case in a document that is parsed already.
 
     Parameters
@@ -249,6 +294,8 @@ def case_in(document: dict[str, Any], path: Path, *, files: bool = True) -> Case
         What a TOML file holds.
     path : Path
         Where it came from; files that it names are relative to it.
+    text : str, optional
+        What it was parsed from.
     files : bool
         Whether it may name files. One that comes from elsewhere must not have them read.
 
@@ -262,10 +309,12 @@ def case_in(document: dict[str, Any], path: Path, *, files: bool = True) -> Case
 
     from nonhertz.io.document import CaseTable
     from nonhertz.io.mistakes import case_error, mistakes_in
+    from nonhertz.io.origin import Origin, with_notes
     from nonhertz.strip.element import ELEMENTS
 
+    folder = path.parent if files else None
     try:
-        table = CaseTable.model_validate(document, context={"folder": path.parent if files else None})
+        table, notes = with_notes(lambda: CaseTable.model_validate(document, context={"folder": folder}))
     except ValidationError as error:
         raise case_error(_in_order(mistakes_in(error, CaseTable), document)) from None
     return Case(
@@ -275,6 +324,7 @@ def case_in(document: dict[str, Any], path: Path, *, files: bool = True) -> Case
         solver={"element": ELEMENTS[table.solver.element], "strips": table.solver.strips},
         path=path,
         life=_life(table.life),
+        origin=Origin(document, text, notes, folder),
     )
 
 

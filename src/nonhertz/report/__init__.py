@@ -1,6 +1,6 @@
 """One HTML file that tells everything of a case, or of several side by side, to people who run nothing.
 
-`compose` makes it of subjects: cases with their text. In steps: `settled` solves them, `examined` adds stress below the
+`compose` makes it of cases. In steps: `settled` solves them, `examined` adds stress below the
 surface and life, `rendered` writes the page. The file loads nothing from elsewhere and holds no script and no date: the
 same cases on the same machine give the same bytes.
 
@@ -16,5 +16,3 @@ from nonhertz.report.finding import steps as steps
 from nonhertz.report.page import MARK as MARK
 from nonhertz.report.page import compose as compose
 from nonhertz.report.page import rendered as rendered
-from nonhertz.report.subject import Subject as Subject
-from nonhertz.report.subject import read_subject as read_subject

@@ -6,10 +6,10 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from nonhertz.io.casefile import Case
 from nonhertz.model.body import BODIES
 from nonhertz.report.finding import Finding
 from nonhertz.report.inputs import Entry, inputs
-from nonhertz.report.subject import Subject
 from nonhertz.result.numerals import digits
 from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
@@ -37,9 +37,9 @@ class Row:
     remarks: tuple[str, ...] = ()
 
 
-def differing_inputs(subjects: Sequence[Subject]) -> list[Row]:
+def differing_inputs(cases: Sequence[Case]) -> list[Row]:
     """Return the inputs in which cases differ, by their keys."""
-    tables = [_by_place(subject) for subject in subjects]
+    tables = [_by_place(case) for case in cases]
     places = dict.fromkeys(place for table in tables for place in table)
     rows = []
     for place in places:
@@ -86,8 +86,8 @@ def remarks_on_lives(found: Sequence[Finding]) -> list[str]:
     return list(dict.fromkeys(words for each in told for words in each))
 
 
-def _by_place(subject: Subject) -> dict[str, str]:
-    groups = inputs(subject)
+def _by_place(case: Case) -> dict[str, str]:
+    groups = inputs(case)
     entries = [entry for group in groups for entry in group.entries]
     entries += [entry for group in groups for profile in group.profiles for entry in profile.entries]
     return {entry.place: _told(entry) for entry in entries}

@@ -38,17 +38,15 @@ class Download:
 
 def downloads(found: Finding) -> list[Download]:
     """Return the case file, the files that it names, and everything that was found."""
-    subject, title = found.subject, found.subject.case.title
-    files = [_download(subject.name, "the case file, as it was solved", subject.text.encode())]
+    case, title = found.case, found.case.title
+    files = [_download(case.file_name, "the case file, as it was solved", case.text.encode())]
     files += [
         _download(name, f"named by the case file; put it where {name} is from there", content)
-        for name, content in subject.attachments.items()
+        for name, content in case.attachments.items()
     ]
-    stem = PurePosixPath(subject.name).stem
+    stem = PurePosixPath(case.file_name).stem
     files.append(_text(f"{stem}-table.csv", "the strips", as_table(found.solution)))
-    files.append(
-        _text(f"{stem}-result.json", "all numbers of the solution", as_json(found.solution, subject.case) + "\n")
-    )
+    files.append(_text(f"{stem}-result.json", "all numbers of the solution", as_json(found.solution, case) + "\n"))
     if found.stress:
         text = stresses_as_json(found.solution, *found.stress, title)
         files.append(_text(f"{stem}-stress.json", "the largest stresses", text + "\n"))

@@ -57,7 +57,7 @@ class Gallery:
         }
         told = "; ".join(f"{key.name} {key.value} {key.unit} {key.remark}".strip() for key in keys(found))
         return {
-            name: self._picture(drawn, captions[name], f"{found.subject.case.title}: {told}")
+            name: self._picture(drawn, captions[name], f"{found.case.title}: {told}")
             for name, drawn in figures(solution).items()
         }
 

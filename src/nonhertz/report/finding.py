@@ -1,18 +1,19 @@
-"""What is found out about the subjects of a report: solutions, and then stress below the surface and life."""
+"""What is found out about the cases of a report: solutions, and then stress below the surface and life."""
 
 from __future__ import annotations
 
 import contextlib
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 from nonhertz.casework import Announce, assessed, attempted, in_silence, largest_stresses, models_for, spectrum_solved
 from nonhertz.errors import CaseError, ConvergenceError
-from nonhertz.io.casefile import LifeCase, named
+from nonhertz.inputs.files import legible
+from nonhertz.io.casefile import Case, LifeCase, named
 from nonhertz.io.lives import Assessment
 from nonhertz.io.stresses import all_warnings
 from nonhertz.model.body import BODIES
-from nonhertz.report.subject import Subject, labels
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extremes
 
@@ -21,11 +22,11 @@ STRESS_STEPS = 2  # in the whole body and in a cross-section
 
 @dataclass(frozen=True, eq=False)
 class Finding:
-    """What is known of one subject.
+    """What is known of one case.
 
     Attributes
     ----------
-    subject : Subject
+    case : Case
         What was asked.
     label : str
         What to call it beside others.
@@ -39,7 +40,7 @@ class Finding:
         How long both bodies last.
     """
 
-    subject: Subject
+    case: Case
     label: str
     solution: Solution
     complaint: str = ""
@@ -51,24 +52,24 @@ class Finding:
         """Everything that strains the numbers, each sentence once."""
         of_lives = self.lives.warnings if self.lives else ()
         of_stress = all_warnings(self.solution, *(self.stress or ()))
-        return tuple(dict.fromkeys((*self.subject.notes, *of_stress, *of_lives)))
+        return tuple(dict.fromkeys((*self.case.notes, *of_stress, *of_lives)))
 
 
-def settled(subjects: Sequence[Subject]) -> tuple[Finding, ...]:
-    """Return the solutions of all subjects.
+def settled(cases: Sequence[Case]) -> tuple[Finding, ...]:
+    """Return the solutions of all cases.
 
     Raises
     ------
     CaseError
-        If the solver refuses cases, with every mistake; of several subjects each has its label in front.
+        If the solver refuses cases, with every mistake; of several cases each has the name of its file in front.
     """
     found: list[Finding] = []
     mistakes: list[str] = []
     places: list[str] = []
-    for subject, label in zip(subjects, labels(subjects), strict=True):
+    for case, label in zip(cases, labels(cases), strict=True):
         try:
-            with named(subject.name) if len(subjects) > 1 else contextlib.nullcontext():
-                found.append(Finding(subject, label, *attempted(subject.case)))
+            with named(case.file_name) if len(cases) > 1 else contextlib.nullcontext():
+                found.append(Finding(case, label, *attempted(case)))
         except CaseError as error:
             mistakes += error.mistakes
             places += error.places
@@ -102,7 +103,7 @@ def examined(
 def steps(found: Sequence[Finding], *, life: bool | None = None, stress: bool = True) -> int:
     """Return how often `examined` will announce something."""
     searches = sum(STRESS_STEPS for each in found if stress and not each.complaint)
-    loads = sum(max(1, len(each.subject.case.life.spectrum)) for each in found if _wants_life(each, life))
+    loads = sum(max(1, len(each.case.life.spectrum)) for each in found if _wants_life(each, life))
     return searches + len(BODIES) * loads
 
 
@@ -113,7 +114,7 @@ def _stressed(found: Finding, announce: Announce) -> Finding:
 
 
 def _wants_life(found: Finding, life: bool | None) -> bool:
-    told = found.subject.case.life != LifeCase()
+    told = found.case.life != LifeCase()
     return not found.complaint and (told if life is None else life)
 
 
@@ -121,14 +122,24 @@ def _assessed(found: Sequence[Finding], announce: Announce) -> list[Finding]:
     """Return findings with lives by the models of the first, so that lives can be compared."""
     if not found:
         return []
-    cases = [each.subject.case for each in found]
+    cases = [each.case for each in found]
     models, notes = models_for(cases[0], (), cases[1:])
     told = []
     for each, case in zip(found, cases, strict=True):
         try:
-            with named(each.subject.name) if len(found) > 1 else contextlib.nullcontext():
+            with named(case.file_name) if len(found) > 1 else contextlib.nullcontext():
                 lives = assessed(case, spectrum_solved(case), models, notes, announce)
             told.append(replace(each, lives=lives))
         except ConvergenceError as error:
             told.append(replace(each, complaint=str(error)))
     return told
+
+
+def labels(cases: Sequence[Case]) -> list[str]:
+    """Return what to call each case in tables and keys: its file's name, longer or numbered where two have one."""
+    names = [Path(case.file_name).stem for case in cases]
+    if len(set(names)) < len(names):
+        names = [legible(str(case.path.with_suffix(""))) for case in cases]
+    if len(set(names)) < len(names):
+        names = [f"{name} ({number})" for number, name in enumerate(names, start=1)]
+    return names

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from nonhertz.io.casefile import schema
+from nonhertz.io.casefile import Case, schema
 from nonhertz.io.measured import KIND as MEASURED
 from nonhertz.io.profiles import profile_tables
 from nonhertz.measured import prepare
@@ -19,7 +19,6 @@ from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.material import MATERIALS, Material
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.report.method import formula, source
-from nonhertz.report.subject import Subject
 from nonhertz.result.numerals import given
 
 LONGEST_LIST = 8  # entries that are told one by one
@@ -77,15 +76,15 @@ class Group:
     profiles: tuple[ProfileInput, ...] = ()
 
 
-def inputs(subject: Subject) -> list[Group]:
-    """Return all inputs of a subject by the headings of its case file."""
-    document, contact = subject.document, subject.case.contact
+def inputs(case: Case) -> list[Group]:
+    """Return all inputs of a case by the headings of its file."""
+    document, contact = case.document, case.contact
     groups = [
         _body_group(f"Body {name}", f"body.{name}", document["body"][name], body)
         for name, body in (("a", contact.a), ("b", contact.b))
     ]
-    groups.append(Group("Load", tuple(_load_entries(subject, document.get("load", {})))))
-    groups.append(Group("Solver", tuple(_solver_entries(subject, document.get("solver", {})))))
+    groups.append(Group("Load", tuple(_load_entries(case, document.get("load", {})))))
+    groups.append(Group("Solver", tuple(_solver_entries(case, document.get("solver", {})))))
     if document.get("life"):
         groups.append(Group("Life", tuple(_life_entries(document["life"]))))
     return groups
@@ -117,8 +116,8 @@ def _kind(table: Mapping[str, Any], body: Body) -> tuple[str, str, str]:
     return (table.get("kind") or ("any body" if made == "body" else made)), "", "what the body is"
 
 
-def _load_entries(subject: Subject, table: Mapping[str, Any]) -> Iterator[Entry]:
-    prescribed = subject.case.prescribed
+def _load_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
+    prescribed = case.prescribed
     for name, property_ in _properties("LoadTable").items():
         if name in prescribed:
             value = given(prescribed[name])
@@ -127,8 +126,8 @@ def _load_entries(subject: Subject, table: Mapping[str, Any]) -> Iterator[Entry]
         yield Entry("load.tilt", "0", "rad", _properties("LoadTable")["tilt"]["description"], True)
 
 
-def _solver_entries(subject: Subject, table: Mapping[str, Any]) -> Iterator[Entry]:
-    values = {"element": subject.case.solver["element"].name, "strips": str(subject.case.solver["strips"])}
+def _solver_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
+    values = {"element": case.solver["element"].name, "strips": str(case.solver["strips"])}
     for name, property_ in _properties("SolverTable").items():
         yield Entry(f"solver.{name}", values[name], "", property_["description"], name not in table)
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from nonhertz.io.casefile import Case
 from nonhertz.io.measured import KIND, checked, measured_from, trace_from
 from nonhertz.io.profiles import profile_tables
 from nonhertz.measured import Measured
-from nonhertz.report.subject import Subject
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,11 +35,11 @@ class Measurement:
         return [(state.name, state.words) for state in self.measured.states]
 
 
-def measurements(subject: Subject) -> Iterator[Measurement]:
-    """Yield the measured profiles of a subject whose files it carries."""
-    for name, body in subject.document["body"].items():
+def measurements(case: Case) -> Iterator[Measurement]:
+    """Yield the measured profiles of a case whose files are there."""
+    for name, body in case.document["body"].items():
         for number, table in enumerate(profile_tables(body), start=1):
-            content = subject.attachments.get(str(table.get("file")))
+            content = case.attachments.get(str(table.get("file")))
             if table.get("kind") == KIND and content is not None:
                 values = {key: checked(key, value) for key, value in table.items() if key != "kind"}
                 trace = trace_from(content, values, table["file"])

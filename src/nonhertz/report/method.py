@@ -85,7 +85,7 @@ def references(found: Finding) -> list[str]:
 
 
 def _of_profiles(found: Finding) -> Iterator[str]:
-    for body in found.subject.document["body"].values():
+    for body in found.case.document["body"].values():
         for table in profile_tables(body):
             words = source(CATALOGUE.get(table["kind"]))
             if not _NO_SOURCE.match(words):

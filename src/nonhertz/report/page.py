@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from nonhertz import __version__
 from nonhertz.casework import Announce, in_silence
+from nonhertz.io.casefile import Case
 from nonhertz.report.assumptions import assumptions
 from nonhertz.report.differences import differing_inputs, lives, remarks_on_lives, results
 from nonhertz.report.downloads import downloads
@@ -19,7 +20,6 @@ from nonhertz.report.finding import Finding, examined, settled
 from nonhertz.report.inputs import inputs
 from nonhertz.report.measurements import Measurement, measurements
 from nonhertz.report.method import paragraphs, references
-from nonhertz.report.subject import Subject
 from nonhertz.report.telling import ends_in_words, geometry, keys, opening
 from nonhertz.tables.lives import LIFE_COLUMNS, RATIO, SPECTRUM_COLUMNS, life_rows, spectrum_rows
 from nonhertz.tables.lives import sentences as life_sentences
@@ -39,7 +39,7 @@ _ADDRESS = re.compile(r"doi:(10\.\S+?)(?=[.,;:]?(?:\s|$))|(https?://\S+?)(?=[.,;
 
 
 def compose(
-    subjects: Sequence[Subject],
+    cases: Sequence[Case],
     *,
     life: bool | None = None,
     stress: bool = True,
@@ -49,7 +49,7 @@ def compose(
 
     Parameters
     ----------
-    subjects : sequence of Subject
+    cases : sequence of Case
         At least one; others are compared with the first.
     life : bool or None
         Whether to assess lives, which takes seconds; None for those of cases that say anything of life.
@@ -68,7 +68,7 @@ def compose(
     CaseError
         If the solver refuses cases.
     """
-    return rendered(examined(settled(subjects), life=life, stress=stress, announce=announce))
+    return rendered(examined(settled(cases), life=life, stress=stress, announce=announce))
 
 
 def rendered(found: Sequence[Finding]) -> str:
@@ -77,7 +77,7 @@ def rendered(found: Sequence[Finding]) -> str:
     several = len(found) > 1
     comparison = _comparison(found, gallery) if several else None
     parts = [_part(each, number, several, gallery) for number, each in enumerate(found, start=1)]
-    title = f"{len(found)} cases compared" if several else found[0].subject.case.title
+    title = f"{len(found)} cases compared" if several else found[0].case.title
     page = (
         _environment()
         .get_template("report.html")
@@ -98,15 +98,15 @@ def _part(found: Finding, number: int, several: bool, gallery: Gallery) -> dict[
     solution = found.solution
     return {
         "anchor": f"case-{number}",
-        "title": found.subject.case.title,
+        "title": found.case.title,
         "label": found.label if several else "",
-        "file": found.subject.name,
+        "file": found.case.file_name,
         "opening": opening(found),
         "complaint": found.complaint,
         "warnings": found.warnings,
         "keys": keys(found),
         "figures": {name: _marked(picture) for name, picture in gallery.of_solution(found).items()},
-        "inputs": inputs(found.subject),
+        "inputs": inputs(found.case),
         "geometry": geometry(solution),
         "assumptions": assumptions(found),
         "summary": _merged(summary_rows(solution)),
@@ -114,13 +114,18 @@ def _part(found: Finding, number: int, several: bool, gallery: Gallery) -> dict[
         "stress": _stress(found, gallery),
         "life": _life(found, gallery),
         # Figures are numbered as they are drawn, in the order of the page.
-        "measured": [_measured(each, gallery) for each in measurements(found.subject)],
+        "measured": [_measured(each, gallery) for each in measurements(found.case)],
         "method": paragraphs(found),
         "references": references(found),
         "downloads": downloads(found),
-        "left_out": [name for name in found.subject.files if name not in found.subject.attachments],
-        "text": found.subject.text,
+        "left_out": _left_out(found.case),
+        "text": found.case.text,
     }
+
+
+def _left_out(case: Case) -> list[str]:
+    """Return the files that a case names and the page does not carry."""
+    return [] if case.origin is None else [name for name in case.origin.files if name not in case.attachments]
 
 
 def _measured(measurement: Measurement, gallery: Gallery) -> dict[str, Any]:
@@ -133,13 +138,10 @@ def _measured(measurement: Measurement, gallery: Gallery) -> dict[str, Any]:
 
 
 def _comparison(found: Sequence[Finding], gallery: Gallery) -> dict[str, Any]:
-    subjects = [each.subject for each in found]
     told = lives(found)
     return {
-        "heads": [
-            {"label": each.label, "title": each.subject.case.title, "complaint": each.complaint} for each in found
-        ],
-        "inputs": differing_inputs(subjects),
+        "heads": [{"label": each.label, "title": each.case.title, "complaint": each.complaint} for each in found],
+        "inputs": differing_inputs([each.case for each in found]),
         "results": results(found),
         "lives": told,
         "life_sentences": [RATIO, *remarks_on_lives(found)] if told else [],

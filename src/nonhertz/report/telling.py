@@ -40,7 +40,7 @@ class Key:
 
 def opening(found: Finding) -> str:
     """Return one sentence on what was solved."""
-    solution, prescribed = found.solution, found.subject.case.prescribed
+    solution, prescribed = found.solution, found.case.prescribed
     a, b = solution.contact.a, solution.contact.b
     pressed = f"with {given(prescribed['load'])} N" if "load" in prescribed else _by_approach(prescribed["approach"])
     turned = ""
@@ -62,7 +62,7 @@ def keys(found: Finding) -> list[Key]:
         Key("approach", digits(1e3 * solution.approach), "µm"),
         Key("largest half-width", digits(float(solution.half_width[widest])), "mm", _at(float(solution.y[widest]))),
     ]
-    if "load" not in found.subject.case.prescribed:
+    if "load" not in found.case.prescribed:
         told.append(Key("load", digits(solution.load), "N"))
     if found.stress:
         largest = found.stress[0].von_mises

@@ -121,12 +121,11 @@ def _made(document: dict[str, Any], make: Callable[[Case, Solution], str]) -> by
 
 def report(document: dict[str, Any]) -> bytes | dict[str, Any]:
     """Return the report on a document, or what is wrong with it."""
-    from nonhertz.report import Subject, compose
+    from nonhertz.report import compose
 
     with _calmly():
         try:
-            case = sound(document)
-            return compose([Subject(case, as_toml(document), PATH.name)]).encode()
+            return compose([sound(document)]).encode()
         except CaseError as error:
             return misfit(error)
 
