@@ -35,8 +35,6 @@ if TYPE_CHECKING:
     from nonhertz.io.casefile import read_case as read_case
     from nonhertz.io.resultfile import Result as Result
     from nonhertz.io.resultfile import read_result as read_result
-    from nonhertz.many import Solutions as Solutions
-    from nonhertz.many import solve_many as solve_many
     from nonhertz.model import profile as profile
     from nonhertz.model.body import Body as Body
     from nonhertz.model.body import Plate as Plate
@@ -52,7 +50,9 @@ if TYPE_CHECKING:
     from nonhertz.result.solution import SingularEnd as SingularEnd
     from nonhertz.result.solution import Solution as Solution
     from nonhertz.result.solution import Status as Status
-    from nonhertz.solver import solve as solve
+    from nonhertz.solver.many import solve_many as solve_many
+    from nonhertz.solver.one import solve as solve
+    from nonhertz.solver.solutions import Solutions as Solutions
     from nonhertz.strip.element import PARABOLIC as PARABOLIC
     from nonhertz.strip.element import SEMI_ELLIPTIC as SEMI_ELLIPTIC
 
@@ -83,14 +83,14 @@ _HOMES = {
     "SEMI_ELLIPTIC": "nonhertz.strip.element",
     "SingularEnd": "nonhertz.result.solution",
     "Solution": "nonhertz.result.solution",
-    "Solutions": "nonhertz.many",
+    "Solutions": "nonhertz.solver.solutions",
     "Status": "nonhertz.result.solution",
     "TabulatedDiameter": "nonhertz.model.body",
     "compare": "nonhertz.comparison",
     "read_case": "nonhertz.io.casefile",
     "read_result": "nonhertz.io.resultfile",
-    "solve": "nonhertz.solver",
-    "solve_many": "nonhertz.many",
+    "solve": "nonhertz.solver.one",
+    "solve_many": "nonhertz.solver.many",
 }
 _MODULES = {
     "hertz": "nonhertz.hertz",

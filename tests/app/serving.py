@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from nonhertz.web.app import application
-from nonhertz.web.server import HOST, listening, server_of
+from nonhertz.web.server.app import application
+from nonhertz.web.server.serving import HOST, listening, server_of
 
 
 @contextmanager

@@ -21,9 +21,9 @@ from rich.console import Console
 from rich.table import Table
 
 import nonhertz as nh
-import nonhertz.casework
 import nonhertz.plot
-import nonhertz.solver
+import nonhertz.show.analysis
+import nonhertz.solver.one
 from nonhertz.cli import main
 from nonhertz.cli.printing import print_table
 from nonhertz.result.solution import Solution
@@ -95,7 +95,7 @@ def stop_short(monkeypatch: pytest.MonkeyPatch, solution: Solution) -> None:
     def solve(*_: object, **__: object) -> Solution:
         raise nh.ConvergenceError("It did not converge.", unfinished)
 
-    monkeypatch.setattr(nonhertz.solver, "solve", solve)
+    monkeypatch.setattr(nonhertz.solver.one, "solve", solve)
 
 
 def test_the_summary_names_what_an_engineer_asks_for(case: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -369,7 +369,7 @@ def test_an_internal_error_is_one_sentence(
         raise ZeroDivisionError("float division\nby zero")
 
     monkeypatch.delenv("NONHERTZ_DEBUG", raising=False)
-    monkeypatch.setattr(nonhertz.solver, "solve", break_down)
+    monkeypatch.setattr(nonhertz.solver.one, "solve", break_down)
     assert main(["solve", case]) == 3
     printed = capsys.readouterr()
     assert printed.out == ""
@@ -387,7 +387,7 @@ def test_interruption(case: str, capsys: pytest.CaptureFixture[str], monkeypatch
     def interrupt(*_: object, **__: object) -> Solution:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(nonhertz.solver, "solve", interrupt)
+    monkeypatch.setattr(nonhertz.solver.one, "solve", interrupt)
     assert main(["solve", case]) == 130
     assert capsys.readouterr().err == "Interrupted.\n"
 

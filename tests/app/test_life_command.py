@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-import nonhertz.casework
 import nonhertz.plot
+import nonhertz.show.analysis
 from nonhertz.cli import main
 from nonhertz.io.casefile import read_case
 from nonhertz.life import LoadCase, assess, ioannides_harris, solve_spectrum
@@ -240,7 +240,7 @@ def test_no_damage_is_said_in_words(case: str, capsys: pytest.CaptureFixture[str
 def test_what_cannot_be_is_refused_before_anything_is_solved(
     case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, words: list[str], sentence: str
 ) -> None:
-    monkeypatch.setattr(nonhertz.casework, "solved", never)
+    monkeypatch.setattr(nonhertz.show.analysis, "solved", never)
     error = refused([case, *words], capsys)
     assert error.startswith(sentence)
     assert len(error.splitlines()) == 1
@@ -260,7 +260,7 @@ def test_no_life_without_a_solution(
     def stop(contact: nh.Contact, *_: object, **__: object) -> Any:
         raise nh.ConvergenceError("It stopped.", None)
 
-    monkeypatch.setattr(nonhertz.casework, "solve_spectrum", stop)
+    monkeypatch.setattr(nonhertz.show.analysis, "solve_spectrum", stop)
     stopping = changed("rollers = 14", "rollers = 14\n" + SPECTRUM)
     words = [stopping] if name == "first" else [case, "--compare", stopping]
     assert main(["life", *words, *QUICK, "--out", "folder"]) == 1

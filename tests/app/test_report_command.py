@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 import nonhertz as nh
-import nonhertz.casework
 import nonhertz.cli.reporting
 import nonhertz.report.figures
-import nonhertz.solver
+import nonhertz.show.analysis
+import nonhertz.solver.one
 from nonhertz.cli import main
 from nonhertz.io.casefile import read_case
 from nonhertz.report import MARK
@@ -96,12 +96,12 @@ def test_all_mistakes_of_all_files_are_named(case: str, capsys: pytest.CaptureFi
 def test_a_case_that_has_not_converged_is_reported_and_told(
     case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    solution = nonhertz.casework.solved(read_case(case))
+    solution = nonhertz.show.analysis.solved(read_case(case))
 
     def stop(*_: object, **__: object) -> None:
         raise nh.ConvergenceError("It stopped.", solution)
 
-    monkeypatch.setattr(nonhertz.solver, "solve", stop)
+    monkeypatch.setattr(nonhertz.solver.one, "solve", stop)
     assert main(["report", case]) == 1
     printed = capsys.readouterr()
     assert (printed.out, printed.err) == ("wrote case-report.html\n", "case: It stopped.\n")

@@ -7,11 +7,13 @@ import tomllib
 import numpy as np
 import pytest
 
-from nonhertz.casework import solved
 from nonhertz.cli import main
 from nonhertz.cli.serving import starting_document
 from nonhertz.io.casefile import read_case, starting_case
-from nonhertz.web import jobs, limits, server
+from nonhertz.show.analysis import solved
+from nonhertz.web import limits
+from nonhertz.web.server import serving
+from nonhertz.web.view import jobs
 
 CASE = """
 [body.a]
@@ -96,7 +98,7 @@ def test_a_port_that_is_none(port, capsys):
 
 
 def test_it_listens_on_this_machine_alone():
-    with server.listening(0) as bound:
+    with serving.listening(0) as bound:
         assert bound.getsockname()[0] == "127.0.0.1"
 
 
@@ -108,8 +110,8 @@ def test_it_tells_its_address_and_opens_a_browser_if_wanted(browser, monkeypatch
         def run(self, sockets):
             raise KeyboardInterrupt
 
-    monkeypatch.setattr(server, "server_of", lambda app: Ended())
-    monkeypatch.setattr(server.threading, "Thread", lambda target, args, daemon: opened.append(args) or Started())
+    monkeypatch.setattr(serving, "server_of", lambda app: Ended())
+    monkeypatch.setattr(serving.threading, "Thread", lambda target, args, daemon: opened.append(args) or Started())
     code = main(["serve", "--port", "0", *([] if browser else ["--no-browser"])])
     assert code == 130
     out, error = capsys.readouterr()
@@ -123,7 +125,7 @@ def test_it_ends_as_interrupted_where_a_shell_has_interrupts_ignored(monkeypatch
         def run(self, sockets):
             """Return, as after an interrupt that the process ignores."""
 
-    monkeypatch.setattr(server, "server_of", lambda app: Ended())
+    monkeypatch.setattr(serving, "server_of", lambda app: Ended())
     assert main(["serve", "--port", "0", "--no-browser"]) == 130
     assert capsys.readouterr().err == "Interrupted.\n"
 

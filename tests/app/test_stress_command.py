@@ -11,9 +11,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
-import nonhertz.casework
 import nonhertz.plot
-import nonhertz.solver
+import nonhertz.show.analysis
+import nonhertz.solver.one
 from nonhertz.cli import main
 from nonhertz.io.casefile import read_case
 
@@ -191,7 +191,7 @@ def test_nothing_is_left_behind_when_drawing_fails(
 def test_what_cannot_be_is_refused_before_anything_runs(
     case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, words: list[str], sentence: str
 ) -> None:
-    monkeypatch.setattr(nonhertz.solver, "solve", never)
+    monkeypatch.setattr(nonhertz.solver.one, "solve", never)
     assert main(["stress", case, *words]) == 2
     printed = capsys.readouterr()
     assert printed.out == ""
@@ -223,8 +223,8 @@ def test_an_unconverged_solve_has_no_stress(
     def stop(*_: object, **__: object) -> None:
         raise nh.ConvergenceError("It stopped.", None)
 
-    monkeypatch.setattr(nonhertz.solver, "solve", stop)
-    monkeypatch.setattr(nonhertz.casework, "extremes", never)
+    monkeypatch.setattr(nonhertz.solver.one, "solve", stop)
+    monkeypatch.setattr(nonhertz.show.analysis, "extremes", never)
     assert main(["stress", case, "--out", "folder"]) == 1
     printed = capsys.readouterr()
     assert (printed.out, printed.err) == ("", "It stopped.\n")

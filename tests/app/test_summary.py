@@ -13,7 +13,7 @@ import nonhertz as nh
 from nonhertz.cli.summary import print_summary
 from nonhertz.io.results import UNITS, as_json
 from nonhertz.result.solution import Solution
-from nonhertz.tables.summary import summary_rows
+from nonhertz.show.summary import summary_rows
 
 
 def solved(roller: nh.Body, against: nh.Body, tilt: float = 0.0, load: float = 20e3, **more: object) -> Solution:

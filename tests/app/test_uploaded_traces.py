@@ -6,7 +6,7 @@ import numpy as np
 
 from nonhertz.measured import Trace
 from nonhertz.web.limits import UPLOAD_POINTS
-from nonhertz.web.uploads import _averaged
+from nonhertz.web.view.uploads import _averaged
 
 
 def test_no_mean_is_taken_over_a_gap():

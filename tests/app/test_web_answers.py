@@ -15,8 +15,9 @@ import nonhertz as nh
 from nonhertz.cli import main
 from nonhertz.io.casefile import case_in, starting_case
 from nonhertz.subsurface import extremes
-from nonhertz.web import jobs, limits
-from nonhertz.web.jobs import as_json_has_it
+from nonhertz.web import limits
+from nonhertz.web.view import jobs
+from nonhertz.web.view.jobs import as_json_has_it
 
 STARTING = tomllib.loads(starting_case())
 

@@ -17,9 +17,9 @@ from nonhertz.io.mistakes import path_of
 from nonhertz.life import MODELS, iso_16281
 from nonhertz.model.material import MATERIALS
 from nonhertz.strip.element import ELEMENTS
-from nonhertz.web import jobs
-from nonhertz.web.form import form
-from nonhertz.web.ranges import RANGES, Range
+from nonhertz.web.form.form import form
+from nonhertz.web.form.ranges import RANGES, Range
+from nonhertz.web.view import jobs
 
 TEMPLATES = jinja2.Environment(
     loader=jinja2.PackageLoader("nonhertz.web"), autoescape=True, undefined=jinja2.StrictUndefined

@@ -18,8 +18,10 @@ from serving import raw, running
 
 import nonhertz as nh
 from nonhertz.io.casefile import read_case, starting_case
-from nonhertz.web import app, intake, jobs, limits, server, workers
-from nonhertz.web.guard import HEADERS
+from nonhertz.web import limits
+from nonhertz.web.server import app, intake, serving, workers
+from nonhertz.web.server.guard import HEADERS
+from nonhertz.web.view import jobs
 
 STARTING = tomllib.loads(starting_case())
 JSON = {"content-type": "application/json"}
@@ -462,7 +464,7 @@ def test_a_body_is_not_read_to_its_end(client):
 def test_what_arrives_too_slowly_is_given_up(client, monkeypatch):
     """Neither a body nor a head that trickles in holds a connection for long."""
     monkeypatch.setattr(intake, "BODY_SECONDS", 0.1)
-    monkeypatch.setattr(server, "HEAD_SECONDS", 0.1)
+    monkeypatch.setattr(serving, "HEAD_SECONDS", 0.1)
     head = f"POST /form HTTP/1.1\r\nHost: {client.base_url.netloc.decode()}\r\n"
     body = head + "Content-Type: application/json\r\nContent-Length: 1000\r\n\r\n{"
     ends = []

@@ -9,9 +9,9 @@ from functools import partial
 import anyio
 import pytest
 
-from nonhertz.web import workers
-from nonhertz.web.intake import RefusedError
-from nonhertz.web.workers import EndedError, FailedError, TooSlowError, Workers
+from nonhertz.web.server import workers
+from nonhertz.web.server.intake import RefusedError
+from nonhertz.web.server.workers import EndedError, FailedError, TooSlowError, Workers
 
 DEADLINE = 0.1
 PATIENT = 60.0

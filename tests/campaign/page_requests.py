@@ -11,7 +11,7 @@ from urllib.parse import urlencode
 from case_texts import FILES, NUMBERS, WORDS, Mutator, sound_texts
 
 from nonhertz.io.measured import KEYS
-from nonhertz.web.form import form
+from nonhertz.web.form.form import form
 
 JSON, TOML, BINARY = "application/json", "application/toml", "application/octet-stream"
 PATHS = {"/solve": 30, "/form": 20, "/open": 20, "/upload": 20, "/download/case.toml": 5, "/download/table.csv": 5}

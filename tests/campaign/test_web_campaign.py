@@ -27,7 +27,7 @@ from extent import extent
 from page_requests import PATHS, Requests
 
 from nonhertz.io.casefile import starting_case
-from nonhertz.web.form import Field, form
+from nonhertz.web.form.form import Field, form
 
 EDITS, HOSTILE, CHANGED = 2_000, 200, extent(10_000, 2_000)
 SLOWEST = 2.0

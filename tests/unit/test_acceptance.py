@@ -9,7 +9,7 @@ import pytest
 import nonhertz as nh
 from nonhertz.model.prescription import Prescription
 from nonhertz.result.outcome import outcome
-from nonhertz.solver import levels_of, problem_of
+from nonhertz.solver.one import levels_of, problem_of
 from nonhertz.strip import state as states
 from nonhertz.strip.newton import CONVERGED
 

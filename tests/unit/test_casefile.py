@@ -21,7 +21,7 @@ from nonhertz.io.casefile import Case, case_in, read_case, schema, starting_case
 from nonhertz.life import MODELS, LoadCase, ioannides_harris, iso_16281, zaretsky
 from nonhertz.life.lamina import FEWEST, MOST
 from nonhertz.model.profile import CATALOGUE, PARAMETER_UNITS
-from nonhertz.solver import FEWEST_STRIPS, MOST_STRIPS
+from nonhertz.solver.one import FEWEST_STRIPS, MOST_STRIPS
 
 PRINTED = Path(__file__).parents[2].joinpath("examples", "crowned-roller.toml").read_text(encoding="utf-8")
 Y = np.linspace(-9.5, 9.5, 7)

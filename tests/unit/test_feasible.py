@@ -5,7 +5,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.model.prescription import Prescription
-from nonhertz.solver import problem_of
+from nonhertz.solver.one import problem_of
 from nonhertz.strip.feasible import feasible, refuse_infeasible, refuse_no_contact
 
 CROWNED = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(500)), nh.Plate())

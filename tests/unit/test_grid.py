@@ -10,7 +10,7 @@ import nonhertz as nh
 from nonhertz.bodies.influence import influence_of
 from nonhertz.model.prescription import Prescription
 from nonhertz.model.profile import Profile
-from nonhertz.solver import problem_of
+from nonhertz.solver.one import problem_of
 from nonhertz.strip import grid, resolution
 from nonhertz.strip.grid import cut_off
 from nonhertz.strip.influence import displacements

@@ -9,7 +9,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.model.prescription import Prescription
-from nonhertz.solver import problem_of
+from nonhertz.solver.one import problem_of
 from nonhertz.strip import levels as strip_levels
 from nonhertz.strip.levels import Levels
 from nonhertz.strip.state import sprung

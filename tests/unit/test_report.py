@@ -14,7 +14,6 @@ import pytest
 from matplotlib.figure import Figure
 
 import nonhertz as nh
-from nonhertz.casework import solved
 from nonhertz.errors import CaseError
 from nonhertz.io.casefile import Case, case_in, parsed, read_case
 from nonhertz.report import Finding, compose, examined, rendered, settled, steps
@@ -28,6 +27,7 @@ from nonhertz.report.method import formula, references, source
 from nonhertz.report.page import _linked
 from nonhertz.report.telling import ends_in_words, keys, opening
 from nonhertz.result.solution import Status
+from nonhertz.show.analysis import solved
 
 TITLE = "Roller & <script>alert('title')</script>"
 POINTS = "y, relief\n" + "".join(f"{y}, {1e-5 * y**4}\n" for y in range(-7, 8))

@@ -5,7 +5,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.model.prescription import Prescription
-from nonhertz.solver import problem_of
+from nonhertz.solver.one import problem_of
 from nonhertz.strip.newton import STAGNATED
 from nonhertz.strip.state import State, Strips
 

@@ -419,7 +419,7 @@ def serve(
         Whether to open the page in a browser.
     """
     from nonhertz.cli.serving import starting_document
-    from nonhertz.web.server import serve as serve_page
+    from nonhertz.web.server.serving import serve as serve_page
 
     document, notes = starting_document(case)
     for note in notes:

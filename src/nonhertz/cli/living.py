@@ -11,7 +11,6 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from nonhertz.casework import assessed, models_for
 from nonhertz.cli import FINE, NOT_CONVERGED
 from nonhertz.cli.printing import console, print_table
 from nonhertz.cli.solving import spectrum_or_not
@@ -21,7 +20,8 @@ from nonhertz.io.casefile import Case, named
 from nonhertz.io.lives import Assessment
 from nonhertz.io.lives import as_json as as_json_text
 from nonhertz.life import MODELS
-from nonhertz.tables.lives import (
+from nonhertz.show.analysis import assessed, models_for
+from nonhertz.show.lives import (
     LIFE_COLUMNS,
     RATIO,
     REVOLUTIONS,

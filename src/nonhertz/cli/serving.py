@@ -24,7 +24,7 @@ def starting_document(path: Path | None) -> tuple[dict[str, Any], tuple[str, ...
     if path is None:
         return parsed(starting_case(), "case.toml"), ()
     from nonhertz.io.mistakes import case_error
-    from nonhertz.web.inlining import inlined
+    from nonhertz.web.form.inlining import inlined
     from nonhertz.web.limits import slow, unfit
 
     document = parsed(case_text(path), str(path))

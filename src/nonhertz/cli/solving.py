@@ -8,21 +8,21 @@ from typing import TYPE_CHECKING
 from nonhertz.errors import ConvergenceError
 
 if TYPE_CHECKING:
-    from nonhertz.casework import Spectrum
     from nonhertz.io.casefile import Case
     from nonhertz.result.solution import Solution
+    from nonhertz.show.analysis import Spectrum
 
 
 def solved_or_not(case: Case) -> tuple[Solution, str]:
     """Return the solution and, if it has not converged, what to say about that."""
-    from nonhertz.casework import attempted
+    from nonhertz.show.analysis import attempted
 
     return attempted(case)
 
 
 def spectrum_or_not(case: Case) -> tuple[Spectrum, str]:
     """Return the solutions of all loads with their shares, or what to say about why there are none."""
-    from nonhertz.casework import spectrum_solved
+    from nonhertz.show.analysis import spectrum_solved
 
     try:
         return spectrum_solved(case), ""

@@ -8,15 +8,15 @@ from pathlib import Path
 from rich.table import Table
 from rich.text import Text
 
-from nonhertz.casework import largest_stresses
 from nonhertz.cli.printing import console, print_table
 from nonhertz.cli.verification import Progress
 from nonhertz.errors import InputError
 from nonhertz.io.stresses import all_warnings
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.solution import Solution
+from nonhertz.show.analysis import largest_stresses
+from nonhertz.show.stresses import COLUMNS, sentences, stress_rows
 from nonhertz.subsurface import Extremes
-from nonhertz.tables.stresses import COLUMNS, sentences, stress_rows
 
 _SEARCHES = 2  # for the largest stresses: in the whole body and in a cross-section
 _STATION_REMEDY = "choose a place in the body, or leave it out for the cross-section of the largest von Mises stress"

@@ -7,7 +7,7 @@ from rich.text import Text
 
 from nonhertz.cli.printing import console, print_table
 from nonhertz.result.solution import Solution
-from nonhertz.tables.summary import summary_rows
+from nonhertz.show.summary import summary_rows
 
 
 def print_summary(solution: Solution, title: str) -> None:

@@ -19,7 +19,7 @@ from nonhertz.patch import PatchSolution
 from nonhertz.patch import solve as solve_patch
 from nonhertz.patch.resources import checked_cells
 from nonhertz.result.solution import Solution
-from nonhertz.solver import Strips, solve
+from nonhertz.solver.one import Strips, solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 
 RUNS = 5

@@ -198,7 +198,7 @@ class Case:
         AccuracyWarning
             If the result strains the model's validity.
         """
-        from nonhertz.solver import solve
+        from nonhertz.solver.one import solve
 
         try:
             return solve(self.contact, **self.prescribed, **self.solver)

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import above_zero, finite, listed, positive
-from nonhertz.many import solve_many
 from nonhertz.model.contact import Contact
 from nonhertz.result.solution import Solution
-from nonhertz.solver import Strips
+from nonhertz.solver.many import solve_many
+from nonhertz.solver.one import Strips
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 
 WHOLE = 1e-3  # how far shares may be from adding up to 1, for three of 0.333 say

@@ -13,7 +13,7 @@ from nonhertz.report.inputs import Entry, inputs
 from nonhertz.result.numerals import digits
 from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
-from nonhertz.tables.lives import without_ratio
+from nonhertz.show.lives import without_ratio
 
 ABSENT = "–"
 

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from nonhertz.casework import Announce, assessed, attempted, in_silence, largest_stresses, models_for, spectrum_solved
 from nonhertz.errors import CaseError, ConvergenceError
 from nonhertz.inputs.files import legible
 from nonhertz.io.casefile import Case, LifeCase, named
@@ -15,6 +14,15 @@ from nonhertz.io.lives import Assessment
 from nonhertz.io.stresses import all_warnings
 from nonhertz.model.body import BODIES
 from nonhertz.result.solution import Solution
+from nonhertz.show.analysis import (
+    Announce,
+    assessed,
+    attempted,
+    in_silence,
+    largest_stresses,
+    models_for,
+    spectrum_solved,
+)
 from nonhertz.subsurface import Extremes
 
 STRESS_STEPS = 2  # in the whole body and in a cross-section

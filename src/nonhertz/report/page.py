@@ -10,7 +10,6 @@ from importlib import metadata, resources
 from typing import TYPE_CHECKING, Any
 
 from nonhertz import __version__
-from nonhertz.casework import Announce, in_silence
 from nonhertz.io.casefile import Case
 from nonhertz.report.assumptions import assumptions
 from nonhertz.report.differences import differing_inputs, lives, remarks_on_lives, results
@@ -21,11 +20,12 @@ from nonhertz.report.inputs import inputs
 from nonhertz.report.measurements import Measurement, measurements
 from nonhertz.report.method import paragraphs, references
 from nonhertz.report.telling import ends_in_words, geometry, keys, opening
-from nonhertz.tables.lives import LIFE_COLUMNS, RATIO, SPECTRUM_COLUMNS, life_rows, spectrum_rows
-from nonhertz.tables.lives import sentences as life_sentences
-from nonhertz.tables.stresses import COLUMNS, stress_rows
-from nonhertz.tables.stresses import sentences as stress_sentences
-from nonhertz.tables.summary import summary_rows
+from nonhertz.show.analysis import Announce, in_silence
+from nonhertz.show.lives import LIFE_COLUMNS, RATIO, SPECTRUM_COLUMNS, life_rows, spectrum_rows
+from nonhertz.show.lives import sentences as life_sentences
+from nonhertz.show.stresses import COLUMNS, stress_rows
+from nonhertz.show.stresses import sentences as stress_sentences
+from nonhertz.show.summary import summary_rows
 
 if TYPE_CHECKING:
     from jinja2 import Environment

@@ -16,7 +16,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.profile import iso_logarithmic
 from nonhertz.plot.style import FIRST, INK, SECOND
 from nonhertz.result.solution import Solution
-from nonhertz.solver import solve
+from nonhertz.solver.one import solve
 from nonhertz.strip.element import SEMI_ELLIPTIC
 from nonhertz.strip.influence import coefficients
 from nonhertz.verify.claim import Check, Picture, Section

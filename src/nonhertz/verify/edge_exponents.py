@@ -14,7 +14,7 @@ from nonhertz.model.body import Plate, Roller
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
 from nonhertz.plot.style import COLOUR_MAP, INK
-from nonhertz.solver import solve
+from nonhertz.solver.one import solve
 from nonhertz.verify.claim import Check, Picture, Section, without_accuracy_warnings
 
 if TYPE_CHECKING:

@@ -29,7 +29,7 @@ from nonhertz.model.profile import iso_logarithmic
 from nonhertz.patch import solve as solve_patch
 from nonhertz.plot.style import FAINT_INK, FIRST, INK, SECOND
 from nonhertz.result.solution import Solution
-from nonhertz.solver import solve
+from nonhertz.solver.one import solve
 from nonhertz.verify.claim import Check, Picture, Section
 
 if TYPE_CHECKING:

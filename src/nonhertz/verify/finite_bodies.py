@@ -14,7 +14,7 @@ from nonhertz.model.material import Material
 from nonhertz.model.profile import crown
 from nonhertz.plot.style import FIRST, INK, SECOND
 from nonhertz.result.solution import EdgeKind, Solution
-from nonhertz.solver import solve
+from nonhertz.solver.one import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 from nonhertz.verify.claim import Check, Picture, Section, without_accuracy_warnings
 

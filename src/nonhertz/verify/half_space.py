@@ -14,7 +14,7 @@ from nonhertz.model.material import STEEL
 from nonhertz.model.profile import Profile, crown, straight
 from nonhertz.plot.style import FIRST, INK, SECOND
 from nonhertz.result.solution import Solution
-from nonhertz.solver import solve
+from nonhertz.solver.one import solve
 from nonhertz.verify.claim import Check, Picture, Section
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
 from nonhertz.plot.style import FAINT_INK, FIRST, SECOND
 from nonhertz.result.solution import Solution
-from nonhertz.solver import solve
+from nonhertz.solver.one import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 from nonhertz.verify.claim import Check, Picture, Section
 

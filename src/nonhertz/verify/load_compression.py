@@ -15,7 +15,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.profile import Profile, iso_logarithmic, partial_crown, straight
 from nonhertz.plot.style import FAINT_INK, FIRST, INK, SECOND
 from nonhertz.result.solution import Solution
-from nonhertz.solver import solve
+from nonhertz.solver.one import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 from nonhertz.verify.claim import Check, Picture, Section
 from nonhertz.verify.profiled_roller import ARC, DIAMETER, LENGTH, LOAD, RING_DIAMETER, RING_WIDTH, STEEL, STRAIGHT

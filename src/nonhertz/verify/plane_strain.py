@@ -13,7 +13,7 @@ from nonhertz.hertz import line_contact, plane_strain_cylinder_compression
 from nonhertz.model.body import Roller
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
-from nonhertz.solver import solve
+from nonhertz.solver.one import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 from nonhertz.verify.claim import Check, Picture, Section
 

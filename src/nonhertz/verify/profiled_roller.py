@@ -16,7 +16,7 @@ from nonhertz.model.profile import Profile, iso_logarithmic, partial_crown
 from nonhertz.plot.contact_area import footprint
 from nonhertz.plot.style import FIRST, SECOND, SMALL_SIZE
 from nonhertz.result.solution import EdgeKind, Solution
-from nonhertz.solver import solve
+from nonhertz.solver.one import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
 from nonhertz.verify.claim import Check, Picture, Section
 

@@ -14,7 +14,7 @@ from nonhertz.model.material import Material
 from nonhertz.model.profile import Profile, tabulated
 from nonhertz.plot.style import FAINT_INK, FIRST, INK, SECOND
 from nonhertz.result.solution import Solution
-from nonhertz.solver import solve
+from nonhertz.solver.one import solve
 from nonhertz.verify.claim import Check, Picture, Section, without_accuracy_warnings
 
 if TYPE_CHECKING:

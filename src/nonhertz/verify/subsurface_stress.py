@@ -23,7 +23,7 @@ from nonhertz.patch import PatchSolution
 from nonhertz.patch import solve as solve_patch
 from nonhertz.plot.style import FIRST, INK, LINE, PALE, SECOND, SMALL_SIZE, THIN
 from nonhertz.result.solution import Solution
-from nonhertz.solver import solve
+from nonhertz.solver.one import solve
 from nonhertz.subsurface import Extremes, Field, extremes, passage, stress
 from nonhertz.subsurface.field import SIGMA_Z, TAU_XY, TAU_XZ, TAU_YZ, von_mises_of
 from nonhertz.verify.claim import Check, Picture, Section

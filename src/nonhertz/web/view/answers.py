@@ -19,8 +19,8 @@ from nonhertz.plot.surfaces import distances, drawn_range
 from nonhertz.result.brief import where_largest
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, Solution
-from nonhertz.tables.summary import summary_rows
-from nonhertz.web.replies import numbers
+from nonhertz.show.summary import summary_rows
+from nonhertz.web.view.replies import numbers
 
 Array = NDArray[np.float64]
 

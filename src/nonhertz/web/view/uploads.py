@@ -16,7 +16,7 @@ from nonhertz.model.profile import Tabulated
 from nonhertz.model.profile.table import Interpolation
 from nonhertz.result.numerals import digits
 from nonhertz.web.limits import UPLOAD_POINTS
-from nonhertz.web.replies import as_bytes, broken
+from nonhertz.web.view.replies import as_bytes, broken
 
 Array = NDArray[np.float64]
 

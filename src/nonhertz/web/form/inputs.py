@@ -11,9 +11,9 @@ from typing import Any, Final
 from nonhertz.errors import InputError
 from nonhertz.io.mistakes import Place, path_of
 from nonhertz.io.units import in_unit
-from nonhertz.web.fields import Field, Option, Slider, text_of
-from nonhertz.web.keys import Schema, alternatives, default_of, is_quantity, meaning_of, unit_of, words_for
-from nonhertz.web.ranges import range_of
+from nonhertz.web.form.fields import Field, Option, Slider, text_of
+from nonhertz.web.form.keys import Schema, alternatives, default_of, is_quantity, meaning_of, unit_of, words_for
+from nonhertz.web.form.ranges import range_of
 
 ABSENT: Final = object()
 """In place of the value of a key that is not there."""

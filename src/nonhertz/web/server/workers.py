@@ -20,8 +20,8 @@ import anyio
 import anyio.to_thread
 from anyio.abc import TaskGroup
 
-from nonhertz.web.intake import RefusedError
 from nonhertz.web.limits import WAITING_REQUESTS, WAITING_SECONDS
+from nonhertz.web.server.intake import RefusedError
 
 WARM_UP_SECONDS: Final = 300.0
 """For a machine on which everything has to be compiled first."""

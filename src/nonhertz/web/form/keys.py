@@ -10,7 +10,7 @@ from typing import Any, Final
 
 from nonhertz.io.casefile import schema
 from nonhertz.model.material import MATERIALS
-from nonhertz.web.fields import number_or_words
+from nonhertz.web.form.fields import number_or_words
 
 Schema = dict[str, Any]
 

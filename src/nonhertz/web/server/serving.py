@@ -14,9 +14,9 @@ import uvicorn
 from uvicorn.protocols.http.h11_impl import H11Protocol, RequestResponseCycle
 
 from nonhertz.errors import InputError
-from nonhertz.web.app import application
-from nonhertz.web.guard import Guard
 from nonhertz.web.limits import HEAD_SECONDS, HEADER_BYTES
+from nonhertz.web.server.app import application
+from nonhertz.web.server.guard import Guard
 
 HOST: Final = "127.0.0.1"
 CONNECTIONS: Final = 256

@@ -16,9 +16,9 @@ from typing import Any, Final
 from nonhertz.io.mistakes import Place, path_of
 from nonhertz.io.written import FORMAT
 from nonhertz.model.body import Body, Roller
-from nonhertz.web.fields import Edits, Field, Group, Option, text_of
-from nonhertz.web.inputs import ABSENT, as_it_is, input_for, label_of, stray
-from nonhertz.web.keys import (
+from nonhertz.web.form.fields import Edits, Field, Group, Option, text_of
+from nonhertz.web.form.inputs import ABSENT, as_it_is, input_for, label_of, stray
+from nonhertz.web.form.keys import (
     Schema,
     alternatives,
     case_schema,
@@ -28,7 +28,7 @@ from nonhertz.web.keys import (
     profile_kinds,
     words_for,
 )
-from nonhertz.web.ranges import start, start_list
+from nonhertz.web.form.ranges import start, start_list
 
 #: Of each pair one is given; the form shows the first unless the document has another.
 ALTERNATIVES: Final = (("load", "approach"), ("tilt", "moment"))

@@ -12,12 +12,12 @@ from nonhertz.errors import InputError
 from nonhertz.model.body import BodyName
 from nonhertz.result.numerals import digits
 from nonhertz.result.solution import Solution
+from nonhertz.show.stresses import NAMES
 from nonhertz.subsurface import Extreme, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
 from nonhertz.subsurface.inside import Inside
 from nonhertz.subsurface.rolling import QUANTITIES
-from nonhertz.tables.stresses import NAMES
-from nonhertz.web.replies import numbers
+from nonhertz.web.view.replies import numbers
 
 Array = NDArray[np.float64]
 

@@ -18,10 +18,7 @@ from starlette.responses import HTMLResponse, Response
 from starlette.routing import Route
 
 from nonhertz import __version__
-from nonhertz.web import jobs
-from nonhertz.web.form import form
-from nonhertz.web.guard import Guard
-from nonhertz.web.intake import RefusedError, content, json_object
+from nonhertz.web.form.form import form
 from nonhertz.web.limits import (
     DOCUMENT_BYTES,
     LIVE_SECONDS,
@@ -31,8 +28,11 @@ from nonhertz.web.limits import (
     UPLOAD_SECONDS,
     oversizes,
 )
-from nonhertz.web.replies import broken, excess, refusal, reply
-from nonhertz.web.workers import EndedError, FailedError, TooSlowError, Workers
+from nonhertz.web.server.guard import Guard
+from nonhertz.web.server.intake import RefusedError, content, json_object
+from nonhertz.web.server.workers import EndedError, FailedError, TooSlowError, Workers
+from nonhertz.web.view import jobs
+from nonhertz.web.view.replies import broken, excess, refusal, reply
 
 _TYPES: Final = {".css": "text/css", ".js": "text/javascript", ".svg": "image/svg+xml", ".html": "text/html"}
 _DOWNLOADS: Final = {

@@ -13,7 +13,7 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from nonhertz.web.limits import HEADER_BYTES
-from nonhertz.web.replies import refusal
+from nonhertz.web.view.replies import refusal
 
 NAMES: Final = ("127.0.0.1", "localhost")
 _OWN_SITES: Final = ("same-origin", "none")

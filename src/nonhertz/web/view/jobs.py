@@ -11,19 +11,19 @@ from typing import Any
 
 import numpy as np
 
-from nonhertz.casework import attempted
 from nonhertz.errors import CaseError
 from nonhertz.io.casefile import Case, as_toml, case_in, parsed, starting_case
 from nonhertz.io.mistakes import Mistake, case_error
 from nonhertz.io.results import as_json, as_table
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import Solution
-from nonhertz.web.answers import answer, drawable
-from nonhertz.web.depths import stress_answer
-from nonhertz.web.fields import is_number
+from nonhertz.show.analysis import attempted
+from nonhertz.web.form.fields import is_number
 from nonhertz.web.limits import oversizes, slow, unfit
-from nonhertz.web.replies import as_bytes, broken, excess, misfit
-from nonhertz.web.uploads import answer_to_file
+from nonhertz.web.view.answers import answer, drawable
+from nonhertz.web.view.replies import as_bytes, broken, excess, misfit
+from nonhertz.web.view.stresses import stress_answer
+from nonhertz.web.view.uploads import answer_to_file
 
 PATH = Path("case.toml")
 
@@ -131,7 +131,7 @@ def report(document: dict[str, Any]) -> bytes | dict[str, Any]:
 
 
 def upload(content: bytes, name: str, options: dict[str, str]) -> bytes:
-    """Return the answer to a measured file; see `nonhertz.web.uploads.answer_to_file`."""
+    """Return the answer to a measured file; see `nonhertz.web.view.uploads.answer_to_file`."""
     with _calmly():
         return answer_to_file(content, name, options)
 

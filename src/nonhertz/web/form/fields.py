@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any, Final
 
-from nonhertz.web.ranges import Range
+from nonhertz.web.form.ranges import Range
 
 Edits = list[tuple[str, Any]]
 

@@ -1,0 +1,300 @@
+"""Thousands of cases in one call: loads, tilts and contacts, on all cores.
+
+On a number of strips, or on given ones, all cases of a contact go through compiled loops together. On the automatic
+grid every case learns a grid of its own, so they are solved one by one, side by side. Either way the result of a case
+is that of `nonhertz.solve`, on equal strips to the tolerance of the equations and on the automatic grid to the bit.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.errors import AccuracyWarning, InputError
+from nonhertz.inputs.checks import listed, thread_count
+from nonhertz.model.contact import Contact
+from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
+from nonhertz.result.outcome import outcome
+from nonhertz.result.validity import wider_than_round
+from nonhertz.solver.one import Strips, levels_of, problem_of, refuse_no_element, wanted_strips
+from nonhertz.solver.solutions import Block, Solutions, case_label
+from nonhertz.strip.batch import States, settle_all
+from nonhertz.strip.element import SEMI_ELLIPTIC, Element
+from nonhertz.strip.levels import equal_grids, given_grids
+from nonhertz.strip.state import Problem
+
+if TYPE_CHECKING:
+    pass
+
+Array = NDArray[np.float64]
+Number = int | tuple[int, ...]
+
+# A turn of a thread: on shared strips, and on a grid of its own for each. Fixed, so that results do not depend on the
+# number of threads.
+CASES_AT_ONCE, CASES_APART = 64, 4
+_PRESCRIBED = ("approach", "load", "tilt", "moment")
+
+
+def solve_many(
+    contacts: Contact | Iterable[Contact],
+    *,
+    approach: ArrayLike | None = None,
+    load: ArrayLike | None = None,
+    tilt: ArrayLike | None = None,
+    moment: ArrayLike | None = None,
+    element: Element = SEMI_ELLIPTIC,
+    strips: Strips = None,
+    threads: int | None = None,
+) -> Solutions:
+    """Press the bodies of many contacts together, or those of one contact in many ways.
+
+    Parameters
+    ----------
+    contacts : Contact or iterable of Contact
+        One contact for all cases, or one for each.
+    approach, load, tilt, moment : array_like, optional
+        As in `nonhertz.solve`, a number for all cases or an array; arrays and ``contacts`` are broadcast against each
+        other, and the shape that comes of it is that of the results. Along the last axis neighbouring cases should be
+        alike: a case may then start from the one before.
+    element : Element
+        As in `nonhertz.solve`.
+    strips : int or array_like or "auto", optional
+        As in `nonhertz.solve`, for all cases. A number of strips is several times as fast as the automatic grid, and
+        runs on any number of cores without their waiting for each other.
+    threads : int, optional
+        How many threads to use; all cores if left out. The results do not depend on it.
+
+    Returns
+    -------
+    Solutions
+
+    Raises
+    ------
+    InputError
+        If the input of any case cannot be used as it stands. What only solving shows, such as bodies that do not
+        touch, does not stop the others: see `Solutions.failures`.
+
+    Warns
+    -----
+    AccuracyWarning
+        If some results strain the model's validity, or contacts end where the pressure has no limit, once for all of
+        each; see `Solutions.warnings`.
+
+    Notes
+    -----
+    Each case keeps its strips on all levels: some 3 kB on 41 strips, 15 kB on the automatic grid.
+
+    A case that starts from its neighbour may be solved where it would fail alone, and its error estimate then compares
+    with a coarser grid that alone would have failed too.
+
+    Examples
+    --------
+    >>> from nonhertz.model.body import Plate, Roller
+    >>> from nonhertz.model.profile import crown
+    >>> contact = Contact(Roller(diameter=20, length=20, profile=crown(radius=4000)), Plate())
+    >>> solutions = solve_many(contact, load=[10e3, 15e3, 20e3], tilt=0.2e-3, strips=41)
+    >>> solutions.max_pressure.round(-1)
+    array([1590., 1860., 2080.])
+    >>> bool(solutions[2].max_pressure == solutions.max_pressure[2])
+    True
+    """
+    prescribed = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
+    given = {name: value for name, value in prescribed.items() if value is not None}
+    refuse_unpaired(approach, load, tilt, moment)
+    refuse_no_element(element)
+    several = _several(contacts)
+    shape, which, values = _spread(len(several) if not isinstance(contacts, Contact) else None, given)
+    tasks = _tasks(several, shape, which, values, element, strips)
+    with ThreadPoolExecutor(thread_count(threads)) as pool:
+        blocks = [block for found in pool.map(_solved, _portions(tasks)) for block in found]
+    solutions = Solutions(shape, tuple(blocks))
+    for sentence in solutions.sentences():
+        warnings.warn(sentence, AccuracyWarning, stacklevel=2)
+    return solutions
+
+
+@dataclass(frozen=True)
+class _Task:
+    """Cases of one contact for one thread."""
+
+    contact: Contact
+    problem: Problem
+    numbers: list[int]
+    targets: Array
+    strips: Strips
+
+    def solved(self) -> list[Block]:
+        """Return the cases solved, those together that were solved together."""
+        grids = self._grids()
+        if grids is None:
+            return [self._alone(row) for row in range(len(self.numbers))]
+        try:
+            states = tuple(settle_all(self.problem, grids, self.targets))
+        # What the bodies refuse or raise, each case is told in its turn.
+        except Exception:  # noqa: BLE001
+            return [self._alone(row) for row in range(len(self.numbers))]
+        done = np.flatnonzero(states[0].converged & ~self._too_wide(states[0]))
+        blocks = [self._alone(row) for row in range(len(self.numbers)) if row not in done]
+        if done.size:
+            numbers, kept = [self.numbers[row] for row in done], tuple(level.only(done) for level in states)
+            blocks.append(Block(self.contact, self.problem, numbers, self.targets[done], kept))
+        return blocks
+
+    def _grids(self) -> list[Array] | None:
+        """Return the grids that the cases share, or None where each has its own."""
+        count, edges = wanted_strips(self.contact, self.strips)
+        low, high = self.contact.interval
+        if count is not None and np.isfinite(high - low):
+            return equal_grids(self.problem, self.contact.interval, count)
+        return given_grids(edges) if edges is not None else None
+
+    def _too_wide(self, states: States) -> NDArray[np.bool_]:
+        """Return which contacts are wider than their bodies are thick or round, which each is told in its turn."""
+        y = 0.5 * (states.edges[1:] + states.edges[:-1])
+        half_width = self.problem.element.hertz_ratio * np.sqrt(states.m)
+        beyond = wider_than_round(self.contact, y, half_width) | (self.problem.influence.shallowest(y) < half_width)
+        wide: NDArray[np.bool_] = np.any(beyond, axis=1)
+        return wide
+
+    def _alone(self, row: int) -> Block:
+        """Return one case, solved as `nonhertz.solve` does."""
+        problem = replace(self.problem, target=self.targets[row], _sampled={})
+        at = [self.numbers[row]], self.targets[row : row + 1]
+        try:
+            levels = levels_of(self.contact, problem, self.strips)
+            outcome(self.contact, problem, levels)
+        # Whatever a case raises, be it a profile of the user's own, it must not take the others with it.
+        except Exception as error:  # noqa: BLE001
+            return Block(self.contact, self.problem, *at, (), error.with_traceback(None))
+        return Block(self.contact, self.problem, *at, tuple(States.of(state) for state in levels.states))
+
+
+def _several(contacts: Contact | Iterable[Contact]) -> list[Contact]:
+    if isinstance(contacts, Contact):
+        return [contacts]
+    remedy = "give one Contact, or a list of them"
+    several: list[Contact] = listed("contacts", contacts, "be contacts", remedy)
+    for number, contact in enumerate(several):
+        if not isinstance(contact, Contact):
+            raise InputError(f"contacts[{number}]", contact, "be a Contact", remedy)
+    return several
+
+
+def _spread(
+    contacts: int | None, given: dict[str, ArrayLike]
+) -> tuple[tuple[int, ...], NDArray[np.intp], dict[str, Array]]:
+    """Return the shape of the results, and for each case which contact it is of and what is prescribed."""
+    columns = [np.zeros((), dtype=int) if contacts is None else np.arange(contacts)]
+    for name, value in given.items():
+        try:
+            column = np.asarray(value)
+        except (TypeError, ValueError):
+            column = np.asarray(None)
+        if column.dtype.kind not in "iuf" or np.ma.isMaskedArray(value):
+            if column.size:
+                raise InputError(name, value, "be a number or an array of numbers", "give plain numbers")
+            column = column.astype(float)
+        columns.append(column)
+    try:
+        spread = np.broadcast_arrays(*columns)
+    except ValueError:
+        shapes = ", ".join(
+            f"{name}: {column.shape}" for name, column in zip(("contacts", *given), columns, strict=True)
+        )
+        raise InputError("shapes", shapes, "fit together", "give numbers, or arrays that broadcast") from None
+    if spread[0].size == 0:
+        empty = next(name for name, column in zip(("contacts", *given), columns, strict=True) if column.size == 0)
+        raise InputError(empty, [], "hold at least one case", "leave the call out where there is none")
+    which, *values = (column.ravel() for column in spread)
+    return (
+        spread[0].shape or (1,),
+        which,
+        {name: value.astype(float) for name, value in zip(given, values, strict=True)},
+    )
+
+
+def _tasks(
+    contacts: list[Contact],
+    shape: tuple[int, ...],
+    which: NDArray[np.intp],
+    given: dict[str, Array],
+    element: Element,
+    strips: Strips,
+) -> list[_Task]:
+    """Return the cases in portions of one contact each; input that cannot be used is refused here."""
+    by_contact: dict[int, list[int]] = {}
+    for number, index in enumerate(which.tolist()):
+        by_contact.setdefault(id(contacts[index]), []).append(number)
+
+    def case(number: int) -> Prescription:
+        return Prescription.checked(*(float(given[name][number]) if name in given else None for name in _PRESCRIBED))
+
+    def refused(error: InputError, number: int) -> InputError:
+        return error.within(f"case {case_label(number, shape)}") if which.size > 1 else error
+
+    number = 0
+    try:
+        for number in _suspects(given):
+            case(number)
+    except InputError as error:
+        raise refused(error, number) from None
+    tasks = []
+    for numbers in by_contact.values():
+        contact = contacts[which[numbers[0]]]
+        wanted_strips(contact, strips)
+        try:
+            number = numbers[0]
+            problem = problem_of(contact, case(number), element)
+            # A moment may lie beyond the ends of the bodies in each case, a load out of range in the outermost.
+            loads = given["load"][numbers] if "load" in given else np.zeros(1)
+            outermost = [numbers[int(loads.argmin())], numbers[int(loads.argmax())]]
+            for number in numbers if "moment" in given else outermost:
+                case(number).refuse_outside(contact)
+        except InputError as error:
+            raise refused(error, number) from None
+        targets = np.zeros((len(numbers), 2))
+        for column, force, motion in ((0, "load", "approach"), (1, "moment", "tilt")):
+            if force in given:
+                targets[:, column] = contact.compliance * given[force][numbers]
+            elif motion in given:
+                targets[:, column] = given[motion][numbers]
+        at_once = CASES_APART if _automatic(strips) else CASES_AT_ONCE
+        for first in range(0, len(numbers), at_once):
+            portion = slice(first, first + at_once)
+            tasks.append(_Task(contact, problem, numbers[portion], targets[portion], strips))
+    return tasks
+
+
+def _suspects(given: dict[str, Array]) -> list[int]:
+    """Return the cases with a number that cannot be used."""
+    suspects = np.any([~np.isfinite(values) for values in given.values()], axis=0)
+    if "load" in given:
+        suspects |= given["load"] <= 0.0
+    if "tilt" in given:
+        suspects |= np.abs(given["tilt"]) > MOST_TILT
+    return np.flatnonzero(suspects).tolist()
+
+
+def _automatic(strips: Strips) -> bool:
+    return strips is None or isinstance(strips, str)
+
+
+def _portions(tasks: list[_Task]) -> Iterator[list[_Task]]:
+    """Yield tasks together until they make up a portion worth a turn of a thread."""
+    portion: list[_Task] = []
+    for task in tasks:
+        portion.append(task)
+        if sum(len(each.numbers) for each in portion) >= (CASES_APART if _automatic(task.strips) else CASES_AT_ONCE):
+            yield portion
+            portion = []
+    yield portion
+
+
+def _solved(tasks: list[_Task]) -> list[Block]:
+    return [block for task in tasks for block in task.solved()]

@@ -1,0 +1,291 @@
+"""The results of many cases: arrays of what is most asked for, and the whole solution of any."""
+
+from __future__ import annotations
+
+import contextlib
+import copy
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.model.contact import Contact
+from nonhertz.result.brief import plain_text, shortened
+from nonhertz.result.data import dataframe, dataset
+from nonhertz.result.end_pressure import singular_places
+from nonhertz.result.maximum import largest_pressure
+from nonhertz.result.numerals import digits
+from nonhertz.result.outcome import outcome
+from nonhertz.result.quantities import QUANTITIES
+from nonhertz.result.solution import Solution, read_only
+from nonhertz.result.validity import singularities, suspected
+from nonhertz.strip.batch import States
+from nonhertz.strip.levels import Levels
+from nonhertz.strip.state import Problem
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+Array = NDArray[np.float64]
+Number = int | tuple[int, ...]
+
+_COLUMNS = (
+    "approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y", "max_half_width", "contact_length",
+)  # fmt: skip
+
+
+class Solutions:
+    """The results of many cases: arrays of what is most asked for, and the whole `Solution` of any.
+
+    Where a case failed, numbers are not a number, and ``solutions[number]`` raises what `failures` holds.
+
+    Parameters
+    ----------
+    shape : tuple of int
+        Shape of the result arrays, below "(...)".
+    blocks : tuple
+        What was solved together.
+
+    Attributes
+    ----------
+    approach, tilt, load, moment : ndarray, shape (...)
+        As in `Solution` [mm, rad, N, N mm].
+    max_pressure, max_pressure_y : ndarray, shape (...)
+        The largest pressure more than a half-width from ends where it has no limit [MPa], and where it is [mm].
+    max_half_width, contact_length : ndarray, shape (...)
+        As in `Solution` [mm].
+    singular : ndarray of bool, shape (...)
+        Which contacts have such ends.
+    stiffness : ndarray, shape (..., 2, 2)
+        As in `Solution`.
+    converged : ndarray of bool, shape (...)
+        Which cases have a solution.
+    """
+
+    def __init__(self, shape: tuple[int, ...], blocks: tuple[Block, ...]) -> None:
+        self.shape = shape
+        self._blocks = blocks
+        self._place: dict[int, tuple[Block, int]] = {
+            number: (block, row) for block in blocks for row, number in enumerate(block.numbers)
+        }
+        columns = {name: np.full(len(self._place), np.nan) for name in _COLUMNS}
+        stiffness = np.full((len(self._place), 2, 2), np.nan)
+        singular = np.zeros(len(self._place), dtype=bool)
+        for block in blocks:
+            if block.error is None:
+                for name, column in zip(_COLUMNS, block.columns(), strict=True):
+                    columns[name][block.numbers] = column
+                stiffness[block.numbers] = block.finest.stiffness / block.contact.compliance
+                singular[block.numbers] = block.has_singular_ends
+        for name, column in columns.items():
+            setattr(self, name, read_only(column).reshape(shape))
+        self.stiffness = read_only(stiffness).reshape(*shape, 2, 2)
+        self.singular = read_only(singular).reshape(shape)
+
+    approach: Array
+    tilt: Array
+    load: Array
+    moment: Array
+    max_pressure: Array
+    max_pressure_y: Array
+    max_half_width: Array
+    contact_length: Array
+
+    def __repr__(self) -> str:
+        solved = int(np.count_nonzero(self.converged))
+        said = [f"{solved} of {len(self)} cases converged, shape {' x '.join(map(str, self.shape))}"]
+        for name in _COLUMNS[:5] if solved else ():
+            quantity, values = QUANTITIES[name], getattr(self, name)[self.converged]
+            low, high = (digits(quantity.factor * float(end)) for end in (values.min(), values.max()))
+            said.append(f"{quantity.label} {low} to {high} {quantity.shown_unit}")
+        if self.failures:
+            number, error = next(iter(self.failures.items()))
+            said.append(f"failed: case {number}: {shortened(str(error))}")
+        return plain_text("Solutions", said)
+
+    @property
+    def converged(self) -> NDArray[np.bool_]:
+        """Which cases have a solution."""
+        return np.isfinite(self.approach)
+
+    def column(self, name: str) -> Array:
+        """Return any quantity of `nonhertz.result.quantities.QUANTITIES` of all cases, nan where one has no solution.
+
+        Parameters
+        ----------
+        name : str
+            Such as ``"approach"`` or ``"load_by_approach"``, in the units of Python.
+
+        Raises
+        ------
+        InputError
+            If there is no such quantity.
+        """
+        if not isinstance(name, str) or name not in QUANTITIES:
+            raise InputError("name", name, f"be one of {', '.join(QUANTITIES)}", "choose one of them")
+        get, at_once = QUANTITIES[name].get, None
+        with contextlib.suppress(AttributeError):  # which a quantity has that is made of whole solutions
+            at_once = np.asarray(get(self))
+        if at_once is not None and at_once.shape == self.shape:
+            return at_once
+        cases = zip(range(len(self)), self.converged.ravel().tolist(), strict=True)
+        found = [get(self._solution(number)) if converged else math.nan for number, converged in cases]
+        return np.array(found).reshape(self.shape)
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Return a pandas DataFrame: a row for each case, a column for each quantity, units in ``attrs["units"]``.
+
+        Beside the quantities there are ``singular`` and ``converged``. Of several axes the index has a level each.
+
+        Raises
+        ------
+        ImportError
+            If pandas is not installed.
+        """
+        return dataframe(self)
+
+    def to_xarray(self) -> xr.Dataset:
+        """Return an xarray Dataset: a variable for each quantity, with units, a dimension for each axis.
+
+        Raises
+        ------
+        ImportError
+            If xarray is not installed.
+        """
+        return dataset(self)
+
+    def __len__(self) -> int:
+        return len(self._place)
+
+    def __iter__(self) -> Iterator[Solution]:
+        return (self._solution(number) for number in range(len(self)))
+
+    def __getitem__(self, number: int | tuple[int, ...]) -> Solution:
+        try:
+            at = np.arange(len(self)).reshape(self.shape)[number]
+        except ValueError:
+            raise IndexError(f"{number!r} is no number of a case") from None
+        if at.shape != ():
+            raise IndexError(f"one number for each of the {len(self.shape)} axes is wanted")
+        return self._solution(int(at))
+
+    def _solution(self, number: int) -> Solution:
+        block, row = self._place[number]
+        return block.solution(row)
+
+    @cached_property
+    def failures(self) -> dict[Number, Exception]:
+        """Why cases have no solution, by their number, or numbers where there are several axes.
+
+        Each is the error that `nonhertz.solve` raises for the case alone: an InputError, a ConvergenceError, or what a
+        profile or diameter of your own raised.
+        """
+        found = {number: block.error for block in self._blocks if block.error is not None for number in block.numbers}
+        return {case_label(number, self.shape): error for number, error in sorted(found.items())}
+
+    @cached_property
+    def warnings(self) -> dict[Number, tuple[str, ...]]:
+        """The warnings of each case that has any: what strains the model, and ends without a limit of the pressure."""
+        found = sorted({*np.flatnonzero(self.singular).tolist(), *self._strained})
+        return {case_label(number, self.shape): self._solution(number).warnings for number in found}
+
+    @cached_property
+    def _strained(self) -> dict[int, str]:
+        """What strains the model first, of each case that something does."""
+        return dict(sorted(pair for block in self._blocks for pair in block.strained()))
+
+    def sentences(self) -> Iterator[str]:
+        """Yield a sentence on the cases that strain the model, and one on those with singular ends."""
+        for number, sentence in list(self._strained.items())[:1]:
+            cases = f"{len(self._strained)} of {len(self)} cases strain the model"
+            yield f"{cases}; number {case_label(number, self.shape)}, the first: {sentence}"
+        for number in np.flatnonzero(self.singular)[:1].tolist():
+            cases = f"{np.count_nonzero(self.singular)} of {len(self)} contacts end where the pressure has no limit"
+            sentence = singularities(self._solution(number))[0]
+            yield f"{cases}; number {case_label(number, self.shape)}, the first: {sentence}"
+
+
+def case_label(number: int, shape: tuple[int, ...]) -> Number:
+    """Return the number of a case on each axis, or the number alone where there is one."""
+    return number if len(shape) == 1 else tuple(int(index) for index in np.unravel_index(number, shape))
+
+
+@dataclass(frozen=True)
+class Block:
+    """Cases that were solved together, or one that has no solution."""
+
+    contact: Contact
+    problem: Problem
+    numbers: list[int]
+    targets: Array
+    states: tuple[States, ...]  # finest first
+    error: Exception | None = None
+
+    @property
+    def finest(self) -> States:
+        """The states on the finest grid."""
+        return self.states[0]
+
+    def columns(self) -> tuple[Array, ...]:
+        """Return the results named in `_COLUMNS`, by the formulas of `Solution`."""
+        states, compliance = self.finest, self.contact.compliance
+        y, width = 0.5 * (states.edges[1:] + states.edges[:-1]), np.diff(states.edges)
+        line_load = states.r * states.m / compliance
+        return (
+            states.rigid[:, 0], states.rigid[:, 1], line_load @ width, line_load @ (width * y),
+            *self.largest, self.problem.element.hertz_ratio * np.sqrt(states.m.max(axis=1)), self._contact_lengths(),
+        )  # fmt: skip
+
+    def _contact_lengths(self) -> Array:
+        intervals = (self.finest.one(row).contact for row in range(len(self.numbers)))
+        return np.array([math.fsum(high - low for low, high in each) for each in intervals])
+
+    @cached_property
+    def largest(self) -> tuple[Array, Array]:
+        """Largest pressures [MPa] and where they are [mm], shape (cases,)."""
+        states = self.finest
+        y = 0.5 * (states.edges[1:] + states.edges[:-1])
+        half_width = self.problem.element.hertz_ratio * np.sqrt(states.m)
+        line_load, pressure = states.r * states.m / self.contact.compliance, np.zeros_like(states.m)
+        touching = half_width > 0.0
+        pressure[touching] = 2.0 * line_load[touching] / (np.pi * half_width[touching])
+        return largest_pressure(y, pressure, half_width, self.singular)
+
+    @cached_property
+    def singular(self) -> Array:
+        """Where contacts end without a limit of the pressure [mm], shape (cases, k), nan for no such end."""
+        return singular_places(self.contact, self.problem, self.finest)
+
+    @property
+    def has_singular_ends(self) -> NDArray[np.bool_]:
+        """Which contacts end so."""
+        ends: NDArray[np.bool_] = np.any(np.isfinite(self.singular), axis=1)
+        return ends
+
+    def solution(self, row: int) -> Solution:
+        """Return the solution of one case."""
+        if self.error is not None:
+            # A copy, since every raise adds to an error's traceback.
+            raise copy.copy(self.error)
+        problem = replace(self.problem, target=self.targets[row])
+        states = [states.one(row) for states in self.states]
+        levels = Levels((states[0], *(state for state in states[1:] if state.converged)))
+        return outcome(self.contact, problem, levels)
+
+    def strained(self) -> Iterator[tuple[int, str]]:
+        """Yield numbers of cases that strain the model, and the first sentence on each."""
+        if self.error is not None:
+            return
+        asked = self.contact, self.problem, self.states, self.singular, self.largest[1]
+        for row in np.flatnonzero(suspected(*asked)):
+            solution = self.solution(int(row))
+            of_ends = singularities(solution)
+            sentences = [each for each in solution.warnings if each not in of_ends]
+            if sentences:
+                yield self.numbers[row], sentences[0]
