@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import nonhertz as nh
-import nonhertz.cli.reporting
+import nonhertz.cli.report
 import nonhertz.report.figures
 import nonhertz.show.analysis
 import nonhertz.solver.one
@@ -114,7 +114,7 @@ def test_nothing_is_left_behind_when_drawing_fails(
     def fail(*_: object) -> None:
         raise RuntimeError("the pen broke")
 
-    monkeypatch.setattr(nonhertz.cli.reporting, "rendered", fail)
+    monkeypatch.setattr(nonhertz.cli.report, "rendered", fail)
     assert main(["report", case, *QUICK, "--out", "new/report.html"]) == 3
     assert capsys.readouterr().out == ""
     assert not Path("new").exists()

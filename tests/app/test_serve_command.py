@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from nonhertz.cli import main
-from nonhertz.cli.serving import starting_document
+from nonhertz.cli.serve import starting_document
 from nonhertz.io.casefile import read_case, starting_case
 from nonhertz.show.analysis import solved
 from nonhertz.web import limits

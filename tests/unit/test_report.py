@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 import nonhertz as nh
 from nonhertz.errors import CaseError
 from nonhertz.io.casefile import Case, case_in, parsed, read_case
-from nonhertz.report import Finding, compose, examined, rendered, settled, steps
+from nonhertz.report import CaseResults, compose, examined, rendered, settled, steps
 from nonhertz.report.assumptions import Verdict, assumptions
 from nonhertz.report.differences import differing_inputs, lives, results
 from nonhertz.report.downloads import downloads
@@ -24,8 +24,8 @@ from nonhertz.report.drawing import inline_svg
 from nonhertz.report.inputs import inputs
 from nonhertz.report.measurements import measurements
 from nonhertz.report.method import formula, references, source
+from nonhertz.report.overview import ends_in_words, keys, opening
 from nonhertz.report.page import _linked
-from nonhertz.report.telling import ends_in_words, keys, opening
 from nonhertz.result.solution import Status
 from nonhertz.show.analysis import solved
 
@@ -98,13 +98,13 @@ def case_of(text: str, name: str = "case.toml") -> Case:
     return case_in(parsed(text, name), Path(name), text, files=False)
 
 
-def found_in(text: str, name: str = "case.toml") -> Finding:
+def found_in(text: str, name: str = "case.toml") -> CaseResults:
     (found,) = settled([case_of(text, name)])
     return found
 
 
 @pytest.fixture(scope="module")
-def finding(tmp_path_factory: pytest.TempPathFactory) -> Finding:
+def results_of_case(tmp_path_factory: pytest.TempPathFactory) -> CaseResults:
     folder = tmp_path_factory.mktemp("report")
     (folder / "points").mkdir()
     (folder / "points/a.csv").write_text(POINTS, encoding="utf-8")
@@ -114,8 +114,8 @@ def finding(tmp_path_factory: pytest.TempPathFactory) -> Finding:
 
 
 @pytest.fixture(scope="module")
-def text(finding: Finding) -> str:
-    return rendered([finding])
+def text(results_of_case: CaseResults) -> str:
+    return rendered([results_of_case])
 
 
 @pytest.fixture(scope="module")
@@ -164,7 +164,7 @@ def test_each_figure_tells_a_screen_reader_what_it_is(page: Page) -> None:
     assert sum(tag == "desc" for tag, _ in page.elements) == 5
 
 
-def test_the_files_inside_solve_to_the_same_numbers(page: Page, finding: Finding, tmp_path: Path) -> None:
+def test_the_files_inside_solve_to_the_same_numbers(page: Page, results_of_case: CaseResults, tmp_path: Path) -> None:
     files = page.files()
     assert set(files) == {"roller.toml", "a.csv", "roller-table.csv", "roller-result.json", "roller-stress.json"}
     assert files["roller.toml"].decode() == CASE
@@ -177,19 +177,19 @@ def test_the_files_inside_solve_to_the_same_numbers(page: Page, finding: Finding
     assert files["roller-table.csv"].count(b"\n") == 16
 
 
-def test_it_is_the_same_file_every_time(text: str, finding: Finding) -> None:
-    assert rendered([finding]) == text
+def test_it_is_the_same_file_every_time(text: str, results_of_case: CaseResults) -> None:
+    assert rendered([results_of_case]) == text
 
 
-def test_key_numbers_stand_first(finding: Finding) -> None:
-    shown = {key.name: key.value for key in keys(finding)}
-    assert float(shown["maximum pressure"]) == pytest.approx(finding.solution.max_pressure, rel=1e-4)
-    assert float(shown["approach"]) == pytest.approx(1e3 * finding.solution.approach, rel=1e-4)
-    assert finding.stress is not None
+def test_key_numbers_stand_first(results_of_case: CaseResults) -> None:
+    shown = {key.name: key.value for key in keys(results_of_case)}
+    assert float(shown["maximum pressure"]) == pytest.approx(results_of_case.solution.max_pressure, rel=1e-4)
+    assert float(shown["approach"]) == pytest.approx(1e3 * results_of_case.solution.approach, rel=1e-4)
+    assert results_of_case.stress is not None
     assert float(shown["largest von Mises stress in body a"]) == pytest.approx(
-        finding.stress[0].von_mises.max, rel=1e-4
+        results_of_case.stress[0].von_mises.max, rel=1e-4
     )
-    assert opening(finding) == (
+    assert opening(results_of_case) == (
         "A roller (diameter 15 mm, length 15 mm, steel) and a ring (diameter 60 mm, steel) are pressed together with "
         "4000 N."
     )
@@ -302,8 +302,8 @@ def test_a_strained_assumption_is_one_that_the_solver_warns_of(name: str) -> Non
     assert {each.verdict for each in assumptions(fine)} == {Verdict.HOLDS, Verdict.OPEN}
 
 
-def test_only_publications_that_apply_are_named(finding: Finding) -> None:
-    told = " ".join(references(finding))
+def test_only_publications_that_apply_are_named(results_of_case: CaseResults) -> None:
+    told = " ".join(references(results_of_case))
     assert "de Mul" in told
     assert "Love" in told
     assert "Fritsch" in told  # of the points
@@ -407,11 +407,11 @@ def test_lives_are_told_where_the_case_asks_and_compared() -> None:
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_a_case_that_has_not_converged_is_told_as_such(finding: Finding) -> None:
+def test_a_case_that_has_not_converged_is_told_as_such(results_of_case: CaseResults) -> None:
     stopped = replace(
-        finding,
-        case=replace(finding.case, origin=replace(finding.case.origin, folder=None)),
-        solution=replace(finding.solution, status=Status.STAGNATED),
+        results_of_case,
+        case=replace(results_of_case.case, origin=replace(results_of_case.case.origin, folder=None)),
+        solution=replace(results_of_case.solution, status=Status.STAGNATED),
         complaint="It stopped.",
         stress=None,
     )

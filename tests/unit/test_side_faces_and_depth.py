@@ -132,7 +132,7 @@ def test_a_single_heavy_face_keeps_its_weight_up_to_kappa_one():
 )
 def test_weights_are_lowered_in_proportion_to_kappa_one(of_a, of_b, wanted, used):
     for end in ends(nh.Contact(roller(side_faces=of_a), plate(length=16.0, side_faces=of_b))):
-        assert end.wanted == pytest.approx(wanted, rel=1e-12)
+        assert end.requested == pytest.approx(wanted, rel=1e-12)
         assert end.weights == pytest.approx(used, rel=1e-12)
         assert end.image_weight == pytest.approx(min(wanted, 1.0), rel=1e-12)
 

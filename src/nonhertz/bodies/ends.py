@@ -33,7 +33,7 @@ class End:
         -1 at the low, 1 at the high end of the bodies.
     weights : tuple of float
         Weights of the images of body a and b about this face, at most such that ``image_weight`` is 1.
-    wanted : float
+    requested : float
         kappa of the weights that were asked for on this side, near faces of the other body counted in.
     image_weight : float
         kappa of this face alone with the weights used.
@@ -42,7 +42,7 @@ class End:
     y: float
     side: int
     weights: tuple[float, float]
-    wanted: float
+    requested: float
     image_weight: float
 
 
@@ -71,14 +71,14 @@ def ends(contact: Pair) -> tuple[End, ...]:
         asked = contact.a.face_weights[index], contact.b.face_weights[index]
         kappa = asked[0] * share[0], asked[1] * share[1]
         together = _nearness(contact, faces)
-        wanted = kappa[0] + together * kappa[1], kappa[1] + together * kappa[0]
-        by = 1.0 / max(wanted[0], 1.0), 1.0 / max(wanted[1], 1.0)
+        requested = kappa[0] + together * kappa[1], kappa[1] + together * kappa[0]
+        by = 1.0 / max(requested[0], 1.0), 1.0 / max(requested[1], 1.0)
         if together == 1.0:
             weights = by[0] * asked[0], by[0] * asked[1]
-            found.append(End(0.5 * (faces[0] + faces[1]), side, weights, wanted[0], by[0] * wanted[0]))
+            found.append(End(0.5 * (faces[0] + faces[1]), side, weights, requested[0], by[0] * requested[0]))
         else:
-            found.append(End(faces[0], side, (by[0] * asked[0], 0.0), wanted[0], by[0] * kappa[0]))
-            found.append(End(faces[1], side, (0.0, by[1] * asked[1]), wanted[1], by[1] * kappa[1]))
+            found.append(End(faces[0], side, (by[0] * asked[0], 0.0), requested[0], by[0] * kappa[0]))
+            found.append(End(faces[1], side, (0.0, by[1] * asked[1]), requested[1], by[1] * kappa[1]))
     return tuple(end for end in found if end.image_weight > 0.0)
 
 

@@ -68,7 +68,7 @@ def solve(
     as_json : bool
         Print one JSON object with all numbers in place of the summary.
     """
-    from nonhertz.cli.solving import results_written, solved_or_not
+    from nonhertz.cli.solve import results_written, solved_or_not
     from nonhertz.io.casefile import read_case
     from nonhertz.io.results import as_json as json_text
 
@@ -114,7 +114,7 @@ def compare(
     as_json : bool
         Print one JSON object with all numbers in place of the table.
     """
-    from nonhertz.cli.comparing import compared, comparison_written, print_comparison
+    from nonhertz.cli.compare import compared, comparison_written, print_comparison
     from nonhertz.io.casefile import read_case
     from nonhertz.io.comparisons import as_json as json_text
     from nonhertz.io.folder import refuse_unwritable
@@ -165,8 +165,8 @@ def stress(
     as_json : bool
         Print one JSON object in place of the table.
     """
-    from nonhertz.cli.solving import solved_or_not
-    from nonhertz.cli.stressing import checked_body, tell_stresses
+    from nonhertz.cli.solve import solved_or_not
+    from nonhertz.cli.stress import checked_body, tell_stresses
     from nonhertz.io.casefile import read_case
     from nonhertz.io.folder import refuse_unwritable
 
@@ -211,7 +211,7 @@ def life(
     as_json : bool
         Print one JSON object in place of the table.
     """
-    from nonhertz.cli.living import check_models, tell_lives
+    from nonhertz.cli.life import check_models, tell_lives
     from nonhertz.io.casefile import named, read_case
     from nonhertz.io.folder import refuse_unwritable
 
@@ -249,7 +249,7 @@ def report(
     stress : bool
         Look below the surface.
     """
-    from nonhertz.cli.reporting import made, read_cases, target, write
+    from nonhertz.cli.report import made, read_cases, target, write
     from nonhertz.io.folder import refuse_unwritable
 
     if not cases:
@@ -328,24 +328,24 @@ def profile(
     as_json : bool
         Print one JSON object in place of the tables.
     """
-    from nonhertz.cli import profiling
+    from nonhertz.cli import profile as of_profile
     from nonhertz.io.folder import refuse_unwritable
     from nonhertz.io.prepared import as_json as json_text
 
     if out is not None:
         refuse_unwritable(out)
-    values = profiling.options(
+    values = of_profile.options(
         position_unit=position_unit, height_unit=height_unit, position_column=position_column,
         height_column=height_column, sense=sense, level=level, align=align, trim=trim, outliers=outliers,
         smooth=smooth, cutoff=cutoff, slope=slope, points=points,
     )  # fmt: skip
-    measured = profiling.prepared(file, values)
-    fits = profiling.fitted(measured, fit)
-    written = profiling.written(out, file, values, measured, fits) if out is not None else ()
+    measured = of_profile.prepared(file, values)
+    fits = of_profile.fitted(measured, fit)
+    written = of_profile.written(out, file, values, measured, fits) if out is not None else ()
     if as_json:
         print(json_text(measured, fits))
         return FINE
-    profiling.print_profile(measured, fits)
+    of_profile.print_profile(measured, fits)
     for path in written:
         print(f"wrote {path}")
     return FINE
@@ -360,7 +360,7 @@ def check(case: Path, /) -> int:
     case : Path
         The case file.
     """
-    from nonhertz.cli.solving import solved_or_not
+    from nonhertz.cli.solve import solved_or_not
     from nonhertz.io.casefile import read_case
 
     try:
@@ -418,7 +418,7 @@ def serve(
     browser : bool
         Whether to open the page in a browser.
     """
-    from nonhertz.cli.serving import starting_document
+    from nonhertz.cli.serve import starting_document
     from nonhertz.web.server.serving import serve as serve_page
 
     document, notes = starting_document(case)
@@ -452,7 +452,7 @@ def verify(
     as_json : bool
         Print a JSON list of all checks in place of the tables.
     """
-    from nonhertz.cli.verification import Progress, print_section
+    from nonhertz.cli.verify import Progress, print_section
     from nonhertz.io.folder import refuse_unwritable
     from nonhertz.verify import chosen, sections
     from nonhertz.verify.page import as_json as json_text

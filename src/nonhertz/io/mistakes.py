@@ -76,8 +76,8 @@ class TableError(ValueError):
 def case_error(mistakes: Iterable[Mistake]) -> CaseError:
     """Return one error of several mistakes, each with the key that it is about; of too many the rest are counted."""
     found = tuple(mistakes)
-    told, rest = found[:MISTAKES], len(found) - MISTAKES
-    sentences, places = [mistake.sentence for mistake in told], [path_of(mistake.place) for mistake in told]
+    listed, rest = found[:MISTAKES], len(found) - MISTAKES
+    sentences, places = [mistake.sentence for mistake in listed], [path_of(mistake.place) for mistake in listed]
     if rest > 0:
         sentences.append(f"There are {rest} more mistakes." if rest > 1 else "There is one more mistake.")
         places.append("")

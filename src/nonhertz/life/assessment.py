@@ -168,18 +168,18 @@ def assess(
     """
     refuse_options("assess", options, Running)
     checked_body(body)
-    wanted = _wanted(models)
+    chosen = _chosen(models)
     spectrum = _spectrum(solution)
     rollers = _checked_rollers(rollers, spectrum[0][0].contact)
     seen: list[Exposure] = []
-    if any(isinstance(each, VolumeModel) for each in wanted):
+    if any(isinstance(each, VolumeModel) for each in chosen):
         seen = [exposure(each, body, **options) for each, _ in spectrum]
     shares = np.array([share for _, share in spectrum])
     return tuple(
         _by_volume(each, spectrum, seen, shares, body, rollers)
         if isinstance(each, VolumeModel)
         else _by_laminae(each, spectrum, shares, body, rollers)
-        for each in wanted
+        for each in chosen
     )
 
 
@@ -194,15 +194,15 @@ def _checked_rollers(rollers: int | None, contact: Contact) -> int | None:
     return rollers
 
 
-def _wanted(models: Model | str | Iterable[Model | str]) -> list[Model]:
+def _chosen(models: Model | str | Iterable[Model | str]) -> list[Model]:
     several = [models] if isinstance(models, str | VolumeModel | LaminaModel) else models
     remedy = f"give models or their names: {', '.join(MODELS)}"
     members = listed("models", several, "be a fatigue model or several", remedy)
-    wanted = [model(each) if isinstance(each, str) else each for each in members or MODELS]
-    for each in wanted:
+    chosen = [model(each) if isinstance(each, str) else each for each in members or MODELS]
+    for each in chosen:
         if not isinstance(each, VolumeModel | LaminaModel):
             raise InputError("models", each, "be a fatigue model or several", remedy)
-    return wanted
+    return chosen
 
 
 def _spectrum(solution: Solved | Spectrum) -> Spectrum:
@@ -224,29 +224,29 @@ def _spectrum(solution: Solved | Spectrum) -> Spectrum:
 
 
 def _by_volume(
-    wanted: VolumeModel, spectrum: Spectrum, seen: list[Exposure], shares: Array, body: BodyName, rollers: int | None
+    chosen: VolumeModel, spectrum: Spectrum, seen: list[Exposure], shares: Array, body: BodyName, rollers: int | None
 ) -> Life:
-    damages = np.array([each.damage(wanted) for each in seen])
+    damages = np.array([each.damage(chosen) for each in seen])
     ideal = [each.reference for each in seen]
-    references = np.array([math.nan if each is None else each.damage(wanted) for each in ideal])
-    damage, reference = (_together(each, shares, wanted.slope) for each in (damages, references))
-    y, density = _density([each.y for each in seen], [each.density(wanted) for each in seen], damages, shares, wanted)
+    references = np.array([math.nan if each is None else each.damage(chosen) for each in ideal])
+    damage, reference = (_together(each, shares, chosen.slope) for each in (damages, references))
+    y, density = _density([each.y for each in seen], [each.density(chosen) for each in seen], damages, shares, chosen)
     length = float(np.ptp(spectrum[0][0].contact.interval))
     ring, why = raceway(spectrum[0][0].contact)
-    absolute, why = None, why or _why_unrated(wanted, ring, body, rollers)
+    absolute, why = None, why or _why_unrated(chosen, ring, body, rollers)
     if not why and ring is not None and rollers is not None:
         # Of every load by itself: (Q_c / Q)^4 for the ideal pressure, and what this one makes of it.
         of_loads = [
-            (ring.capacity(rollers) / each.load) ** 4 * ratio(*pair, wanted.slope)
+            (ring.capacity(rollers) / each.load) ** 4 * ratio(*pair, chosen.slope)
             for (each, _), pair in zip(spectrum, zip(references, damages, strict=True), strict=True)
         ]
         absolute = float(1.0 / sum(share / life for share, life in zip(shares, of_loads, strict=True)))
     warnings = _warnings(spectrum, {end for each in seen for end in each.sharp})
-    return Life(wanted, body, damage, reference, absolute, why, ring, y, _over(density, reference / length), warnings)
+    return Life(chosen, body, damage, reference, absolute, why, ring, y, _over(density, reference / length), warnings)
 
 
-def _by_laminae(wanted: LaminaModel, spectrum: Spectrum, shares: Array, body: BodyName, rollers: int | None) -> Life:
-    cut = [laminae_of(each, wanted) for each, _ in spectrum]
+def _by_laminae(chosen: LaminaModel, spectrum: Spectrum, shares: Array, body: BodyName, rollers: int | None) -> Life:
+    cut = [laminae_of(each, chosen) for each, _ in spectrum]
     edges = cut[0].edges
     ring, why = raceway(spectrum[0][0].contact)
     # Without a ring the capacity goes with the length alone.
@@ -254,16 +254,16 @@ def _by_laminae(wanted: LaminaModel, spectrum: Spectrum, shares: Array, body: Bo
     of_laminae = [each.damage(capacity) for each in cut]
     damages = np.array([each.sum() for each in of_laminae])
     references = np.array([(each.load / capacity) ** EXPONENT for each, _ in spectrum])
-    damage, reference = (_together(each, shares, wanted.slope) for each in (damages, references))
+    damage, reference = (_together(each, shares, chosen.slope) for each in (damages, references))
     y = 0.5 * (edges[1:] + edges[:-1])
-    _, density = _density([y] * len(cut), of_laminae, damages, shares, wanted)
-    absolute, why = None, why or _why_unrated(wanted, ring, body, rollers)
+    _, density = _density([y] * len(cut), of_laminae, damages, shares, chosen)
+    absolute, why = None, why or _why_unrated(chosen, ring, body, rollers)
     if not why and rollers is not None:
         # Every roller is a pass: a quarter power of Z in the capacity.
-        absolute = damage ** (-1.0 / wanted.slope) / rollers
+        absolute = damage ** (-1.0 / chosen.slope) / rollers
     warnings = _warnings(spectrum, {end for each in cut for end in each.sharp})
     return Life(
-        wanted, body, damage, reference, absolute, why, ring, y, _over(density, reference / wanted.laminae), warnings
+        chosen, body, damage, reference, absolute, why, ring, y, _over(density, reference / chosen.laminae), warnings
     )
 
 
@@ -300,11 +300,11 @@ def _over(density: Array, mean: float) -> Array:
         return density / mean
 
 
-def _why_unrated(wanted: Model, ring: Raceway | None, body: BodyName, rollers: int | None) -> str:
+def _why_unrated(chosen: Model, ring: Raceway | None, body: BodyName, rollers: int | None) -> str:
     """Return why a model has no life in revolutions for a body, nothing if it has."""
-    if wanted.name not in RATED:
-        return f"{wanted.name} has no capacity of its own"
-    if isinstance(wanted, VolumeModel) and wanted != lundberg_palmgren():
+    if chosen.name not in RATED:
+        return f"{chosen.name} has no capacity of its own"
+    if isinstance(chosen, VolumeModel) and chosen != lundberg_palmgren():
         return "the capacity of ISO 281 belongs to the slope 9/8 and the usual exponents"
     if ring is not None and ring.body != body:
         return f"the capacity is that of the ring, body {ring.body}"

@@ -173,14 +173,14 @@ def fit_best(
         As `fit`.
     """
     remedy = "give names of kinds, or leave them out"
-    wanted = (
+    kinds = (
         tuple(listed("kinds", kinds, "be a list of kinds", remedy))
         if kinds is not None
         else tuple(k for k in KINDS if not (tilt and k in _TURNED))
     )
-    if not wanted:
+    if not kinds:
         raise InputError("kinds", kinds, "hold one kind at least", remedy)
-    fits = [fit(points, kind, shift=shift, tilt=tilt, highest=highest) for kind in wanted]
+    fits = [fit(points, kind, shift=shift, tilt=tilt, highest=highest) for kind in kinds]
     nearest = min(fits, key=lambda each: each.rms)
     judged = [_penalised(each, nearest.points) for each in fits]
     return tuple(sorted(judged, key=lambda each: each.penalised))
@@ -308,14 +308,14 @@ def _sensitivity(jacobian: Array) -> Array:
     that beside an offset its column would pass for zero.
     """
     lengths = np.linalg.norm(jacobian, axis=0)
-    told = lengths > 0.0
+    resolved = lengths > 0.0
     sensitivity = np.full(len(lengths), np.inf)
-    _, singular, turned = np.linalg.svd(jacobian[:, told] / lengths[told], full_matrices=False)
+    _, singular, turned = np.linalg.svd(jacobian[:, resolved] / lengths[resolved], full_matrices=False)
     # The derivatives are differences over 1e-8 of a parameter and good to about as much.
     known = singular > _DERIVATIVES * singular[0]
     unknown = np.any(np.abs(turned[~known]) > np.sqrt(_DERIVATIVES), axis=0)
-    found = np.sqrt(np.sum((turned[known] / singular[known, None]) ** 2, axis=0)) / lengths[told]
-    sensitivity[told] = np.where(unknown, np.inf, found)
+    found = np.sqrt(np.sum((turned[known] / singular[known, None]) ** 2, axis=0)) / lengths[resolved]
+    sensitivity[resolved] = np.where(unknown, np.inf, found)
     return sensitivity
 
 

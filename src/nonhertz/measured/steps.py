@@ -339,8 +339,8 @@ class Thin:
 
 def enough_points(length: float, cutoff: float) -> int:
     """Return how many points a line smoothed at a cutoff [mm] needs: eight for each wave that is left."""
-    wanted = math.ceil(_POINTS_PER_CUTOFF * length / cutoff) + 1
-    return min(max(wanted, _FEWEST_THINNED), _MOST_THINNED)
+    enough = math.ceil(_POINTS_PER_CUTOFF * length / cutoff) + 1
+    return min(max(enough, _FEWEST_THINNED), _MOST_THINNED)
 
 
 def _from_chords(points: Points) -> Array:

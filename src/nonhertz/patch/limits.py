@@ -250,10 +250,10 @@ def _cut_off(solution: PatchSolution, grid: Grid) -> list[str]:
 def _heavy_images(influence: Influence) -> list[str]:
     """Return a sentence for each place at which images had to weigh less than asked."""
     return [
-        f"The images about the side face at y = {end.y:.6g} mm would weigh {end.wanted:.3g} of the surface, and above "
-        "1 refinement leads nowhere: their weights were lowered until it is 1."
+        f"The images about the side face at y = {end.y:.6g} mm would weigh {end.requested:.3g} of the surface, and "
+        "above 1 refinement leads nowhere: their weights were lowered until it is 1."
         for end in influence.ends
-        if end.wanted > HEAVIEST
+        if end.requested > HEAVIEST
     ]
 
 

@@ -86,9 +86,9 @@ def _unbalanced(solution: PatchSolution, given: Prescription, tolerance: float) 
         ("load", "N", solution.load, load, BALANCED * load),
         ("moment", "N mm", solution.moment, moment, BALANCED * levers),
     ]
-    for name, unit, found, wanted, room in pairs:
-        if not abs(found - wanted) <= room:
-            return f"The {name} came to {found:.10g} {unit} instead of {wanted:.10g} {unit}."
+    for name, unit, found, required, room in pairs:
+        if not abs(found - required) <= room:
+            return f"The {name} came to {found:.10g} {unit} instead of {required:.10g} {unit}."
     return ""
 
 

@@ -160,8 +160,8 @@ def _draw_relief(figure: Figure, top: float, measured: Measured, fit: Fit | None
 def _draw_fit(axes: Axes, y: Array, fit: Fit, ruler: _Ruler) -> str:
     axes.plot(y, ruler.factor * fit.relief(y), color=FIRST, linewidth=LINE, linestyle=(0, (4, 2)), zorder=1.5)
     named = ", ".join(f"{name} {value:.5g}" for name, value in fit.parameters.items())
-    told = f"{fit.kind}, {named}" if named else fit.kind
-    return f"Dashed: {told}. Left between it and the rough points: {1e3 * fit.rms:.2g} µm root mean square."
+    name = f"{fit.kind}, {named}" if named else fit.kind
+    return f"Dashed: {name}. Left between it and the rough points: {1e3 * fit.rms:.2g} µm root mean square."
 
 
 def _head(axes: Axes, words: str) -> None:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from nonhertz.bodies.ends import ends
 from nonhertz.comparison.reasons import TOLD
-from nonhertz.report.finding import Finding
+from nonhertz.report.results import CaseResults
 from nonhertz.result.checks import LEAST_DEPTH, checks
 from nonhertz.result.numerals import digits, given
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
@@ -63,17 +63,17 @@ class Assumption:
     remark: str = ""
 
 
-def assumptions(found: Finding) -> list[Assumption]:
+def assumptions(found: CaseResults) -> list[Assumption]:
     """Return the assumptions behind a result and whether they hold."""
     solution = found.solution
-    told = [_converged(solution)]
+    rows = [_converged(solution)]
     if solution.contact_y and solution.status is Status.CONVERGED:
-        told += [*_valid(solution), *_ends(solution)]
-        told += [_smooth(solution), *_fine(solution), _shape(solution), *_elastic(found)]
-    told.append(
+        rows += [*_valid(solution), *_ends(solution)]
+        rows += [_smooth(solution), *_fine(solution), _shape(solution), *_elastic(found)]
+    rows.append(
         Assumption("Surfaces", "dry, smooth, without friction", "no such input", Verdict.OPEN, "Roughness is left out.")
     )
-    return told
+    return rows
 
 
 def _converged(solution: Solution) -> Assumption:
@@ -156,7 +156,7 @@ def _shape(solution: Solution) -> Assumption:
     )
 
 
-def _elastic(found: Finding) -> Iterator[Assumption]:
+def _elastic(found: CaseResults) -> Iterator[Assumption]:
     solution = found.solution
     pressure = solution.max_pressure
     where = " away from singular ends" if solution.singular_ends else ""

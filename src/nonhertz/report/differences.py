@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from nonhertz.io.casefile import Case
 from nonhertz.model.body import BODIES
-from nonhertz.report.finding import Finding
 from nonhertz.report.inputs import Entry, inputs
+from nonhertz.report.results import CaseResults
 from nonhertz.result.numerals import digits
 from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
@@ -49,7 +49,7 @@ def differing_inputs(cases: Sequence[Case]) -> list[Row]:
     return rows
 
 
-def results(found: Sequence[Finding]) -> list[Row]:
+def results(found: Sequence[CaseResults]) -> list[Row]:
     """Return the results of all cases, with differences to the first."""
     solutions = [each.solution for each in found]
     rows = [_compared(QUANTITIES[name], solutions) for name in _COMPARED]
@@ -61,7 +61,7 @@ def results(found: Sequence[Finding]) -> list[Row]:
     return rows
 
 
-def lives(found: Sequence[Finding]) -> list[Row]:
+def lives(found: Sequence[CaseResults]) -> list[Row]:
     """Return the lives of all cases that have any, over that of the first; none if the first has none."""
     first = found[0].lives
     if first is None or sum(each.lives is not None for each in found) < 2:
@@ -79,11 +79,11 @@ def lives(found: Sequence[Finding]) -> list[Row]:
     return rows
 
 
-def remarks_on_lives(found: Sequence[Finding]) -> list[str]:
+def remarks_on_lives(found: Sequence[CaseResults]) -> list[str]:
     """Return why some lives are not compared."""
     first = found[0].lives
-    told = [without_ratio(each.lives, first) for each in found[1:] if each.lives and first]
-    return list(dict.fromkeys(words for each in told for words in each))
+    remarks = [without_ratio(each.lives, first) for each in found[1:] if each.lives and first]
+    return list(dict.fromkeys(words for each in remarks for words in each))
 
 
 def _by_place(case: Case) -> dict[str, str]:

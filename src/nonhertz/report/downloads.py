@@ -9,7 +9,7 @@ from pathlib import PurePosixPath
 from nonhertz.io.lives import as_json as lives_as_json
 from nonhertz.io.results import as_json, as_table
 from nonhertz.io.stresses import as_json as stresses_as_json
-from nonhertz.report.finding import Finding
+from nonhertz.report.results import CaseResults
 
 _KINDS = {".toml": "application/toml", ".json": "application/json", ".csv": "text/csv"}
 
@@ -36,7 +36,7 @@ class Download:
     address: str
 
 
-def downloads(found: Finding) -> list[Download]:
+def downloads(found: CaseResults) -> list[Download]:
     """Return the case file, the files that it names, and everything that was found."""
     case, title = found.case, found.case.title
     files = [_download(case.file_name, "the case file, as it was solved", case.text.encode())]

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 from nonhertz.plot import figures, life_figure, measured_figure, stress_figures
 from nonhertz.report.drawing import inline_svg
-from nonhertz.report.finding import Finding
 from nonhertz.report.measurements import Measurement
 from nonhertz.report.overlay import pressures, reliefs
-from nonhertz.report.telling import keys
+from nonhertz.report.overview import keys
+from nonhertz.report.results import CaseResults
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ class Gallery:
     def __init__(self) -> None:
         self._numbers = count(1)
 
-    def of_solution(self, found: Finding) -> dict[str, Picture]:
+    def of_solution(self, found: CaseResults) -> dict[str, Picture]:
         """Return pressure, footprint and profile, by these names."""
         solution = found.solution
         captions = {
@@ -55,13 +55,13 @@ class Gallery:
             "footprint": "Contact area, coloured by its pressure" + _proportions(solution),
             "profile": "Distance of both surfaces on the centre line before and after loading.",
         }
-        told = "; ".join(f"{key.name} {key.value} {key.unit} {key.remark}".strip() for key in keys(found))
+        summary = "; ".join(f"{key.name} {key.value} {key.unit} {key.remark}".strip() for key in keys(found))
         return {
-            name: self._picture(drawn, captions[name], f"{found.case.title}: {told}")
+            name: self._picture(drawn, captions[name], f"{found.case.title}: {summary}")
             for name, drawn in figures(solution).items()
         }
 
-    def of_stress(self, found: Finding) -> dict[str, Picture]:
+    def of_stress(self, found: CaseResults) -> dict[str, Picture]:
         """Return both planes below the surface, none where stress was not asked for."""
         if found.stress is None:
             return {}
@@ -72,15 +72,15 @@ class Gallery:
             "proportions.",
         }
         largest = overall.von_mises
-        told = (
+        summary = (
             f"The largest is {largest.max:.5g} MPa at x = {largest.x:.3g}, y = {largest.y:.3g}, z = {largest.z:.3g} mm."
         )
         return {
-            name: self._picture(drawn, captions[name], told)
+            name: self._picture(drawn, captions[name], summary)
             for name, drawn in stress_figures(found.solution, overall, section).items()
         }
 
-    def of_lives(self, found: Finding) -> Picture | None:
+    def of_lives(self, found: CaseResults) -> Picture | None:
         """Return where the bodies fatigue, if lives were asked for."""
         if found.lives is None:
             return None
@@ -89,15 +89,15 @@ class Gallery:
             "Where along the contact the bodies fatigue: damage per length over its mean under the ideal pressure."
         )
         lives = [life for body in found.lives.lives.values() for life in body]
-        told = "; ".join(f"{life.model.name} in body {life.body}: life {life.relative:.3g}" for life in lives)
-        return self._picture(drawn, caption, told)
+        summary = "; ".join(f"{life.model.name} in body {life.body}: life {life.relative:.3g}" for life in lives)
+        return self._picture(drawn, caption, summary)
 
     def of_measurement(self, measurement: Measurement) -> Picture:
         """Return the steps from measured points to a profile."""
         caption = f"From the measured points of {measurement.file} to the profile, step by step."
         return self._picture(measured_figure(measurement.measured), caption, " ".join(dict(measurement.rows).values()))
 
-    def of_all(self, found: Sequence[Finding]) -> Iterator[Picture]:
+    def of_all(self, found: Sequence[CaseResults]) -> Iterator[Picture]:
         """Yield pressures with half-widths, and separations, of all cases."""
         names = ", ".join(each.label for each in found)
         yield self._picture(pressures(found), "Pressure on the centre line and half-width of all cases.", names)

@@ -136,8 +136,8 @@ def _life_entries(table: Mapping[str, Any]) -> Iterator[Entry]:
     for name, property_ in _properties("LifeTable").items():
         if name == "spectrum" and table.get(name):
             for number, case in enumerate(table[name], start=1):
-                told = ", ".join(f"{key} {_shown(value)}" for key, value in case.items())
-                yield Entry(f"life.spectrum[{number}]", told, "", property_["description"], False)
+                text = ", ".join(f"{key} {_shown(value)}" for key, value in case.items())
+                yield Entry(f"life.spectrum[{number}]", text, "", property_["description"], False)
         elif name in table:
             yield Entry(f"life.{name}", _shown(table[name]), _unit(property_), property_["description"], False)
 

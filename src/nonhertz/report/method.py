@@ -14,7 +14,7 @@ from nonhertz.io.profiles import profile_tables
 from nonhertz.life import MODELS
 from nonhertz.model.body import Body
 from nonhertz.model.profile import CATALOGUE
-from nonhertz.report.finding import Finding
+from nonhertz.report.results import CaseResults
 from nonhertz.strip.element import Element
 from nonhertz.subsurface import stress
 
@@ -40,51 +40,51 @@ def source(documented: Any) -> str:
     return _flowing(found[1]) if found else ""
 
 
-def paragraphs(found: Finding) -> list[str]:
+def paragraphs(found: CaseResults) -> list[str]:
     """Return how the case was solved, a paragraph for each part of the method."""
     solution = found.solution
     contact = solution.contact
-    told = [
+    parts = [
         f"The contact is cut along y into {solution.strips} strips. Each carries a load and a half-width, its pressure "
         f"is {solution.element.name} across, and all strips act on each other through both elastic bodies. One Newton "
         "loop finds all loads and half-widths, approach and tilt together, so that both surfaces touch on the centre "
         "line of every strip that bears load, to second order across, and no strip pulls. Bodies are linear elastic "
         "half-spaces (Boussinesq), without friction, and the separation across the contact is parabolic.",
     ]
-    told += [" ".join(_body_words(name, body)) for name, body in (("a", contact.a), ("b", contact.b))]
+    parts += [" ".join(_body_words(name, body)) for name, body in (("a", contact.a), ("b", contact.b))]
     if found.stress:
-        told.append(
+        parts.append(
             "Stress below the surface is integrated from the pressure of the strips, which follows it between their "
             "centres, with the same images behind side faces. The largest values are searched in all of body "
             f"{found.stress[0].body} below the contact."
         )
     if found.lives:
-        told.append(
+        parts.append(
             "Life follows from the stresses that every place of both bodies suffers over a pass of the load. It is "
             "told relative to the life under Hertz's line pressure with the load spread evenly."
         )
-    return told
+    return parts
 
 
-def references(found: Finding) -> list[str]:
+def references(found: CaseResults) -> list[str]:
     """Return the publications that this case draws on, each once."""
-    told = [
+    parts = [
         source(Element),
         "J. Boussinesq, Application des potentiels, Gauthier-Villars, Paris 1885.",
         *_of_profiles(found),
     ]
     bodies = found.solution.contact.a, found.solution.contact.b
-    told += [source(type(body.behind)) for body in bodies]
+    parts += [source(type(body.behind)) for body in bodies]
     if found.solution.singular_ends:
-        told.append(_SHARP_ENDS)
+        parts.append(_SHARP_ENDS)
     if found.stress or found.lives:
-        told.append(source(stress))
+        parts.append(source(stress))
     if found.lives:
-        told += [source(MODELS[life.model.name]) for life in found.lives.lives["a"]]
-    return list(dict.fromkeys(each for each in told if each))
+        parts += [source(MODELS[life.model.name]) for life in found.lives.lives["a"]]
+    return list(dict.fromkeys(each for each in parts if each))
 
 
-def _of_profiles(found: Finding) -> Iterator[str]:
+def _of_profiles(found: CaseResults) -> Iterator[str]:
     for body in found.case.document["body"].values():
         for table in profile_tables(body):
             words = source(CATALOGUE.get(table["kind"]))
@@ -95,9 +95,9 @@ def _of_profiles(found: Finding) -> Iterator[str]:
 def _body_words(name: str, body: Body) -> Iterator[str]:
     weights = [weight for weight in body.face_weights if weight > 0.0]
     if weights:
-        told = " and ".join(f"{weight:.3g}" for weight in dict.fromkeys(weights))
+        parts = " and ".join(f"{weight:.3g}" for weight in dict.fromkeys(weights))
         yield (
-            f"Side faces of body {name} are freed of shear by mirror images of the pressure with the weight {told}. A "
+            f"Side faces of body {name} are freed of shear by mirror images of the pressure with the weight {parts}. A "
             "normal stress is left on them, so that the true pressure at an end is lower."
         )
     yield f"Displacement of body {name} is measured against {body.behind.place}."

@@ -10,7 +10,7 @@ import numpy as np
 from nonhertz.plot.axial import AXIAL_LABEL, axial_range
 from nonhertz.plot.sheets import BOTTOM, LEFT, WIDTH, blank, panel
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, sheet_style
-from nonhertz.report.finding import Finding
+from nonhertz.report.results import CaseResults
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,7 +26,7 @@ ROOM, BEYOND = 1.08, 1.6  # times the largest: above all, and where a pressure h
 MICROMETRES = 1e3
 
 
-def pressures(found: Sequence[Finding]) -> Figure:
+def pressures(found: Sequence[CaseResults]) -> Figure:
     """Return a sheet with the pressure of all cases and, below, their half-widths."""
     with sheet_style():
         key = _key_height(found)
@@ -51,7 +51,7 @@ def pressures(found: Sequence[Finding]) -> Figure:
         return figure
 
 
-def reliefs(found: Sequence[Finding]) -> Figure:
+def reliefs(found: Sequence[CaseResults]) -> Figure:
     """Return a sheet with the separation of both bodies before loading, both reliefs together, of all cases."""
     with sheet_style():
         key = _key_height(found)
@@ -75,11 +75,11 @@ def reliefs(found: Sequence[Finding]) -> Figure:
         return figure
 
 
-def _lines(found: Sequence[Finding]) -> list[tuple[str, Any]]:
+def _lines(found: Sequence[CaseResults]) -> list[tuple[str, Any]]:
     return [LINES[number % len(LINES)] for number in range(len(found))]
 
 
-def _along(axes: Axes, found: Sequence[Finding]) -> None:
+def _along(axes: Axes, found: Sequence[CaseResults]) -> None:
     spans = [axial_range(each.solution) for each in found]
     axes.set_xlim(min(low for low, _ in spans), max(high for _, high in spans))
     axes.locator_params(axis="x", steps=[1, 2, 5, 10])
@@ -88,11 +88,11 @@ def _along(axes: Axes, found: Sequence[Finding]) -> None:
     axes.set_xlabel(AXIAL_LABEL)
 
 
-def _key_height(found: Sequence[Finding]) -> float:
+def _key_height(found: Sequence[CaseResults]) -> float:
     return 0.12 + ROW * len(found)
 
 
-def _key(axes: Axes, found: Sequence[Finding]) -> None:
+def _key(axes: Axes, found: Sequence[CaseResults]) -> None:
     """Write the key above the axes, a line for each case: it cannot cover a curve, and names may be long."""
     numbers = [str(number) for number in range(1, len(found) + 1)]
     legend = axes.legend(

@@ -1,4 +1,4 @@
-"""From findings to the text of one HTML file."""
+"""From the results of cases to the text of one HTML file."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from nonhertz.report.assumptions import assumptions
 from nonhertz.report.differences import differing_inputs, lives, remarks_on_lives, results
 from nonhertz.report.downloads import downloads
 from nonhertz.report.figures import Gallery
-from nonhertz.report.finding import Finding, examined, settled
 from nonhertz.report.inputs import inputs
 from nonhertz.report.measurements import Measurement, measurements
 from nonhertz.report.method import paragraphs, references
-from nonhertz.report.telling import ends_in_words, geometry, keys, opening
+from nonhertz.report.overview import ends_in_words, geometry, keys, opening
+from nonhertz.report.results import CaseResults, examined, settled
 from nonhertz.show.analysis import Announce, in_silence
 from nonhertz.show.lives import LIFE_COLUMNS, RATIO, SPECTRUM_COLUMNS, life_rows, spectrum_rows
 from nonhertz.show.lives import sentences as life_sentences
@@ -71,8 +71,8 @@ def compose(
     return rendered(examined(settled(cases), life=life, stress=stress, announce=announce))
 
 
-def rendered(found: Sequence[Finding]) -> str:
-    """Return the text of the file that tells of these findings."""
+def rendered(found: Sequence[CaseResults]) -> str:
+    """Return the text of the file that tells of these cases."""
     gallery = Gallery()
     several = len(found) > 1
     comparison = _comparison(found, gallery) if several else None
@@ -93,7 +93,7 @@ def rendered(found: Sequence[Finding]) -> str:
     return page.strip() + "\n"
 
 
-def _part(found: Finding, number: int, several: bool, gallery: Gallery) -> dict[str, Any]:
+def _part(found: CaseResults, number: int, several: bool, gallery: Gallery) -> dict[str, Any]:
     """Return what the template tells of one case."""
     solution = found.solution
     return {
@@ -137,19 +137,19 @@ def _measured(measurement: Measurement, gallery: Gallery) -> dict[str, Any]:
     }
 
 
-def _comparison(found: Sequence[Finding], gallery: Gallery) -> dict[str, Any]:
-    told = lives(found)
+def _comparison(found: Sequence[CaseResults], gallery: Gallery) -> dict[str, Any]:
+    shown = lives(found)
     return {
         "heads": [{"label": each.label, "title": each.case.title, "complaint": each.complaint} for each in found],
         "inputs": differing_inputs([each.case for each in found]),
         "results": results(found),
-        "lives": told,
-        "life_sentences": [RATIO, *remarks_on_lives(found)] if told else [],
+        "lives": shown,
+        "life_sentences": [RATIO, *remarks_on_lives(found)] if shown else [],
         "figures": [_marked(picture) for picture in gallery.of_all(found)],
     }
 
 
-def _stress(found: Finding, gallery: Gallery) -> dict[str, Any] | None:
+def _stress(found: CaseResults, gallery: Gallery) -> dict[str, Any] | None:
     if found.stress is None:
         return None
     return {
@@ -160,7 +160,7 @@ def _stress(found: Finding, gallery: Gallery) -> dict[str, Any] | None:
     }
 
 
-def _life(found: Finding, gallery: Gallery) -> dict[str, Any] | None:
+def _life(found: CaseResults, gallery: Gallery) -> dict[str, Any] | None:
     if found.lives is None:
         return None
     rows = life_rows(found.lives)
@@ -215,13 +215,13 @@ def _linked(text: str) -> Markup:
     """Return a reference with its DOIs and addresses as links."""
     from markupsafe import Markup, escape
 
-    told, at = Markup(), 0
+    shown, at = Markup(), 0
     for found in _ADDRESS.finditer(text):
         address = found[2] or f"https://doi.org/{found[1]}"
-        told += escape(text[at : found.start()])
-        told += Markup('<a href="{}" rel="noreferrer">{}</a>').format(address, found[0])
+        shown += escape(text[at : found.start()])
+        shown += Markup('<a href="{}" rel="noreferrer">{}</a>').format(address, found[0])
         at = found.end()
-    return told + escape(text[at:])
+    return shown + escape(text[at:])
 
 
 def _safe(text: str) -> Markup:

@@ -130,16 +130,16 @@ def depths(solution: Solution, half_width: Array) -> list[tuple[str, Body, float
 def _images(freed: tuple[End, ...]) -> Iterator[Check]:
     if not freed:
         return
-    heavy = [end for end in freed if end.wanted > HEAVIEST]
+    heavy = [end for end in freed if end.requested > HEAVIEST]
     sentences = tuple(
-        f"The images about the side face at y = {end.y:.6g} mm would weigh {end.wanted:.3g} of the surface, a face of "
-        "the other body at the same place counted in, and above 1 refinement leads nowhere: their weights were lowered "
-        "until it is 1. The pressure up to that end is finite only by this."
+        f"The images about the side face at y = {end.y:.6g} mm would weigh {end.requested:.3g} of the surface, a face "
+        "of the other body at the same place counted in, and above 1 refinement leads nowhere: their weights were "
+        "lowered until it is 1. The pressure up to that end is finite only by this."
         for end in heavy
     )
     places = " and ".join(f"{end.y:.5g}" for end in heavy)
     remark = f"Those about y = {places} mm were lowered until it is 1; the pressure up to there is finite only by this."
     yield Check(
-        "Images about side faces", "weight of at most 1 of the surface", max(end.wanted for end in freed), HEAVIEST,
+        "Images about side faces", "weight of at most 1 of the surface", max(end.requested for end in freed), HEAVIEST,
         sentences, remark if heavy else "",
     )  # fmt: skip

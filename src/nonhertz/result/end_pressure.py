@@ -124,12 +124,12 @@ def _edge_pressure(contact: Contact, problem: Problem, state: State, side: int) 
     place, width = float(state.edges[at]), float(state.width[at])
     if not reaches(state, side) or not pressed(problem, state.edges, state.rigid, side):
         y = state.contact[at][(side + 1) // 2] if state.contact else place
-        told = "the contact ends before both bodies do"
-        return EdgePressure(y, EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, None, told)
+        words = "the contact ends before both bodies do"
+        return EdgePressure(y, EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, None, words)
     pressure = centre_pressure(contact, problem, state)[::-side]
     if place not in contact.interval:
-        told = "the strips end before the contact does"
-        return EdgePressure(place, EdgeKind.CUT_OFF, float(pressure[0]), width, 0.0, 0.0, None, None, told)
+        words = "the strips end before the contact does"
+        return EdgePressure(place, EdgeKind.CUT_OFF, float(pressure[0]), width, 0.0, 0.0, None, None, words)
     convention = _convention(contact, problem, place, side, AT_ONE_PLACE * width)
     kappa = _image_weight(problem, place, side, AT_ONE_PLACE * width)
     if not _is_sharp(contact, problem, state.edges, side):
@@ -149,19 +149,19 @@ def _edge_pressure(contact: Contact, problem: Problem, state: State, side: int) 
 
 def _convention(contact: Contact, problem: Problem, place: float, side: int, reach: float) -> str:
     """Say of either body whether it ends at ``place``, and how its side face counts there."""
-    index, told = (side + 1) // 2, []
+    index, words = (side + 1) // 2, []
     for which, (name, body) in enumerate((("a", contact.a), ("b", contact.b))):
         face = body.faces[index]
         weight = max((end.weights[which] for end in problem.influence.ends if end.side == side), default=0.0)
         if abs(body.interval[index] - place) > reach:
-            told.append(f"{name} goes on")
+            words.append(f"{name} goes on")
         elif math.isfinite(face) and abs(face - place) > reach:
-            told.append(f"{name} can touch no further, {abs(face - place):.3g} mm short of its side face")
+            words.append(f"{name} can touch no further, {abs(face - place):.3g} mm short of its side face")
         elif weight > 0.0:
-            told.append(f"{name} ends with its side face freed by images of weight {weight:.3g}")
+            words.append(f"{name} ends with its side face freed by images of weight {weight:.3g}")
         else:
-            told.append(f"{name} ends as a half-space")
-    return ", ".join(told)
+            words.append(f"{name} ends as a half-space")
+    return ", ".join(words)
 
 
 def _strength(

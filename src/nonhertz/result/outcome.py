@@ -122,8 +122,8 @@ def _with_corners(
 
 
 def _at_corner(end: EdgePressure, corner: float, pressure: float, width: float) -> EdgePressure:
-    told = "the profile turns away from the other body"
-    return replace(end, y=corner, kind=EdgeKind.CORNER, pressure=pressure, strip_width=width, convention=told)
+    why = "the profile turns away from the other body"
+    return replace(end, y=corner, kind=EdgeKind.CORNER, pressure=pressure, strip_width=width, convention=why)
 
 
 def _peaks_at_kink(contact: Contact, problem: Problem, state: State, ends: Array) -> bool:

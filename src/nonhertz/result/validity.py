@@ -67,7 +67,8 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States], sing
     if contact.bends:
         nearest = np.abs(peak[:, None] - np.array(contact.bends)).min(axis=1)
         coarse |= nearest <= AT_CORNER * width[np.abs(y - peak[:, None]).argmin(axis=1)]
-    suspects: Flags = wide | flat | hard | thin | coarse | any(end.wanted > HEAVIEST for end in problem.influence.ends)
+    heavy = any(end.requested > HEAVIEST for end in problem.influence.ends)
+    suspects: Flags = wide | flat | hard | thin | coarse | heavy
     return suspects
 
 

@@ -147,8 +147,8 @@ def assessed(
     lives = {}
     with _in_the_words_of_the_file():
         for body in BODIES:
-            told = _announcer(announce, body, len(spectrum))
-            lives[body] = assess(spectrum, models, body=body, rollers=case.life.rollers, announce=told)
+            announce_next = _announcer(announce, body, len(spectrum))
+            lives[body] = assess(spectrum, models, body=body, rollers=case.life.rollers, announce=announce_next)
     return Assessment(case.title, case.life.rollers, spectrum, lives, notes)
 
 
@@ -171,9 +171,9 @@ def _announcer(announce: Announce, body: BodyName, loads: int) -> Callable[[int,
     left = iter(words)
     announce(next(left))
 
-    def told(done: int, total: int) -> None:
+    def announce_next(done: int, total: int) -> None:
         following = next(left, None) if done == total else None
         if following is not None:
             announce(following)
 
-    return told
+    return announce_next

@@ -22,7 +22,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
 from nonhertz.result.outcome import outcome
 from nonhertz.result.validity import wider_than_round
-from nonhertz.solver.one import Strips, levels_of, problem_of, refuse_no_element, wanted_strips
+from nonhertz.solver.one import Strips, levels_of, problem_of, refuse_no_element, requested_strips
 from nonhertz.solver.solutions import Block, Solutions, case_label
 from nonhertz.strip.batch import States, settle_all
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
@@ -148,7 +148,7 @@ class _Task:
 
     def _grids(self) -> list[Array] | None:
         """Return the grids that the cases share, or None where each has its own."""
-        count, edges = wanted_strips(self.contact, self.strips)
+        count, edges = requested_strips(self.contact, self.strips)
         low, high = self.contact.interval
         if count is not None and np.isfinite(high - low):
             return equal_grids(self.problem, self.contact.interval, count)
@@ -247,7 +247,7 @@ def _tasks(
     tasks = []
     for numbers in by_contact.values():
         contact = contacts[which[numbers[0]]]
-        wanted_strips(contact, strips)
+        requested_strips(contact, strips)
         try:
             number = numbers[0]
             problem = problem_of(contact, case(number), element)

@@ -124,7 +124,7 @@ def refuse_no_element(element: object) -> None:
 
 def levels_of(contact: Contact, problem: Problem, strips: Strips) -> Levels:
     """Return the states on the wanted strips and on coarser ones."""
-    count, edges = wanted_strips(contact, strips)
+    count, edges = requested_strips(contact, strips)
     if count is not None:
         return on_equal_strips(problem, contact.interval, count)
     if edges is not None:
@@ -132,7 +132,7 @@ def levels_of(contact: Contact, problem: Problem, strips: Strips) -> Levels:
     return on_automatic_strips(problem, contact.interval, contact.bends)
 
 
-def wanted_strips(contact: Contact, strips: Strips) -> tuple[int | None, Array | None]:
+def requested_strips(contact: Contact, strips: Strips) -> tuple[int | None, Array | None]:
     """Return the number of equal strips or the edges of given ones, neither for an automatic grid."""
     remedy = "leave it out for an automatic grid"
     if strips is None or (isinstance(strips, str) and strips == "auto"):

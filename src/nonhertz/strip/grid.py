@@ -275,10 +275,10 @@ def _sagging(y: Array, h: Array, rigid: Array, narrowest: float) -> Array:
     width = np.empty(y.size - 2)
     for i in range(width.size):
         bend = abs(h[i + 2] - 2.0 * h[i + 1] + h[i]) / step**2
-        wanted = y[-1] - y[0]
+        requested = y[-1] - y[0]
         if math.isfinite(bend) and bend > 0.0 and rigid[0] + rigid[1] * y[i + 1] >= h[i + 1]:
-            wanted = min(wanted, math.sqrt(8.0 * SAG * deepest / bend))
-        width[i] = max(wanted, narrowest)
+            requested = min(requested, math.sqrt(8.0 * SAG * deepest / bend))
+        width[i] = max(requested, narrowest)
     # Let it grow away from every sample no faster than from a feature.
     for i in range(1, width.size):
         width[i] = min(width[i], width[i - 1] + GROWTH * step)
@@ -287,23 +287,23 @@ def _sagging(y: Array, h: Array, rigid: Array, narrowest: float) -> Array:
     return width
 
 
-def graded(wanted: Sizes, limit: int) -> Grading:
+def graded(requested: Sizes, limit: int) -> Grading:
     """Return the graded grids of a size function, at most ``limit`` strips.
 
     Where the sizes ask for more, they are loosened away from the features until they do not.
     """
     by = 1.0
-    grading = Grading(wanted, limit)
+    grading = Grading(requested, limit)
     while grading.count > limit and by < LOOSEST:
         by *= max(1.03, (grading.count / limit) ** 1.5)
-        grading = Grading(wanted.loosened(by), limit)
+        grading = Grading(requested.loosened(by), limit)
     return grading
 
 
-def _centre(wanted: Sizes) -> float:
+def _centre(requested: Sizes) -> float:
     """Return y = 0 where it is in contact, else the middle of the longest interval in contact."""
-    contact = wanted.contact
-    if np.any((contact[:, 0] < 0.0) & (contact[:, 1] > 0.0)) and wanted.low < 0.0 < wanted.high:
+    contact = requested.contact
+    if np.any((contact[:, 0] < 0.0) & (contact[:, 1] > 0.0)) and requested.low < 0.0 < requested.high:
         return 0.0
     longest = contact[np.argmax(contact[:, 1] - contact[:, 0])]
     return float(0.5 * (longest[0] + longest[1]))
@@ -312,15 +312,15 @@ def _centre(wanted: Sizes) -> float:
 class Grading:
     """A walk along y in steps of the wanted width, and the grids of any number of strips that come of it."""
 
-    def __init__(self, wanted: Sizes, limit: int) -> None:
+    def __init__(self, requested: Sizes, limit: int) -> None:
         self.limit = limit
-        self.centre, self.corners = _centre(wanted), wanted.corners
+        self.centre, self.corners = _centre(requested), requested.corners
         arguments = (
-            wanted.places, wanted.widths, wanted.sample_y, wanted.sample_width, wanted.contact,
-            wanted.largest, wanted.largest_outside, wanted.growth,
+            requested.places, requested.widths, requested.sample_y, requested.sample_width, requested.contact,
+            requested.largest, requested.largest_outside, requested.growth,
         )  # fmt: skip
-        self.right = _walk(self.centre, wanted.high, *arguments)
-        self.left = _walk(self.centre, wanted.low, *arguments)
+        self.right = _walk(self.centre, requested.high, *arguments)
+        self.left = _walk(self.centre, requested.low, *arguments)
         self.count = float(self.right[1][-1] + self.left[1][-1])
 
     def edges(self, share: float) -> Array:

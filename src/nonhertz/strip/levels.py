@@ -110,8 +110,8 @@ def on_automatic_strips(problem: Problem, interval: Interval, bends: tuple[float
             break
         if complete and not any(cut_off(states[0], interval)) and not overlaps(problem, states[0], finite):
             break
-        wanted = sizes(problem, states[0], bends, finite)
-        grading = graded(wanted, STRIP_LIMIT if len(wanted.contact) == 1 else 2 * STRIP_LIMIT)
+        requested = sizes(problem, states[0], bends, finite)
+        grading = graded(requested, STRIP_LIMIT if len(requested.contact) == 1 else 2 * STRIP_LIMIT)
         for share in shares:
             states.insert(0, _settled(problem, grading, states[0], share))
     # The equal strips that found the contact are too few to say anything of the error.

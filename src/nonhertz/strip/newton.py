@@ -115,8 +115,8 @@ def newton(
         blocks = np.empty((4, k, k))
         coefficients(y, low, high, m, active, terms, at_depth, table, blocks)
         width, ca = widths[active], curvature[active]
-        wanted, follows = _curved(blocks, ca)
-        ra, ma = _held(wanted, r[active]) if eager else r[active], m[active]
+        required, follows = _curved(blocks, ca)
+        ra, ma = _held(required, r[active]) if eager else r[active], m[active]
         qa = ra * ma
         r[active] = ra
         lever = y[active] / half
@@ -141,7 +141,7 @@ def newton(
         if not math.isfinite(residual) or not math.isfinite(np.sum(m)):
             return STAGNATED, step, residual
 
-        d_r, d_q = _directions(blocks, follows, wanted - ra, ra, ma, gap_residual, lever)
+        d_r, d_q = _directions(blocks, follows, required - ra, ra, ma, gap_residual, lever)
         response = _border(weights, lever, d_q)
         _store_stiffness(response, half, stiffness)
         if residual < tolerance:
@@ -283,9 +283,9 @@ def _curved(blocks: Array, curvature: Array) -> tuple[Array, Array]:
 
 
 @compiled
-def _held(wanted: Array, r: Array) -> Array:
+def _held(required: Array, r: Array) -> Array:
     """Return ``wanted`` where it is within a factor of ``r``: far from the answer it may not even be positive."""
-    held: Array = np.minimum(np.maximum(wanted, LEAST_CHANGE * r), r / LEAST_CHANGE)
+    held: Array = np.minimum(np.maximum(required, LEAST_CHANGE * r), r / LEAST_CHANGE)
     return held
 
 
@@ -400,8 +400,8 @@ def _update(
             m[i] = 16.0 * old_m
         elif mu < -0.9:
             changed = True
-            wanted = blocks[0, k, k] * (1.0 + relaxation * sigma[k]) - 0.5 * blocks[1, k, k] * mu
-            m[i] = _own_width(old_m * wanted * old_r / r[i], width[k], table) if wanted > 0.0 else 0.0
+            required = blocks[0, k, k] * (1.0 + relaxation * sigma[k]) - 0.5 * blocks[1, k, k] * mu
+            m[i] = _own_width(old_m * required * old_r / r[i], width[k], table) if required > 0.0 else 0.0
         else:
             m[i] = old_m * (1.0 + mu)
     return changed
@@ -423,12 +423,12 @@ def _enter(
 
 
 @compiled
-def _own_width(wanted: float, width: float, table: Array) -> float:
+def _own_width(required: float, width: float, table: Array) -> float:
     """Return m with m [A](m) = ``wanted``, by Newton's method on a concave increasing function."""
-    m = 0.25 * wanted
+    m = 0.25 * required
     for _ in range(40):
         value, slope = self_displacement(width, m, table)
-        better = max(m - (m * value - wanted) / slope, 0.05 * m)
+        better = max(m - (m * value - required) / slope, 0.05 * m)
         if abs(better - m) < 1e-6 * m:
             return better
         m = better

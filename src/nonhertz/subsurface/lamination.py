@@ -252,10 +252,10 @@ def _divided(strips: Strips) -> tuple[Integers, Array, Array]:
     edges = np.stack([strips.pressure_edges, strips.load_edges])
     # A bend is steepest at the edges.
     change = (np.abs(edges - 1.0).sum(axis=1) + STEEPER * np.abs(edges.sum(axis=1) - 2.0)).max(axis=0)
-    wanted = np.minimum(change / CHANGE, (strips.high - strips.low) / (NARROW * strips.half_width))
+    required = np.minimum(change / CHANGE, (strips.high - strips.low) / (NARROW * strips.half_width))
     # Where the contact runs out within the piece in the middle, that would not have the load of the centre.
-    wanted = np.maximum(wanted, np.nan_to_num(1.0 / strips.falling_to))
-    count = np.clip(np.ceil(wanted), 1, MOST).astype(np.int64) | 1
+    required = np.maximum(required, np.nan_to_num(1.0 / strips.falling_to))
+    count = np.clip(np.ceil(required), 1, MOST).astype(np.int64) | 1
     cuts = [np.linspace(-1.0, 1.0, n + 1) for n in count]
     for k in np.flatnonzero(np.isfinite(strips.run_out) & (np.abs(strips.run_out) > 1.0 + ROUNDING)):
         beyond = np.linspace(np.sign(strips.run_out[k]), strips.run_out[k], BEYOND + 1)[1:]

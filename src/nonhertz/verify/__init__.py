@@ -48,11 +48,11 @@ def chosen(only: Iterable[str] = ()) -> tuple[str, ...]:
     InputError
         If a name is not in the catalogue.
     """
-    wanted = list(only)
-    for name in wanted:
+    names = list(only)
+    for name in names:
         if name not in CATALOGUE:
             raise InputError("--only", name, "be a section", f"choose from {', '.join(CATALOGUE)}")
-    return tuple(name for name in CATALOGUE if name in wanted or not wanted)
+    return tuple(name for name in CATALOGUE if name in names or not names)
 
 
 def sections(

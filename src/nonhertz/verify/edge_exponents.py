@@ -86,8 +86,8 @@ class _End:
 
         def misfit(exponent: float) -> float:
             shape = np.column_stack([np.ones(s.size), s ** (2.0 * exponent), s])
-            wanted = log_pressure + exponent * np.log(s)
-            return float(np.sum((shape @ np.linalg.lstsq(shape, wanted, rcond=None)[0] - wanted) ** 2))
+            target = log_pressure + exponent * np.log(s)
+            return float(np.sum((shape @ np.linalg.lstsq(shape, target, rcond=None)[0] - target) ** 2))
 
         return float(minimize_scalar(misfit, bounds=(0.05, 0.7), method="bounded", options={"xatol": 1e-6}).x)
 

@@ -159,9 +159,9 @@ def _checks(element: str, grid: str, solution: Solution, hertz: PointContact) ->
         QUANTITIES, UNITS, exact, PARABOLIC_BIAS, _found(solution), strict=True
     ):
         source = f"Hertz {100.0 * bias:+.2f} %, the element's bias" if biased else "Hertz"
-        wanted = expected * (1.0 + bias) if biased else expected
+        target = expected * (1.0 + bias) if biased else expected
         tolerance = BIAS_TOLERANCE if biased else _TOLERANCES[grid]
-        checks.append(Check(f"{case}: {name}", source, wanted, found, tolerance, unit))
+        checks.append(Check(f"{case}: {name}", source, target, found, tolerance, unit))
     claim = f"{case}: largest difference of pressure within {INSIDE:g} half-lengths, of the greatest"
     largest = float(np.max(np.abs(_off(solution, hertz)[1])))
     checks.append(Check(claim, "Hertz", 0.0, largest, None if biased else _ALONG_TOLERANCES[grid], absolute=True))
@@ -174,17 +174,17 @@ def _second_program() -> list[Check]:
         hertz = _hertz(radius_y, _SECOND_LOAD)
         errors = _errors(_solve(hertz, PARABOLIC, _SECOND_REACH, EQUAL_STRIPS), hertz)
         checks += [
-            Check(f"parabolic, a/b = {ellipticity}: {name} over Hertz's", _SECOND, wanted, 100.0 * error,
+            Check(f"parabolic, a/b = {ellipticity}: {name} over Hertz's", _SECOND, target, 100.0 * error,
                   _TWO_DECIMALS, "%", absolute=True)
-            for name, wanted, error in zip(QUANTITIES, expected, errors, strict=True)
+            for name, target, error in zip(QUANTITIES, expected, errors, strict=True)
         ]  # fmt: skip
     hertz = _hertz(_SHAPE_RADIUS, _SECOND_LOAD)
     solution = _solve(hertz, PARABOLIC, _SECOND_REACH, EQUAL_STRIPS)
-    for place, wanted in _SHAPE:
+    for place, target in _SHAPE:
         found = float(np.interp(place * hertz.half_length, solution.y, solution.centre_pressure)) / hertz.max_pressure
         claim = f"parabolic, a/b = 10: pressure at y/a = {place:g} over Hertz's greatest"
         # Between strip centres the pressure is read off a straight line, here as there.
-        checks.append(Check(claim, _SECOND, wanted, found, 2e-4, absolute=True))
+        checks.append(Check(claim, _SECOND, target, found, 2e-4, absolute=True))
     return checks
 
 

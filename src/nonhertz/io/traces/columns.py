@@ -199,9 +199,9 @@ def _row(number: int, line: str, width: int, layout: _Layout, request: Request) 
 
 
 def _chosen(table: Array, names: list[str], request: Request) -> tuple[int, int]:
-    wanted = {"position_column": request.position_column, "height_column": request.height_column}
+    requested = {"position_column": request.position_column, "height_column": request.height_column}
     columns = table.shape[1]
-    found = {field: column_called(field, value, names) for field, value in wanted.items() if value is not None}
+    found = {field: column_called(field, value, names) for field, value in requested.items() if value is not None}
     if len(found) == 2:
         if found["position_column"] == found["height_column"]:
             condition = "be another column than that of the positions"

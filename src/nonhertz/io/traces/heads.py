@@ -68,7 +68,7 @@ def counts_drop(name: str, request: Request) -> bool:
     return bool(_DROP.search(name))
 
 
-def column_called(field: str, wanted: object, names: list[str]) -> int:
+def column_called(field: str, requested: object, names: list[str]) -> int:
     """Return the index of a column that is wanted by number, from 1, or by name.
 
     Raises
@@ -76,13 +76,13 @@ def column_called(field: str, wanted: object, names: list[str]) -> int:
     InputError
         If there is no such column.
     """
-    text = str(wanted).strip()
-    if isinstance(wanted, int) or re.fullmatch(r"[0-9]+", text):
+    text = str(requested).strip()
+    if isinstance(requested, int) or re.fullmatch(r"[0-9]+", text):
         # As text: Python refuses to convert a number of five thousand digits.
         digits = text.lstrip("0")
         if not digits.isdecimal() or len(digits) > 6 or int(digits) > len(names):
             condition = f"be a column from 1 to {len(names)}"
-            raise InputError(field, wanted, condition, "give its number, from 1, or its name")
+            raise InputError(field, requested, condition, "give its number, from 1, or its name")
         return int(digits) - 1
     plain = [re.split(r"\s*[\[(/]", name)[0].strip().lower() for name in names]
     lowered = [name.lower() for name in names]
@@ -90,7 +90,7 @@ def column_called(field: str, wanted: object, names: list[str]) -> int:
         if candidates.count(text.lower()) == 1:
             return candidates.index(text.lower())
     known = listed([name for name in names if name]) or "none: the file has no line of names"
-    raise InputError(field, wanted, f"be the name of a column ({known})", "give its number, from 1")
+    raise InputError(field, requested, f"be the name of a column ({known})", "give its number, from 1")
 
 
 def listed(names: Sequence[str]) -> str:

@@ -6,11 +6,11 @@ import warnings
 from collections.abc import Sequence
 from pathlib import Path
 
-from nonhertz.cli.verification import Progress
+from nonhertz.cli.verify import Progress
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.io.casefile import Case, named, read_case
 from nonhertz.io.folder import write_files
-from nonhertz.report import MARK, Finding, examined, rendered, settled, steps
+from nonhertz.report import MARK, CaseResults, examined, rendered, settled, steps
 
 _REMEDY = "give the name of a file such as report.html"
 _NEAR = 2000  # characters at the beginning of a report, among which its mark stands
@@ -62,7 +62,7 @@ def target(out: Path | None, cases: Sequence[Path]) -> Path:
     return path
 
 
-def made(cases: Sequence[Case], life: bool | None, stress: bool) -> tuple[str, tuple[Finding, ...]]:
+def made(cases: Sequence[Case], life: bool | None, stress: bool) -> tuple[str, tuple[CaseResults, ...]]:
     """Return the report on cases as text and what it tells of."""
     found = settled(cases)
     progress = Progress(steps(found, life=life, stress=stress) + 1)

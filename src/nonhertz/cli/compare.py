@@ -10,7 +10,7 @@ from rich.text import Text
 
 from nonhertz import comparison as methods
 from nonhertz.cli.printing import console, print_table
-from nonhertz.cli.verification import Progress
+from nonhertz.cli.verify import Progress
 from nonhertz.comparison import Comparison, Quantity, Stretch
 from nonhertz.errors import InputError
 from nonhertz.io.casefile import Case, placed

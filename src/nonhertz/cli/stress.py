@@ -9,7 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 from nonhertz.cli.printing import console, print_table
-from nonhertz.cli.verification import Progress
+from nonhertz.cli.verify import Progress
 from nonhertz.errors import InputError
 from nonhertz.io.stresses import all_warnings
 from nonhertz.model.body import BODIES, BodyName

@@ -29,7 +29,7 @@ STRESS_STEPS = 2  # in the whole body and in a cross-section
 
 
 @dataclass(frozen=True, eq=False)
-class Finding:
+class CaseResults:
     """What is known of one case.
 
     Attributes
@@ -63,7 +63,7 @@ class Finding:
         return tuple(dict.fromkeys((*self.case.notes, *of_stress, *of_lives)))
 
 
-def settled(cases: Sequence[Case]) -> tuple[Finding, ...]:
+def settled(cases: Sequence[Case]) -> tuple[CaseResults, ...]:
     """Return the solutions of all cases.
 
     Raises
@@ -71,13 +71,13 @@ def settled(cases: Sequence[Case]) -> tuple[Finding, ...]:
     CaseError
         If the solver refuses cases, with every mistake; of several cases each has the name of its file in front.
     """
-    found: list[Finding] = []
+    found: list[CaseResults] = []
     mistakes: list[str] = []
     places: list[str] = []
     for case, label in zip(cases, labels(cases), strict=True):
         try:
             with named(case.file_name) if len(cases) > 1 else contextlib.nullcontext():
-                found.append(Finding(case, label, *attempted(case)))
+                found.append(CaseResults(case, label, *attempted(case)))
         except CaseError as error:
             mistakes += error.mistakes
             places += error.places
@@ -87,13 +87,13 @@ def settled(cases: Sequence[Case]) -> tuple[Finding, ...]:
 
 
 def examined(
-    found: Sequence[Finding], *, life: bool | None = None, stress: bool = True, announce: Announce = in_silence
-) -> tuple[Finding, ...]:
-    """Return the findings with stress below the surface and life, where these are wanted and the case has converged.
+    found: Sequence[CaseResults], *, life: bool | None = None, stress: bool = True, announce: Announce = in_silence
+) -> tuple[CaseResults, ...]:
+    """Return the results with stress below the surface and life, where these are wanted and the case has converged.
 
     Parameters
     ----------
-    found : sequence of Finding
+    found : sequence of CaseResults
         What `settled` returned.
     life : bool or None
         Whether to assess lives; None for that of cases that say anything of life.
@@ -103,44 +103,44 @@ def examined(
         Is told what is begun; `steps` says how often.
     """
     found = [_stressed(each, announce) if stress else each for each in found]
-    wanted = [each for each in found if _wants_life(each, life)]
-    with_lives = iter(_assessed(wanted, announce))
-    return tuple(next(with_lives) if each in wanted else each for each in found)
+    living = [each for each in found if _wants_life(each, life)]
+    with_lives = iter(_assessed(living, announce))
+    return tuple(next(with_lives) if each in living else each for each in found)
 
 
-def steps(found: Sequence[Finding], *, life: bool | None = None, stress: bool = True) -> int:
+def steps(found: Sequence[CaseResults], *, life: bool | None = None, stress: bool = True) -> int:
     """Return how often `examined` will announce something."""
     searches = sum(STRESS_STEPS for each in found if stress and not each.complaint)
     loads = sum(max(1, len(each.case.life.spectrum)) for each in found if _wants_life(each, life))
     return searches + len(BODIES) * loads
 
 
-def _stressed(found: Finding, announce: Announce) -> Finding:
+def _stressed(found: CaseResults, announce: Announce) -> CaseResults:
     if found.complaint:
         return found
     return replace(found, stress=largest_stresses(found.solution, announce=announce))
 
 
-def _wants_life(found: Finding, life: bool | None) -> bool:
-    told = found.case.life != LifeCase()
-    return not found.complaint and (told if life is None else life)
+def _wants_life(found: CaseResults, life: bool | None) -> bool:
+    says_of_life = found.case.life != LifeCase()
+    return not found.complaint and (says_of_life if life is None else life)
 
 
-def _assessed(found: Sequence[Finding], announce: Announce) -> list[Finding]:
-    """Return findings with lives by the models of the first, so that lives can be compared."""
+def _assessed(found: Sequence[CaseResults], announce: Announce) -> list[CaseResults]:
+    """Return results with lives by the models of the first, so that lives can be compared."""
     if not found:
         return []
     cases = [each.case for each in found]
     models, notes = models_for(cases[0], (), cases[1:])
-    told = []
+    results = []
     for each, case in zip(found, cases, strict=True):
         try:
             with named(case.file_name) if len(found) > 1 else contextlib.nullcontext():
                 lives = assessed(case, spectrum_solved(case), models, notes, announce)
-            told.append(replace(each, lives=lives))
+            results.append(replace(each, lives=lives))
         except ConvergenceError as error:
-            told.append(replace(each, complaint=str(error)))
-    return told
+            results.append(replace(each, complaint=str(error)))
+    return results
 
 
 def labels(cases: Sequence[Case]) -> list[str]:

@@ -170,12 +170,12 @@ def _parameter(fit: Fit, name: str) -> str:
     unit = PARAMETER_UNITS.get(name, "mm")
     error = fit.standard_errors.get(name)
     if error is None:
-        told = ""
+        uncertainty = ""
     elif math.isfinite(error):
-        told = f" +- {error:.2g}"
+        uncertainty = f" +- {error:.2g}"
     else:
-        told = " (undetermined)"
-    return f"{name} {digits(value)}{told}{' ' + unit if unit else ''}"
+        uncertainty = " (undetermined)"
+    return f"{name} {digits(value)}{uncertainty}{' ' + unit if unit else ''}"
 
 
 def _meant(name: str, word: str | bool) -> Any:

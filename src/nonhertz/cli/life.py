@@ -13,8 +13,8 @@ from rich.text import Text
 
 from nonhertz.cli import FINE, NOT_CONVERGED
 from nonhertz.cli.printing import console, print_table
-from nonhertz.cli.solving import spectrum_or_not
-from nonhertz.cli.verification import Progress
+from nonhertz.cli.solve import spectrum_or_not
+from nonhertz.cli.verify import Progress
 from nonhertz.errors import InputError
 from nonhertz.io.casefile import Case, named
 from nonhertz.io.lives import Assessment

@@ -9,7 +9,7 @@ import numpy as np
 
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.material import MATERIALS
-from nonhertz.report.finding import Finding
+from nonhertz.report.results import CaseResults
 from nonhertz.result.brief import where_largest
 from nonhertz.result.numerals import digits, given
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
@@ -38,7 +38,7 @@ class Key:
     remark: str = ""
 
 
-def opening(found: Finding) -> str:
+def opening(found: CaseResults) -> str:
     """Return one sentence on what was solved."""
     solution, prescribed = found.solution, found.case.prescribed
     a, b = solution.contact.a, solution.contact.b
@@ -51,24 +51,24 @@ def opening(found: Finding) -> str:
     return f"{_body(a, 'a')} and {_body(b, 'b')} are pressed together {pressed}{turned}."
 
 
-def keys(found: Finding) -> list[Key]:
+def keys(found: CaseResults) -> list[Key]:
     """Return the few numbers that stand first."""
     solution = found.solution
     if not solution.contact_y:
         return [Key("contact", "none", "")]
     widest = int(solution.half_width.argmax())
-    told = [
+    shown = [
         *_pressures(solution),
         Key("approach", digits(1e3 * solution.approach), "µm"),
         Key("largest half-width", digits(float(solution.half_width[widest])), "mm", _at(float(solution.y[widest]))),
     ]
     if "load" not in found.case.prescribed:
-        told.append(Key("load", digits(solution.load), "N"))
+        shown.append(Key("load", digits(solution.load), "N"))
     if found.stress:
         largest = found.stress[0].von_mises
         where = f"at y = {digits(largest.y, 4)}, z = {digits(largest.z, 3)} mm"
-        told.append(Key(f"largest von Mises stress in body {found.stress[0].body}", digits(largest.max), "MPa", where))
-    return told
+        shown.append(Key(f"largest von Mises stress in body {found.stress[0].body}", digits(largest.max), "MPa", where))
+    return shown
 
 
 def geometry(solution: Solution) -> list[tuple[str, str, str]]:
@@ -80,7 +80,7 @@ def geometry(solution: Solution) -> list[tuple[str, str, str]]:
         y = np.linspace(solution.contact_y[0][0], solution.contact_y[-1][1], SAMPLES)
     radius = 1.0 / contact.curvature(y)
     relief = contact.separation(y)
-    told = [
+    shown = [
         ("both bodies can touch", *_interval(low, high)),
         ("combined radius of curvature across", _span(radius), "mm"),
         ("combined curvature across", _span(1.0 / radius), "1/mm"),
@@ -88,10 +88,10 @@ def geometry(solution: Solution) -> list[tuple[str, str, str]]:
     if np.isfinite(relief[[0, -1]]).all():
         where = f"{_end(float(y[0]))} and {_end(float(y[-1]))} mm"
         ends = (digits(1e3 * each, 4) for each in relief[[0, -1]].tolist())
-        told.append((f"separation (both reliefs) at y = {where}", " and ".join(ends), "µm"))
+        shown.append((f"separation (both reliefs) at y = {where}", " and ".join(ends), "µm"))
     modulus = 1.0 / (math.pi * contact.compliance)
-    told.append(("contact modulus, 1/E* = sum of (1 - ν²) / E", digits(modulus), "MPa"))
-    return told
+    shown.append(("contact modulus, 1/E* = sum of (1 - ν²) / E", digits(modulus), "MPa"))
+    return shown
 
 
 def ends_in_words(solution: Solution) -> list[str]:
@@ -100,24 +100,24 @@ def ends_in_words(solution: Solution) -> list[str]:
 
 
 def _end_in_words(edge: EdgePressure) -> str:
-    told = f"At y = {edge.y:.5g} mm: {edge.kind.value[0].lower()}{edge.kind.value[1:]}"
+    shown = f"At y = {edge.y:.5g} mm: {edge.kind.value[0].lower()}{edge.kind.value[1:]}"
     match edge.kind:
         case EdgeKind.RUN_OUT | EdgeKind.CORNER:
-            return told
+            return shown
         case EdgeKind.SINGULAR:
-            return f"{told} With the distance s it goes like {edge.law} ({edge.convention})."
+            return f"{shown} With the distance s it goes like {edge.law} ({edge.convention})."
         case _:
-            return f"{told} It is {digits(edge.pressure)} MPa ({edge.convention})."
+            return f"{shown} It is {digits(edge.pressure)} MPa ({edge.convention})."
 
 
 def _pressures(solution: Solution) -> list[Key]:
     remark = "no limit, at a corner of the profile" if solution.peaks_at_corner else where_largest(solution, 4)
-    told = [Key("maximum pressure", digits(solution.max_pressure), "MPa", remark)]
+    shown = [Key("maximum pressure", digits(solution.max_pressure), "MPa", remark)]
     sharp = [edge for edge in solution.edge_pressure if edge.law]
     if sharp:
         highest = max(sharp, key=lambda edge: edge.pressure)
-        told.append(Key("pressure at the sharp end", "no limit", "", f"{highest.law}, at y = {highest.y:.5g} mm"))
-    return told
+        shown.append(Key("pressure at the sharp end", "no limit", "", f"{highest.law}, at y = {highest.y:.5g} mm"))
+    return shown
 
 
 def _body(body: Body, letter: str) -> str:
