@@ -20,9 +20,9 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-import arrivals
+import accuracy_reached
 import entrants
-import heat
+import one_run
 import race_figures
 import race_page
 import races
@@ -43,7 +43,7 @@ FULL_SIZE, FULL_RACE = (512, 1024), "crowned"
 QUICK_CELLS, QUICK_STRIPS, QUICK_FULL = [(16, 64)], ("auto", 21), (16, 64)
 PLAYOFF_CELLS = (64, 256)
 JUDGES = ("ContactMechanics: with restart", "tamaas", "patch")
-LONGEST = 1.0  # s, for the runs of a heat
+LONGEST = 1.0  # s, for the repeats of a run
 DEAREST = 1.5  # s, a solve expected to take longer is left out
 MARGIN = 1.4  # iterations grow with the grid
 THREADS = ("OMP", "OPENBLAS", "MKL", "NUMBA", "VECLIB_MAXIMUM", "NUMEXPR")
@@ -71,7 +71,7 @@ def raced(threads: int, quick: bool) -> dict[str, Any]:
     results: dict[str, Any] = {
         "machine": machine() | {"threads": threads, "peers": entrants.versions()},
         "missing": absent,
-        "algebraic": {"approach": heat.APPROACH_TARGET, "pressure": heat.PRESSURE_TARGET},
+        "algebraic": {"approach": one_run.APPROACH_TARGET, "pressure": one_run.PRESSURE_TARGET},
         "batch": {"cases": entrants.BATCH, "range": entrants.LOAD_RANGE},
         "races": {},
     }
@@ -93,13 +93,13 @@ def raced(threads: int, quick: bool) -> dict[str, Any]:
         }
     results["full size"] = {"race": FULL_RACE, "entries": track.full_size(FULL_RACE)}
     results["failures"] = track.failures
-    results["headlines"] = arrivals.headlines(results)
+    results["headlines"] = accuracy_reached.headlines(results)
     results["seconds"] = time.perf_counter() - start
     return results
 
 
 class Track:
-    """Where heats are run: the programs that are there, how many threads they get, and what has been tuned so far."""
+    """Where runs are made: the programs that are there, how many threads they get, and what has been tuned so far."""
 
     def __init__(self, threads: int, quick: bool, absent: dict[str, str]) -> None:
         self.threads, self.quick = threads, quick
@@ -122,7 +122,7 @@ class Track:
         for name in names:
             self.tolerance = {}
             self.converge(name, QUICK_CELLS if self.quick else CELLS)
-            tried = [self.heat(f"ContactMechanics: {variant}", name, cells) for variant in variants]
+            tried = [self.run_of(f"ContactMechanics: {variant}", name, cells) for variant in variants]
             self.playoffs[name] = [entry for entry in tried if entry]
         taken: dict[str, list[float]] = {}
         for entry in itertools.chain(*self.playoffs.values()):
@@ -138,7 +138,7 @@ class Track:
         entries: list[dict[str, Any] | None] = []
         for program, grids in self.lines.items():
             chosen = [grid for grid in grids if not self.quick or grid in QUICK_STRIPS]
-            entries += [self.heat(program, name, grid) for grid in chosen]
+            entries += [self.run_of(program, name, grid) for grid in chosen]
         for grid in cells:
             for entrant in self.on_plane():
                 entries.append(self.unless_dear(entrant, name, grid, entries))
@@ -155,7 +155,7 @@ class Track:
         size = cells[0] * cells[1]
         before = [entry for entry in entries if entry and entry["entrant"] == entrant]
         expected = max((MARGIN * e["time"] * size / (e["grid"][0] * e["grid"][1]) for e in before[-2:]), default=0.0)
-        return None if expected > DEAREST else self.heat(entrant, name, cells)
+        return None if expected > DEAREST else self.run_of(entrant, name, cells)
 
     def full_size(self, name: str) -> list[dict[str, Any]]:
         """Return one large grid with every plane-grid program."""
@@ -163,9 +163,9 @@ class Track:
         self.tolerance = {}
         # The last judge is ours where it is there, to save a minute; peers that disagreed with it would fail.
         self.converge(name, [cells], judge=-1)
-        return [entry for entrant in self.on_plane() if (entry := self.heat(entrant, name, cells, start=1e-4))]
+        return [entry for entrant in self.on_plane() if (entry := self.run_of(entrant, name, cells, start=1e-4))]
 
-    def heat(self, entrant: str, name: str, grid: Any, start: float = heat.LOOSEST) -> dict[str, Any] | None:
+    def run_of(self, entrant: str, name: str, grid: Any, start: float = one_run.LOOSEST) -> dict[str, Any] | None:
         """Return one entry, or nothing where the program fails."""
         plane = isinstance(grid, tuple)
         asked = {
@@ -180,7 +180,7 @@ class Track:
         }
         entry = self.in_a_process(asked)
         if entry and plane:
-            self.tolerance[entrant] = min(heat.LOOSEST, entry["tolerance"] * heat.NOTCH**2)
+            self.tolerance[entrant] = min(one_run.LOOSEST, entry["tolerance"] * one_run.NOTCH**2)
         return entry
 
     def converge(self, name: str, grids: list[entrants.Cells], judge: int = 0) -> None:
@@ -195,10 +195,10 @@ class Track:
         return str(Path(self.scratch.name) / f"{name} {grid[0]} {grid[1]}.npy")
 
     def in_a_process(self, asked: dict[str, Any]) -> dict[str, Any] | None:
-        """Return what a heat wrote; of one that failed its last words are kept."""
+        """Return what a run wrote; of one that failed its last words are kept."""
         environment = os.environ | {f"{name}_NUM_THREADS": str(self.threads) for name in THREADS}
         spoken = {"input": json.dumps(asked), "capture_output": True, "text": True}
-        ended = subprocess.run([sys.executable, heat.__file__], env=environment, check=False, **spoken)
+        ended = subprocess.run([sys.executable, one_run.__file__], env=environment, check=False, **spoken)
         label = f"{asked['entrant']}, {asked['race']}, {asked.get('grid', 'all grids')}"
         if ended.returncode:
             last = ended.stderr.strip().splitlines()[-1:] or [f"ended with {ended.returncode}"]

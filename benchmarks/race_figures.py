@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from arrivals import ASKED, Entry
+from accuracy_reached import ASKED, Entry
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from races import QUANTITIES

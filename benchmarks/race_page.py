@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from arrivals import NARROW, PEERS, PROGRAMS, Entry
+from accuracy_reached import NARROW, PEERS, PROGRAMS, Entry
 from races import QUANTITIES
 
 # How many times faster than others strips were hoped to be.

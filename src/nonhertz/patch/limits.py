@@ -10,9 +10,6 @@ from numpy.typing import NDArray
 
 from nonhertz.bodies.influence import Influence
 from nonhertz.bodies.solid import HERTZ
-from nonhertz.errors import InputError
-from nonhertz.model.body import Body
-from nonhertz.model.contact import Contact
 from nonhertz.patch import region as regions
 from nonhertz.patch.between import Unseen
 from nonhertz.patch.cascade import Level, Outcome, Problem
@@ -20,16 +17,14 @@ from nonhertz.patch.features import Dent, Waviness
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.nearness import Overlap
 from nonhertz.patch.solution import PatchSolution
+from nonhertz.result.checks import curved, image_weights, small_strains, thick
 from nonhertz.result.maximum import largest_pressure, singular_y
 from nonhertz.result.solution import EdgeKind, ErrorEstimate, SingularEnd, Status
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-MOST_OF_RADIUS = 0.3
-LEAST_DEPTH, LEAST_OF_ALL = 3.0, 1.0  # half-widths: warned of below the first, refused below the second
 FEWEST_CELLS = 6.0  # that a feature is to be long
-HEAVIEST = 1.0 + 1e-9
 # Of the last change, for approach and load and for the largest pressure: calibrated on random contacts
 # (tests/campaign/test_patch_estimate.py); 1.5 for all left out one approach in 25.
 MARGIN, PRESSURE_MARGIN = 3.0, 1.5
@@ -101,25 +96,13 @@ def _change(values: list[float], margin: float = MARGIN) -> float:
 
 def strains(solution: PatchSolution, influence: Influence, grid: Grid) -> tuple[str, ...]:
     """Return a sentence for every way in which the result leaves the model's validity."""
-    touching = solution.footprint.any(axis=0)
-    sentences = [*_cut_off(solution, grid), *_heavy_images(influence)]
-    if not touching.any():
-        return tuple(sentences)
-    y, half_width = solution.y[touching], 0.5 * solution.dx * widest_run(solution.footprint)[touching]
-    sharpest = np.maximum(np.abs(solution.contact.a.curvature(y)), np.abs(solution.contact.b.curvature(y)))
-    ratio = float(np.max(half_width * sharpest))
-    if ratio > MOST_OF_RADIUS:
-        sentences.append(
-            f"The half-width is {ratio:.2f} of the smaller radius of curvature, over {MOST_OF_RADIUS}: half-spaces do "
-            "not describe such a contact."
-        )
-    sentences.extend(
-        f"The depth of body {name} is only {ratio:.2f} half-widths, less than {LEAST_DEPTH:g}: the body is so thin "
-        "that neither half-spaces nor line loads describe it."
-        for name, _, ratio in _depths(solution.contact, y, half_width)
-        if ratio < LEAST_DEPTH
-    )
-    return tuple(sentences)
+    touching, contact = solution.footprint.any(axis=0), solution.contact
+    found = [*image_weights(influence.ends)]
+    if touching.any():
+        y, half_width = solution.y[touching], 0.5 * solution.dx * widest_run(solution.footprint)[touching]
+        mean = solution.load / (float(solution.footprint.sum()) * solution.dx * solution.dy)
+        found += [curved(contact, y, half_width), small_strains(contact, mean), *thick(contact, HERTZ, y, half_width)]
+    return (*_cut_off(solution, grid), *(sentence for check in found for sentence in check.sentences))
 
 
 def widest_run(footprint: Mask) -> Array:
@@ -130,33 +113,6 @@ def widest_run(footprint: Mask) -> Array:
         run = (run + 1.0) * row
         np.maximum(widest, run, out=widest)
     return widest
-
-
-def refuse_thin_bodies(contact: Contact, y: Array, half_width: Array) -> None:
-    """Refuse a depth so small that the points at depth move as much as the surface.
-
-    Raises
-    ------
-    InputError
-    """
-    widest = float(np.max(half_width))
-    for name, body, ratio in _depths(contact, y, half_width):
-        if ratio < LEAST_OF_ALL:
-            shown = ratio * widest if isinstance(body.depth, str) else body.depth
-            condition = f"be large against the half-width of the contact, about {widest:.2g} mm"
-            remedy = "give the thickness of the body, or 'none'"
-            raise InputError("depth", shown, condition, remedy).within(f"body.{name}")
-
-
-def _depths(contact: Contact, y: Array, half_width: Array) -> list[tuple[str, Body, float]]:
-    """Return name, body and least depth in half-widths of each body that has a depth."""
-    touching = half_width > 0.0
-    found = []
-    for name, body in (("a", contact.a), ("b", contact.b)):
-        below = body.behind.below(body, HERTZ)
-        if below is not None and np.any(touching):
-            found.append((name, body, float(np.min(below(y[touching]) / half_width[touching]))))
-    return found
 
 
 def overlaps(overlap: Overlap | None) -> tuple[str, ...]:
@@ -244,16 +200,6 @@ def _cut_off(solution: PatchSolution, grid: Grid) -> list[str]:
         "off; give a larger region, or leave it out."
         for axis, end, cut in places
         if cut
-    ]
-
-
-def _heavy_images(influence: Influence) -> list[str]:
-    """Return a sentence for each place at which images had to weigh less than asked."""
-    return [
-        f"The images about the side face at y = {end.y:.6g} mm would weigh {end.requested:.3g} of the surface, and "
-        "above 1 refinement leads nowhere: their weights were lowered until it is 1."
-        for end in influence.ends
-        if end.requested > HEAVIEST
     ]
 
 

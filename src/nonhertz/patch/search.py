@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.bodies.solid import HERTZ
 from nonhertz.errors import InputError
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
@@ -17,8 +18,9 @@ from nonhertz.patch import nearness
 from nonhertz.patch import region as regions
 from nonhertz.patch.cascade import Outcome, Problem, solve_on
 from nonhertz.patch.grid import Grid
-from nonhertz.patch.limits import refuse_thin_bodies, widest_run
+from nonhertz.patch.limits import widest_run
 from nonhertz.patch.nearness import Lowest, Overlap, Rows, Window
+from nonhertz.result.checks import LEAST_OF_ALL, refuse_thin_bodies
 
 Array = NDArray[np.float64]
 Span = tuple[float, float]
@@ -234,7 +236,7 @@ class Search:
         run = widest_run(outcome.state.pressure > 0.0)
         # Of a contact a few cells wide the width is unknown.
         if run.max() >= LEAST_RUN:
-            refuse_thin_bodies(self.contact, grid.y, 0.5 * grid.dx * run)
+            refuse_thin_bodies(self.contact, HERTZ, grid.y, 0.5 * grid.dx * run, LEAST_OF_ALL)
         self._refuse_spans(grid.x_span, grid.y_span)
 
     def _refuse_spans(self, x_span: Span, y_span: Span) -> None:

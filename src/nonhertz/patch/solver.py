@@ -27,7 +27,6 @@ from nonhertz.patch.limits import (
     between_cells,
     error_estimate,
     overlaps,
-    refuse_thin_bodies,
     singularities,
     strains,
     uncertain,
@@ -40,6 +39,7 @@ from nonhertz.patch.search import Search
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.surface import Feature, Surface, refuse_no_bodies
 from nonhertz.patch.verdict import complaint
+from nonhertz.result.checks import LEAST_OF_ALL, refuse_thin_bodies
 from nonhertz.result.solution import ErrorEstimate, Status
 
 Array = NDArray[np.float64]
@@ -155,7 +155,8 @@ def solve(
             outcome, overlap = _in_region(search, Grid(*spans, cells), tolerance, pool)
         levels = halved(problem, outcome, tolerance, pool)
     solution = _solution(contact, outcome)
-    refuse_thin_bodies(contact, solution.y, 0.5 * solution.dx * widest_run(solution.footprint))
+    half_width = 0.5 * solution.dx * widest_run(solution.footprint)
+    refuse_thin_bodies(contact, HERTZ, solution.y, half_width, LEAST_OF_ALL)
     broken = complaint(solution, surface, prescription, tolerance)
     if solution.status is not Status.CONVERGED:
         raise ConvergenceError(_failed(solution, broken, tolerance), solution)

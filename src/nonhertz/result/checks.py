@@ -12,16 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies.ends import End
-from nonhertz.model.body import Body
+from nonhertz.bodies.solid import Shape
+from nonhertz.errors import InputError
+from nonhertz.model.body import BODIES, Body, BodyName
 from nonhertz.model.contact import Contact
 from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]
 
-MOST_OF_RADIUS = 0.3
-MOST_OF_MODULUS = 0.1
-LEAST_DEPTH = 3.0  # half-widths
-HEAVIEST = 1.0 + 1e-9
+MOST_OF_RADIUS = 0.3  # a circle departs from its parabola there by 2 % of its drop
+MOST_OF_MODULUS = 0.1  # the hardness of metals and ceramics is a few hundredths of their modulus
+LEAST_DEPTH, LEAST_OF_ALL = 3.0, 1.0  # half-widths: warned of below the first, refused below the second
+HEAVIEST = 1.0 + 1e-9  # kappa, but for the rounding of a sum that is 1
 WIDER_THAN_LONG = 1.02  # so that a circle is not called wide for its rounding
 
 
@@ -58,7 +60,14 @@ class Check:
 
 def checks(solution: Solution, freed: tuple[End, ...]) -> tuple[Check, ...]:
     """Return all checks of a solution that has a contact; ``freed`` side faces as `nonhertz.bodies.ends` has them."""
-    return (_long(solution), _curved(solution), _small_strains(solution), *_deep(solution), *_images(freed))
+    contact, touching = solution.contact, solution.line_load > 0.0
+    y, half_width = solution.y[touching], solution.half_width[touching]
+    area = 2.0 * float(np.sum(solution.half_width * solution.strip_width))
+    mean = float(np.sum(solution.line_load * solution.strip_width)) / area
+    return (
+        _long(solution), curved(contact, y, half_width), small_strains(contact, mean),
+        *thick(contact, solution.element, y, half_width), *image_weights(freed),
+    )  # fmt: skip
 
 
 def sharper_curvature(contact: Contact, y: Array) -> Array:
@@ -78,9 +87,9 @@ def _long(solution: Solution) -> Check:
     return Check(what, criterion, ratio, WIDER_THAN_LONG, (sentence,), "Expect errors where the contact ends.")
 
 
-def _curved(solution: Solution) -> Check:
-    touching = solution.line_load > 0.0
-    ratio = float(np.max(solution.half_width[touching] * sharper_curvature(solution.contact, solution.y[touching])))
+def curved(contact: Contact, y: Array, half_width: Array) -> Check:
+    """Return whether a contact of these half-widths [mm] at ``y`` is narrow against its bodies' radii."""
+    ratio = float(np.max(half_width * sharper_curvature(contact, y)))
     what = "Half-spaces, parabolic separation across"
     criterion = f"half-width up to {MOST_OF_RADIUS:g} of the smaller radius of curvature"
     sentence = (
@@ -90,10 +99,9 @@ def _curved(solution: Solution) -> Check:
     return Check(what, criterion, ratio, MOST_OF_RADIUS, (sentence,) if ratio > MOST_OF_RADIUS else ())
 
 
-def _small_strains(solution: Solution) -> Check:
-    softer = min(solution.contact.a.material.modulus, solution.contact.b.material.modulus)
-    area = 2.0 * float(np.sum(solution.half_width * solution.strip_width))
-    mean = float(np.sum(solution.line_load * solution.strip_width)) / area
+def small_strains(contact: Contact, mean: float) -> Check:
+    """Return whether strains under a ``mean`` pressure [MPa] are small."""
+    softer = min(contact.a.material.modulus, contact.b.material.modulus)
     what, criterion = "Small strains", f"mean pressure up to {MOST_OF_MODULUS:g} of the softer body's modulus"
     sentence = (
         f"The mean pressure is {mean:.3g} MPa, {mean / softer:.2g} of the softer body's modulus and over "
@@ -104,8 +112,9 @@ def _small_strains(solution: Solution) -> Check:
     )
 
 
-def _deep(solution: Solution) -> Iterator[Check]:
-    for name, _, ratio in depths(solution, solution.half_width):
+def thick(contact: Contact, shape: Shape, y: Array, half_width: Array) -> Iterator[Check]:
+    """Yield whether each body that has a depth is thick under half-widths [mm] at ``y``."""
+    for name, _, ratio in depths(contact, shape, y, half_width):
         sentence = (
             f"The depth of body {name} is only {ratio:.2f} half-widths, less than {LEAST_DEPTH:g}: the body is so thin "
             "that neither half-spaces nor line loads describe it."
@@ -114,20 +123,35 @@ def _deep(solution: Solution) -> Iterator[Check]:
         yield Check(what, criterion, ratio, LEAST_DEPTH, (sentence,) if ratio < LEAST_DEPTH else ())
 
 
-def depths(solution: Solution, half_width: Array) -> list[tuple[str, Body, float]]:
-    """Return name, body and least depth in half-widths of each body that has a depth."""
+def depths(contact: Contact, shape: Shape, y: Array, half_width: Array) -> list[tuple[BodyName, Body, float]]:
+    """Return name, body and least depth in half-widths of each body that has a depth, where it is in contact."""
     touching = half_width > 0.0
-    if not np.any(touching):
-        return []
     found = []
-    for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
-        below = body.behind.below(body, solution.element)
-        if below is not None:
-            found.append((name, body, float(np.min(below(solution.y[touching]) / half_width[touching]))))
+    for name, body in zip(BODIES, (contact.a, contact.b), strict=True):
+        below = body.behind.below(body, shape)
+        if below is not None and np.any(touching):
+            found.append((name, body, float(np.min(below(y[touching]) / half_width[touching]))))
     return found
 
 
-def _images(freed: tuple[End, ...]) -> Iterator[Check]:
+def refuse_thin_bodies(contact: Contact, shape: Shape, y: Array, half_width: Array, least: float) -> None:
+    """Refuse a depth of less than ``least`` half-widths: the points at depth move as much as the surface there.
+
+    Raises
+    ------
+    InputError
+    """
+    for name, body, ratio in depths(contact, shape, y, half_width):
+        if ratio < least:
+            widest = float(np.max(half_width))
+            shown = ratio * widest if isinstance(body.depth, str) else body.depth
+            condition = f"be large against the half-width of the contact, about {widest:.2g} mm"
+            remedy = "give the thickness of the body, or 'none'"
+            raise InputError("depth", shown, condition, remedy).within(f"body.{name}")
+
+
+def image_weights(freed: tuple[End, ...]) -> Iterator[Check]:
+    """Yield whether the images about side faces weigh as asked, if there are any."""
     if not freed:
         return
     heavy = [end for end in freed if end.requested > HEAVIEST]

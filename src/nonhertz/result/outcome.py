@@ -17,7 +17,7 @@ from nonhertz.result.maximum import largest_pressure
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
 from nonhertz.result.validity import (
     AT_CORNER,
-    refuse_thin_bodies,
+    refuse_thin,
     refuse_wide_series,
     refuse_wider_than_round,
     singularities,
@@ -46,7 +46,7 @@ def outcome(contact: Contact, problem: Problem, levels: Levels) -> Solution:
         If the Newton loop failed, or if what it calls a solution does not meet what was prescribed.
     """
     solution = _solution(contact, problem, levels)
-    refuse_thin_bodies(solution, problem)
+    refuse_thin(solution, problem)
     refuse_wide_series(solution)
     refuse_wider_than_round(solution, problem)
     if solution.status is not Status.CONVERGED:

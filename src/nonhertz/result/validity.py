@@ -13,10 +13,11 @@ from nonhertz.model.contact import Contact
 from nonhertz.result.checks import (
     HEAVIEST,
     LEAST_DEPTH,
+    LEAST_OF_ALL,
     MOST_OF_MODULUS,
     MOST_OF_RADIUS,
     checks,
-    depths,
+    refuse_thin_bodies,
     sharper_curvature,
 )
 from nonhertz.result.ends import step_at
@@ -169,23 +170,16 @@ def _without_limit(solution: Solution) -> list[str]:
     return sentences
 
 
-def refuse_thin_bodies(solution: Solution, problem: Problem) -> None:
+def refuse_thin(solution: Solution, problem: Problem) -> None:
     """Refuse a depth so small that the points at depth move as much as the surface."""
     converged = solution.status is Status.CONVERGED
     # A loop that failed leaves half-widths that mean nothing; those of springs may be too small by a half.
     half_width = solution.half_width
     if not converged:
         half_width = solution.element.hertz_ratio * np.sqrt(sprung(problem, solution.edges).m)
-    least = 1.0 if converged else SCARCELY
-    widest = float(np.max(half_width))
-    if not np.isfinite(widest):
-        return
-    for name, body, ratio in depths(solution, half_width):
-        if ratio < least:
-            shown = ratio * widest if isinstance(body.depth, str) else body.depth
-            condition = f"be large against the half-width of the contact, about {widest:.2g} mm"
-            remedy = "give the thickness of the body, or 'none'"
-            raise InputError("depth", shown, condition, remedy).within(f"body.{name}")
+    if np.isfinite(np.max(half_width)):
+        least = LEAST_OF_ALL if converged else SCARCELY
+        refuse_thin_bodies(solution.contact, solution.element, solution.y, half_width, least)
 
 
 def wider_than_round(contact: Contact, y: Array, half_width: Array) -> Flags:

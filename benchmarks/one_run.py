@@ -1,4 +1,4 @@
-"""One heat of the race in a process of its own: a program, a contact, a grid. JSON on stdin, JSON on the last line out.
+"""One run of the race in a process of its own: a program, a contact, a grid. JSON on stdin, JSON on the last line out.
 
 A process of its own so that memory is nobody else's, and so that no program finds caches that another has warmed.
 """
@@ -31,7 +31,7 @@ Run = tuple[float, entrants.Answer]
 
 
 def main() -> None:
-    """Read a heat, run it, write what came out."""
+    """Read what is to be run, run it, write what came out."""
     asked = json.load(sys.stdin)
     with threadpool_limits(limits=asked["threads"]), warnings.catch_warnings():
         warnings.simplefilter("ignore", nh.AccuracyWarning)
