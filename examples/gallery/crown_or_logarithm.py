@@ -2,9 +2,9 @@
 Crown or logarithm, when the roller tilts?
 ==========================================
 
-A crown is easy to grind, a logarithmic profile spreads the load better. Which one bears more misalignment? A roller of
+A crown is easy to grind; a logarithmic profile spreads the load better. Which tolerates more misalignment? A roller of
 15 x 15 mm on an inner ring of 60 mm under 12 kN, tilted by up to 2 mrad: straight, with a flat and a strong crown, and
-with the profile that Lundberg worked out for this very load.
+with Lundberg's profile for exactly this load.
 """
 
 import warnings
@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 import nonhertz as nh
 from nonhertz.plot.style import FAINT_INK, FIRST, INK, SECOND, SMALL_SIZE, sheet_style
 
-warnings.simplefilter("ignore", nh.AccuracyWarning)  # two of the profiles let sharp ends bear, as we are to see
+warnings.simplefilter("ignore", nh.AccuracyWarning)  # with two of the profiles sharp ends carry load, as we will see
 
 DIAMETER = LENGTH = 15.0
 RING = nh.Ring(diameter=60)
@@ -38,9 +38,10 @@ def contact(profile):
 # %%
 # Upright
 # -------
-# The pressure along the roller. The straight roller and the flat crown bear on their sharp ends, where the pressure of
-# elastic bodies has no limit; their lines end with the last strip, or leave the figure. Under Lundberg's profile it is
-# even over nearly the whole length, at about what Hertz gives for a line contact of this load and length (thin line).
+# The pressure along the roller. The straight roller and the flat crown carry load on their sharp ends, where the
+# pressure between elastic bodies is unbounded; their lines end with the last strip or leave the figure. Under
+# Lundberg's profile it is even over nearly the whole length, close to Hertz's value for a line contact of this load and
+# length (thin line).
 
 hertz = nh.hertz.line_contact(
     line_load=LOAD / LENGTH, radius=RADIUS, compliance=contact(PROFILES["straight"]).compliance
@@ -72,16 +73,16 @@ figure = along(upright, "Upright")
 # %%
 # Tilted by 1 mrad
 # ----------------
-# The logarithm rises steeply near the ends and gives way there, the flat crown digs in.
+# The logarithmic profile drops off steeply near the ends and so relieves them; the flat crown digs in.
 
 figure = along(tilted, "Tilted by 1 mrad")
 
 # %%
 # The largest pressure against the tilt
 # -------------------------------------
-# Where an end bears the pressure there has no limit: Lundberg's line stops there, and those of the straight roller and
-# of the flat crown do not begin. Up to that tilt the logarithm is the better one. The strong crown hardly notices a
-# tilt, but its pressure is high from the beginning.
+# Where an end carries load the pressure there is unbounded: Lundberg's line stops at that tilt, and the straight roller
+# and the flat crown have no line at all. Up to that tilt the logarithmic profile is better. The strong crown is hardly
+# affected by tilt, but its pressure is high from the start.
 
 TILTS = np.linspace(0.0, 2e-3, 11)
 highest = {}

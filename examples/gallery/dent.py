@@ -24,8 +24,8 @@ print(f"maximum pressure: smooth {strips.max_pressure:.0f} MPa, dented {dented.m
 # %%
 # The pressure around the dent
 # ----------------------------
-# In true proportions; the white circle is the rim of the bowl. The bowl bears less, the rim and the shoulder bear what
-# the bowl does not. The contact ends on edges of cells, hence the steps.
+# To true proportions; the white circle is the rim of the bowl. The bowl carries less, and the rim and the shoulder take
+# what the bowl does not. The contact ends on cell edges, hence the steps.
 
 with sheet_style():
     figure = Figure(figsize=(6.7, 2.6), layout="constrained")
@@ -42,7 +42,7 @@ with sheet_style():
 # %%
 # Along the line of contact
 # -------------------------
-# Away from the dent both methods agree: the marks are strips of the roller without a dent.
+# Away from the dent both methods agree: the markers are strips of the contact without a dent.
 
 with sheet_style():
     figure = Figure(figsize=(6.7, 3.0), layout="constrained")

@@ -2,8 +2,8 @@
 How exact is an elliptical contact?
 ===================================
 
-Where bodies are round both ways, Hertz has the answer. Strips know nothing of it: they find for themselves how long the
-contact is, how wide, and how the load is shared. A roller of 20 mm with a crown of 100 mm on a plate, 1000 N.
+Where bodies are curved both ways, Hertz has the answer. Strips do not use it: they find for themselves how long and how
+wide the contact is, and how the load is distributed. A roller of 20 mm with a crown of 100 mm on a plate, 1000 N.
 """
 
 import numpy as np
@@ -23,12 +23,12 @@ for quantity in ("approach", "max_pressure"):
     print(f"{quantity:14}{found:14.6f}  Hertz {exact:14.6f}  off by {1e6 * (found / exact - 1):6.1f} ppm")
 
 # %%
-# The footprint, in true proportions.
+# The footprint, to true proportions.
 
 figure = figures(solution, "Roller 20 mm, crown 100 mm, on a plate")["footprint"]
 
 # %%
-# Pressure and half-width along the contact: Hertz as lines, the strips as marks.
+# Pressure and half-width along the contact: Hertz as lines, the strips as markers.
 
 y = np.linspace(-1.05, 1.05, 401) * hertz.half_length
 with sheet_style():
@@ -49,8 +49,8 @@ with sheet_style():
         each.spines["top"].set_visible(False)
 
 # %%
-# How far strips are off
-# ----------------------
+# How accurate strips are
+# -----------------------
 # With more strips the error falls, though not at every step. The square is the automatic grid.
 
 counts = np.array([11, 15, 21, 31, 41, 61, 81, 121, 161])

@@ -1,9 +1,9 @@
 """
-How much should a profile drop?
-===============================
+How much should a profile drop off?
+===================================
 
-Too little, and misalignment overloads the ends; too much, and the middle bears everything. The drop of a logarithmic
-profile goes with the load that it is designed for (Johns and Gohar). Which drop makes the ring under a misaligned
+Too little, and misalignment overloads the ends; too much, and the middle carries everything. The drop of a logarithmic
+profile is proportional to its design load (Johns and Gohar). Which drop makes the ring under a misaligned
 roller last longest? Roller 12.7 x 12.7 mm on an inner ring of 50 mm, 10 kN.
 """
 
@@ -20,7 +20,7 @@ RING = nh.Ring(diameter=50)
 RADIUS = 1 / (2 / DIAMETER + 2 / 50)  # mm, combined
 LOAD = 10e3  # N
 TILTS = {"upright": 0.0, "0.5 mrad": 0.5e-3, "1 mrad": 1e-3, "1.5 mrad": 1.5e-3}
-warnings.simplefilter("ignore", nh.AccuracyWarning)  # small drops let the ends bear, which is what we want to see
+warnings.simplefilter("ignore", nh.AccuracyWarning)  # small drops load the ends, which is what we want to see
 
 
 def solved(profile, tilt):
@@ -38,9 +38,9 @@ def life(profile, tilt, model):
 # %%
 # Life against drop
 # -----------------
-# By the laminae of ISO/TS 16281, which take no time. An upright roller wants little drop; the more tilt there is, the
-# more drop pays (circles: the best). The profile designed for the load itself (dotted) is a good choice up to about
-# 1 mrad.
+# By the laminae of ISO/TS 16281, which cost next to nothing. An upright roller needs little drop; the greater the tilt,
+# the more drop pays off (circles: the best). The profile designed for the load itself (dotted) is a good choice up to
+# about 1 mrad.
 
 DESIGN_LOADS = LOAD * np.geomspace(0.15, 5, 29)
 profiles = [nh.profile.johns_gohar(load=load, length=LENGTH, radius=RADIUS) for load in DESIGN_LOADS]
@@ -70,8 +70,8 @@ with sheet_style():
 # %%
 # Where the ring fatigues
 # -----------------------
-# Damage per length at 1 mrad, over that under the even pressure, by Lundberg and Palmgren from the stress below the
-# surface: with the profile designed for the load, and with one for twice that.
+# Damage per length at 1 mrad, relative to that under the even pressure, by Lundberg and Palmgren from the subsurface
+# stress: with the profile designed for the load, and with one designed for twice the load.
 
 found = {
     "designed for 10 kN": life(designed, 1e-3, "lundberg-palmgren"),

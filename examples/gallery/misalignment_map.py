@@ -1,10 +1,10 @@
 """
-Which loads and misalignments does a roller bear?
+Which loads and misalignments can a roller carry?
 =================================================
 
-Hundreds of cases in one call: load against tilt, with the largest pressure and the stiffness against tilting as maps.
-The roller has 20 x 20 mm and a logarithmic profile, on a plate; both bodies go on as half-spaces behind their ends, as
-programs for rough surfaces have them, with which one of the cases has been compared.
+Hundreds of cases in one call: maps of the maximum pressure and the tilting stiffness over load and tilt. The roller is
+20 x 20 mm with a logarithmic profile, on a plate; both bodies continue as half-spaces beyond their ends, as in programs
+for rough surfaces, with which one of the cases has been compared.
 """
 
 import numpy as np
@@ -46,17 +46,17 @@ def drawn(values, label, levels):
 # %%
 # The largest pressure
 # --------------------
-# Upright it is in the middle and grows a little more slowly than with the root of the load, which Hertz has for a
-# contact of one length: this one grows too. From about 30 kN on the contact is pushed so far up the steep ends of the
+# Upright it is in the middle and grows slightly more slowly than the square root of the load, as in a Hertz contact of
+# fixed length: this contact also gets longer. Above about 30 kN the contact extends so far into the steep ends of the
 # profile that the peaks are there, and the contours have a kink. A tilt does the same on one side.
 
 figure = drawn(many.max_pressure, "Largest pressure [MPa]", np.arange(800, 5601, 400))
 
 # %%
-# Stiffness against tilting
-# -------------------------
-# The derivative of the moment with the tilt at a fixed approach, of each case: what a shaft calculation needs. It
-# comes with every solution, exactly, not from differences.
+# Tilting stiffness
+# -----------------
+# The derivative of the moment with respect to the tilt at fixed approach, for each case: what a shaft calculation
+# needs. It comes with every solution, exactly, not from finite differences.
 
 stiffness = many.stiffness[..., 1, 1]  # N mm / rad
 figure = drawn(1e-6 * stiffness, "d moment / d tilt [N m / mrad]", np.arange(8, 45, 3))

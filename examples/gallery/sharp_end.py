@@ -1,10 +1,10 @@
 r"""
-What can be said of a sharp end?
-================================
+What can be said about a sharp end?
+===================================
 
-A straight roller ends on a longer ring. At its edge the pressure of elastic bodies has no limit: it grows as
-:math:`p = K s^{-\alpha}` towards the edge, and a program that prints a maximum there prints the size of its mesh. What
-does converge is the exponent and the strength K. Straight roller 20 x 20 mm on a ring of 80 mm, 20 kN.
+A straight roller ends on a longer ring. At its edge the pressure between elastic bodies is unbounded: it grows
+as :math:`p = K s^{-\alpha}` towards the edge, and a maximum printed there only reflects the mesh size. What does
+converge is the exponent and the strength K. Straight roller 20 x 20 mm on a ring of 80 mm, 20 kN.
 """
 
 import warnings
@@ -16,7 +16,7 @@ import nonhertz as nh
 from nonhertz.plot.style import FAINT_INK, FIRST, INK, SECOND, sheet_style
 
 RING = nh.Ring(diameter=80)
-warnings.simplefilter("ignore", nh.AccuracyWarning)  # they say what this page is about
+warnings.simplefilter("ignore", nh.AccuracyWarning)  # they are what this page is about
 
 
 def solved(side_faces, strips="auto"):
@@ -33,8 +33,8 @@ for name, solution in {"roller's end freed of shear": mirrored, "half-spaces": h
 # %%
 # The maximum is the mesh
 # -----------------------
-# Strips that grow by a fifth from both ends inwards, the narrowest ever narrower. The pressure of the last strip
-# rises without end. K, worked out from the strips near the end, stays where it is.
+# Strips that widen by a fifth from both ends inwards, with an ever narrower first strip. The pressure of the last strip
+# rises without bound. K, computed from the strips near the end, does not change.
 
 
 def graded(narrowest):
@@ -65,12 +65,12 @@ with sheet_style():
         axes.spines[["top", "right"]].set_visible(False)
 
 # %%
-# Nearer and nearer to the edge
+# Closer and closer to the edge
 # -----------------------------
-# In logarithmic axes a power is a straight line. With the roller's end freed of shear and the ring going on, the
-# exponent is 1/3; as half-spaces, which is how many programs see the roller, it would be 1/2. The thin lines are K and
-# exponent alone; the thick ones have the next term too, and hold up to half a half-width (from there on grey). The
-# strip at the very end, the first mark of each, stands for its whole width and lies off the line.
+# On logarithmic axes a power law is a straight line. With the roller's end freed of shear and the ring continuing, the
+# exponent is 1/3; as half-spaces, which is how many programs model the roller, it would be 1/2. The thin lines are K
+# and the exponent alone; the thick ones include the next term and are valid up to half a half-width (grey beyond). The
+# strip at the very end, the first marker of each, represents its whole width and lies off the line.
 
 distance = np.geomspace(1e-3, 2.0, 200)
 with sheet_style():

@@ -1,6 +1,6 @@
 """
-Where does a misaligned roller suffer most?
-===========================================
+Where is a misaligned roller contact stressed most?
+===================================================
 
 Fatigue begins below the surface. A roller of 15 x 15 mm with the profile of ISO 16281 on an inner ring, 12 kN, tilted
 by 1 mrad: where is the largest von Mises stress in the ring, and how much larger is it than under an upright roller?
@@ -41,9 +41,9 @@ figure = figures["cross-section"]
 # %%
 # Down from the surface
 # ---------------------
-# Under the middle of the upright roller the stress is that below Hertz's line contact: the maximum shear stress is 0.30
-# of the pressure, 0.78 half-widths deep (K. L. Johnson, Contact Mechanics, 1985, section 4.2). Here it is at the dotted
-# line.
+# Under the middle of the upright roller the stress is that below a Hertz line contact: the maximum shear stress is 0.30
+# of the pressure, 0.78 half-widths deep (K. L. Johnson, Contact Mechanics, 1985, section 4.2). The dotted line marks
+# the depth found here.
 
 depths = np.linspace(0, 2.5, 101)
 middle = int(np.argmin(np.abs(upright.y)))

@@ -2,14 +2,14 @@
 Wheel on rail: what does the cone angle do?
 ===========================================
 
-The head of the rail 60E1 of EN 13674-1 is rounded by 300 mm in the middle, by 80 mm beside it and by 13 mm at the
-corners; here the first two. A wheel of 920 mm, conical where it runs, touches it where the slopes are equal. The
-steeper the cone against the head, the farther out that is; where both arcs bear, the contact is no ellipse and no
-formula of Hertz fits. Wheel load 100 kN.
+The head of the 60E1 rail of EN 13674-1 has radii of 300 mm in the middle, 80 mm on either side and 13 mm at the
+corners; only the first two are used here. A wheel of 920 mm with a conical tread touches it where the slopes are equal.
+The steeper the cone relative to the head, the farther out that is; where both arcs carry load, the contact is not an
+ellipse and no Hertz formula applies. Wheel load 100 kN.
 
-The angle counts from the tangent at the middle of the head. A rail is laid with an inclination of its own, 1 in 40 or
-1 in 20, which is to be taken from the cone of the wheel. The corners, where flanges touch, are out of reach: there the
-slopes are no longer small, and the contact is many times wider than long.
+The angle is measured from the tangent at the middle of the head. A rail is itself laid at an inclination of 1 in 40 or
+1 in 20, which must be subtracted from the cone of the wheel. The corners, where flanges touch, are beyond this model:
+the slopes there are no longer small, and the contact is many times wider than long.
 """
 
 import warnings
@@ -28,7 +28,7 @@ rail = nh.Body(profile=nh.profile.two_radius(radius=FLAT_ARC, end_radius=STEEP_A
 wheel = nh.Body(diameter=920)
 contact = nh.Contact(wheel, rail)
 
-# They say that the contact is wider than long; see the end of the page for what that costs.
+# The warnings say that the contact is wider than long; see the end of the page for what that costs.
 warnings.simplefilter("ignore", nh.AccuracyWarning)
 
 CONES = np.linspace(0.0, 0.1, 21)  # rad; new wheels have 1 in 40 to 1 in 20 against the axle
@@ -37,7 +37,7 @@ solutions = [nh.solve(contact, load=LOAD, tilt=cone) for cone in CONES]
 # %%
 # The pressure along the head of the rail
 # ---------------------------------------
-# Each line is one cone angle. As long as the contact stays on one arc it is Hertz's ellipse; over the joint of both
+# Each line is one cone angle. As long as the contact stays on one arc it is Hertz's ellipse; across the junction of the
 # arcs it has a shoulder on one side and a peak on the other.
 
 shown = [solutions[number] for number in (0, 4, 6, 8, 12, 20)]
@@ -62,12 +62,13 @@ with sheet_style():
 # %%
 # The largest pressure against the cone angle
 # -------------------------------------------
-# On the dotted lines is Hertz, for a wheel on one arc alone; the way from one to the other is what only a method for
-# any profile can tell. Every one of these contacts is wider than long, which strips are not meant for. The squares are
-# from a plane grid, which assumes nothing of the pressure across.
+# The dotted lines are Hertz's values for a wheel on one arc alone; only a method for arbitrary profiles can give the
+# transition between them. All of these contacts are wider than long, for which strips are not intended. The squares are
+# from a plane grid, which makes no assumption about the pressure across.
 #
-# The curve passes Hertz's upper line and goes on to rise. A tilt shifts every place in proportion to y and turns none,
-# so that an arc of radius R at the slope s is as sharp as one of R / (1 + s^2)^1.5 that lies level: 79 mm at 100 mrad.
+# The curve crosses Hertz's upper line and keeps rising. The tilt is modelled as a displacement proportional to y,
+# without rotation, so an arc of radius R at the slope s counts as a level one of radius R / (1 + s^2)^1.5: 79 mm at 100
+# mrad.
 
 CHECKED = [0, 5, 6, 8, 10, 20]  # numbers of solutions
 on_grid = [nh.patch.solve(contact, load=LOAD, tilt=CONES[number], cells=(64, 128)) for number in CHECKED]
