@@ -1,6 +1,6 @@
 """Elastic contact of rollers, raceways, gear teeth and wheels whose shape no Hertz formula fits.
 
-Units are mm, N, MPa and rad throughout. Positive relief is material taken away.
+Units are mm, N, MPa and rad throughout. Positive relief is material removed.
 
 Examples
 --------
@@ -58,7 +58,7 @@ if TYPE_CHECKING:
 
 __version__ = "0.1.0"
 
-# Where each public name lives. Nothing is imported before it is asked for, so that `import nonhertz` costs
+# Where each public name is defined. Nothing is imported until it is accessed, so that `import nonhertz` takes
 # milliseconds and the command line answers `--help` without loading a compiler.
 _HOMES = {
     "AccuracyWarning": "nonhertz.errors",

@@ -1,7 +1,7 @@
-"""What can go wrong, and how it is said.
+"""The errors and warnings of the package, and the form of their messages.
 
-Every complaint about input is built by one class from the same four parts, so that each is one sentence
-that names the field, its value, the condition it breaks and the way out.
+Every input error is built by one class from the same four parts, so that each is one sentence
+that names the field, its value, the condition it breaks and the remedy.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Any
 
 
 class NonhertzError(Exception):
-    """Anything that this package raises on purpose."""
+    """Base class of all errors that this package raises on purpose."""
 
 
 class InputError(NonhertzError, ValueError):
@@ -22,11 +22,11 @@ class InputError(NonhertzError, ValueError):
     field : str
         Name of the input as the user wrote it, such as ``"diameter"`` or ``"body.a.length"``.
     value : object
-        The value that was given.
+        The value given.
     condition : str
-        What the value must do, to follow "must": ``"be positive"``.
+        The condition, phrased to follow "must": ``"be positive"``.
     remedy : str
-        The way out, a clause without a full stop.
+        What to do about it, a clause without a full stop.
 
     Examples
     --------
@@ -45,7 +45,7 @@ class InputError(NonhertzError, ValueError):
         return f"{self.field} = {_shown(self.value)} must {self.condition}: {self.remedy}."
 
     def within(self, place: str) -> InputError:
-        """Return the same complaint with the field named inside ``place``, such as ``"body.a"``."""
+        """Return the same error with the field named inside ``place``, such as ``"body.a"``."""
         return InputError(f"{place}.{self.field}", self.value, self.condition, self.remedy)
 
 
@@ -57,7 +57,7 @@ class CaseError(NonhertzError):
     mistakes : iterable of str
         The mistakes, one sentence each.
     places : iterable of str
-        The key that each is about, such as ``"body.a.profile[1].radius"``; empty where it is about the whole file.
+        The key that each is about, such as ``"body.a.profile[1].radius"``; empty if it is about the whole file.
 
     Examples
     --------
@@ -69,7 +69,7 @@ class CaseError(NonhertzError):
     def __init__(self, mistakes: Iterable[str], places: Iterable[str] = ()) -> None:
         self.mistakes = tuple(mistakes)
         self.places = tuple(places) or ("",) * len(self.mistakes)
-        # All arguments, so that the error travels between processes.
+        # All arguments, so that the error can be pickled and sent between processes.
         super().__init__(self.mistakes, self.places)
 
     def __str__(self) -> str:
@@ -77,7 +77,7 @@ class CaseError(NonhertzError):
 
 
 class ConvergenceError(NonhertzError):
-    """The solver stopped short of a solution; ``solution`` holds what it had by then.
+    """The solver stopped short of a solution; ``solution`` holds the state it had reached.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ class ConvergenceError(NonhertzError):
     def __init__(self, message: str, solution: Any) -> None:
         self.message = message
         self.solution = solution
-        # All arguments, so that the error travels between processes.
+        # All arguments, so that the error can be pickled and sent between processes.
         super().__init__(message, solution)
 
     def __str__(self) -> str:
@@ -98,13 +98,13 @@ class ConvergenceError(NonhertzError):
 
 
 class AccuracyWarning(UserWarning):
-    """The answer is a converged one, but of a model stretched beyond its validity."""
+    """The solution has converged, but the model may be used beyond its validity."""
 
 
 def _shown(value: object) -> str:
-    # NumPy's numbers are shown as plain ones.
+    # NumPy scalars are shown as plain numbers.
     try:
         text = repr(value.item() if hasattr(value, "item") and not hasattr(value, "__len__") else value)
-    except ValueError:  # Python writes no integer of thousands of digits
+    except ValueError:  # Python refuses to print integers of thousands of digits
         text = f"<{type(value).__name__} too long to show>"
     return text if len(text) <= 60 else text[:57] + "..."

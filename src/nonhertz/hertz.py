@@ -1,6 +1,6 @@
-"""Closed forms of Hertz: the point contact, the line contact, and the compression in a line contact.
+"""Hertz's closed forms: the point contact, the line contact, and the compression in a line contact.
 
-Everything else in the package is checked against this module, so it has to hold to the last digits for
+Everything else in the package is checked against this module, so it has to be accurate to the last digits for
 every shape, from the circle to a contact a million times longer than wide. Over an ellipse of half-width b
 (across, x) and half-length a (along, y) the pressure p = p0 sqrt(1 - (x/b)^2 - (y/a)^2) presses a half-space
 into a paraboloid. In Carlson's symmetric elliptic integrals the three conditions of Hertz read
@@ -10,10 +10,10 @@ into a paraboloid. In Carlson's symmetric elliptic integrals the three condition
 with K the sum of both half-space compliances (1 - nu^2) / (pi E) and Q the load. Every integrand is positive,
 so nothing cancels; the usual forms, (K(e) - E(e)) / e^2 and the like, lose all digits near the circle, and
 their modulus e loses them in slender contacts. Rx/Ry is a function of b/a alone. The slope of ln(Rx/Ry) over
-ln(b/a) rises from 3/2 at the circle to 2 in the slenderest contact (both limits derived, the monotone course
+ln(b/a) rises from 3/2 at the circle to 2 in the limit of slender contacts (both limits derived, monotonicity
 between them found numerically), so a step of 4/7 of the error in ln(Rx/Ry) leaves at most a seventh of the
-error in ln(b/a), from any start. That is the whole solver: no bracket, no derivative, and rounding after
-twenty steps.
+error in ln(b/a), from any start. That is the whole solver: no bracket, no derivative, and only rounding error is
+left after twenty steps.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _COMPLIANCE_REMEDY = "give the sum of both bodies' (1 - nu^2) / (pi E) in 1/MPa,
 
 _PLACES_REMEDY = "give positions in mm"
 
-# Near a ratio of 1e-300 the integrals leave the range of double precision, and each decade costs rounding.
+# Near a ratio of 1e-300 the integrals leave the range of double precision, and each decade adds rounding error.
 _SMALLEST_RADIUS_RATIO = 1e-100
 
 
@@ -120,7 +120,7 @@ class PointContact:
 
 @dataclass(frozen=True, kw_only=True)
 class LineContact:
-    """A Hertz contact over a strip without ends, as made by `line_contact`.
+    """A Hertz contact over an infinitely long strip, as made by `line_contact`.
 
     It has no approach of its own: in plane strain the displacement grows without bound with the distance of
     the point that it is measured against. `plane_strain_cylinder_compression` and
@@ -189,11 +189,11 @@ class LineContact:
             raise InputError("z", float(z.min()), "not be negative", "z points into the body, from 0 on its surface")
         check_poisson(poisson)
         zeta = (x + 1j * z) / self.half_width
-        # Factors apart, for the branch that goes like zeta far away.
+        # Separate square roots, for the branch that behaves as zeta far away.
         root = np.sqrt(zeta - 1.0) * np.sqrt(zeta + 1.0)
         transform = self.max_pressure / (zeta + root)
         with np.errstate(divide="ignore", invalid="ignore"):
-            # On the surface the second part vanishes, also at the edges, where its factor does not exist.
+            # On the surface the second term vanishes, even at the edges, where its factor is infinite.
             slope = np.where(zeta.imag > 0.0, zeta.imag * transform / root, 0.0)
         across, below = transform.imag - slope.real, transform.imag + slope.real
         none = np.zeros_like(across)
@@ -208,7 +208,7 @@ def point_contact(
     load: float | None = None,
     approach: float | None = None,
 ) -> PointContact:
-    """Return the Hertz contact of two bodies that touch first in a point.
+    """Return the Hertz contact of two bodies that first touch at a point.
 
     Give either the load or the approach. The undeformed gap is x^2 / (2 Rx) + y^2 / (2 Ry); either radius may
     be the larger one.
@@ -227,7 +227,7 @@ def point_contact(
     Returns
     -------
     PointContact
-        Semi-axes, pressure, approach and what follows from them.
+        Semi-axes, pressure, approach and quantities derived from them.
 
     Raises
     ------
@@ -237,7 +237,7 @@ def point_contact(
 
     Notes
     -----
-    Holds for smooth elastic bodies without friction and a contact small against both radii and both bodies.
+    Holds for smooth elastic bodies without friction and a contact small compared with both radii and both bodies.
     Results are within 1e-13 of the exact solution for radius ratios from 1e-12 to 1e12.
 
     References
@@ -270,7 +270,7 @@ def point_contact(
     slenderness = _axis_ratio(short_radius / long_radius)
     displacement = 1.5 * float(elliprf(0.0, slenderness**2, 1.0))  # delta a / (K Q)
     curvature = float(elliprd(0.0, slenderness**2, 1.0))  # a^3 / (K Q R), R the long radius
-    # Of both curvature conditions the one with the long radius is used: the axis ratio hardly enters it.
+    # Of the two curvature conditions the one with the long radius is used: it hardly depends on the axis ratio.
     if load is not None and approach is None:
         positive("load", load, "give the load in N, or the approach in mm instead")
         load = float(load)
@@ -299,7 +299,7 @@ def point_contact(
 
 
 def line_contact(*, line_load: float, radius: float, compliance: float) -> LineContact:
-    """Return the Hertz contact of two bodies that touch first along a line.
+    """Return the Hertz contact of two bodies that first touch along a line.
 
     b^2 = 4 K q rho and p0 = 2 q / (pi b).
 
@@ -315,7 +315,7 @@ def line_contact(*, line_load: float, radius: float, compliance: float) -> LineC
     Returns
     -------
     LineContact
-        Half-width, pressure and what follows from them.
+        Half-width, pressure and quantities derived from them.
 
     Raises
     ------
@@ -324,7 +324,7 @@ def line_contact(*, line_load: float, radius: float, compliance: float) -> LineC
 
     Notes
     -----
-    Plane strain, without friction, for a half-width small against both radii.
+    Plane strain, without friction, for a half-width small compared with both radii.
 
     References
     ----------
@@ -351,7 +351,7 @@ def line_contact(*, line_load: float, radius: float, compliance: float) -> LineC
 
 
 def plane_strain_cylinder_compression(contact: LineContact, *, diameter: float, material: Material) -> float:
-    """Return how far the axis of a long solid cylinder comes towards its line contact [mm].
+    """Return how far the axis of a long solid cylinder moves towards its line contact [mm].
 
     delta = q K1 (2 ln(4R/b) - 1), with R = D/2 and K1 the compliance of this cylinder alone. The load enters
     at the contact and leaves at the opposite side of the cylinder, so the diameter between two equal contacts
@@ -374,11 +374,11 @@ def plane_strain_cylinder_compression(contact: LineContact, *, diameter: float, 
     Raises
     ------
     InputError
-        If ``contact`` or ``material`` is of another kind, or the diameter is not larger than 2b.
+        If ``contact`` or ``material`` has the wrong type, or the diameter is not larger than 2b.
 
     Notes
     -----
-    Plane strain, for b small against R: what is left out is of the order of q K1 (b/R)^2.
+    Plane strain, for b small compared with R: the neglected terms are of the order of q K1 (b/R)^2.
 
     References
     ----------
@@ -408,8 +408,8 @@ def half_space_line_compression(contact: LineContact, *, length: float) -> float
     """Return the approach of two half-spaces pressed together over a strip of finite length [mm].
 
     delta = q K (1 + ln(16 a^2 / b^2)), with a = L/2: the displacement in the middle of a strip of length L
-    that carries the pressure of the line contact uniformly along y, against points far away. K is the sum
-    over both bodies, each of which takes its own share.
+    that carries the pressure of the line contact uniformly along y, relative to points far away. K is the sum
+    over both bodies, each of which contributes its own share.
 
     Parameters
     ----------
@@ -426,17 +426,17 @@ def half_space_line_compression(contact: LineContact, *, length: float) -> float
     Raises
     ------
     InputError
-        If ``contact`` is of another kind, or the length is not larger than 2b.
+        If ``contact`` has the wrong type, or the length is not larger than 2b.
 
     Notes
     -----
-    For L large against b: what is left out is q K b^2 / (2 L^2) and terms of higher order.
+    For L large compared with b: the neglected terms are q K b^2 / (2 L^2) and of higher order.
 
     References
     ----------
     M. J. Puttock and E. G. Thwaite, Elastic Compression of Spheres and Cylinders at Point and Line Contact,
     National Standards Laboratory Technical Paper 25, CSIRO, Melbourne, 1969, the cases of parallel cylinders
-    and of a cylinder on a plane, there with b^2 = 4 K q rho put in: delta = q K (1 + ln(4 a^2 / (K q rho))).
+    and of a cylinder on a plane, there with b^2 = 4 K q rho inserted: delta = q K (1 + ln(4 a^2 / (K q rho))).
 
     Examples
     --------
@@ -455,7 +455,7 @@ def half_space_line_compression(contact: LineContact, *, length: float) -> float
 
 
 def _axis_ratio(radius_ratio: float) -> float:
-    """Return b/a <= 1 for Rx/Ry <= 1; the iteration is the one of the module's docstring."""
+    """Return b/a <= 1 for Rx/Ry <= 1, by the iteration in the module's docstring."""
     target = math.log(radius_ratio)
     log_ratio = target / 1.75
     # The start is off by at most 22 (at a radius ratio of 1e-100), and 22 / 7^20 is below rounding.
@@ -467,7 +467,7 @@ def _axis_ratio(radius_ratio: float) -> float:
 
 
 def _semicircle(position: Array) -> Array:
-    # As a product: 1 - position^2 would lose the digits of a point close to the edge.
+    # As a product: 1 - position^2 would cancel close to the edge.
     return np.asarray(np.sqrt(np.maximum((1.0 - position) * (1.0 + position), 0.0)))
 
 

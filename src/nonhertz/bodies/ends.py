@@ -1,8 +1,8 @@
 """The free side faces of two bodies in contact, and the number that governs a sharp end.
 
 It is kappa, the sum over the bodies that end there of image weight times share of the compliance. Up to kappa = 1 the
-pressure goes with the distance s from the end like s^-alpha, cos(pi alpha) = kappa; beyond, the equations have no
-solution that refinement converges to, so weights are lowered to kappa = 1.
+pressure varies with the distance s from the end as s^-alpha, cos(pi alpha) = kappa; above 1 refinement does not
+converge to any solution, so weights are lowered to kappa = 1.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ from nonhertz.bodies.solid import Pair
 
 APART = 0.02  # of the combined radius: about the half-width of a heavily loaded contact of metals
 TOGETHER = 1.0 - 1e-4
-# kappa from which on the pressure counts as finite up to an end: alpha is below 0.015 there, less than 10 % of pressure
-# in three decades of distance.
+# kappa at and above which the pressure counts as finite up to an end: alpha is below 0.015 there, a change of less than
+# 10 % in pressure over three decades of distance.
 FINITE_FROM = 0.999
 
 
 @dataclass(frozen=True)
 class End:
-    """A place where one body or both have a free side face, with image weights that have a solution.
+    """A place where one body or both have a free side face, with image weights for which a solution exists.
 
     Attributes
     ----------
@@ -32,9 +32,9 @@ class End:
     side : int
         -1 at the low, 1 at the high end of the bodies.
     weights : tuple of float
-        Weights of the images of body a and b about this face, at most such that ``image_weight`` is 1.
+        Weights of the images of body a and b about this face, limited so that ``image_weight`` is at most 1.
     requested : float
-        kappa of the weights that were asked for on this side, near faces of the other body counted in.
+        kappa of the weights requested on this side, including nearby faces of the other body.
     image_weight : float
         kappa of this face alone with the weights used.
     """
@@ -47,7 +47,7 @@ class End:
 
 
 def edge_exponent(kappa: float) -> float:
-    """Return alpha of a pressure that goes with the distance s from an end like s^-alpha.
+    """Return alpha of a pressure that varies with the distance s from an end as s^-alpha.
 
     Examples
     --------
@@ -63,7 +63,7 @@ def shares(contact: Pair) -> tuple[float, float]:
 
 
 def ends(contact: Pair) -> tuple[End, ...]:
-    """Return the free side faces of both bodies, those at one place together."""
+    """Return the free side faces of both bodies, coincident ones combined."""
     found: list[End] = []
     share = shares(contact)
     for index, side in enumerate((-1, 1)):
@@ -83,11 +83,11 @@ def ends(contact: Pair) -> tuple[End, ...]:
 
 
 def _nearness(contact: Pair, faces: tuple[float, float]) -> float:
-    """Return 1 for faces at one place, falling to 0 at a distance of APART.
+    """Return 1 for coincident faces, falling to 0 at a distance of APART combined radii.
 
-    Faces much nearer to each other than the half-width act as one on all the contact but the last bit of it. The
-    measure is continuous so that the approach does not jump where they meet, and geometrical, not of the load, so that
-    twice the load is still a change of the load alone.
+    Faces much closer to each other than the half-width act as one on all but the last bit of the contact. The
+    measure is continuous, so that the approach does not jump where they meet, and depends on geometry rather than load,
+    so that doubling the load changes nothing but the load.
     """
     if not np.all(np.isfinite(faces)):
         return 0.0

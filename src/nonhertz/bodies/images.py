@@ -1,8 +1,8 @@
 """Mirror images of the pressure about the side faces of one body.
 
-A side face at y = f is freed of shear by the image of every strip about it, for the body that ends there and for
-its share of the compliance alone. With two faces the images have images: one chain begins at either face, and its
-links alternate between both. The first image of a face may weigh more than 1, to make up for the normal stress that
+A side face at y = f is freed of shear by the image of every strip about it, only for the body that ends there and with
+its share of the compliance. With two faces the images have images: a chain begins at each face, and its links
+alternate between the two. The first image about a face may weigh more than 1, to compensate for the normal stress that
 mirroring leaves on the face; further images only cancel the shear of earlier ones, for which 1 is right.
 """
 
@@ -29,7 +29,7 @@ Array = NDArray[np.float64]
 
 FEWEST_IMAGES, MOST_IMAGES = 1, 100
 SERIES = "series"
-SEPARATE_LINKS, ALL_LINKS = 16, 1000  # of a series: told apart, and summed one by one
+SEPARATE_LINKS, ALL_LINKS = 16, 1000  # of a series: those with their own place, and those summed one by one
 NO_WEIGHT = 1e-12
 DIRECT = (1.0, 0.0)
 
@@ -37,14 +37,14 @@ _REMEDY = f"give {FEWEST_IMAGES} to {MOST_IMAGES}, or {SERIES!r} for all of them
 
 
 def check_images(images: int | str, weights: tuple[float, float], behind: Depth) -> None:
-    """Refuse a number of images out of range, or a series of a body of endless depth, which has no sum."""
+    """Refuse a number of images out of range, or a series for a body of infinite depth, which diverges."""
     if isinstance(images, str):
         if images != SERIES:
             raise InputError("images", images, f"be a whole number or {SERIES!r}", _REMEDY)
         if isinstance(behind, Endless) and math.prod(weights) > 0.0:
             remedy = "give the body a depth, or a number of images"
             raise InputError(
-                "images", images, "only be asked of a body with a depth, without which it has no sum", remedy
+                "images", images, "only be used for a body with a depth, without which it has no sum", remedy
             )
         return
     whole = (
@@ -61,12 +61,12 @@ class Images:
     Attributes
     ----------
     places : dict
-        (sign, offset) -> weight, the body's share of the compliance in it: what lies at y is sent to
+        (sign, offset) -> weight, which includes the body's share of the compliance: y is mapped to
         ``sign * y + offset``.
     share : float
-        Of the body in the compliance of both.
+        The body's share of the total compliance.
     far : FarImages or None
-        Those of a series that are too far away to be told apart.
+        Those of a series that are so far away that they act as line loads.
     """
 
     places: dict[tuple[float, float], float]
@@ -75,8 +75,8 @@ class Images:
 
     @classmethod
     def of(cls, body: Solid, weights: tuple[float, float], share: float) -> Images:
-        """Return the images about the faces at low and high y of a body, with weights of the first about each."""
-        both = min(weights) > 0.0  # one mirror alone makes one image
+        """Return the images about the faces at low and high y of a body, given the weight of the first about each."""
+        both = min(weights) > 0.0  # a single mirror makes a single image
         far = FarImages.of(body.length, weights, share) if body.images == SERIES and both and body.length else None
         return cls(_chains(body, weights, share), share, far)
 
@@ -101,23 +101,23 @@ def _chains(body: Solid, weights: tuple[float, float], share: float) -> dict[tup
             if weight < NO_WEIGHT * share:
                 break
             sign, offset = -sign, 2.0 * body.faces[at] - offset
-            # The chains that begin at either face meet in no place, but their numbers may.
+            # The two chains share no place, but rounding may give two images the same key.
             found[sign, offset] = found.get((sign, offset), 0.0) + weight
     return found
 
 
 @dataclass(frozen=True)
 class FarImages:
-    """Images of a series as line loads at multiples of the body's length; those beyond the last come as an integral.
+    """Images of a series as line loads at multiples of the body's length; those beyond the last as an integral.
 
     Attributes
     ----------
     distance, weight : ndarray, shape (links,)
-        Of each on either side [mm], and how much it counts.
+        Distance of each on either side [mm], and its weight.
     beyond : float
         Where the integral begins [mm].
     length : float
-        Of the body [mm].
+        Length of the body [mm].
     """
 
     distance: Array
@@ -136,11 +136,11 @@ class FarImages:
         return cls(length * (link + 1.0), weight, length * (ALL_LINKS + 0.5), length)
 
     def less_depth(self, below: Callable[[Array], Array], poisson_factor: float) -> Callable[[Array], Array]:
-        """Return y [mm] -> what they do at the surface less what they do at depth, per unit of load.
+        """Return y [mm] -> their displacement at the surface minus that at depth, per unit of load.
 
-        From a distance s that is 1/s - 1/sqrt(s^2 + d^2) - d^2 / (2 (1 - nu) (s^2 + d^2)^(3/2)).
+        At a distance s it is 1/s - 1/sqrt(s^2 + d^2) - d^2 / (2 (1 - nu) (s^2 + d^2)^(3/2)).
         """
-        # A partial function rather than a nested one, so that what holds it can be pickled.
+        # A partial function rather than a nested one, so that its holder can be pickled.
         return partial(_less_depth, self, below, poisson_factor)
 
 

@@ -1,9 +1,9 @@
 """How loads on the surfaces of two bodies act: direct effect, mirror images, and what displacement is measured against.
 
-Everything that acts beside the load itself is a *term*: a row (sign, offset, weight) that sends what lies at y to
-``sign * y + offset`` and counts ``weight`` times. The direct effect is the term (1, 0, 1); a mirror image about a face
-at f is (-1, 2 f, weight). Displacements are measured against *references*, points at depth for one, which move
-themselves, by a matrix for each grid.
+Everything that acts is a *term*: a row (sign, offset, weight) that maps y to ``sign * y + offset`` and counts
+``weight`` times. The direct effect is the term (1, 0, 1); a mirror image about a face at f is (-1, 2 f, weight).
+Displacements are measured against *references*, such as points at depth, which move too: a matrix for each grid gives
+by how much.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Influence:
     terms : ndarray, shape (terms, 3)
         Rows (sign, offset, weight); see the module.
     references : tuple of Reference
-        Of the bodies whose displacement is not measured against a point far away.
+        One for each body whose displacement is not measured against a point far away.
     ends : tuple of End
         The free side faces that the images in ``terms`` are about.
     """
@@ -50,7 +50,7 @@ class Influence:
         return sum(others, first)
 
     def shallowest(self, y: Array) -> Array:
-        """Return the lesser depth of both bodies under the places ``y``, infinite where neither has one."""
+        """Return the smaller of the two bodies' depths below the places ``y``, infinite if neither has one."""
         shallowest = np.full(y.shape, np.inf)
         for reference in self.references:
             shallowest = np.minimum(shallowest, reference.below(y))
@@ -71,7 +71,7 @@ def influence_of(contact: Pair, shape: Shape) -> Influence:
 
 
 def influence_within(contact: Pair, shape: Shape, which: int) -> tuple[Array, Reference | None]:
-    """Return how loads act within one body alone: the terms, and what its displacement is measured against.
+    """Return how loads act on one body alone: the terms, and what its displacement is measured against.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def influence_within(contact: Pair, shape: Shape, which: int) -> tuple[Array, Re
     Returns
     -------
     tuple of ndarray, shape (terms, 3), and Reference or None
-        Rows (sign, offset, weight), the weight 1 for the load itself; None where the points are far away.
+        Rows (sign, offset, weight), with weight 1 for the load itself; None if the reference is far away.
     """
     images, reference = _of_body(contact, shape, ends(contact), which)
     terms = rows({DIRECT: 1.0, **images.places})

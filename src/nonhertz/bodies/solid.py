@@ -1,4 +1,4 @@
-"""What has to be known of bodies, and of how pressure is distributed across their contact, to tell how loads act."""
+"""What must be known about bodies, and about the pressure across their contact, to compute how loads act."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Elastic(Protocol):
 
 
 class Solid(Protocol):
-    """A body, as far as loads act because of it: `nonhertz.Body` is one."""
+    """The part of a body that affects how loads act: `nonhertz.Body` is one."""
 
     @property
     def material(self) -> Elastic:
@@ -44,11 +44,11 @@ class Solid(Protocol):
 
     @property
     def face_weights(self) -> tuple[float, float]:
-        """Weights of the images about the side faces; zero where a face is not made free, or there is none."""
+        """Weights of the images about the side faces; zero where a face is not freed or does not exist."""
 
     @property
     def images(self) -> int | str:
-        """Mirror images per face, or that there is a series of them."""
+        """Number of mirror images per face, or ``"series"``."""
 
     @property
     def behind(self) -> Depth:
@@ -75,14 +75,14 @@ class Pair(Protocol):
 
     @property
     def interval(self) -> tuple[float, float]:
-        """The axial interval on which both can touch [mm]."""
+        """The axial interval on which both bodies can touch [mm]."""
 
     def curvature(self, y: Array) -> Array:
         """Return the combined curvature across the contact at ``y`` [1/mm]."""
 
 
 class Shape(Protocol):
-    """What matters, far away, of how the pressure is distributed across the contact: a strip element, or `HERTZ`."""
+    """The far-field constants of a pressure distribution across the contact: a strip element, or `HERTZ`."""
 
     @property
     def far_constant(self) -> float:

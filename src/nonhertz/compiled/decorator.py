@@ -1,13 +1,13 @@
 """Numba's compiler behind a typed decorator, so that the numerical core stays fully typed.
 
-Two settings of the compiler are changed while functions of this package are compiled, and for them alone.
+Two compiler settings are changed while functions of this package are compiled, and only then.
 
-*Gathered operations.* Four polynomials of one variable are evaluated by one vector instruction where the compiler may
-gather such operations. Numba leaves that off unless an environment variable says otherwise. It makes the influence
+*SLP vectorisation.* The four polynomials of one variable are evaluated by single vector instructions if the compiler
+may combine such operations. Numba disables that unless an environment variable enables it. It makes the influence
 coefficients three times as fast.
 
-*Nothing shared.* Numba copies whatever a function calls into its module, optimises it there once more, and lets the
-copies of all modules share one name. When they are loaded, calls go to the copy that happened to come first. Copies
+*Private copies.* Numba copies whatever a function calls into its module, optimises it there again, and gives the
+copies in all modules the same name. At load time, calls are linked to whichever copy came first. Copies
 differ in which multiplication is fused with which addition, so last digits would depend on what the process had
 compiled or loaded before. Here each module calls its own copies.
 """
@@ -36,7 +36,7 @@ def compiled(function: Function) -> Function:
     interpreter lock is released, so that many solves can share a process.
     """
     made: Any = numba.njit(nogil=True, fastmath={"contract"}, error_model="numpy")(function)
-    if not hasattr(made, "compile"):  # compilation is switched off, as for measuring coverage
+    if not hasattr(made, "compile"):  # compilation is disabled, as when measuring coverage
         return cast(Function, made)
     made._cache = Kept(function)
     compile_plainly = made.compile
@@ -51,7 +51,7 @@ def compiled(function: Function) -> Function:
 
 @contextlib.contextmanager
 def _settings(codegen: Any) -> Iterator[None]:
-    """Let the compiler gather and share nothing; under its lock, since the settings are for all."""
+    """Enable SLP vectorisation and private copies; under the compiler's lock, because the settings are global."""
     settings: Any = numba.core.config
     with global_compiler_lock:
         before = settings.SLP_VECTORIZE, codegen._library_class
@@ -63,10 +63,10 @@ def _settings(codegen: Any) -> Iterator[None]:
 
 
 class _OwnCopies(JITCodeLibrary):
-    """A module whose copies of other functions are its own, and not one of many by the same name."""
+    """A module whose copies of other functions are private, not linked with those of other modules by name."""
 
     def _finalize_final_module(self) -> None:
-        # One that is read from disk comes without functions, but with what others link.
+        # A module read from disk has no functions, but has its shared module already.
         if self._shared_module is None:
             self._shared_module = _relinked(self._final_module.clone(), "external", "linkonce_odr")
             _relinked(self._final_module, "linkonce_odr", "internal")

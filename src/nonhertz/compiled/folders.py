@@ -1,8 +1,8 @@
-"""Files that are whole or count as missing, in the folders that may hold them.
+"""Cache files that are either intact or treated as missing, and the folders that may hold them.
 
-A file begins with a digest of its key and of what follows, so that one that was cut, overwritten or put in another's
-place is not read. It is written under a name of its own and then moved, so that processes do not meet in it and one
-that ends halfway leaves the old file.
+A file begins with a digest of its key and of its contents, so that one that was truncated, overwritten or swapped is
+not read. It is written under a temporary name and then moved, so that processes do not interfere and one that is
+killed halfway leaves the old file intact.
 """
 
 from __future__ import annotations
@@ -20,29 +20,29 @@ import numba.core.config
 from numba.misc.appdirs import AppDirs
 
 LARGEST = 128 * 2**20
-"""Bytes in a folder, of which a solver takes 8 million; beyond them goes what has been used least lately."""
+"""Bytes in a folder, of which a solver takes 8 million; beyond that the least recently used files are deleted."""
 
-_FORSAKEN = 3600.0  # s, after which nobody is still writing a draft
+_FORSAKEN = 3600.0  # s, after which a draft is no longer being written
 _DRAFT = ".draft-"
 _DIGEST = hashlib.sha256().digest_size
 
 
 class UnwritableError(Exception):
-    """No folder took a file; each is named with the reason."""
+    """No folder could be written to; each is named with the reason."""
 
 
 def folders() -> tuple[Path, ...]:
-    """Return where files are looked for: in ``NUMBA_CACHE_DIR`` if that is set, else with the package or the user."""
+    """Return the cache folders: in ``NUMBA_CACHE_DIR`` if that is set, else beside the package and of the user."""
     settings: Any = numba.core.config
     if settings.CACHE_DIR:
         return (Path(settings.CACHE_DIR).absolute() / "nonhertz",)
-    # With no home to be found the latter is a relative path, which would be created wherever the program runs.
+    # If no home directory is found the latter is relative, and would be created wherever the program runs.
     places = Path(__file__).parents[1] / "__pycache__", Path(AppDirs("nonhertz", appauthor=False).user_cache_dir)
     return tuple(place / "machine-code" for place in places if place.is_absolute())
 
 
 def read(name: str, key: bytes) -> bytes | None:
-    """Return what was written under a name and a key, or None if it is not there as it was written."""
+    """Return what was written under a name and a key, or None if it is missing or damaged."""
     for path in (folder / name for folder in folders()):
         with contextlib.suppress(OSError):
             data = path.read_bytes()
@@ -53,12 +53,12 @@ def read(name: str, key: bytes) -> bytes | None:
 
 
 def write(name: str, key: bytes, content: bytes) -> None:
-    """Write a file in the first folder that takes it.
+    """Write a file in the first folder that can be written to.
 
     Raises
     ------
     UnwritableError
-        If none does.
+        If none can.
     """
     failures = []
     for folder in folders():
@@ -77,7 +77,7 @@ def _digest(key: bytes, content: bytes) -> bytes:
 
 
 def _mark_used(path: Path) -> None:
-    # Somebody else's folder is read all the same.
+    # A read-only folder can still be read from.
     with contextlib.suppress(OSError):
         os.utime(path)
 
@@ -86,7 +86,7 @@ def _place(folder: Path, name: str, data: bytes) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     draft = folder / f"{_DRAFT}{uuid.uuid4().hex}"
     try:
-        # Closed before it is moved: a full disk may tell only then.
+        # Closed before it is moved: a full disk may be reported only on closing.
         with draft.open("xb") as file:
             file.write(data)
         draft.replace(folder / name)
@@ -96,7 +96,7 @@ def _place(folder: Path, name: str, data: bytes) -> None:
 
 
 def _make_room(folder: Path) -> None:
-    """Delete drafts that a killed process has left, and what has been used least lately beyond `LARGEST`."""
+    """Delete drafts left by killed processes, and the least recently used files beyond `LARGEST`."""
     total = 0
     for path, used, size in sorted(_entries(folder), key=lambda entry: entry[1], reverse=True):
         total += size
@@ -106,7 +106,7 @@ def _make_room(folder: Path) -> None:
 
 
 def _entries(folder: Path) -> Iterator[tuple[Path, float, int]]:
-    # Other processes delete as well.
+    # Other processes may be deleting files too.
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:
             with contextlib.suppress(OSError):

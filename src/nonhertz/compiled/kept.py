@@ -1,8 +1,8 @@
-"""Machine code between processes, in the place of Numba's own cache.
+"""A cache of machine code between processes, in place of Numba's own.
 
-Numba asks whether the file of a function has changed, but not the files of those that it calls; it wants a folder that
-can be written before anything is compiled; and a damaged file ends the program. Here whatever is not found in order is
-compiled anew, and replaced.
+Numba checks whether the file of a function has changed, but not the files of the functions that it calls; it needs a
+writable folder before anything is compiled; and a damaged file crashes the program. Here anything missing, stale or
+damaged is recompiled and replaced.
 """
 
 from __future__ import annotations
@@ -26,22 +26,22 @@ from numba.core.types import Callable as CallableType
 
 from nonhertz.compiled.folders import UnwritableError, folders, read, write
 from nonhertz.compiled.meaning import meanings
-from nonhertz.compiled.notices import tell_unkept
+from nonhertz.compiled.notices import warn_unkept
 
-# Settings of Numba's that change machine code.
+# Numba settings that change machine code.
 _SETTINGS = (
     "OPT", "LOOP_VECTORIZE", "BOUNDSCHECK", "DEBUGINFO_DEFAULT", "ENABLE_AVX", "USING_SVML", "LLVM_REFPRUNE_PASS",
     "LLVM_REFPRUNE_FLAGS",
 )  # fmt: skip
 
-# What functions meant when they were first compiled or read here. The compiler does not look at them again.
+# Digests of functions when they were first compiled or read in this process. The compiler never looks at them again.
 _first_meanings: weakref.WeakKeyDictionary[Callable[..., object], str] = weakref.WeakKeyDictionary()
-# The keys of symbols in this process. A second symbol of the same name would never be called.
+# The keys of the symbols loaded in this process. A second symbol of the same name would never be called.
 _symbols: dict[str, bytes] = {}
 
 
 class Kept:
-    """The machine code of one function, for any types of its arguments; has what Numba asks of a cache.
+    """The machine code of one function, for any argument types; implements the interface of a Numba cache.
 
     Parameters
     ----------
@@ -55,11 +55,11 @@ class Kept:
 
     @property
     def cache_path(self) -> str:
-        """Where machine code is written first."""
+        """The first folder tried for writing machine code."""
         return str(folders()[0])
 
     def load_overload(self, signature: Any, target: Any) -> Any:
-        """Return what was compiled for a signature, or None if it is not there or not in order."""
+        """Return what was compiled for a signature, or None if it is missing or damaged."""
         target.refresh()
         key = self._key(signature, target)
         if key is None:
@@ -69,7 +69,7 @@ class Kept:
         return None if content is None else _revived(content, key, target)
 
     def save_overload(self, signature: Any, result: Any) -> None:
-        """Write what was compiled for a signature, or say once that it cannot be."""
+        """Write what was compiled for a signature, or log once that it cannot be written."""
         key = self._keys.get(signature)
         if key is None or result.library.has_dynamic_globals:
             return
@@ -77,17 +77,17 @@ class Kept:
         try:
             write(self._name(key), key, dumps(result._reduce()))
         except UnwritableError as error:
-            tell_unkept(str(error))
+            warn_unkept(str(error))
 
     def flush(self) -> None:
-        """Do nothing: what is compiled anew on request replaces what is there."""
+        """Do nothing: recompiling replaces what is there."""
 
     def _name(self, key: bytes) -> str:
         function = f"{self._function.__module__}.{self._function.__qualname__}".replace("<", "").replace(">", "")
         return f"{function}-{hashlib.sha256(key).hexdigest()[:32]}"
 
     def _key(self, signature: Any, target: Any) -> bytes | None:
-        """Return what belongs to this machine code alone, or None if it cannot be told."""
+        """Return the unique key of this machine code, or None if it cannot be determined."""
         found = meanings(self._function)
         if any(_first_meanings.setdefault(each, meaning) != meaning for each, meaning in found.items()):
             return None
@@ -108,7 +108,7 @@ def _compiler() -> tuple[object, ...]:
 
 @functools.cache
 def _ourselves() -> str:
-    """Return a digest of how we compile."""
+    """Return a digest of this subpackage's own sources: how we compile."""
     sources = {each.name: each.read_bytes() for each in resources.files(__package__).iterdir() if each.is_file()}
     return hashlib.sha256(repr(sorted(sources.items())).encode()).hexdigest()
 

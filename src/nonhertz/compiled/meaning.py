@@ -1,8 +1,8 @@
-"""What the machine code of a function is made from, as digests of contents.
+"""What the machine code of a function is made from, as content digests.
 
-The compiler reads the bytecode of a function, the constants in it, and whatever its global names stand for: other
-compiled functions, numbers, modules. Digests of all that follow every change, also one that a file's time does not show
-or that was made while the program ran; and they need no list of files.
+The compiler reads the bytecode of a function, the constants in it, and whatever its global names refer to: other
+compiled functions, numbers, modules. Digests of all these reflect every change, even one that a file's time does not
+show or that was made while the program ran; and they need no list of files.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ _RECURSIVE = "itself"
 
 
 def meanings(function: Callable[..., object]) -> dict[Callable[..., object], str]:
-    """Return digests of ``function``, which comes last, and of all compiled functions that it reaches.
+    """Return digests of all compiled functions that ``function`` reaches, and last its own.
 
     Raises
     ------
     TypeError
-        If one of them reads a global name whose contents cannot be told.
+        If one of them reads a global name whose contents cannot be determined.
     """
     found: dict[Callable[..., object], str] = {}
     _examine(function, found)
@@ -40,7 +40,7 @@ def _examine(function: Any, found: dict[Callable[..., object], str]) -> str:
 
 
 def _globals(function: Any) -> Iterator[tuple[str, object]]:
-    """Yield what the names of a function stand for; names of attributes among them do no harm."""
+    """Yield what the names of a function refer to; attribute names among them do no harm."""
     for name in sorted(set(_names(function.__code__))):
         if name in function.__globals__:
             yield name, function.__globals__[name]
@@ -56,7 +56,7 @@ def _names(code: CodeType) -> Iterator[str]:
 
 
 def _code(code: CodeType) -> tuple[object, ...]:
-    """Return all of a function's code but its place in a file."""
+    """Return all of a function's code except its location in a file."""
     constants = [_code(each) if isinstance(each, CodeType) else (type(each), each) for each in code.co_consts]
     return (
         code.co_code, code.co_exceptiontable, code.co_flags, code.co_argcount, code.co_kwonlyargcount,
@@ -75,12 +75,12 @@ def _contents(name: str, value: Any, function: Any, found: dict[Callable[..., ob
         return type(value).__name__, repr(value)
     if isinstance(value, type | BuiltinFunctionType | np.ufunc):
         return getattr(value, "__module__", ""), value.__name__
-    # What a module of this package holds may change without its name.
+    # The contents of a module of this package may change while its name stays the same.
     if isinstance(value, ModuleType) and not _akin(value.__name__, function.__module__):
         return value.__name__
     raise TypeError(
         f"{function.__module__}.{function.__qualname__} is compiled and reads {name}, "
-        f"a {type(value).__name__}: have it read numbers, arrays and compiled functions only."
+        f"a {type(value).__name__}: have it read only numbers, arrays and compiled functions."
     )
 
 

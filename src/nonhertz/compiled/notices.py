@@ -1,4 +1,4 @@
-"""What users are told about compiling: why they wait, and what to do if they would wait every time."""
+"""Notices about compiling: why the first solve is slow, and what to do if every one would be."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _SILENCE = 2.0  # s, before the first progress notice
 _WAIT = "The first solve on a machine compiles the solver, which takes about half a minute."
 _UNKEPT = (
     "The compiled solver cannot be kept, so every process compiles it again, which takes about half a minute: "
-    "nothing can be written in %s. Set NUMBA_CACHE_DIR to a folder that can be written."
+    "nothing can be written in %s. Set NUMBA_CACHE_DIR to a writable folder."
 )
 
 _said: set[str] = set()
@@ -36,7 +36,7 @@ def patience() -> Iterator[None]:
         _waiting.now = False
 
 
-def tell_unkept(places: str) -> None:
+def warn_unkept(places: str) -> None:
     """Log once that machine code cannot be written in ``places``; unless logging is set up, standard error shows it."""
     if _UNKEPT not in _said:
         _said.add(_UNKEPT)
@@ -44,7 +44,7 @@ def tell_unkept(places: str) -> None:
 
 
 def _watched() -> bool:
-    # A notebook's standard error is no terminal, but its interpreter has a prompt.
+    # A notebook's standard error is not a terminal, but its interpreter has a prompt.
     return hasattr(sys, "ps1") or (sys.stderr is not None and sys.stderr.isatty())
 
 

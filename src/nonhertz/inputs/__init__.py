@@ -1,1 +1,1 @@
-"""What comes from outside, and how it is held to conditions: numbers and names, files on disk."""
+"""Input from outside and its validation: numbers and names, files on disk."""

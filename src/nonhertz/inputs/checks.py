@@ -1,7 +1,7 @@
-"""The few conditions that inputs are held to, each ending in one sentence.
+"""The few conditions that inputs must meet, each with one sentence for the error.
 
-Every number is bounded: no length, load or modulus comes near the bounds, and with them products, squares and quotients
-of two inputs stay within double precision, so that nothing overflows in silence further down.
+Every number is bounded: no real length, load or modulus comes near the bounds, and within them products, squares and
+quotients of two inputs stay within double precision, so that nothing overflows silently further down.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ LEAST, MOST = 1e-100, 1e100
 
 
 def above_zero(field: str, value: float, remedy: str) -> None:
-    """Refuse anything that is not a positive finite number, and leave its bounds to a caller who knows better ones."""
+    """Refuse anything but a positive finite number; bounds are left to the caller, who knows better ones."""
     _number(field, value, remedy)
     if value <= 0.0:
         raise InputError(field, value, "be positive", remedy)
@@ -37,7 +37,7 @@ def finite(field: str, value: float, remedy: str) -> None:
     """Refuse anything that is not a finite number within bounds."""
     _number(field, value, remedy)
     if abs(float(value)) > MOST:
-        raise InputError(field, value, f"not exceed {MOST:g} in size", remedy)
+        raise InputError(field, value, f"not exceed {MOST:g} in magnitude", remedy)
 
 
 def positive(field: str, value: float, remedy: str) -> None:
@@ -65,12 +65,12 @@ def whole(field: str, value: int, least: int, most: float, remedy: str) -> int:
 
 
 def numbers(
-    field: str, value: ArrayLike, remedy: str, most: float = MOST, unit: str = "in size"
+    field: str, value: ArrayLike, remedy: str, most: float = MOST, unit: str = "in magnitude"
 ) -> NDArray[np.float64]:
-    """Return real numbers as an array; refuse text, truth values, complex numbers, None and what is not finite."""
+    """Return real numbers as an array; refuse text, booleans, complex numbers, None and anything not finite."""
     try:
         found = np.asarray(value)
-    except ValueError:  # lists of unequal length in one another
+    except ValueError:  # nested lists of unequal length
         found = np.asarray(None)
     if found.dtype.kind not in "iuf" or np.ma.isMaskedArray(value):
         raise InputError(field, value, "be real numbers", remedy)
@@ -95,13 +95,13 @@ def text(field: str, value: object, remedy: str) -> None:
 
 
 def callback(field: str, value: object) -> None:
-    """Refuse anything that is neither None nor can be called."""
+    """Refuse anything that is neither None nor callable."""
     if value is not None and not callable(value):
-        raise InputError(field, value, "be a function", "give what is to be called, or leave it out")
+        raise InputError(field, value, "be a function", "give a function, or leave it out")
 
 
 def listed(field: str, value: Iterable[Any], condition: str, remedy: str) -> list[Any]:
-    """Return the members of a list or another iterable but text, or refuse what has none."""
+    """Return the members of a list or another iterable, or refuse anything else, text and mappings included."""
     try:
         return list(None if isinstance(value, str | Mapping) else value)  # type: ignore[arg-type]
     except TypeError:
@@ -115,7 +115,7 @@ def one_of(field: str, value: object, allowed: tuple[str, ...], remedy: str) -> 
 
 
 def thread_count(threads: int | None) -> int:
-    """Return a number of threads: that of the cores for None. Refuse anything that is not a whole number above zero."""
+    """Return a number of threads, for None that of the cores; refuse anything that is not a whole number above zero."""
     if threads is None:
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     if isinstance(threads, bool) or not isinstance(threads, Integral) or threads < 1:
@@ -124,7 +124,7 @@ def thread_count(threads: int | None) -> int:
 
 
 def one_line(field: str, value: str, remedy: str) -> None:
-    """Refuse text with control characters or ends of lines, which no table, picture or page can show."""
+    """Refuse text with control characters or line breaks, which no table, picture or page can show."""
     if any(unicodedata.category(character) in {"Cc", "Cs", "Zl", "Zp"} for character in value):
         raise InputError(field, value, "be one line of text without control characters", remedy)
 
@@ -140,7 +140,7 @@ def broadcast(remedy: str, *places: NDArray[np.float64]) -> tuple[NDArray[np.flo
 
 def _is_number(value: object) -> bool:
     if isinstance(value, np.ndarray) and (value.ndim > 0 or value.dtype.kind not in "iuf"):
-        return False  # older NumPy makes numbers of some, with a warning
+        return False  # older NumPy converts some of them to numbers, with a warning
     try:
         float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError, OverflowError):

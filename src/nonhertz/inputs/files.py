@@ -1,6 +1,6 @@
-"""Files are read no further than a bound, and none is waited for.
+"""Reading files up to a size limit and without blocking.
 
-What a path leads to need not be a file on disk: a device may have no end, and a pipe may have nobody who writes to it.
+A path need not lead to a file on disk: a device may be endless, and a pipe may have no writer.
 """
 
 from __future__ import annotations
@@ -15,21 +15,21 @@ _WITHOUT_WAITING: Final = getattr(os, "O_NONBLOCK", 0)  # Windows has no such pi
 
 
 def content(path: str | os.PathLike[str], most: int) -> bytes:
-    """Return what is in a file.
+    """Return the contents of a file.
 
     Parameters
     ----------
     path : str or os.PathLike
-        The file. A pipe is read to its end; one that nobody writes to is empty.
+        The file. A pipe is read to its end; one without a writer is empty.
     most : int
-        Bytes, at most.
+        Largest size in bytes.
 
     Raises
     ------
     OSError
         If it cannot be read; with ``errno.EFBIG`` if it is larger.
     ValueError
-        If no file can have such a name.
+        If the name is impossible for a file.
     """
     with open(path, "rb", opener=_opened) as file:
         data = file.read(most + 1)
@@ -39,7 +39,7 @@ def content(path: str | os.PathLike[str], most: int) -> bytes:
 
 
 def legible(name: str) -> str:
-    r"""Return the name of a file as a line of text; a name can be any bytes and hold the end of a line.
+    r"""Return the name of a file as a line of text; a name can be any bytes and may contain line breaks.
 
     Examples
     --------
@@ -51,10 +51,10 @@ def legible(name: str) -> str:
 
 
 def special(path: str | os.PathLike[str]) -> bool:
-    """Return whether a path leads to a device, a pipe or a socket: to something that is neither file nor directory."""
+    """Return whether a path leads to a device, a pipe or a socket: something that is neither a file nor a directory."""
     try:
         mode = Path(path).stat().st_mode
-    except (OSError, ValueError):  # whoever opens it says why it cannot be
+    except (OSError, ValueError):  # opening it will raise the error with its reason
         return False
     return not stat.S_ISREG(mode) and not stat.S_ISDIR(mode)
 

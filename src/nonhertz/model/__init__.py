@@ -1,1 +1,1 @@
-"""What is solved: materials, profiles, bodies and contacts, as values that are checked once when made."""
+"""The model: materials, profiles, bodies and contacts, as values that are checked once, when created."""

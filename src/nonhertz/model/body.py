@@ -42,7 +42,7 @@ class TabulatedDiameter:
     y : tuple of float
         Axial positions [mm] from the middle of the body, ascending, at least two.
     diameter : tuple of float
-        Diameter there [mm], of one sign, negative = concave.
+        Diameter there [mm], all of one sign, negative = concave.
 
     Examples
     --------
@@ -61,21 +61,21 @@ class TabulatedDiameter:
                 raise InputError(name, getattr(self, name), "be a row of numbers", "give a list of numbers in mm")
             object.__setattr__(self, name, tuple(row.tolist()))
         if len(self.y) != len(self.diameter) or len(self.y) < 2:
-            raise InputError("y", self.y, "hold as many points as diameter, two at least", "give both lists")
+            raise InputError("y", self.y, "hold as many points as diameter, at least two", "give both lists")
         if not np.all(np.diff(self.y) > 0.0):
-            raise InputError("y", self.y, "be finite and ascend", "sort the points along the axis")
+            raise InputError("y", self.y, "be finite and ascending", "sort the points along the axis")
         signs = np.sign(self.diameter)
         if signs[0] == 0.0 or np.any(signs != signs[0]):
             raise InputError("diameter", self.diameter, "be finite and of one sign", _DIAMETER_REMEDY)
 
     def __call__(self, y: ArrayLike) -> Array:
-        """Return the diameter [mm] at ``y`` [mm]; constant beyond the outer points."""
+        """Return the diameter [mm] at ``y`` [mm]; constant beyond the outermost points."""
         diameter: Array = np.interp(numbers("y", y, "give positions in mm"), self.y, self.diameter)
         return diameter
 
 
 def convex(diameter: Diameter) -> bool:
-    """Return whether a diameter is positive, as far as can be told without knowing where the bodies will touch."""
+    """Return whether a diameter is positive, as far as is known before the place of contact is."""
     if isinstance(diameter, TabulatedDiameter):
         return diameter.diameter[0] > 0.0
     return callable(diameter) or (isinstance(diameter, Real) and diameter > 0.0)
@@ -95,23 +95,23 @@ class Body:
     length : float or None
         Distance between the side faces [mm]; None for an unbounded body.
     profile : Profile
-        Relief along the axis, positive where material is taken away.
+        Relief along the axis, positive where material is removed.
     effective_length : float or None
-        Length in the middle of the body that can touch [mm], where chamfers or undercuts take the rest away;
+        Length in the middle of the body that can touch [mm], where chamfers or undercuts remove the rest;
         at most ``length``; None for all of it.
     position : float
         Axial position y of the middle of the body [mm].
     side_faces : str or float or pair of them
-        How the side faces are made free: by images of the pressure with weight 1 (``"mirror"``), with the weight
-        that comes nearest to the exact free face (``"calibrated"``) or with a weight of your own, or not at all
-        (``"none"``). A pair is for the faces at low and high y. A body without a length has none.
+        How the side faces are freed of stress: by images of the pressure with weight 1 (``"mirror"``), with the
+        weight that comes closest to the exact free face (``"calibrated"``) or with a weight given as a number, or not
+        at all (``"none"``). A pair is for the faces at low and high y. A body without a length has none.
     images : int or str
-        Mirror images per face: 1; or n, with the n - 1 shifted ones between them that mirrors of mirrors make; or
-        ``"series"`` for all of them, which needs a depth, without which their sum has no limit.
+        Mirror images per face: 1; or n, with the n - 1 shifted images that mirrors of mirrors make between them; or
+        ``"series"`` for all of them, which needs a depth, without which their sum diverges.
     depth : str or float
         The point that the displacement is measured against: far away (``"none"``), where it makes the compression
-        of a long cylinder that of plane strain (``"plane-strain"``, the default of a roller), the diameter
-        (``"diameter"``), or a depth below the surface [mm] such as the thickness of a ring.
+        of a long cylinder that of plane strain (``"plane-strain"``, the default for a roller), a diameter below the
+        surface (``"diameter"``), or at a given depth [mm], such as the thickness of a ring.
 
     Raises
     ------
@@ -187,7 +187,7 @@ class Body:
 
     @property
     def face_weights(self) -> tuple[float, float]:
-        """Weights of the images about the side faces; zero where a face is not made free, or there is none."""
+        """Weights of the images about the side faces; zero where a face is not freed or does not exist."""
         if self.length is None:
             return 0.0, 0.0
         low, high = (side.image_weight(self.material.poisson) for side in self.sides)
@@ -200,7 +200,7 @@ class Body:
 
     @property
     def crests(self) -> tuple[float, ...]:
-        """Axial positions [mm] at which the relief may stand out between any places that are looked at."""
+        """Axial positions [mm] at which the relief may stand out between sampled places."""
         return tuple(self.position + crest for crest in self.profile.crests)
 
     def relief(self, y: ArrayLike) -> Array:
@@ -232,7 +232,7 @@ class Body:
 class Roller(Body):
     """A convex body of finite length: `Body` with a positive ``diameter`` and a ``length``.
 
-    Unless told otherwise both its side faces are free and it is as thick as a long cylinder in plane strain.
+    By default both its side faces are free and its depth is that of a long cylinder in plane strain.
 
     Examples
     --------
@@ -243,7 +243,7 @@ class Roller(Body):
     depth: DepthRule = "plane-strain"
 
     def __post_init__(self) -> None:
-        # First, because the default depth asks for a diameter too.
+        # Checked first, because the default depth needs a diameter too.
         if self.diameter is None or not convex(self.diameter):
             raise InputError("diameter", self.diameter, "be positive", "give the roller's diameter in mm")
         if self.length is None:
@@ -255,7 +255,7 @@ class Roller(Body):
 class Ring(Body):
     """A raceway: `Body` with a ``diameter``, positive on an inner ring, negative (concave) on an outer ring.
 
-    With a ``length``, its width, it has two free side faces; without one it goes on for ever.
+    With a ``length``, its width, it has two free side faces; without one it is unbounded.
 
     Examples
     --------

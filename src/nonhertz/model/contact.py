@@ -12,7 +12,7 @@ from nonhertz.model.body import Body
 
 Array = NDArray[np.float64]
 
-# Share of the distance from y = 0 by which two bodies must overlap, so that places within are told apart.
+# Fraction of the distance from y = 0 by which two bodies must overlap, so that positions within can be distinguished.
 RESOLVED = 1e-8
 
 
@@ -23,7 +23,7 @@ class Contact:
     Parameters
     ----------
     a, b : Body
-        The two bodies; the order only matters for what is reported of each.
+        The two bodies; their order matters only for what is reported about each.
 
     Raises
     ------
@@ -58,7 +58,7 @@ class Contact:
 
     @property
     def interval(self) -> tuple[float, float]:
-        """The axial interval [mm] on which both bodies can touch; infinite where neither ends."""
+        """The axial interval [mm] on which both bodies can touch; infinite on a side where neither ends."""
         (low_a, high_a), (low_b, high_b) = self.a.interval, self.b.interval
         return (max(low_a, low_b), min(high_a, high_b))
 

@@ -58,14 +58,14 @@ def check_poisson(poisson: float) -> None:
         raise InputError("poisson", poisson, "lie in (-1, 0.5]", remedy)
 
 
-# Handbook values at room temperature; a datasheet of the actual grade comes before them.
+# Handbook values at room temperature; a datasheet for the actual grade takes precedence.
 STEEL = Material(modulus=207000.0, poisson=0.3)
 SILICON_NITRIDE = Material(modulus=310000.0, poisson=0.26)
 CAST_IRON = Material(modulus=110000.0, poisson=0.26)
 BRONZE = Material(modulus=110000.0, poisson=0.34)
 ALUMINIUM = Material(modulus=70000.0, poisson=0.33)
 
-#: Materials that a case file may call by name.
+#: Materials that a case file may refer to by name.
 MATERIALS = {
     "steel": STEEL,
     "silicon-nitride": SILICON_NITRIDE,

@@ -10,11 +10,11 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import above_zero, finite
 from nonhertz.model.contact import Contact
 
-# Compliance times load over the square of the bodies' smallest size, and of their largest. Below the first the contact
-# is lost in the rounding of the relief beside it; strips and cells met all of 14 contacts of any shape down to 1e-22.
-# At the second it is hundreds of times wider than the bodies.
+# Compliance times load over the square of the bodies' smallest size, and of their largest. Below the first, the contact
+# is lost in the rounding of the relief beside it; strips and cells solved 14 contacts of all shapes down to 1e-22. At
+# the second it is hundreds of times wider than the bodies.
 LEAST, MOST = 1e-22, 1e6
-# Sine and tangent differ by 5 % there, and relief is measured at right angles to a body that has not turned.
+# Sine and tangent differ by 5 % there, and relief is measured at right angles to a body that is not tilted.
 MOST_TILT = 0.3  # rad
 
 
@@ -41,7 +41,7 @@ class Prescription:
     def checked(
         cls, approach: float | None, load: float | None, tilt: float | None, moment: float | None
     ) -> Prescription:
-        """Return the prescription of those that are not None.
+        """Return the prescription of the quantities that are not None.
 
         Raises
         ------
@@ -59,14 +59,14 @@ class Prescription:
             finite("tilt", tilt, "give the tilt in rad")
             if abs(tilt) > MOST_TILT:
                 remedy = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
-                raise InputError("tilt", tilt, f"be a small angle, of {MOST_TILT:g} rad at most", remedy)
+                raise InputError("tilt", tilt, f"be a small angle, of at most {MOST_TILT:g} rad", remedy)
         first = load if load is not None else approach
         second = moment if moment is not None else (tilt or 0.0)
         assert first is not None
         return cls(load is not None, moment is not None, float(first), float(second))
 
     def refuse_outside(self, contact: Contact) -> None:
-        """Refuse a load out of range for the bodies, and a moment that no pressure between their ends can have."""
+        """Refuse a load out of range for the bodies, and a moment that no pressure between their ends can produce."""
         if self.by_load:
             refuse_load(contact, self.first)
         low, high = contact.interval
@@ -75,11 +75,11 @@ class Prescription:
             raise InputError("moment", self.second, condition, "reduce it or raise the load")
         if self.by_moment and ((self.second > 0.0 and high <= 0.0) or (self.second < 0.0 and low >= 0.0)):
             condition = f"have the sign of the lever arms, which lie between {low:g} and {high:g} mm"
-            raise InputError("moment", self.second, condition, "turn its sign")
+            raise InputError("moment", self.second, condition, "reverse its sign")
 
 
 def loads_between(contact: Contact) -> tuple[float, float]:
-    """Return the least and the largest load [N] that bodies of their size and stiffness can be solved under."""
+    """Return the smallest and the largest load [N] for which bodies of this size and stiffness can be solved."""
     low, high = contact.interval
     middle = np.array(0.5 * (low + high) if np.isfinite(high - low) else 0.0)
     curvatures = [abs(float(body.curvature(middle))) for body in (contact.a, contact.b)]
@@ -87,12 +87,12 @@ def loads_between(contact: Contact) -> tuple[float, float]:
     if np.isfinite(high - low):
         sizes.append(0.5 * (high - low))
     if not sizes:
-        return 0.0, np.inf  # flat and endless: refused for that
+        return 0.0, np.inf  # flat and unbounded: refused elsewhere
     return LEAST / contact.compliance * min(sizes) ** 2, MOST / contact.compliance * max(sizes) ** 2
 
 
 def refuse_load(contact: Contact, load: float) -> None:
-    """Refuse a load [N] that is out of range for bodies of their size and stiffness.
+    """Refuse a load [N] that is out of range for bodies of this size and stiffness.
 
     Raises
     ------
@@ -101,14 +101,14 @@ def refuse_load(contact: Contact, load: float) -> None:
     least, most = loads_between(contact)
     if load < least:
         condition = f"be at least {least:.2g} N for bodies of this size and stiffness"
-        raise InputError("load", load, condition, "raise it; rounding hides the contact under less")
+        raise InputError("load", load, condition, "raise it; under less the contact is lost in rounding")
     if load > most:
         condition = f"not exceed {most:.2g} N for bodies of this size and stiffness"
         raise InputError("load", load, condition, "reduce it; the contact would be far wider than the bodies")
 
 
 def refuse_unpaired(approach: object, load: object, tilt: object, moment: object) -> None:
-    """Refuse what is not one of approach and load, and at most one of tilt and moment; None is what is not given.
+    """Refuse anything but exactly one of approach and load, and at most one of tilt and moment; None is not given.
 
     Raises
     ------

@@ -1,8 +1,8 @@
 """Any gap on a plane grid: uniform-pressure rectangles, the independent check of the strips.
 
-The surface is cut into equal rectangles, each with a pressure of its own, and nothing is assumed of how the pressure
-is distributed across the contact, whether it is symmetric, or in how many pieces the bodies touch: dents, waves and
-slanted chamfers are as good as a crown. Nothing here comes from the strips, so both methods check each other.
+The surface is divided into equal rectangles, each with its own pressure, and nothing is assumed about how the pressure
+is distributed across the contact, whether it is symmetric, or how many separate contacts there are: dents, waves and
+slanted chamfers are treated just like a crown. Nothing here comes from the strips, so the two methods check each other.
 """
 
 from nonhertz.patch.features import ChamferRun as ChamferRun

@@ -1,10 +1,10 @@
-"""What a gap does between the centres of cells, which a solution on these cells knows nothing of.
+"""What the gap does between cell centres, which a solution on these cells does not see.
 
-The gap is evaluated once more in sixteen places of every cell. Where it is smooth on the scale of cells, cubic
-interpolation between their centres foretells what it is there. By what it stands nearer than foretold, bodies overlap
-unseen, less the clearance of the solution: a piece of contact or a peak of pressure that these cells leave out. By what
-it stands nearer or farther where bodies touch, divided by what the pressure on such a part of a cell does there, the
-pressure may err. A body smaller than a quarter of a cell may still lie between all places.
+The gap is evaluated again at sixteen places in every cell. Where it is smooth on the scale of cells, cubic
+interpolation between cell centres predicts it there. Where it is smaller than predicted, the bodies overlap unseen by
+the difference less the clearance of the solution: a small contact or a pressure peak that these cells miss. Where the
+bodies touch, the deviation either way, divided by the displacement per unit of pressure on such a part of a cell, is
+the possible error of the pressure. A body smaller than a quarter of a cell may still lie between all places.
 """
 
 from __future__ import annotations
@@ -23,15 +23,15 @@ from nonhertz.patch.verdict import displacement
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-PARTS = 4  # of a side of a cell
-# Rows of cells at once: a share of all, so that places sixteen times as many as cells take less memory than the solve.
+PARTS = 4  # per side of a cell
+# Rows of cells at a time: a fraction of all, so that sixteen places per cell take less memory than the solve.
 SHARE, FEWEST_ROWS, MOST_ROWS = 64, 4, 32
 MOST_CANDIDATES = 60
 
 
 @dataclass(frozen=True)
 class Unseen:
-    """What lies between the centres of cells.
+    """What lies between cell centres.
 
     Attributes
     ----------
@@ -40,9 +40,9 @@ class Unseen:
     x, y : float
         Where it is [mm].
     pressure : float
-        By how much the largest pressure may be larger on its account [MPa].
+        By how much it may raise the largest pressure [MPa].
     lift : float
-        By how much the bodies would have to be moved apart, about, for the mean of all that touches [mm].
+        Approximately how far the bodies would have to move apart, the overlap averaged over the contact [mm].
     """
 
     overlap: float
@@ -53,17 +53,17 @@ class Unseen:
 
 
 def between(solution: PatchSolution, gap: Gap) -> Unseen:
-    """Return what the gap (x, y) [mm] -> [mm] does between the centres of the cells of a solution."""
+    """Return what the gap (x, y) [mm] -> [mm] does between the cell centres of a solution."""
     undeformed = gap(solution.x[:, None], solution.y[None, :])
     whole = np.isfinite(undeformed)
     known, clearance = np.where(whole, undeformed, 0.0), np.where(whole, solution.gap, 0.0)
     cubic = [_weights(n, 4) for n in solution.cells]
     linear = [_weights(n, 2) for n in solution.cells]
     x, y = (_places(each, side) for each, side in ((solution.x, solution.dx), (solution.y, solution.dy)))
-    # What falls away where the contact ends, as a logarithmic profile does, presses no harder for it.
+    # A profile that falls away where the contact ends, as a logarithmic one does, does not raise the pressure there.
     inner = ~_grown(np.pad(~solution.footprint, 1, constant_values=True))[1:-1, 1:-1]
     near, holes = _grown(solution.footprint), sparse.csr_array(~whole, dtype=float)
-    # Of a part of a cell rather than of a cell: what is unseen may be as narrow as that, and presses the harder.
+    # For a part of a cell, not a whole cell: what is unseen may be that narrow, and then raises the pressure more.
     side = edges_from(0.0, 1, solution.dx / PARTS), edges_from(0.0, 1, solution.dy / PARTS)
     own = solution.contact.compliance * float(rectangles(*side)[0, 0])
     deepest, highest, lifted = (0.0, 0.0, 0.0), 0.0, 0.0
@@ -73,7 +73,7 @@ def between(solution: PatchSolution, gap: Gap) -> Unseen:
         cells = slice(start, min(start + step, solution.cells[0]))
         rows = slice(PARTS * start, PARTS * cells.stop)
         here = gap(x[rows, None], y[None, :])
-        # Where a node of the interpolation has no body there is nothing to tell smooth from rough by.
+        # Where a node of the interpolation has no body, smooth and rough cannot be distinguished.
         regular = (abs(cubic[0][rows]) @ holes @ abs(cubic[1]).T).toarray() == 0.0
         regular &= np.isfinite(here)
         nearer = np.subtract(cubic[0][rows] @ known @ cubic[1].T, here, out=np.zeros_like(here), where=regular)
@@ -82,7 +82,7 @@ def between(solution: PatchSolution, gap: Gap) -> Unseen:
         deepest = max(deepest, (float(overlap[i, j]), float(x[rows][i]), float(y[j])))
         unseen = np.maximum(_of_cells(overlap), 0.0)
         lifted += float(np.sum(unseen))
-        # A hollow spreads its load over its rim, a peak bears what it takes on itself.
+        # A hollow spreads its load over its rim, a peak carries its load alone.
         rough = np.where(inner[cells], _of_cells(np.maximum(nearer, -nearer / PARTS)), unseen)
         highest = max(highest, float(np.max(solution.pressure[cells] + rough / own)))
         lone = np.where(regular | np.repeat(np.repeat(near[cells], PARTS, 0), PARTS, 1), np.inf, here)
@@ -95,16 +95,16 @@ def between(solution: PatchSolution, gap: Gap) -> Unseen:
 
 
 def _places(centres: Array, side: float) -> Array:
-    """Return the middle of every part of cells, ascending."""
+    """Return the centre of every part of the cells, ascending."""
     parts = (np.arange(PARTS) + 0.5) / PARTS - 0.5
     places: Array = (centres[:, None] + side * parts).ravel()
     return places
 
 
 def _weights(cells: int, nodes: int) -> sparse.csr_array:
-    """Return the interpolation from centres of cells to all parts by polynomials through the nearest 2 or 4.
+    """Return the interpolation from cell centres to all parts by polynomials through the nearest 2 or 4.
 
-    Where nodes are missing, at the border, four go on beyond the last centre, and two keep its value.
+    Beyond the last centre at the border, four nodes extrapolate and two keep the last value.
     """
     place = _places(np.arange(cells, dtype=float), 1.0)
     first = np.clip(np.floor(place).astype(int) - nodes // 2 + 1, 0, cells - nodes)
@@ -120,7 +120,7 @@ def _weights(cells: int, nodes: int) -> sparse.csr_array:
 
 
 def _of_cells(parts: Array) -> Array:
-    """Return the largest of the parts of every cell."""
+    """Return the largest value among the parts of every cell."""
     nx, ny = parts.shape[0] // PARTS, parts.shape[1] // PARTS
     largest: Array = parts.reshape(nx, PARTS, ny, PARTS).max(axis=(1, 3))
     return largest
@@ -140,7 +140,7 @@ def _grown(cells: Mask) -> Mask:
 def _candidates(
     solution: PatchSolution, gap: Array, x: Array, y: Array, start: int
 ) -> list[tuple[float, int, int, float, float]]:
-    """Return the deepest places of bodies that no centre of a cell lies upon: depth, their cell, x and y."""
+    """Return the deepest places of bodies that no cell centre lies on: depth, their cell, x and y."""
     depth = solution.approach + solution.tilt * y - gap
     deep = np.argwhere(depth > 0.0)
     deep = deep[np.argsort(-depth[tuple(deep.T)])][:MOST_CANDIDATES]
@@ -150,7 +150,7 @@ def _candidates(
 def _missed(
     solution: PatchSolution, candidates: list[tuple[float, int, int, float, float]]
 ) -> list[tuple[float, float, float]]:
-    """Return how far candidates overlap, and where."""
+    """Return by how much the candidates overlap, and where."""
     candidates = sorted(candidates, reverse=True)[:MOST_CANDIDATES]
     if not candidates:
         return []

@@ -1,8 +1,8 @@
-"""From coarse to fine: each grid starts from the pressure on one with half as many cells either way.
+"""From coarse to fine: each grid starts from the pressure on one with half as many cells in each direction.
 
-A set that is known to a cell on the coarser grid takes a few changes on the finer one, whatever their size, so the
-number of convolutions hardly grows and the cost is that of n log n; all coarser grids together cost a third of the
-finest. What changes from grid to grid tells the error of discretisation.
+A contact set known to within a cell on the coarser grid takes a few changes on the finer one, whatever the number of
+cells, so the number of convolutions hardly grows and the cost is O(n log n); all coarser grids together cost a third of
+the finest. The change from grid to grid estimates the discretisation error.
 """
 
 from __future__ import annotations
@@ -26,15 +26,15 @@ from nonhertz.result.solution import Status
 Array = NDArray[np.float64]
 Gap = Callable[[Array, Array], Array]
 
-# On coarser grids no residual below this is worth a convolution: the error estimate needs no more digits.
+# On coarser grids a residual below this is not worth another convolution: the error estimate needs no more digits.
 ROUGHLY = 1e-6
 FEWEST = 4  # cells in either direction
-WITHIN = 0.25  # of a cell: how far within the outermost rows a rough grid keeps the lever arm of a moment
+WITHIN = 0.25  # of a cell: how far inside the outermost rows a rough grid keeps the lever arm of a moment
 
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """What is solved, without a grid.
+    """The problem to solve, independent of a grid.
 
     Attributes
     ----------
@@ -47,7 +47,7 @@ class Problem:
     given : tuple of float
         Approach [mm] or K Q [mm^2], and tilt [rad] or K T [mm^3].
     compliance : float
-        K [1/MPa], for complaints alone.
+        K [1/MPa], only for error messages.
     """
 
     gap: Gap
@@ -61,12 +61,12 @@ class Problem:
         return self.gap(grid.x[:, None], grid.y[None, :])
 
     def task(self, grid: Grid, undeformed: Array, pool: Executor | None, rough: bool = False) -> Task:
-        """Return the problem on a grid; a rough one brings the moment within reach of the cells.
+        """Return the problem on a grid; if ``rough``, the moment is brought within reach of the cells.
 
         Raises
         ------
         InputError
-            If no cells of a grid that is not rough can bear the moment.
+            If the grid is not rough and its cells cannot carry the moment.
         """
         first, second = self.given
         if self.by_force[1]:
@@ -80,17 +80,17 @@ class Problem:
         return Task(undeformed, convolution, inverse, grid.y, self.by_force, target)
 
     def _moment(self, rows: Array, within: float) -> float:
-        """Return the moment, times K, that rows of cells at ``rows`` can bear and that is nearest to the given one."""
+        """Return the moment, times K, closest to the given one that rows of cells at ``rows`` can carry."""
         first, second = self.given
         low, high = float(rows[0]), float(rows[-1])
         if self.by_force[0]:
-            # A coarse grid may have no cell as far out.
+            # A coarse grid may have no cell that far out.
             middle, reach = 0.5 * (low + high), max(0.5 * (high - low) - within, 0.0)
             return first * float(np.clip(second / first, middle - reach, middle + reach))
         return 0.0 if (second > 0.0 >= high) or (second < 0.0 <= low) else second
 
     def _refuse_out_of_reach(self, low: float, high: float) -> None:
-        """Refuse a moment that cells between two lever arms [mm] cannot bear.
+        """Refuse a moment that cells between two lever arms [mm] cannot carry.
 
         Raises
         ------
@@ -104,12 +104,12 @@ class Problem:
             raise InputError("moment", given, condition, "reduce it, or give more cells along or a larger region")
         if not self.by_force[0] and ((second > 0.0 >= high) or (second < 0.0 <= low)):
             condition = f"have the sign of the lever arms, which lie between {low:.6g} and {high:.6g} mm, {outermost}"
-            raise InputError("moment", given, condition, "turn its sign, or give a larger region")
+            raise InputError("moment", given, condition, "reverse its sign, or give a larger region")
 
 
 @dataclass(frozen=True)
 class Level:
-    """What is kept of a grid: enough to tell how much a finer one changes."""
+    """What is kept from a grid: enough to compute how much a finer one changes."""
 
     cells: tuple[int, int]
     approach: float
@@ -119,7 +119,7 @@ class Level:
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """The finest grid's solution, pressures times K, and what the coarser ones had come to."""
+    """The finest grid's solution, pressures times K, and the levels of the coarser grids."""
 
     grid: Grid
     state: State
@@ -138,13 +138,13 @@ class Outcome:
 def solve_on(
     problem: Problem, grid: Grid, tolerance: float, pool: Executor | None = None, rough: bool = False
 ) -> Outcome:
-    """Solve on coarser grids first, on the given one last, which may be a rough one too."""
+    """Solve on coarser grids first and on the given one last, which may itself be ``rough``."""
     pressure, rigid, levels = None, (0.0, 0.0), []
     for each in (*reversed(list(grid.coarser())), grid):
         finest = each is grid
         undeformed = problem.undeformed(each)
         if not np.isfinite(undeformed).any():
-            # The bodies lie between the centres of its cells; a finer grid may have some upon them.
+            # The bodies lie between the cell centres; a finer grid may have centres on them.
             if not finest:
                 continue
             return _empty(grid, undeformed, rough)
@@ -157,7 +157,7 @@ def solve_on(
 
 
 def _empty(grid: Grid, undeformed: Array, rough: bool) -> Outcome:
-    """Return what a rough grid of which no cell has a body comes to: nothing touches.
+    """Return the outcome on a rough grid of which no cell has a body: nothing touches.
 
     Raises
     ------
@@ -166,16 +166,16 @@ def _empty(grid: Grid, undeformed: Array, rough: bool) -> Outcome:
     """
     if not rough:
         remedy = "give more cells, or a region around the place where it is"
-        raise InputError("gap", np.inf, "be finite in the middle of a cell at least", remedy)
+        raise InputError("gap", np.inf, "be finite at the centre of at least one cell", remedy)
     state = State(np.zeros(grid.cells), undeformed, (0.0, 0.0), 0.0, Status.CONVERGED)
     return Outcome(grid, state, 0, (_level(grid, state),))
 
 
 def halved(problem: Problem, outcome: Outcome, tolerance: float, pool: Executor | None = None) -> tuple[Level, ...]:
-    """Return up to two grids with half as many cells each in both directions, and the finest; from coarse to fine.
+    """Return up to two grids, each with half as many cells in both directions, and the finest; from coarse to fine.
 
-    The cascade stops halving a direction at 16 cells, and so says nothing of what few cells leave out; what it lacks
-    of these grids is solved for the estimate of the error alone, and small.
+    The cascade stops halving a direction at 16 cells, which hides the error of having few cells; grids that it lacks
+    are solved here just for the error estimate, and are small.
     """
     levels, cells = [outcome.levels[-1]], outcome.grid.cells
     for _ in range(2):
@@ -200,10 +200,9 @@ def _level(grid: Grid, state: State) -> Level:
 
 
 def refined(pressure: Array, cells: tuple[int, int]) -> Array:
-    """Return a pressure on a finer grid over the same region, linear between the centres of cells.
+    """Return a pressure on a finer grid over the same region, linear between cell centres.
 
-    The footprint comes out somewhat too large, which is the side to err on: cells leave it more readily than others
-    enter.
+    The footprint comes out somewhat too large, which is the safe side: cells leave it more readily than they enter.
     """
     for axis in (0, 1):
         old, new = pressure.shape[axis], cells[axis]
@@ -216,7 +215,7 @@ def refined(pressure: Array, cells: tuple[int, int]) -> Array:
 
 
 def _first(task: Task) -> Array:
-    """Return a pressure to start from: springs, under the half of the cells that would touch first."""
+    """Return a pressure to start from: springs, acting in the half of the cells that would touch first."""
     tilt = 0.0 if task.by_force[1] else task.target[1]
     nearness = tilt * task.y - task.undeformed
     return np.maximum(nearness - float(np.median(nearness[task.bearing])), 0.0)

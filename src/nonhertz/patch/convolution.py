@@ -1,13 +1,13 @@
-"""From pressures to displacements in n log n.
+"""From pressures to displacements in O(n log n).
 
 The displacement is the convolution of the pressure with `kernel.rectangles`, done by Fourier transforms on a grid of
-twice the size, so that nothing that leaves the region on one side comes back on the other.
+twice the size, so that nothing wraps around from one side of the region to the other.
 
 The kernel is even across the contact, and the direct effect along it too: its spectrum is a cosine transform, real,
 and a quarter of the doubled grid. Side faces add terms (`nonhertz.bodies.influence`). A shifted copy of the pressure
-changes the spectrum, which is complex then. A mirrored copy is a convolution with the mirrored pressure, whose spectrum
-is the conjugate, in x reversed: one more product, and no further transform. What the loads do at depth under the centre
-line depends on the line loads alone: a matrix, subtracted from all cells of a row.
+changes the spectrum, which is then complex. A mirrored copy is a convolution with the mirrored pressure, whose spectrum
+is the conjugate, reversed in x: one more product, and no further transform. The displacement at depth below the centre
+line depends only on the line loads: a matrix, subtracted from all cells of a row.
 
 References
 ----------
@@ -42,14 +42,14 @@ class Convolution:
     influence : Influence
         Side faces and depths.
     pool : Executor or None
-        Threads to share work out to.
+        Threads to share the work.
 
     Attributes
     ----------
     count : int
-        Convolutions done.
+        Number of convolutions so far.
     own : float
-        What a cell's own pressure does in its middle [mm].
+        Displacement at a cell's centre per unit of its own pressure times K [mm].
     """
 
     def __init__(self, grid: Grid, influence: Influence, pool: Executor | None = None) -> None:
@@ -78,20 +78,20 @@ class Convolution:
         return product
 
     def _spectra(self, terms: Array) -> tuple[Array | Spectrum, Spectrum | None]:
-        """Return the spectra of all that is seen shifted, real without images, and of all that is seen mirrored."""
+        """Return the spectra of all shifted terms, real without images, and of all mirrored terms."""
         shifts = [(offset, weight) for sign, offset, weight in terms.tolist() if sign > 0.0]
         mirrors = [(offset, weight) for sign, offset, weight in terms.tolist() if sign < 0.0]
         shifted: Array | Spectrum
         if shifts == [(0.0, 1.0)]:
             shifted = fft.dctn(self._cells(0.0, self._half[1] + 1), type=1, overwrite_x=True)
         else:
-            # From y_j to y_i it is (i - j) dy - offset, and i - j of either sign.
+            # The distance from y_j to y_i is (i - j) dy - offset, with i - j of either sign.
             shifted = self._complex_spectrum(shifts, 0.0, 2 * self._half[1] - self.grid.cells[1])
-        # From the mirror image of y_j to y_i it is 2 y_0 + (i + j) dy - offset.
+        # The distance from the mirror image of y_j to y_i is 2 y_0 + (i + j) dy - offset.
         return shifted, self._complex_spectrum(mirrors, 2.0 * float(self.grid.y[0]), 0) if mirrors else None
 
     def _complex_spectrum(self, terms: list[tuple[float, float]], first: float, before: int) -> Spectrum:
-        """Return the spectrum of weighted kernels at first - offset + k dy, k from -``before`` on, cyclic."""
+        """Return the spectrum of weighted kernels at first - offset + k dy, k starting at -``before``, cyclic."""
         count = 2 * self._half[1]
         kernel = np.zeros((self._half[0] + 1, count))
         for offset, weight in terms:
@@ -100,7 +100,7 @@ class Convolution:
         return np.asarray(fft.dct(fft.rfft(kernel, axis=1), type=1, axis=0, overwrite_x=True))
 
     def _cells(self, start: float, count: int) -> Array:
-        """Return the kernel from x = 0 on, and at ``count`` distances along from ``start`` on."""
+        """Return the kernel at distances from x = 0 across, and at ``count`` distances from ``start`` along."""
         x_edges, y_edges = edges_from(0.0, self._half[0] + 1, self.grid.dx), edges_from(start, count, self.grid.dy)
         kernel = np.empty((x_edges.size - 1, count))
 

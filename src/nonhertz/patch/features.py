@@ -1,7 +1,7 @@
-"""What strips cannot see: reliefs that change across the contact too.
+"""What strips cannot represent: reliefs that also vary across the contact.
 
-Every feature is a value that is called with positions x, y [mm] and returns a relief [mm], positive where material is
-taken away, to be added to the gap of the bodies. Write your own as any function of x and y.
+Every feature is a callable value that takes positions x, y [mm] and returns a relief [mm], positive where material is
+removed, which is added to the gap of the bodies. Any function of x and y will do as your own.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ DIRECTIONS = {"across": 0.0, "along": 0.5 * math.pi}
 
 @dataclass(frozen=True, kw_only=True)
 class Dent:
-    """A round dent, as a hard particle leaves in a raceway when it is rolled over, with a shoulder if wanted.
+    """A round dent, as a hard particle leaves in a raceway when it is rolled over, with an optional shoulder.
 
-    The bowl is depth cos^2(pi s / diameter) within s = diameter / 2 of its middle, smooth where it begins. The
+    The bowl is depth cos^2(pi s / diameter) within s = diameter / 2 of its centre, with a smooth rim. The
     shoulder is material pushed up around it: -shoulder sin^2(2 pi (s - diameter/2) / (shoulder_diameter - diameter))
-    between both circles.
+    between the two circles.
 
     Parameters
     ----------
     x, y : float
-        Middle [mm].
+        Centre [mm].
     depth : float
         Depth of the bowl [mm], positive.
     diameter : float
@@ -95,14 +95,14 @@ class Waviness:
     Parameters
     ----------
     amplitude : float
-        Half of the height from valley to crest [mm].
+        Half the height from valley to crest [mm].
     wavelength : float
         Distance from crest to crest [mm], positive.
     direction : str or float
-        The way in which it waves: ``"across"`` (in x, ridges run along the contact), ``"along"`` (in y), or an angle
-        from x towards y [rad].
+        The direction in which the waves follow each other: ``"across"`` (x; ridges run along the contact), ``"along"``
+        (y), or an angle from x towards y [rad].
     phase : float
-        Phase at the origin [rad]; with zero a crest, no relief, is there.
+        Phase at the origin [rad]; zero puts a crest, with no relief, there.
 
     Raises
     ------
@@ -141,10 +141,10 @@ class Waviness:
 
 @dataclass(frozen=True, kw_only=True)
 class ChamferRun:
-    """A chamfer whose start wanders around the roller, as one that is ground askew: its edge is a slanted line.
+    """A chamfer whose start varies around the roller, as when it is ground askew: its edge is a slanted line.
 
     The relief is slope times the distance beyond the edge y = start + skew x, towards the end of the body. Within
-    ``blend`` of the edge the corner is rounded by a parabola, without which the pressure there would have no limit.
+    ``blend`` of the edge a parabola rounds the corner; if it were sharp, the pressure there would have no limit.
 
     Parameters
     ----------
@@ -155,7 +155,7 @@ class ChamferRun:
     skew : float
         Slope dy/dx of its edge [-].
     blend : float
-        Half of the length over which the corner is rounded [mm], zero for a sharp one.
+        Half the length over which the corner is rounded [mm], zero for a sharp one.
 
     Raises
     ------

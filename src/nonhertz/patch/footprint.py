@@ -1,4 +1,4 @@
-"""How wide a footprint is across, from the pressures of its cells."""
+"""The width of a footprint across the contact, from the pressures of its cells."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def half_widths(pressure: Array, dx: float) -> Array:
 
 
 def _reach(column: Array) -> float:
-    """Return how many cells the pressure reaches from the low end of a column to its upper edge, in fractions."""
+    """Return the (fractional) number of cells from the low end of a column to the upper edge of the pressure."""
     last = int(np.flatnonzero(column)[-1])
     inner, middle, outer = column[last - 2 : last + 1] ** 2 if last >= 2 else (0.0, 0.0, 0.0)
     if not inner > middle > outer:

@@ -1,4 +1,4 @@
-"""Where the rectangles lie: equal cells over a rectangular region, known by their centres."""
+"""The grid: equal rectangular cells over a rectangular region, identified by their centres."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-# Cells in either direction of the coarsest grid of a cascade, where springs are a start that is good enough.
+# Cells in each direction of the coarsest grid of a cascade, where springs are a good enough start.
 COARSE = 16
 
 
@@ -57,7 +57,7 @@ class Grid:
         return np.linspace(*self.y_span, self.cells[1] + 1)
 
     def coarser(self) -> Iterator[Grid]:
-        """Yield grids over the same region with half as many cells each, from fine to coarse."""
+        """Yield grids over the same region, each with half as many cells per direction, from fine to coarse."""
         nx, ny = self.cells
         while max(nx, ny) > COARSE:
             nx, ny = (max(-(-n // 2), min(n, COARSE)) for n in (nx, ny))
@@ -65,9 +65,9 @@ class Grid:
 
 
 def _centres(span: tuple[float, float], cells: int) -> Array:
-    # From the middle outwards, so that a symmetric region has symmetric centres to the last bit.
+    # Computed from the middle outwards, so that a symmetric region has symmetric centres to the last bit.
     offsets = np.arange(cells, dtype=np.float64) - 0.5 * (cells - 1)
     centres: Array = 0.5 * (span[0] + span[1]) + offsets * ((span[1] - span[0]) / cells)
-    # Functions of users get them, and may work in place.
+    # They are passed to user functions, which might modify them in place.
     centres.flags.writeable = False
     return centres

@@ -1,9 +1,9 @@
-"""From displacements to roughly the pressures, for a third of a convolution: what preconditions the iterations.
+"""From displacements to approximate pressures, at a third of the cost of a convolution: the preconditioner.
 
-A kernel laid around a torus has an inverse that costs one division in Fourier space. On a contact set K_AA the
-torus's inverse, restricted to the set, is nearly K_AA^-1: it errs where the set ends, and there by a factor between 0.8
-and 6, whatever the number of cells. So conjugate gradients gain half a digit per step on every grid. The torus is a
-few cells larger than the region, lest the two ends of a contact that fills it take each other for neighbours.
+The inverse of a periodic kernel (on a torus) costs one division in Fourier space. Restricted to the contact set A, it
+is nearly K_AA^-1: it is wrong only near the boundary of the set, by a factor between 0.8 and 6, whatever the number of
+cells. So conjugate gradients gain half a digit per step on every grid. The torus is a few cells larger than the region,
+so that the two ends of a contact that fills it do not become neighbours.
 
 References
 ----------
@@ -27,18 +27,18 @@ Array = NDArray[np.float64]
 Spectrum = NDArray[np.complex128]
 
 APART = 4  # cells between the ends of the region on the torus
-LEAST = 1e-3  # of the median symbol: positive on every grid tried, and a preconditioner has to be
+LEAST = 1e-3  # of the median spectrum: a floor, because a preconditioner must be positive; never reached on grids tried
 
 
 class Inverse:
-    """Roughly the inverse of `Convolution` without side faces and depth.
+    """An approximate inverse of `Convolution` without side faces and depth.
 
     Parameters
     ----------
     grid : Grid
         The cells.
     pool : Executor or None
-        Threads to share work out to.
+        Threads to share the work.
     """
 
     def __init__(self, grid: Grid, pool: Executor | None = None) -> None:
@@ -50,7 +50,7 @@ class Inverse:
         self._symbol = 1.0 / np.maximum(spectrum, LEAST * float(np.median(spectrum)))
 
     def __call__(self, displacement: Array) -> Array:
-        """Return roughly the pressure times K [-] for a displacement [mm], both of shape (nx, ny)."""
+        """Return approximately the pressure times K [-] for a displacement [mm], both of shape (nx, ny)."""
         return filtered(displacement, self._size, self._product, self._pool)
 
     def _product(self, columns: Spectrum, at: slice) -> Spectrum:

@@ -1,13 +1,13 @@
 """The displacement under rectangles of uniform pressure: Love's closed form, without its cancellation.
 
-Textbooks give the integral of 1/r over a rectangle as four corner terms X asinh(Y/|X|) + Y asinh(X/|Y|), whose sum is,
-far away, a small difference of large numbers: a thousand cells away six digits are gone, and a convolution
-adds up a million such cells. Here the two corners of an edge are joined before anything is subtracted,
+Textbooks give the integral of 1/r over a rectangle as four corner terms X asinh(Y/|X|) + Y asinh(X/|Y|), whose sum,
+far away, is a small difference of large numbers: a thousand cells away six digits are lost, and a convolution
+adds up a million such cells. Here the two corners of an edge are combined before anything is subtracted,
 
     X [asinh(Y2/X) - asinh(Y1/X)] = X log1p((Y2 - Y1) (1 + (Y2 + Y1) / (R2 + R1)) / (Y1 + R1)),   R^2 = X^2 + Y^2,
 
-which leaves differences between opposite edges alone: what they lose is the distance over the size of a cell, in
-units of the last digit.
+which leaves only the differences between opposite edges: their rounding error, in units of the last digit, is the
+distance over the cell size.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-# Stands for an edge exactly on an axis, where X asinh(Y/X) tends to zero.
+# Replaces zero for an edge exactly on an axis, where X asinh(Y/X) tends to zero.
 _ON_AXIS = 1e-200
 
 
 def rectangles(x_edges: Array, y_edges: Array) -> Array:
-    """Return the integral of 1/r over every cell between two rows of edges, r the distance from the origin.
+    """Return the integral of 1/r over every cell between two rows of edges, r being the distance from the origin.
 
-    Times K p it is the surface displacement of a half-space of compliance K = (1 - nu^2) / (pi E) at the origin under
+    Times K p it is the surface displacement at the origin of a half-space of compliance K = (1 - nu^2) / (pi E) under
     a pressure p that is uniform over the cell.
 
     Parameters
@@ -35,7 +35,7 @@ def rectangles(x_edges: Array, y_edges: Array) -> Array:
     Returns
     -------
     ndarray, shape (m, n)
-        The integrals [mm]; within 1e-12, relative, up to a thousand sides away.
+        The integrals [mm]; relative error below 1e-12 up to a thousand cell sides away.
 
     References
     ----------
@@ -71,7 +71,7 @@ def _logarithm(edges: Array, aside: Array) -> Array:
     to_low, to_high = np.hypot(low, aside), np.hypot(high, aside)
     start = np.maximum(low, 0.0) + to_low
     result: Array = np.log1p((high - low) * (1.0 + (high + low) / (to_high + to_low)) / start)
-    # Around zero both arcs have one sign, and their sum is what holds.
+    # For the interval that contains zero, the two asinh add without cancellation.
     around = low[0] < 0.0
     result[:, around] = np.arcsinh(high[:, around] / aside) + np.arcsinh(-low[:, around] / aside)
     return result

@@ -1,4 +1,4 @@
-"""What a solution on a plane grid cannot say: its error of discretisation, and where the model is strained."""
+"""The limits of a solution on a plane grid: its discretisation error, and where the model is strained."""
 
 from __future__ import annotations
 
@@ -24,15 +24,15 @@ from nonhertz.result.solution import EdgeKind, ErrorEstimate, SingularEnd, Statu
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-FEWEST_CELLS = 6.0  # that a feature is to be long
-# Of the last change, for approach and load and for the largest pressure: calibrated on random contacts
-# (tests/campaign/test_patch_estimate.py); 1.5 for all left out one approach in 25.
+FEWEST_CELLS = 6.0  # per feature, below which a warning is given
+# Factors on the last change, for approach and load and for the largest pressure: calibrated on random contacts
+# (tests/campaign/test_patch_estimate.py); with 1.5 for all, one approach in 25 exceeded its estimate.
 MARGIN, PRESSURE_MARGIN = 3.0, 1.5
-LONGEST_AT_END = 0.8  # half-widths: a longer cell at a singular end leaves nothing to interpolate to the border
-LEAST_CELLS = 2.0  # of a feature: over a shorter one the largest pressure is anything
+LONGEST_AT_END = 0.8  # half-widths: with longer cells at a singular end there is nothing to interpolate from
+LEAST_CELLS = 2.0  # per feature: with fewer the largest pressure is arbitrary
 STEEPEST = 1.5  # d ln(load) / d ln(displacement) of a paraboloid
-ROUGH, ROUGH_PRESSURE = 0.05, 0.2  # estimated relative errors that are warned of
-UNSEEN = 0.01  # of the largest displacement: an overlap between the centres of cells that is warned of
+ROUGH, ROUGH_PRESSURE = 0.05, 0.2  # estimated relative errors above which a warning is given
+UNSEEN = 0.01  # of the largest displacement: an overlap between cell centres above which a warning is given
 
 
 def error_estimate(
@@ -43,15 +43,14 @@ def error_estimate(
     unseen: Unseen,
     largest: float,
 ) -> ErrorEstimate:
-    """Return how far the finest grid may err, from the last refinements and from what lies between its cells.
+    """Return the estimated error of the finest grid, from the last refinements and from what lies between its cells.
 
     At least as large as the true error in 99 % of random cases, in the median twelve times as large.
 
     ``levels`` are grids that double the cells in both directions (`cascade.halved`), ``largest`` is the largest
-    displacement [mm]. Infinite where there is no coarser
-    one, fewer than 8 cells having no half; and for a pressure without a limit: at the edge of a body, where the region
-    cuts the contact, over a feature of less than two cells, or next to a singular end on cells longer than the
-    half-width there.
+    displacement [mm]. Infinite if there is no coarser grid, since fewer than 8 cells are not halved; and for a pressure
+    without a limit: at the edge of a body, where the region cuts the contact, over a feature of less than two cells, or
+    next to a singular end on cells longer than the half-width there.
     """
     if solution.status is not Status.CONVERGED or len(levels) < 2:
         return ErrorEstimate(math.inf, math.inf, math.inf)
@@ -79,16 +78,16 @@ def _share(error: float, whole: float) -> float:
 
 
 def _features(problem: Problem, solution: PatchSolution) -> list[tuple[str, float, float]]:
-    """Return name, size and side of a cell of all that features are made of."""
+    """Return name, size and cell side for every part of all features."""
     features = getattr(problem.gap, "features", ())
     return [size for feature in features for size in _sizes(feature, solution.dx, solution.dy)]
 
 
 def _change(values: list[float], margin: float = MARGIN) -> float:
-    """Return the last relative change, or half of the one before if that is more: one may be small by chance.
+    """Return the last relative change, or half the one before if that is larger: one may be small by chance.
 
-    At a sharp end errors fall in proportion to the cells, and then the last change is the error itself; the margin is
-    for that. At smooth ends they fall faster.
+    At a sharp end errors fall in proportion to the cell size, so the last change is the error itself, which the margin
+    covers. At smooth ends they fall faster.
     """
     changes = np.abs(np.diff(values))[::-1] * (1.0, 0.5)[: len(values) - 1]
     return margin * float(np.max(changes)) / abs(values[-1]) if values[-1] != 0.0 else 0.0
@@ -121,31 +120,31 @@ def overlaps(overlap: Overlap | None) -> tuple[str, ...]:
         return ()
     return (
         f"Beyond the region the bodies overlap, by {overlap.depth:.3g} mm at x = {overlap.x:.4g}, y = {overlap.y:.4g} "
-        "mm: they touch there too, which is left out; give a larger region, and cells enough for it.",
+        "mm: they touch there too, which is left out; give a larger region, and enough cells for it.",
     )
 
 
 def between_cells(unseen: Unseen, largest: float) -> tuple[str, ...]:
-    """Return a sentence where the bodies overlap between the centres of cells."""
+    """Return a sentence where the bodies overlap between cell centres."""
     if unseen.overlap <= UNSEEN * largest:
         return ()
     return (
         f"Between the centres of cells the bodies overlap, by {unseen.overlap:.3g} mm at x = {unseen.x:.4g}, y = "
-        f"{unseen.y:.4g} mm: the gap has a peak or a piece of contact there that these cells miss; give more cells.",
+        f"{unseen.y:.4g} mm: the gap has a peak or a small contact there that these cells miss; give more cells.",
     )
 
 
 def uncertain(solution: PatchSolution, largest: float) -> tuple[str, ...]:
-    """Return a sentence where the error estimate says that the numbers are rough, or that nothing tells how rough.
+    """Return a sentence where the estimated error is large or cannot be estimated.
 
-    ``largest`` is the largest displacement [mm], which an error of the approach is measured against: the approach
-    itself may be near zero by chance.
+    ``largest`` is the largest displacement [mm], against which an error of the approach is measured: the approach
+    itself may happen to be near zero.
     """
     error = solution.error_estimate
     if math.isinf(error.approach):
         return (
             f"The grid of {solution.cells[0]} x {solution.cells[1]} cells is too coarse to estimate the error of its "
-            "solution: the numbers may be far off; give at least 8 cells either way.",
+            "solution: the numbers may be far off; give at least 8 cells in each direction.",
         )
     stated = (
         ("approach", error.approach, error.approach * abs(solution.approach), ROUGH * largest),
@@ -153,27 +152,27 @@ def uncertain(solution: PatchSolution, largest: float) -> tuple[str, ...]:
         ("largest pressure", error.max_pressure, error.max_pressure, ROUGH_PRESSURE),
     )
     return tuple(
-        f"The {name} may be off by {share:.2g} of itself, by the estimate of the error; give more cells."
+        f"The estimated error of the {name} is {share:.2g} of its value; give more cells."
         for name, share, size, most in stated
         if most < size < math.inf
     )
 
 
 def unresolved(features: Iterable[object], dx: float, dy: float) -> tuple[str, ...]:
-    """Return a sentence for every feature that a few cells only are to show."""
+    """Return a sentence for every feature that spans only a few cells."""
     sentences = []
     for feature in features:
         for name, size, sides in _sizes(feature, dx, dy):
             if size < FEWEST_CELLS * sides:
                 sentences.append(
                     f"The {name} of {size:.3g} mm is only {size / sides:.1f} cells long, fewer than {FEWEST_CELLS:g}: "
-                    "the pressure there is a matter of chance; give more cells, or a smaller region."
+                    "the pressure there is not resolved; give more cells, or a smaller region."
                 )
     return tuple(sentences)
 
 
 def _sizes(feature: object, dx: float, dy: float) -> list[tuple[str, float, float]]:
-    """Return name and size [mm] of what a feature is made of, and the side of a cell in its direction."""
+    """Return name and size [mm] of the parts of a feature, and the cell side in their direction."""
     if isinstance(feature, Dent):
         sizes = [("diameter of a dent", float(feature.diameter), max(dx, dy))]
         if feature.shoulder > 0.0:
@@ -181,14 +180,14 @@ def _sizes(feature: object, dx: float, dy: float) -> list[tuple[str, float, floa
             sizes.append(("shoulder of a dent", ring, max(dx, dy)))
         return sizes
     if isinstance(feature, Waviness) and feature.amplitude > 0.0:
-        # Waves per cell are what counts, and they come from both directions.
+        # What counts is waves per cell, in whichever direction there are more.
         across, along = abs(math.cos(feature.angle)) * dx, abs(math.sin(feature.angle)) * dy
         return [("wavelength", float(feature.wavelength), max(across, along))]
     return []
 
 
 def _cut_off(solution: PatchSolution, grid: Grid) -> list[str]:
-    """Return a sentence for each border of the region that cuts the contact where the bodies go on."""
+    """Return a sentence for each border of the region that cuts the contact where the bodies continue."""
     across = regions.borders(grid.x_span, np.any(solution.footprint, axis=1))
     along = regions.borders(grid.y_span, np.any(solution.footprint, axis=0), solution.contact.interval)
     places = [
@@ -204,7 +203,7 @@ def _cut_off(solution: PatchSolution, grid: Grid) -> list[str]:
 
 
 def _too_long(solution: PatchSolution, end: SingularEnd) -> bool:
-    """Return whether the cells at a singular end are longer than the half-width there, and show nothing of the rise."""
+    """Return whether the cells at a singular end are about as long as the half-width, too long to show the rise."""
     touching = np.flatnonzero(solution.half_width > 0.0)
     nearest = touching[np.abs(solution.y[touching] - end.y).argmin()]
     return bool(solution.dy > LONGEST_AT_END * solution.half_width[nearest])
@@ -227,7 +226,7 @@ def singularities(solution: PatchSolution) -> tuple[str, ...]:
 
 
 def _edges_of_bodies(solution: PatchSolution) -> list[str]:
-    """Return a sentence if the contact reaches cells without a body, the place of the largest pressure beside them."""
+    """Return a sentence if the contact reaches cells without a body, naming the largest pressure beside them."""
     without = np.pad(np.isposinf(solution.gap), 1)
     beside = without[2:, 1:-1] | without[:-2, 1:-1] | without[1:-1, 2:] | without[1:-1, :-2]
     pressure = np.where(beside, solution.pressure, 0.0)
@@ -237,5 +236,5 @@ def _edges_of_bodies(solution: PatchSolution) -> list[str]:
     return [
         f"The contact reaches the edge of a body at x = {solution.x[i]:.6g}, y = {solution.y[j]:.6g} mm, beyond which "
         "the gap is infinite and where the pressure is singular: the values there are those of cells "
-        f"{solution.dx:.3g} x {solution.dy:.3g} mm large, not a limit."
+        f"{solution.dx:.3g} x {solution.dy:.3g} mm in size, not a limit."
     ]

@@ -1,10 +1,10 @@
-"""Where undeformed bodies come nearest, and where they would overlap beyond the region: the gap, sampled.
+"""Where the undeformed bodies are closest, and where they would overlap beyond the region, by sampling the gap.
 
-Nothing is known of a gap but its values, so it is sampled: evenly along bodies that end, evenly near the middle and
-ever wider away from it elsewhere, and once more over every `Dent`. A gap that users have a hand in may have bumps
-anywhere, and is scanned in nested windows too, each four times the size of the one within. The lowest sample is closed
-in on by windows of an eighth of the size each. A bump that lies between the samples is not seen; docs/explain/patch.md
-says how far apart they are.
+A gap is known only by its values, so it is sampled: evenly along bodies that end, elsewhere evenly near the middle and
+at growing distances away from it, and again over every `Dent`. A gap that users contribute to may have bumps anywhere,
+and is also scanned in nested windows, each four times the size of the previous one. The lowest sample is refined by
+windows an eighth of the size each. A bump that lies between the samples is not seen; docs/explain/patch.md says how far
+apart they are.
 """
 
 from __future__ import annotations
@@ -24,23 +24,24 @@ from nonhertz.patch.kernel import rectangles
 Array = NDArray[np.float64]
 Span = tuple[float, float]
 
-EVENLY, EVEN_REACH = 65, 8.0  # samples, and half-widths they reach either way
-APART, NEAREST = 64, 1e-3  # samples ever wider apart, from this many half-widths on
+EVENLY, EVEN_REACH = 65, 8.0  # samples, and the half-widths they reach to either side
+APART, NEAREST = 64, 1e-3  # geometrically spaced samples, and the half-widths at which they start
 ALONG, OVER_DENT, CLOSER = 257, 17, 17
 MOST_CLOSER = 24
-# Samples either way of a window of a scan, and how much larger each is than the one within: at a distance s from the
-# middle of a scan samples are s / 48 apart or nearer.
+# Samples in each direction of a scan window, and how much larger each window is than the previous one: at a distance s
+# from the middle of a scan, samples are at most s / 48 apart.
 SCANNED, MOST_SCANNED, LARGER = 385, 2049, 4.0
 SCANNED_AT_ONCE = 2**17
 LUMPS, SMALL_LUMPS = (12, 48), (24, 96)
-SUSPECT, SEEN, CLEAR = 0.03, 0.003, 0.01  # of the largest displacement: suspected, taken in, and warned of
+# Overlaps as fractions of the largest displacement: worth a closer look, worth enlarging the region, worth a warning.
+SUSPECT, SEEN, CLEAR = 0.03, 0.003, 0.01
 MOST_SUSPECTS = 100
 AT_ONCE = 2**15  # distances
 
 
 @dataclass(frozen=True, eq=False)
 class Window:
-    """Places that are sampled: all pairs of some x and some y [mm], ascending."""
+    """A grid of sampled places: all pairs of x and y [mm], each ascending."""
 
     x: Array
     y: Array
@@ -53,7 +54,7 @@ class Window:
 
 @dataclass(frozen=True)
 class Lowest:
-    """Where gap - tilt y is least: x, y and the value there [mm]."""
+    """Where gap - tilt y is smallest: x, y and the value there [mm]."""
 
     x: float
     y: float
@@ -62,7 +63,7 @@ class Lowest:
 
 @dataclass(frozen=True)
 class Overlap:
-    """Where the deformed bodies overlap beyond the region: the deepest place, and a rectangle around all of them."""
+    """Where the deformed bodies overlap beyond the region: the deepest place, and a rectangle around all overlaps."""
 
     x: float
     y: float
@@ -89,16 +90,16 @@ def windows(problem: Problem, interval: Span, width: float, reach: float) -> tup
 def scan(
     x_span: Span, y_span: Span, cells: tuple[int, int], interval: Span, reach: tuple[float, float]
 ) -> Iterator[Window]:
-    """Yield nested windows about a rectangle, in parts, the first of them twice its size with two samples a cell.
+    """Yield nested windows about a rectangle, in parts; the first is twice its size, with two samples per cell.
 
     Parameters
     ----------
     x_span, y_span : tuple of float
         The rectangle [mm].
     cells : tuple of int
-        Of the grid that lies over it.
+        Numbers of cells of the grid over it.
     interval : tuple of float
-        Where both bodies are, along y [mm].
+        Extent of both bodies along y [mm].
     reach : tuple of float
         How far to scan from the middle of the rectangle, across and along [mm].
     """
@@ -116,7 +117,7 @@ def scan(
 
 
 def _parts(window: Window) -> Iterator[Window]:
-    """Yield parts of a window that take little memory; each shares its last samples across with the next."""
+    """Yield parts of a window that take little memory; each shares its last row of samples with the next."""
     step = max(SCANNED_AT_ONCE // window.y.size, 2)
     for start in range(0, window.x.size - 1, step):
         yield Window(window.x[start : start + step + 1], window.y)
@@ -128,7 +129,7 @@ def within(x_span: Span, y_span: Span) -> tuple[Window, ...]:
 
 
 def lowest(gap: Gap, tilt: float, several: tuple[Window, ...]) -> Lowest:
-    """Return the lowest place, closed in on from the lowest sample."""
+    """Return the lowest place, refined from the lowest sample."""
     best = min((_lowest_sample(gap, tilt, window) for window in several), key=lambda found: found[0].value)
     place, window = best
     for _ in range(MOST_CLOSER):
@@ -141,7 +142,7 @@ def lowest(gap: Gap, tilt: float, several: tuple[Window, ...]) -> Lowest:
 
 
 def extent(gap: Gap, tilt: float, approach: float, at: Lowest, several: tuple[Window, ...]) -> tuple[Span, Span]:
-    """Return a rectangle about what overlaps undeformed: around its lowest place, and all samples that do."""
+    """Return a rectangle that holds the undeformed overlap around the lowest place, and all samples that overlap."""
     low, high = several[0].y[0], several[0].y[-1]
     steps = np.geomspace(1e-9, 1.0, 240)
     x_reach, y_reach = float(np.ptp(several[0].x)), float(high - low)
@@ -179,13 +180,13 @@ class Rows:
 
     @property
     def ends(self) -> Span:
-        """The outermost ends, each out to the next sample beyond, if there is one."""
+        """The outermost ends, each extended to the next sample beyond, if there is one."""
         low, high = float(self.finite[0]), float(self.finite[-1])
         below, above = self.empty[self.empty < low], self.empty[self.empty > high]
         return float(below[-1]) if below.size else low, float(above[0]) if above.size else high
 
     def around(self, y: float) -> Span:
-        """Return a span that holds finite samples on both sides of a place, and as much again either way."""
+        """Return a span from the finite sample below a place to that above it, extended by half its length each way."""
         index = int(np.searchsorted(self.finite, y))
         low, high = (float(self.finite[min(max(k, 0), self.finite.size - 1)]) for k in (index - 1, index))
         return 1.5 * low - 0.5 * high, 1.5 * high - 0.5 * low
@@ -212,7 +213,7 @@ def rows(gap: Gap, several: Iterable[Window]) -> Rows:
 
 
 def least_held(gap: Gap, window: Window) -> float:
-    """Return the approach at which bodies that are free to tilt begin to touch without a moment [mm].
+    """Return the approach [mm] at which bodies that are free to tilt begin to touch without a moment.
 
     It is where the lower convex hull of the gap over y crosses the line y = 0: below it, some tilt keeps them apart.
     """
@@ -229,10 +230,10 @@ def least_held(gap: Gap, window: Window) -> float:
 
 
 def overlap(problem: Problem, outcome: Outcome, several: Iterable[Window], given: bool = False) -> Overlap | None:
-    """Return where the deformed bodies overlap beyond the region of a solution, as far as samples tell.
+    """Return where the deformed bodies overlap beyond the region of a solution, as far as the samples show.
 
-    The pressure acts there as the forces of lumps of cells first, as uniform on smaller ones where that looks odd.
-    What is near the border for its cells does not count, and less does in a region that is ``given``.
+    The pressure is first replaced by point forces on lumps of cells; for suspects, by uniform pressure on smaller ones.
+    Places within two cells of the border do not count, and a region ``given`` by the user tolerates a larger overlap.
     """
     grid, state = outcome.grid, outcome.state
     if not state.pressure.any():
@@ -273,7 +274,7 @@ def overlap(problem: Problem, outcome: Outcome, several: Iterable[Window], given
 
 
 def _chosen(at: NDArray[np.intp], left: Array, suspects: NDArray[np.intp]) -> NDArray[np.intp]:
-    """Return the suspects to look at closely: the lowest, and the outermost, which say how far the region has to go."""
+    """Return the suspects to examine: the lowest, and the outermost, which decide how far the region must extend."""
     if suspects.size <= MOST_SUSPECTS:
         return suspects
     most = MOST_SUSPECTS // 2, MOST_SUSPECTS // 8
@@ -286,7 +287,7 @@ def _chosen(at: NDArray[np.intp], left: Array, suspects: NDArray[np.intp]) -> ND
 
 
 def _spread(width: float, reach: float) -> Array:
-    """Return places evenly about zero, and ever wider apart up to a reach."""
+    """Return places evenly spaced about zero, then at growing distances up to a reach."""
     away = np.geomspace(NEAREST * width, max(reach, 2.0 * EVEN_REACH * width), APART)
     return np.unique(np.concatenate([-away, np.linspace(-EVEN_REACH * width, EVEN_REACH * width, EVENLY), away]))
 
@@ -310,14 +311,14 @@ def _beyond(places: Array, span: Span, margin: float) -> NDArray[np.bool_]:
 
 
 def _starts(grid: Grid, most: tuple[int, int]) -> list[NDArray[np.int64]]:
-    """Return the first cell of every lump of cells, in either direction."""
+    """Return the first cell of every lump of cells, for each direction."""
     return [
         np.linspace(0, n, min(n, m), endpoint=False).astype(np.int64) for n, m in zip(grid.cells, most, strict=True)
     ]
 
 
 def _lumps(grid: Grid, pressure: Array) -> tuple[Array, Array, Array, float]:
-    """Return forces times K that stand for the pressure, shape (lumps,), where they act, and their size [mm]."""
+    """Return forces times K that replace the pressure, shape (lumps,), where they act, and the lump size [mm]."""
     starts = _starts(grid, LUMPS)
 
     def summed(field: Array) -> Array:
@@ -336,7 +337,7 @@ def _lumps(grid: Grid, pressure: Array) -> tuple[Array, Array, Array, float]:
 def _raised(
     problem: Problem, lumps: tuple[Array, Array, Array, float], x: Array, y: Array, images: bool = False
 ) -> Array:
-    """Return the displacement of the surface at places under forces, shape (places,), or what images do of it."""
+    """Return the surface displacement at places under forces, shape (places,); if ``images``, only their part of it."""
     force, x_force, y_force, size = lumps
     total: Array = np.zeros(x.size)
     block = max(AT_ONCE // force.size, 1)
@@ -365,7 +366,7 @@ def _raised_nearby(grid: Grid, pressure: Array, x: Array, y: Array) -> Array:
 
 
 def _sunk(problem: Problem, grid: Grid, pressure: Array, y: Array) -> Array:
-    """Return how far the points at depth move, shape (places,)."""
+    """Return the displacement of the points at depth, shape (places,)."""
     if not problem.influence.references:
         return np.zeros(y.size)
     starts = np.linspace(0, grid.cells[1], min(grid.cells[1], 64), endpoint=False).astype(int)

@@ -1,10 +1,10 @@
-"""Where the contact lies, found by solving it coarsely and moving the region after it.
+"""The region of the contact, found by solving coarsely and adjusting the region to the result.
 
-A region that the contact fills to its border is doubled on that side, one that it leaves mostly empty is cut down to
-what touches, and a solve on a few hundred cells costs next to nothing. By approach the start is what overlaps
-undeformed (`nonhertz.patch.nearness`): where no cell touches, the contact is smaller than a cell, and the region is cut
-down to its lowest place. Ends of the bodies stay where they are, so that a contact up to them has them on edges of
-cells.
+A region that the contact fills to its border is extended by its own length on that side, one that is mostly empty is
+cut down to the cells in contact; a solve on a thousand cells or so costs next to nothing. For a prescribed approach the
+start is the undeformed overlap (`nonhertz.patch.nearness`): where no cell touches, the contact is smaller than a cell,
+and the region shrinks about its lowest place. A region never extends past the ends of the bodies, so that a contact up
+to an end has it on a cell edge.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Mask = NDArray[np.bool_]
 
 CELLS = (24, 48)
 ROUGHLY = 1e-3
-FILLED = 0.75  # of either side of the region
+FILLED = 0.75  # of each side of the region
 MOST_MOVES, MOST_FAILURES = 60, 3
 CLOSER = 0.25  # of a region in which no cell touches
 UNBOUNDED: Span = (-math.inf, math.inf)
@@ -42,15 +42,15 @@ def find(
     Parameters
     ----------
     problem : Problem
-        What is solved.
+        The problem to solve.
     interval : tuple of float
-        Where both bodies are, along y [mm]; may be infinite.
+        Extent of both bodies along y [mm]; may be infinite.
     start : tuple of tuple of float
         Region to begin with [mm].
     towards : tuple of float
-        Place x, y [mm] to look closer at where no cell touches.
+        Place x, y [mm] to zoom in on if no cell touches.
     refuse : callable
-        Raises if the contact of an outcome is larger than the bodies can bear.
+        Raises if the contact of an outcome is too large for the bodies.
 
     Returns
     -------
@@ -72,7 +72,7 @@ def find(
         beyond = borders(x_span, across), borders(y_span, along, interval)
         if any((*beyond[0], *beyond[1])):
             refuse(outcome)
-            # Not cut down meanwhile: what touches at a border is not what will touch.
+            # Not cut down at the same time: the contact will change once the region no longer cuts it.
             x_span, y_span = widened(x_span, beyond[0], 1.0), widened(y_span, beyond[1], 1.0, interval)
             continue
         done = filled(across) and filled(along)
@@ -89,12 +89,12 @@ def closer(span: Span, place: float, limits: Span = UNBOUNDED) -> Span:
 
 
 def joined(span: Span, other: Span, limits: Span = UNBOUNDED) -> Span:
-    """Return a span that holds two, within limits."""
+    """Return a span that holds both, within limits."""
     return max(min(span[0], other[0]), limits[0]), min(max(span[1], other[1]), limits[1])
 
 
 def borders(span: Span, touching: Mask, limits: Span = UNBOUNDED) -> tuple[bool, bool]:
-    """Return whether the contact reaches the low and the high end of a span where the bodies go on."""
+    """Return whether the contact reaches the low and the high end of a span although the bodies continue."""
     return bool(touching[0]) and span[0] > limits[0], bool(touching[-1]) and span[1] < limits[1]
 
 
@@ -104,7 +104,7 @@ def filled(touching: Mask) -> bool:
 
 
 def around(span: Span, touching: Mask, limits: Span = UNBOUNDED) -> Span:
-    """Return a span one cell wider than the contact either way, within limits."""
+    """Return a span one cell wider than the contact on each side, within limits."""
     places = np.flatnonzero(touching)
     side = (span[1] - span[0]) / touching.size
     low, high = span[0] + float(places[0] - 1) * side, span[0] + float(places[-1] + 2) * side
@@ -112,7 +112,7 @@ def around(span: Span, touching: Mask, limits: Span = UNBOUNDED) -> Span:
 
 
 def widened(span: Span, ends: tuple[bool, bool], share: float, limits: Span = UNBOUNDED) -> Span:
-    """Return a span longer by a share of itself at either end that is to move, within limits."""
+    """Return a span extended by a share of its length at each end flagged in ``ends``, within limits."""
     more = share * (span[1] - span[0])
     low, high = span[0] - more * ends[0], span[1] + more * ends[1]
     return max(low, limits[0]), min(high, limits[1])

@@ -1,4 +1,4 @@
-"""How many bytes a solve takes at its peak, told before it is started."""
+"""The peak memory of a solve, estimated before it is started."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from nonhertz.patch.surface import refuse_no_bodies
 from nonhertz.patch.transform import fast_half
 
 FIELDS = 14.0
-"""Arrays of the size of the grid alive at once: gaps, pressure, residual, direction and what it moves, the two
-answers to approach and tilt, the spectrum of rows, and a temporary or two."""
-FEW, MAKING = 3.0, 2.25  # while grids are made: fields, and copies of the matrix of the depths
+"""Arrays of the grid's size alive at once: gaps, pressure, residual, search direction and its displacement, the two
+responses to approach and tilt, the spectrum of rows, and a temporary or two."""
+FEW, MAKING = 3.0, 2.25  # during setup: fields, and copies of the matrix of displacements at depth
 DOUBLE = 8
 SHARE = 0.8  # of the machine's available memory
 
 
 def memory(cells: tuple[int, int], contact: Contact | None = None) -> int:
-    """Return the bytes that a solve needs at its peak, within a fifth unless the grid is small or slender.
+    """Return the peak memory of a solve in bytes, to within a fifth unless the grid is small or slender.
 
     Parameters
     ----------
     cells : tuple of int
         Number of cells (across, along).
     contact : Contact, optional
-        Its side faces and depths count too; half-spaces if left out.
+        Its side faces and depths are taken into account; half-spaces if left out.
 
     Returns
     -------
@@ -50,15 +50,15 @@ def memory(cells: tuple[int, int], contact: Contact | None = None) -> int:
         influence = influence_of(contact, HERTZ)
         mirrored = bool((influence.terms[:, 0] < 0.0).any())
         shifted = int((influence.terms[:, 0] > 0.0).sum()) > 1
-        spectra *= 1 + 2 * mirrored + 2 * shifted  # complex ones
+        spectra *= 1 + 2 * mirrored + 2 * shifted  # complex
         depth = DOUBLE * ny * ny * bool(influence.references)
-    # Either while the iterations run, or before, while the matrix of the depths is made of larger ones.
+    # The peak is either during the iterations, or before, when the matrix of displacements at depth is being built.
     return int(spectra + max(FIELDS * fields + depth, FEW * fields + MAKING * depth))
 
 
 def checked_cells(cells: tuple[int, int]) -> tuple[int, int]:
     """Return numbers of cells, or refuse them."""
-    remedy = "give two whole numbers, (128, 512) say"
+    remedy = "give two whole numbers, such as (128, 512)"
     if not isinstance(cells, (tuple, list)) or len(cells) != 2:
         raise InputError("cells", cells, "be a pair (across, along)", remedy)
     for number in cells:
@@ -76,12 +76,12 @@ def refuse_excess(cells: tuple[int, int], contact: Contact) -> None:
     """
     needed, available = memory(cells, contact), SHARE * _available()
     if needed > available:
-        condition = f"need less than the {available / 2**30:.1f} GiB of memory at hand, not {needed / 2**30:.1f} GiB"
+        condition = f"need less than the {available / 2**30:.1f} GiB of memory available, not {needed / 2**30:.1f} GiB"
         raise InputError("cells", cells, condition, "give fewer cells, or a smaller region")
 
 
 def _available() -> float:
-    """Return the bytes of memory that are free, all of the machine's where only that is known."""
+    """Return the bytes of free memory, or the machine's total where only that is known."""
     try:
         with open("/proc/meminfo", encoding="ascii") as lines:  # noqa: PTH123  (a pseudo-file, not a path)
             for line in lines:

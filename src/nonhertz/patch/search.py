@@ -1,4 +1,4 @@
-"""A region for a contact of which nothing is known: where to start, what to refuse, and how to make sure of it."""
+"""The search for the region of an unknown contact: where to start, what to refuse, and how to verify the result."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ Array = NDArray[np.float64]
 Span = tuple[float, float]
 
 MOST_SOLVES, ENLARGEMENT = 16, 0.15
-EMPTY = 0.6  # of a side of an enlarged region: with less in contact it is cut down once
-LEAST_GUESS, MOST_GUESS = 1e-3, 0.1  # of the radius: half-widths to begin with where no load tells
-MOST_RADII = 30.0  # that a region may be wide either way: far beyond what any body is
+EMPTY = 0.6  # of a side of an enlarged region: with less than this in contact it is cut down, once
+LEAST_GUESS, MOST_GUESS = 1e-3, 0.1  # of the radius: bounds on the first half-width where no load is given
+MOST_RADII = 30.0  # that a region may extend to either side: far beyond the size of any body
 FLAT_REACH = 1e4  # mm, for gaps of bodies without a radius
 LEAST_RUN = 6  # cells
 DIGITS = 12  # of an approach at which bodies begin to touch
@@ -36,18 +36,18 @@ DIGITS = 12  # of an approach at which bodies begin to touch
 
 @dataclass(frozen=True, eq=False)
 class Search:
-    """What the search for a region works on.
+    """The search for a region, and what it works on.
 
     Attributes
     ----------
     problem : Problem
-        What is solved.
+        The problem to solve.
     contact : Contact
         The bodies.
     given : Prescription
         What is prescribed.
     gap_given : bool
-        Whether the gap is a function of the user rather than the bodies' own.
+        Whether the gap is a user function rather than the bodies' own.
     """
 
     problem: Problem
@@ -57,17 +57,17 @@ class Search:
 
     @property
     def tilt(self) -> float:
-        """The tilt that is prescribed [rad], zero if none is."""
+        """The prescribed tilt [rad], zero if there is none."""
         return 0.0 if self.given.by_moment else self.given.second
 
     @property
     def reach(self) -> float:
-        """How far from the line x = 0 the surfaces are looked at [mm]."""
+        """How far from the line x = 0 the surfaces are sampled [mm]."""
         return FLAT_REACH if self.gap_given else self.radius
 
     @property
     def radius(self) -> float:
-        """The combined radius in the middle of the bodies [mm], infinite where they are flat or conform."""
+        """The combined radius in the middle of the bodies [mm], infinite if they are flat or conforming."""
         y = np.array([float(np.clip(0.0, *self.contact.interval))])
         curvature = float((self.contact.a.curvature(y) + self.contact.b.curvature(y))[0])
         return 1.0 / curvature if curvature > 0.0 else math.inf
@@ -99,7 +99,7 @@ class Search:
         return min(self.reach, FLAT_REACH), FLAT_REACH
 
     def width(self) -> float:
-        """Return a first guess of the half-width [mm], that of a Hertz line contact where the bodies tell."""
+        """Return a first guess of the half-width [mm], that of a Hertz line contact where the bodies define one."""
         radius, (low, high) = self.radius, self.contact.interval
         if not self.given.by_load:
             scale = min(radius, FLAT_REACH)
@@ -112,7 +112,7 @@ class Search:
         return math.cbrt(self.contact.compliance * self.given.first * radius)
 
     def _width_of_gap(self) -> float:
-        """Return the distance from its lowest place over which a gap rises as far as the load presses."""
+        """Return the distance from its lowest place at which the gap has risen by as much as the load presses in."""
         lowest = self._lowest(nearness.windows(self.problem, self.contact.interval, 1.0, self.reach))
         away = np.geomspace(1e-6, FLAT_REACH, 200)
         x, y = lowest.x + np.concatenate([-away, away]), np.clip(lowest.y, *self.contact.interval)
@@ -124,7 +124,7 @@ class Search:
         return nearness.lowest(self.problem.gap, self.tilt, windows)
 
     def refuse_apart(self, windows: tuple[Window, ...]) -> Lowest:
-        """Return the place where the bodies are nearest, after refusing an approach at which nothing touches.
+        """Return the place where the bodies are closest, after refusing an approach at which nothing touches.
 
         Raises
         ------
@@ -133,7 +133,7 @@ class Search:
         lowest = self._lowest(windows)
         needed = lowest.value
         if self.given.by_moment:
-            # A moment can always be had by tilting, none only where no tilt keeps the bodies apart.
+            # Tilting can produce any nonzero moment, but zero moment needs an approach at which no tilt separates them.
             needed = -math.inf if self.given.second != 0.0 else nearness.least_held(self.problem.gap, windows[0])
         needed = round(needed, DIGITS) + 0.0 if math.isfinite(needed) else needed
         if not self.given.by_load and self.given.first <= needed:
@@ -157,16 +157,16 @@ class Search:
             raise InputError("moment", moment, condition, "reduce it, or give the region of the contact")
         if (moment > 0.0 >= rows.finite[-1]) or (moment < 0.0 <= rows.finite[0]):
             condition = f"have the sign of the lever arms, which lie between {low:.4g} and {high:.4g} mm"
-            raise InputError("moment", moment, condition, "turn its sign, or give the region of the contact")
+            raise InputError("moment", moment, condition, "reverse its sign, or give the region of the contact")
 
     def found(self, cells: tuple[int, int], tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:
-        """Solve in a region that is found first, and made larger where the contact turns out to go on.
+        """Find a region and solve in it, enlarging it where the contact turns out to extend further.
 
         Returns
         -------
         Outcome
         Overlap or None
-            What could not be taken in.
+            An overlap that could not be included.
         """
         limits = self.contact.interval
         windows = self.windows()
@@ -175,7 +175,7 @@ class Search:
             rows = nearness.rows(self.problem.gap, windows)
             self._refuse_beyond(rows)
             if self.given.by_load and self.given.by_moment:
-                # Lest the search be drawn to a piece on one side of the moment's lever arm alone.
+                # Otherwise the search may settle on a contact on only one side of the moment's lever arm.
                 both = rows.around(self.given.second / self.given.first)
                 start = start[0], regions.joined(start[1], both, limits)
         self._refuse_spans(*start)
@@ -199,13 +199,13 @@ class Search:
                 continue
             if not enlarged or shrunk or not across.any() or min(_filled(across), _filled(along)) >= EMPTY:
                 break
-            # Once: on other cells a small piece may be missed, and then seen again from outside.
+            # Only once: on other cells a small contact may be missed, then found again outside the region.
             shrunk = True
             x_span, y_span = regions.around(x_span, across), regions.around(y_span, along, limits)
         return outcome, overlap
 
     def _start(self, windows: tuple[Window, ...]) -> tuple[tuple[Span, Span], tuple[float, float]]:
-        """Return a region to begin with, and the place to look at more closely."""
+        """Return a region to begin with, and the place to zoom in on."""
         low, high = self.contact.interval
         bounded = math.isfinite(high - low)
         width, middle = self.width(), 0.0
@@ -226,7 +226,7 @@ class Search:
         return ((across - 2.0 * width, across + 2.0 * width), y_span), (across, middle)
 
     def _refuse_huge(self, outcome: Outcome) -> None:
-        """Refuse a contact that is wider than the bodies, or that nothing ends.
+        """Refuse a contact that is wider than the bodies, or that nothing bounds.
 
         Raises
         ------
@@ -234,7 +234,7 @@ class Search:
         """
         grid = outcome.grid
         run = widest_run(outcome.state.pressure > 0.0)
-        # Of a contact a few cells wide the width is unknown.
+        # The width of a contact only a few cells wide is not resolved.
         if run.max() >= LEAST_RUN:
             refuse_thin_bodies(self.contact, HERTZ, grid.y, 0.5 * grid.dx * run, LEAST_OF_ALL)
         self._refuse_spans(grid.x_span, grid.y_span)
@@ -249,14 +249,14 @@ class Search:
                 "gap",
                 getattr(self.problem.gap, "gap", None),
                 condition,
-                "let it rise both ways, or give a region to solve in",
+                "let it rise in both directions, or give a region to solve in",
             )
         if long:
             remedy = "give one of the bodies a length, or a profile that falls away"
             raise InputError("length", None, "be given where nothing else ends the contact", remedy)
         if wide:
             field = "load" if self.given.by_load else "approach"
-            condition = f"press the bodies together over less than {MOST_RADII:g} of their radii"
+            condition = f"keep the contact narrower than {MOST_RADII:g} radii of the bodies"
             raise InputError(field, self.given.first, condition, "reduce it")
 
 

@@ -1,15 +1,16 @@
-"""The contact conditions on one grid: which cells touch, and what they bear.
+"""The contact conditions on one grid: which cells touch, and what pressure they carry.
 
-Where surfaces touch the gap is zero, elsewhere the pressure is. For a given set of cells in contact this is a linear
-system, K_AA p_A = d_A - g_A with d = approach + tilt y, and what is given as load or moment adds an equation B^T p and
-makes approach or tilt its multiplier. Conjugate gradients solve it in the subspace of pressures that have the right
-load and moment: each preconditioned residual is freed of the part that approach and tilt take up (the constraint
-preconditioner [M^-1 B; B^T 0] of Gould, Hribar and Nocedal). All four pairs of given quantities differ in the columns
-of B alone.
+Where the surfaces touch the gap is zero, elsewhere the pressure is. For a given set of cells in contact this is a
+linear system, K_AA p_A = d_A - g_A with d = approach + tilt y; a prescribed load or moment adds an equation B^T p, with
+approach or tilt as its multiplier. Conjugate gradients solve it in the subspace of pressures that have the right
+load and moment: each preconditioned residual is projected onto that subspace by the multipliers (the constraint
+preconditioner [M^-1 B; B^T 0] of Gould, Hribar and Nocedal). The four pairs of prescribed quantities differ only in the
+columns of B.
 
-The set is found by a primal-dual active set, which is Newton's method on the contact conditions: cells that would pull
-leave, cells that would overlap enter. There is no point in solving for a wrong set: each solve goes on until its
-residual is small against what the next change of the set will upset. A change costs one convolution, a step another.
+The set is found by a primal-dual active set method, which is Newton's method on the contact conditions: cells in
+tension leave, cells that would overlap enter. An accurate solution for a wrong set is wasted: each solve continues only
+until its residual is small compared with the disturbance by the next change of the set. A change costs one convolution,
+and so does a step.
 
 References
 ----------
@@ -39,7 +40,7 @@ Mask = NDArray[np.bool_]
 MOST_CHANGES = 60  # of the set
 MOST_MOTIONS = 100
 MOST_STEPS = 40  # for one set
-SHARE = 0.5  # of what the next change of the set upsets: how far to solve for this one
+SHARE = 0.5  # of the disturbance by the next change of the set: how far to reduce the residual for this one
 ROUNDING, BALANCED = 1e-13, 1e-10  # of the load and moment
 TINY = 1e-300
 
@@ -55,7 +56,7 @@ class Task:
     displacement : Convolution
         Pressure to displacement.
     inverse : Inverse
-        Roughly its inverse.
+        Its approximate inverse.
     y : ndarray, shape (ny,)
         Lever arms [mm].
     by_force : tuple of bool
@@ -73,13 +74,13 @@ class Task:
 
     @cached_property
     def bearing(self) -> Mask:
-        """The cells that have a body and so can bear a pressure, shape (nx, ny)."""
+        """The cells that have a body and so can carry a pressure, shape (nx, ny)."""
         return np.isfinite(self.undeformed)
 
 
 @dataclass(frozen=True, eq=False)
 class State:
-    """Where the iterations stand or ended; pressures are times K, and the gap of cells without a body is infinite."""
+    """State of the iterations, or their result; pressures are times K, and the gap is infinite without a body."""
 
     pressure: Array
     gap: Array
@@ -96,7 +97,7 @@ def settle(task: Task, pressure: Array, rigid: tuple[float, float], tolerance: f
     task : Task
         What to solve.
     pressure : ndarray, shape (nx, ny)
-        Where to start, times K [-]: the cells with pressure are those in contact at first.
+        Initial pressure times K [-]: the cells with pressure are those initially in contact.
     rigid : tuple of float
         Approach [mm] and tilt [rad] to start from, where they are not given.
     tolerance : float
@@ -113,7 +114,7 @@ def settle(task: Task, pressure: Array, rigid: tuple[float, float], tolerance: f
 
 
 class _ActiveSet:
-    """The iteration, and the few fields that it works on in place."""
+    """The iteration, with the few fields that it updates in place."""
 
     def __init__(self, task: Task, pressure: Array, rigid: tuple[float, float]) -> None:
         self.task = task
@@ -122,14 +123,14 @@ class _ActiveSet:
         self.levers = np.stack([np.ones_like(task.y), task.y])[given]
         self.target = np.array(task.target)[given]
         self.rigid = np.where(task.by_force, rigid, task.target)
-        # The start was interpolated from coarser cells, of which some had a body where these have none.
+        # The start was interpolated from coarser cells, some of which had a body where these have none.
         self.pressure = np.where(task.bearing, np.maximum(pressure, 0.0), 0.0)
         self.touching: Mask = self.pressure > 0.0
         self.own = float(task.displacement.own)
         self.scale = 1.0
 
     def run(self, tolerance: float) -> State:
-        """Change the set and solve until nothing is left to change."""
+        """Update the set and solve until the set no longer changes."""
         status = Status.ITERATION_LIMIT
         residual = np.inf
         for _ in range(MOST_CHANGES):
@@ -149,13 +150,13 @@ class _ActiveSet:
         return State(self.pressure, self.gap, rigid, residual, status)
 
     def _balance(self) -> float:
-        """Bring load and moment to what is given, by the pressures that answer to approach and tilt.
+        """Bring load and moment to the given values by adding the pressure responses to approach and tilt.
 
         Returns
         -------
         float
-            What is missing still, relative, where the cells in contact cannot bear it: those of one row no moment
-            about it, and no cells nothing.
+            The relative imbalance that remains if the cells in contact cannot carry the rest: cells in one row cannot
+            carry a moment about it, and no cells cannot carry anything.
         """
         self._respond()
         missing = self.missing()
@@ -170,7 +171,7 @@ class _ActiveSet:
         return missing
 
     def _rescaled(self) -> float:
-        """Take the scale from the displacement as it is now, and return the former one over it."""
+        """Update the scale from the current displacement, and return old scale / new scale."""
         displacement = self.rigid[0] + self.rigid[1] * self.task.y - self.task.undeformed
         np.add(displacement, self.gap, out=displacement, where=self.task.bearing)
         before, self.scale = self.scale, float(np.max(np.abs(displacement[self.task.bearing]))) or 1.0
@@ -178,31 +179,31 @@ class _ActiveSet:
 
     @property
     def lack(self) -> Array:
-        """What load and moment lack, where they are given."""
+        """Target minus current load and moment, where they are given."""
         lack: Array = self.target - self._forces(self.pressure)
         return lack
 
     def missing(self) -> float:
-        """Return the lack relative to what all cells bear, the signs of their levers left out."""
+        """Return the lack relative to what all cells carry, with absolute lever arms."""
         borne = np.abs(self.levers) @ np.abs(self.pressure.sum(axis=0))
         whole = np.maximum(np.maximum(borne, np.abs(self.target)), TINY)
         return float(np.max(np.abs(self.lack) / whole, initial=0.0))
 
     def answer(self) -> Array:
-        """Return by how much more approach and tilt would about make up for the lack."""
+        """Return the increments of approach and tilt that approximately make up for the lack."""
         self._widen()
         self._respond()
         return self._multipliers(self.lack)
 
     def _respond(self) -> None:
-        """Find the pressures in contact that answer to approach and tilt, and their loads and moments."""
+        """Find the pressure responses to approach and tilt in the contact, and their loads and moments."""
         inverse, touching = self.task.inverse, self.touching
         self.responses = [inverse(touching * lever) * touching for lever in self.levers]
         forces = [self._forces(response) for response in self.responses]
         self.stiffness = np.array(forces).reshape(len(self.given), len(self.given))
 
     def _widen(self) -> bool:
-        """Take in the rows on either side of those in contact, or all cells that can bear if that adds none.
+        """Add the rows on either side of those in contact, or all cells with a body if that adds none.
 
         Returns
         -------
@@ -217,7 +218,7 @@ class _ActiveSet:
         return bool(np.count_nonzero(self.touching) > before)
 
     def _solve(self, tolerance: float) -> float:
-        """Take steps for the present set until it is time to change it, and return the residual."""
+        """Take steps for the current set until it is time to change it, and return the residual."""
         residual, squared, direction = np.inf, 0.0, np.zeros_like(self.gap)
         for step in range(MOST_STEPS):
             correction, overlap = self._preconditioned()
@@ -232,7 +233,7 @@ class _ActiveSet:
             direction += correction
             moved = self.task.displacement(direction)
             bent = float(np.vdot(direction * self.touching, moved))
-            if not bent > 0.0:  # beyond what floats hold: nowhere to go on to
+            if not bent > 0.0:  # at the limit of floating-point accuracy: no further progress
                 break
             length = squared / bent
             self.pressure += length * direction
@@ -240,7 +241,10 @@ class _ActiveSet:
         return residual
 
     def _preconditioned(self) -> tuple[Array, Array]:
-        """Return a pressure that would about close the gap in contact, and the overlap, approach and tilt let go."""
+        """Return a pressure correction that roughly closes the gap in contact, and the overlap after a rigid motion.
+
+        Approach and tilt move so that the correction has neither load nor moment where these are given.
+        """
         correction = self.task.inverse(self._overlap())
         correction *= self.touching
         for c, amount, response in zip(
@@ -252,12 +256,12 @@ class _ActiveSet:
         return correction, self._overlap()
 
     def _overlap(self) -> Array:
-        """Return -gap [mm] of cells in contact, and zero elsewhere, also where the gap is infinite."""
+        """Return -gap [mm] of cells in contact, and zero elsewhere, including where the gap is infinite."""
         overlap: Array = np.negative(self.gap, where=self.touching, out=np.zeros_like(self.gap))
         return overlap
 
     def _multipliers(self, forces: Array) -> Array:
-        # Least squares, since cells of a single row leave a moment undetermined.
+        # Least squares, because cells of a single row cannot carry a moment: the matrix is then singular.
         return np.asarray(np.linalg.lstsq(self.stiffness.T, forces, rcond=1e-12)[0], dtype=np.float64)
 
     def _forces(self, pressure: Array) -> Array:
@@ -268,9 +272,9 @@ class _ActiveSet:
 def _by_motion(task: Task, state: State, tolerance: float) -> State:
     """Find approach and tilt such that load and moment are as given, from contacts with prescribed motion.
 
-    The way out where sets cycle, as they may while a moment rests on a row or two of cells. With prescribed motion
-    they do not, and what load and moment lack is the gradient of a concave function of approach and tilt: steps along
-    it that do not overshoot lead to the maximum.
+    The fallback where sets cycle, as they may while one or two rows of cells carry a moment. With prescribed motion
+    they do not, and target minus current load and moment is the gradient of a concave function of approach and tilt:
+    ascent steps that do not overshoot lead to the maximum.
     """
     forced = np.flatnonzero(task.by_force)
     motion, step, slope, share = np.array(state.rigid), np.zeros(forced.size), 0.0, 1.0

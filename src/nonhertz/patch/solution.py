@@ -35,10 +35,10 @@ class PatchSolution(ContactResult):
     status : Status
         How the solve ended.
     approach : float
-        delta [mm], how much nearer the bodies came on the line y = 0 than where their gap is zero: with the gap g0 they
-        overlap by delta + gamma y - g0 before they give way.
+        delta [mm], how far the bodies moved together on the line y = 0 from where their gap is zero: with the gap g0
+        the undeformed bodies overlap by delta + gamma y - g0.
     tilt : float
-        gamma [rad] about x; positive tilt loads the side of positive y. About y the bodies are held upright.
+        gamma [rad] about x; positive tilt loads the side of positive y. The bodies cannot rotate about y.
     load : float
         Q [N], sum of the pressures times the area of a cell.
     moment : float
@@ -52,7 +52,7 @@ class PatchSolution(ContactResult):
     pressure : ndarray, shape (nx, ny)
         Pressure [MPa], uniform in each cell; ``pressure[i, j]`` is at ``x[i]``, ``y[j]``.
     gap : ndarray, shape (nx, ny)
-        Deformed gap in the middle of each cell [mm]; in contact zero but for ``residual``.
+        Deformed gap at the centre of each cell [mm]; in contact zero to within ``residual``.
     iterations : int
         Convolutions on the finest grid.
     residual : float
@@ -91,7 +91,7 @@ class PatchSolution(ContactResult):
 
     @property
     def memory(self) -> int:
-        """Bytes that the solve needed at its peak; see `nonhertz.patch.memory`."""
+        """Peak memory of the solve in bytes; see `nonhertz.patch.memory`."""
         return memory(self.cells, self.contact)
 
     @cached_property
@@ -114,7 +114,7 @@ class PatchSolution(ContactResult):
 
     @property
     def peaks_at_corner(self) -> bool:
-        """Whether the largest pressure is at a corner of the profile: cells do not tell."""
+        """Whether the largest pressure is at a corner of the profile: always False, as cells cannot show it."""
         return False
 
     @cached_property
@@ -148,7 +148,7 @@ class PatchSolution(ContactResult):
 
     @property
     def shape(self) -> Shape:
-        """Shape of the pressure across that images and depth count with, far away: Hertz's."""
+        """Shape of the pressure across that far images and depths assume: Hertz's."""
         return HERTZ
 
     @cached_property
@@ -166,7 +166,7 @@ class PatchSolution(ContactResult):
 
     @property
     def symmetric_across(self) -> bool:
-        """Whether the pressure is the same at x and at -x: of a gap of your own it need not be."""
+        """Whether the pressure is the same at x and at -x: with a user-given gap it need not be."""
         return False
 
     @cached_property
@@ -178,11 +178,11 @@ class PatchSolution(ContactResult):
     def half_width(self) -> Array:
         """Half of the distance [mm] between the outermost edges of the footprint at every ``y``, zero off contact.
 
-        Towards an edge the pressure falls like the root of the distance, so its square falls linearly to zero. The
-        line through the two outermost cells meets zero a little too early, since the last one also bears what is cut
-        off from it; that through the next two a little too late, since the square is curved. The mean of both is
+        Towards an edge the pressure falls as the square root of the distance, so its square falls linearly to zero. The
+        line through the two outermost cells reaches zero a little too early, since the last one also carries the
+        pressure beyond it; that through the next two a little too late, since the square is curved. The mean of both is
         within a sixth of a cell on Hertz's ellipse. Where the square does not fall from cell to cell, or there are
-        not three of them, it is cells that are counted.
+        fewer than three, whole cells are counted.
         """
         return read_only(half_widths(self.pressure, self.dx))
 

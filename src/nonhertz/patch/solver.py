@@ -1,4 +1,4 @@
-"""The verb: a contact, or any gap, and what is prescribed in, a solution on a plane grid out."""
+"""The entry point: a contact, or any gap, and what is prescribed in, a solution on a plane grid out."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ Span = tuple[float, float]
 
 CELLS = (128, 512)
 TIGHTEST, LOOSEST = 1e-12, 1e-2
-WORTH_THREADS = 2**16  # cells: below, handing out blocks costs more than it saves
+WORTH_THREADS = 2**16  # cells: below this, distributing blocks costs more than it saves
 SNAP = 1e-9  # of the length of a region
 
 _REGION_REMEDY = "give ((x_low, x_high), (y_low, y_high)) in mm, or leave it out"
@@ -74,29 +74,29 @@ def solve(
     contact : Contact
         The two bodies: materials, side faces and depths; also the gap, unless ``gap`` is given.
     approach : float, optional
-        delta [mm]: how much nearer the bodies come on the line y = 0. Give this or ``load``.
+        delta [mm]: how far the bodies move together on the line y = 0. Give this or ``load``.
     load : float, optional
         Q [N], positive. Give this or ``approach``.
     tilt : float, optional
         gamma [rad] about x; the interference is approach + tilt y - gap. Zero if neither this nor ``moment`` is
-        given. About y the bodies are held upright.
+        given. The bodies cannot rotate about y.
     moment : float, optional
         T [N mm], integral of pressure times y.
     cells : tuple of int, optional
-        Number of cells (across, along), 4 at least; (128, 512) if left out.
+        Number of cells (across, along), at least 4 each; (128, 512) if left out.
     region : tuple of two pairs of float, optional
-        ((x_low, x_high), (y_low, y_high)) [mm] to lay the cells over, cut off where a body ends. Found by itself if
+        ((x_low, x_high), (y_low, y_high)) [mm] covered by the cells, cut off where a body ends. Found automatically if
         left out.
     features : callable or several
-        Each (x, y) [mm] -> relief [mm] of broadcastable arrays, added to the gap; see `nonhertz.patch.features`.
+        Each (x, y) [mm] -> relief [mm], for broadcastable arrays, added to the gap; see `nonhertz.patch.features`.
     gap : callable, optional
         (x, y) [mm] -> undeformed gap [mm], in place of x^2 / (2 rho(y)) + h(y).
     tolerance : float
         Largest residual, from 1e-12 to 1e-2: the largest gap in contact or overlap elsewhere, over the largest
         elastic displacement. Load and moment are met to rounding.
     threads : int, optional
-        Threads for the transforms, one if left out: where many contacts are to be solved, a process each is the better
-        use of cores. The result does not depend on it.
+        Threads for the transforms, one if left out: for many contacts, a process each makes better use of the cores.
+        The result does not depend on it.
 
     Returns
     -------
@@ -105,10 +105,10 @@ def solve(
     Raises
     ------
     InputError
-        If the input cannot be solved as it stands, or not in the memory at hand.
+        If the input is invalid, or the solve needs more memory than is available.
     ConvergenceError
-        If the iterations fail, or if what they lead to breaks a condition when it is checked once more from the
-        returned arrays alone; its ``solution`` holds the state reached.
+        If the iterations fail, or if their result breaks a condition when it is checked again from the returned
+        arrays alone; its ``solution`` holds the state reached.
 
     Warns
     -----
@@ -118,7 +118,7 @@ def solve(
     Notes
     -----
     Uniform pressure in each cell, half-space displacements with the corrections of `nonhertz.bodies`, no friction.
-    Nothing is assumed of the shape of the pressure. See docs/explain/patch.md.
+    Nothing is assumed about the shape of the pressure. See docs/explain/patch.md.
 
     References
     ----------
@@ -140,7 +140,7 @@ def solve(
     prescription = Prescription.checked(approach, load, tilt, moment)
     prescription.refuse_outside(contact)
     cells = checked_cells(CELLS if cells is None else cells)
-    finite("tolerance", tolerance, "give the largest residual, 1e-8 say")
+    finite("tolerance", tolerance, "give the largest residual, such as 1e-8")
     if not TIGHTEST <= tolerance <= LOOSEST:
         raise InputError("tolerance", tolerance, f"lie between {TIGHTEST:g} and {LOOSEST:g}", "use 1e-8")
     spans = None if region is None else _checked_region(contact, region)
@@ -161,7 +161,7 @@ def solve(
     if solution.status is not Status.CONVERGED:
         raise ConvergenceError(_failed(solution, broken, tolerance), solution)
     if not solution.footprint.any():
-        condition = "put the centre of a cell into the contact"
+        condition = "put the centre of a cell inside the contact"
         raise InputError("cells", cells, condition, "give more cells, or leave the region out")
     if broken:
         raise ConvergenceError(_withheld(broken), replace(solution, status=Status.REFUTED))
@@ -181,14 +181,14 @@ def solve(
 
 
 def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:
-    """Solve in a region that is given, and return what of the contact it leaves out."""
+    """Solve in a given region, and return the overlap that it leaves out."""
     if not search.given.by_load:
         search.refuse_apart(nearness.within(grid.x_span, grid.y_span))
     outcome = solve_on(search.problem, grid, tolerance, pool)
     touching = outcome.state.pressure > 0.0
     across = regions.borders(grid.x_span, np.any(touching, axis=1))
     along = regions.borders(grid.y_span, np.any(touching, axis=0), search.contact.interval)
-    # A contact that is cut off goes on beyond the region, which is said of the border.
+    # A contact that is cut off continues beyond the region; the warning about the border says so.
     cut = any((*across, *along))
     if cut:
         return outcome, None
@@ -196,8 +196,8 @@ def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | No
 
 
 def _failed(solution: PatchSolution, broken: str, tolerance: float) -> str:
-    """Return what is said of a solve that failed: how far it came, and what may be the cause."""
-    stiff = "a moment that rests on a row or two of cells, or a gap that is rough from cell to cell"
+    """Return the message for a failed solve: how far it came, and likely causes."""
+    stiff = "a moment carried by only one or two rows of cells, or a gap that is rough from cell to cell"
     missed = solution.residual > tolerance
     lacking = f"The residual is {solution.residual:.2g}, not {tolerance:g}" if missed else broken.rstrip(".")
     return (
@@ -206,10 +206,10 @@ def _failed(solution: PatchSolution, broken: str, tolerance: float) -> str:
 
 
 def _withheld(broken: str) -> str:
-    """Return what is said of a solution that the last check did not let pass."""
+    """Return the message for a solution that failed the final check."""
     return (
         f"The iterations ended, but a separate check of their solution failed, so it is withheld. {broken} Likely "
-        "causes are a gap that returns other values when it is asked again, or numbers too far apart in size. Try "
+        "causes are a gap that returns different values when called again, or numbers too far apart in size. Try "
         "another tolerance, another number of cells, or another region."
     )
 
@@ -223,7 +223,7 @@ def _problem(contact: Contact, given: Prescription, gap: Surface) -> Problem:
 
 
 def _solution(contact: Contact, outcome: Outcome) -> PatchSolution:
-    """Return what the iterations ended in, its error not estimated yet."""
+    """Return the result of the iterations, without an error estimate yet."""
     grid, state = outcome.grid, outcome.state
     pressure = state.pressure / contact.compliance
     area = grid.dx * grid.dy
@@ -257,13 +257,13 @@ def _checked_region(contact: Contact, region: tuple[Span, Span]) -> tuple[Span, 
         try:
             finite("region", end, _REGION_REMEDY)
         except InputError as error:
-            raise InputError("region", region, f"have ends that each {error.condition}", _REGION_REMEDY) from None
-    # An end that was worked out from cells is off by rounding, and would not be known for that of a body.
+            raise InputError("region", region, f"have ends that must each {error.condition}", _REGION_REMEDY) from None
+    # An end computed from cells is off by rounding and would not be recognised as the end of a body.
     near = SNAP * (float(y_high) - float(y_low))
     low, high = (float(end) for end in contact.interval)
     low, high = (low if y_low < low + near else float(y_low)), (high if y_high > high - near else float(y_high))
     if not (x_low < x_high and low < high):
-        raise InputError("region", region, "ascend both ways and overlap with both bodies", _REGION_REMEDY)
+        raise InputError("region", region, "ascend in both directions and overlap both bodies", _REGION_REMEDY)
     return (float(x_low), float(x_high)), (low, high)
 
 

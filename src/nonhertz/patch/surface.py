@@ -1,7 +1,7 @@
-"""The gap of the undeformed surfaces: of the bodies or as given, with every feature added, and checked each time.
+"""The gap of the undeformed surfaces: of the bodies or as given, with every feature added, and checked on every call.
 
-Functions of users are called in many places and return anything. What they return is looked at once, here, so that a
-wrong one is named and shown, and the rest of the package sees arrays of numbers alone.
+User functions are called in many places and may return anything. What they return is checked only here, so that a
+faulty one is named in the error, and the rest of the package sees only arrays of numbers.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def undeformed_gap(contact: Contact, x: ArrayLike, y: ArrayLike) -> Array:
     Raises
     ------
     InputError
-        If the first is no contact, or a position no number.
+        If ``contact`` is not a Contact, or a position is not a number.
 
     Examples
     --------
@@ -77,9 +77,9 @@ class Surface:
     contact : Contact
         The bodies.
     gap : callable or None
-        In place of the bodies' own.
+        Replaces the bodies' own gap.
     features : tuple of callable
-        Reliefs to be added.
+        Reliefs to add.
     """
 
     contact: Contact
@@ -88,7 +88,7 @@ class Surface:
 
     @classmethod
     def checked(cls, contact: Contact, gap: Feature | None, features: Feature | Iterable[Feature]) -> Surface:
-        """Return the surface, with anything refused that cannot be called with x and y."""
+        """Return the surface, refusing anything that cannot be called with x and y."""
         several: tuple[Feature, ...]
         if callable(features):
             several = (features,)
@@ -102,7 +102,7 @@ class Surface:
         return surface
 
     def parts(self) -> list[tuple[str, Feature]]:
-        """Return every function that was given, with the name to complain under."""
+        """Return every function given, with its name for error messages."""
         named = [(f"features[{i}]", feature) for i, feature in enumerate(self.features)]
         return named if self.gap is None else [("gap", self.gap), *named]
 
@@ -112,7 +112,7 @@ class Surface:
         Raises
         ------
         InputError
-            If a function returns another shape, no numbers, or minus infinity.
+            If a function returns another shape, values that are not real numbers, NaN, or minus infinity.
         """
         shape = np.broadcast_shapes(x.shape, y.shape)
         total: Array = np.zeros(shape)
@@ -130,7 +130,7 @@ def _refuse_uncallable(name: str, each: object) -> None:
         raise InputError(name, each, "be callable with x and y, not a class", f"make one: {each.__name__}(...)")
     try:
         signature = inspect.signature(each)
-    except ValueError:  # compiled ones do not tell
+    except ValueError:  # compiled functions may have no signature
         return
     try:
         signature.bind(0.0, 0.0)
@@ -139,19 +139,19 @@ def _refuse_uncallable(name: str, each: object) -> None:
 
 
 def _returned(name: str, function: Feature, x: Array, y: Array) -> Array:
-    """Return what a function of a user says, if that is a number for every place."""
+    """Return the values of a user function, refusing anything but a number for every place."""
     answer = function(x, y)
     try:
         found = np.asarray(answer)
         spread = np.broadcast_to(found, np.broadcast_shapes(x.shape, y.shape))
     except ValueError:
-        raise InputError(name, function, "keep the shape that x and y have together", _RETURN) from None
+        raise InputError(name, function, "return the broadcast shape of x and y", _RETURN) from None
     if found.dtype.kind not in "fiu":
         raise InputError(name, function, f"return real numbers, not {found.dtype.name}", _RETURN)
     lowest = found.min(initial=np.inf)
     if np.isnan(lowest) or lowest == -np.inf:
         i = np.unravel_index(int(np.argmin(np.where(np.isnan(spread), -np.inf, spread))), spread.shape)
         place = f"x = {np.broadcast_to(x, spread.shape)[i]:.6g}, y = {np.broadcast_to(y, spread.shape)[i]:.6g}"
-        condition = f"return a number everywhere, or plus infinity where nothing can touch, but is {lowest} at {place}"
+        condition = f"return a number everywhere, infinity where nothing can touch, but returns {lowest} at {place}"
         raise InputError(name, function, condition, _RETURN)
     return np.asarray(spread, dtype=float)

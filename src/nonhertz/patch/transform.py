@@ -1,8 +1,8 @@
 """A product in Fourier space on a grid larger than the field, a block of rows or columns at a time.
 
-Rows are transformed first, each by itself and none of those that hold zeros; then columns, a block at a time, which
-come back before the next block is touched. So the larger grid never exists as a whole, what is touched stays in the
-cache of a core, and blocks can be shared out over threads. The result does not depend on how many there are.
+Rows are transformed first, one by one, skipping the rows of zero padding; then columns, a block at a time, each
+transformed back before the next block. So the larger grid never exists as a whole, the working set stays in the
+cache of a core, and blocks can be distributed over threads. The result does not depend on the number of threads.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from scipy import fft
 Array = NDArray[np.float64]
 Spectrum = NDArray[np.complex128]
 
-ROWS, COLUMNS = 16, 32  # of a block
-PARTS = 8  # that blocks are shared out in
+ROWS, COLUMNS = 16, 32  # per block
+PARTS = 8  # work items that the blocks are grouped into
 
 
 def filtered(
@@ -27,18 +27,18 @@ def filtered(
     product: Callable[[Spectrum, slice], Spectrum],
     pool: Executor | None,
 ) -> Array:
-    """Return a field after a product with its spectrum on a larger grid.
+    """Return a field filtered by a product with its spectrum on a larger grid.
 
     Parameters
     ----------
     field : ndarray, shape (nx, ny)
         Zero on the rest of the larger grid.
     size : tuple of int
-        Of the larger grid.
+        Size of the larger grid.
     product : callable
         Takes a block of columns of the spectrum and where it lies, and returns the columns of the result.
     pool : Executor or None
-        Threads to share the blocks out to.
+        Threads to distribute the blocks to.
 
     Returns
     -------
@@ -66,14 +66,14 @@ def filtered(
 
 
 def in_blocks(work: Callable[[slice], None], count: int, block: int, pool: Executor | None) -> None:
-    """Do a work on ``count`` lines, a block at a time, by the threads of a pool if there is one."""
+    """Apply ``work`` to ``count`` lines, a block at a time, in the threads of a pool if there is one."""
     blocks = [slice(start, min(start + block, count)) for start in range(0, count, block)]
 
     def several(part: int) -> None:
         for each in blocks[part::PARTS]:
             work(each)
 
-    # Every part at least waits for its turn: in few parts, threads spend their time on blocks rather than on turns.
+    # Each task has a scheduling cost: with few parts, threads spend their time on blocks rather than on scheduling.
     for _ in map(several, range(PARTS)) if pool is None else pool.map(several, range(PARTS)):
         pass
 
@@ -87,5 +87,5 @@ def times_even(columns: Spectrum, half: Array | Spectrum) -> Spectrum:
 
 
 def fast_half(cells: int) -> int:
-    """Return half of the smallest even size of at least twice ``cells`` that transforms fast."""
+    """Return half of the smallest even size, at least twice ``cells``, that has a fast transform."""
     return int(fft.next_fast_len(cells, real=True))

@@ -1,9 +1,9 @@
-"""The last look at a solution before it leaves the package: every condition again, from what is returned alone.
+"""The final check of a solution before it leaves the package: every condition again, from the returned arrays alone.
 
-Nothing of the iterations is asked. The undeformed gap is evaluated once more on all cells, load and moment are summed
-up from the pressures, and the displacement of a sample of cells is a plain sum over all others, without Fourier
-transforms, images and depth included: with `kernel.rectangles`, which tests hold to closed forms, it shares no other
-step with `convolution`. So a wrong spectrum, a stale array or a set that never settled cannot pass for a solution.
+Nothing is taken from the iterations. The undeformed gap is evaluated again on all cells, load and moment are summed
+from the pressures, and the displacement at a sample of cells is a plain sum over all others, without Fourier
+transforms, images and depth included: it shares only `kernel.rectangles`, which tests compare with closed forms, with
+`convolution`. So a wrong spectrum, a stale array or a set that never settled cannot pass for a solution.
 """
 
 from __future__ import annotations
@@ -24,28 +24,29 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 Places = NDArray[np.intp]
 
-TOUCHING, APART = 40, 20  # cells of either kind in the sample, beside the extreme ones
-ROWS = 16  # of distances at once, as many as keep the kernel's temporaries in the cache
-# What sums of many cells in another order may differ by, of the largest displacement, and of load and moment.
+TOUCHING, APART = 40, 20  # cells of each kind in the sample, in addition to the extreme ones
+ROWS = 16  # distances at a time, few enough to keep the kernel's temporaries in the cache
+# Rounding differences of sums over many cells in another order, relative to the largest displacement, and to load and
+# moment.
 ROUNDING, BALANCED = 1e-11, 1e-9
-LAST_DIGITS = 32.0 * float(np.finfo(float).eps)  # of the gap itself, which may be large against what is left of it
+LAST_DIGITS = 32.0 * float(np.finfo(float).eps)  # of the undeformed gap, which may be far larger than the deformed one
 
 
 def complaint(solution: PatchSolution, gap: Gap, given: Prescription, tolerance: float) -> str:
-    """Return a sentence on the first condition that a solution breaks, empty where it keeps all of them.
+    """Return a sentence on the first condition that a solution breaks, empty if it meets all of them.
 
     Parameters
     ----------
     solution : PatchSolution
-        What is about to be returned.
+        The solution about to be returned.
     gap : callable
         x, y [mm] -> undeformed gap [mm].
     given : Prescription
         What was prescribed.
     tolerance : float
-        Largest residual that was asked for.
+        Largest residual requested.
     """
-    # In order: each relies on what those before it have looked at.
+    # The order matters: each check relies on those before it.
     for found in (_not_finite(solution), _pulling(solution), _unbalanced(solution, given, tolerance)):
         if found:
             return found
@@ -66,7 +67,7 @@ def _not_finite(solution: PatchSolution) -> str:
 
 def _pulling(solution: PatchSolution) -> str:
     lowest = float(solution.pressure.min())
-    return f"A cell pulls with {-lowest:.3g} MPa." if lowest < 0.0 else ""
+    return f"A cell is in tension, {-lowest:.3g} MPa." if lowest < 0.0 else ""
 
 
 def _unbalanced(solution: PatchSolution, given: Prescription, tolerance: float) -> str:
@@ -101,7 +102,7 @@ def _without_body(solution: PatchSolution, undeformed: Array) -> str:
 
 
 def _open_or_overlapping(solution: PatchSolution, undeformed: Array, tolerance: float) -> str:
-    """Return a sentence if cells that bear are apart, others overlap, or the gap is not that of the pressure."""
+    """Return a sentence if cells under pressure are apart, others overlap, or the gap is not that of the pressure."""
     bearing = np.isfinite(undeformed)
     rigid = solution.approach + solution.tilt * solution.y
     displaced = np.subtract(solution.gap, undeformed, out=np.zeros_like(undeformed), where=bearing)
@@ -111,7 +112,7 @@ def _open_or_overlapping(solution: PatchSolution, undeformed: Array, tolerance: 
     allowed = (tolerance + ROUNDING) * largest + digits
     apart = float(np.max(np.abs(solution.gap[solution.footprint]), initial=0.0))
     if apart > allowed:
-        return f"Cells that bear a pressure are {apart:.3g} mm apart or overlap by as much."
+        return f"Cells that bear a pressure are apart or overlap by {apart:.3g} mm."
     overlap = -float(np.min(solution.gap[bearing], initial=0.0))
     if overlap > allowed:
         return f"Cells without pressure overlap by {overlap:.3g} mm."
@@ -126,7 +127,7 @@ def _open_or_overlapping(solution: PatchSolution, undeformed: Array, tolerance: 
 
 
 def _sample(solution: PatchSolution, bearing: Mask) -> Places:
-    """Return the indices of cells to look at closely, shape (places, 2): the extreme ones, and some all over."""
+    """Return the indices of cells to examine, shape (places, 2): the extreme ones, and some spread over the rest."""
     pressure, gap = solution.pressure.ravel(), solution.gap.ravel()
     touching, apart = np.flatnonzero(pressure), np.flatnonzero(bearing.ravel() & (pressure == 0.0))
     chosen = [_evenly(touching, TOUCHING), _evenly(apart, APART)]
@@ -142,12 +143,12 @@ def _evenly(cells: Places, most: int) -> Places:
 
 
 def displacement(solution: PatchSolution, places: Places) -> Array:
-    """Return the displacement [mm] of both surfaces together in the middle of some cells, by plain sums.
+    """Return the displacement [mm] of both surfaces together at the centres of some cells, by plain sums.
 
     Parameters
     ----------
     solution : PatchSolution
-        Whose pressures are summed up.
+        The solution with the pressures.
     places : ndarray, shape (places, 2)
         Indices across and along.
 
@@ -170,9 +171,10 @@ def displacement(solution: PatchSolution, places: Places) -> Array:
 
 
 def _kernels(solution: PatchSolution, influence: Influence) -> Iterator[tuple[range, dict[float, Array]]]:
-    """Yield distances across in cells, a few at a time, and the kernels seen there: shifted (1) and mirrored (-1).
+    """Yield distances across in cells, a few at a time, and the kernels there: shifted (1) and mirrored (-1).
 
-    Shifted by k cells along it stands in column ny - 1 + k, mirrored about the first row and k cells on in column k.
+    The kernel shifted by k cells along is in column ny - 1 + k; that mirrored about the first row and shifted by k
+    cells is in column k.
     """
     nx, ny = solution.pressure.shape
     for start in range(0, nx, ROWS):
@@ -187,12 +189,12 @@ def _kernels(solution: PatchSolution, influence: Influence) -> Iterator[tuple[ra
 
 
 def _backwards(kernel: Array, j: int, pressure: Array) -> Array:
-    # The pressure of column l is j - l cells away.
+    # The pressure in column l is j - l cells away.
     return kernel[:, j : j + pressure.shape[1]][:, ::-1]
 
 
 def _folded(pressure: Array, i: int, distances: range) -> Array:
-    """Return the pressures at some distances across from row i, of both sides together, shape (distances, ny)."""
+    """Return the pressures at some distances across from row i, both sides summed, shape (distances, ny)."""
     away = np.arange(distances.start, distances.stop)
     total = np.zeros((away.size, pressure.shape[1]))
     for rows, counted in ((i + away, True), (i - away, away > 0)):

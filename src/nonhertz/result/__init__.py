@@ -1,5 +1,5 @@
-"""What a solve found: the solution, its ends, how much it may err, and what strains the model.
+"""What a solve returns: the solution, its ends, its error estimate, and what strains the model.
 
-Strips and the plane grid return different values with the same names: both are a `nonhertz.result.protocol.Solved`, and
-who reads a result asks for no more than that.
+Strips and the plane grid return different types with the same attributes: both are a `nonhertz.result.protocol.Solved`,
+and code that reads a result relies on nothing else.
 """

@@ -1,4 +1,4 @@
-"""What a result says of itself where it is printed: ten lines at most, and for notebooks the pressure drawn."""
+"""How a result prints: at most ten lines, and in notebooks a plot of the pressure."""
 
 from __future__ import annotations
 
@@ -21,21 +21,21 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-WIDEST = 60  # characters of a value
-DRAWN_WIDTH, DRAWN_HEIGHT, ROOM = 360, 90, 1.1  # px, px, of the largest pressure that counts
+WIDEST = 60  # characters in a value
+DRAWN_WIDTH, DRAWN_HEIGHT, ROOM = 360, 90, 1.1  # px, px, of the reported maximum pressure
 
 
 def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
-    """Return what a solution says of itself.
+    """Return the summary lines of a solution.
 
     Parameters
     ----------
     solution : Solution or PatchSolution
-        Which.
+        The solution.
     resolution : str
         What it was solved on.
     ends : iterable of str
-        What is to be said of the ends of the contact.
+        A description of each end of the contact.
     """
     estimate = solution.error_estimate
     said = [
@@ -81,14 +81,14 @@ def _body(body: Body) -> str:
 
 
 def where_largest(solution: Solved, significant: int = 5) -> str:
-    """Return where the largest pressure is, in words: both places of a mirrored pair."""
+    """Return where the largest pressure is, in words: both places if they mirror each other."""
     places = " and ".join(digits(y, significant) for y in places_of_largest(solution))
     away = ", away from singular ends" if solution.singular_ends else ""
     return f"at y = {places} mm{away}"
 
 
 def shortened(text: str) -> str:
-    """Return a text of no more than `WIDEST` characters, cut at a word."""
+    """Return a text of at most `WIDEST` characters, cut at a word boundary."""
     return text if len(text) <= WIDEST else text[:WIDEST].rpartition(" ")[0] + " ..."
 
 
@@ -98,7 +98,7 @@ def plain_text(name: str, said: list[str]) -> str:
 
 
 def drawn(name: str, said: list[str], solution: Solved) -> str:
-    """Return lines as HTML, under a drawing of the pressure along the contact; where it has no limit, cut off."""
+    """Return lines as HTML, below a plot of the pressure along the contact, clipped where it has no limit."""
     y, pressure = solution.y, solution.centre_pressure
     low, span = float(y[0]), float(np.ptp(y)) or 1.0
     top = ROOM * solution.max_pressure or 1.0
@@ -118,7 +118,7 @@ def drawn(name: str, said: list[str], solution: Solved) -> str:
 
 
 def fields(value: Any) -> str:
-    """Return a dataclass in a few words: of arrays shape and range, of long values their beginning."""
+    """Return a short repr of a dataclass: shape and range of arrays, the beginning of long values."""
     said = [f"{field.name}={_field(getattr(value, field.name))}" for field in dataclasses.fields(value) if field.repr]
     return f"{type(value).__name__}({', '.join(said)})"
 

@@ -1,6 +1,6 @@
-"""Where a result may leave the validity of its model: each check once, with its number, its limit and its words.
+"""Checks of whether a result is within the validity of its model, each with its value, its limit and its wording.
 
-Warnings of the solver are the sentences of checks that do not hold; the report shows every check beside its number.
+The solver warns with the sentences of the checks that fail; the report shows every check with its value.
 """
 
 from __future__ import annotations
@@ -22,27 +22,27 @@ Array = NDArray[np.float64]
 
 MOST_OF_RADIUS = 0.3  # a circle departs from its parabola there by 2 % of its drop
 MOST_OF_MODULUS = 0.1  # the hardness of metals and ceramics is a few hundredths of their modulus
-LEAST_DEPTH, LEAST_OF_ALL = 3.0, 1.0  # half-widths: warned of below the first, refused below the second
-HEAVIEST = 1.0 + 1e-9  # kappa, but for the rounding of a sum that is 1
-WIDER_THAN_LONG = 1.02  # so that a circle is not called wide for its rounding
+LEAST_DEPTH, LEAST_OF_ALL = 3.0, 1.0  # half-widths: a warning below the first, an error below the second
+HEAVIEST = 1.0 + 1e-9  # largest kappa, with room for the rounding of a sum that is 1
+WIDER_THAN_LONG = 1.02  # so that rounding does not make a circle count as wide
 
 
 @dataclass(frozen=True)
 class Check:
-    """One condition of the model, and what a case has of it.
+    """One condition of the model, and how a case stands against it.
 
     Attributes
     ----------
     assumption : str
         What is assumed.
     criterion : str
-        When that can be.
+        When that is justified.
     value, limit : float
-        The number of this case, and the one that it must not pass.
+        The value in this case, and the limit that it must not pass.
     sentences : tuple of str
-        What is to be said where it does not hold; empty where it does.
+        The warnings if the condition does not hold; empty if it does.
     remark : str
-        What follows, in short; empty where it holds.
+        The consequence, in short; empty if the condition holds.
     """
 
     assumption: str
@@ -59,7 +59,7 @@ class Check:
 
 
 def checks(solution: Solution, freed: tuple[End, ...]) -> tuple[Check, ...]:
-    """Return all checks of a solution that has a contact; ``freed`` side faces as `nonhertz.bodies.ends` has them."""
+    """Return all checks of a solution with a contact; ``freed`` are the side faces from `nonhertz.bodies.ends`."""
     contact, touching = solution.contact, solution.line_load > 0.0
     y, half_width = solution.y[touching], solution.half_width[touching]
     area = 2.0 * float(np.sum(solution.half_width * solution.strip_width))
@@ -71,7 +71,7 @@ def checks(solution: Solution, freed: tuple[End, ...]) -> tuple[Check, ...]:
 
 
 def sharper_curvature(contact: Contact, y: Array) -> Array:
-    """Return the larger curvature of both bodies across the contact [1/mm], whatever its sign."""
+    """Return the larger of the two bodies' curvatures across the contact [1/mm], in magnitude."""
     return np.maximum(np.abs(contact.a.curvature(y)), np.abs(contact.b.curvature(y)))
 
 
@@ -81,14 +81,14 @@ def _long(solution: Solution) -> Check:
     if ratio <= WIDER_THAN_LONG:
         return Check(what, criterion, ratio, WIDER_THAN_LONG)
     sentence = (
-        f"The contact is wider than long: width / length = {ratio:.2f}, and strips should be "
-        "long against their width in sum; expect errors where the contact ends."
+        f"The contact is wider than long: width / length = {ratio:.2f}, but strips assume a contact longer than it is "
+        "wide; expect errors where the contact ends."
     )
     return Check(what, criterion, ratio, WIDER_THAN_LONG, (sentence,), "Expect errors where the contact ends.")
 
 
 def curved(contact: Contact, y: Array, half_width: Array) -> Check:
-    """Return whether a contact of these half-widths [mm] at ``y`` is narrow against its bodies' radii."""
+    """Return the check that half-widths [mm] at ``y`` are small compared with the bodies' radii."""
     ratio = float(np.max(half_width * sharper_curvature(contact, y)))
     what = "Half-spaces, parabolic separation across"
     criterion = f"half-width up to {MOST_OF_RADIUS:g} of the smaller radius of curvature"
@@ -100,7 +100,7 @@ def curved(contact: Contact, y: Array, half_width: Array) -> Check:
 
 
 def small_strains(contact: Contact, mean: float) -> Check:
-    """Return whether strains under a ``mean`` pressure [MPa] are small."""
+    """Return the check that strains under a ``mean`` pressure [MPa] are small."""
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
     what, criterion = "Small strains", f"mean pressure up to {MOST_OF_MODULUS:g} of the softer body's modulus"
     sentence = (
@@ -113,7 +113,7 @@ def small_strains(contact: Contact, mean: float) -> Check:
 
 
 def thick(contact: Contact, shape: Shape, y: Array, half_width: Array) -> Iterator[Check]:
-    """Yield whether each body that has a depth is thick under half-widths [mm] at ``y``."""
+    """Yield a check for each body with a finite depth that it is thick compared with half-widths [mm] at ``y``."""
     for name, _, ratio in depths(contact, shape, y, half_width):
         sentence = (
             f"The depth of body {name} is only {ratio:.2f} half-widths, less than {LEAST_DEPTH:g}: the body is so thin "
@@ -124,7 +124,7 @@ def thick(contact: Contact, shape: Shape, y: Array, half_width: Array) -> Iterat
 
 
 def depths(contact: Contact, shape: Shape, y: Array, half_width: Array) -> list[tuple[BodyName, Body, float]]:
-    """Return name, body and least depth in half-widths of each body that has a depth, where it is in contact."""
+    """Return name, body and smallest depth in half-widths, where in contact, of each body with a finite depth."""
     touching = half_width > 0.0
     found = []
     for name, body in zip(BODIES, (contact.a, contact.b), strict=True):
@@ -135,7 +135,7 @@ def depths(contact: Contact, shape: Shape, y: Array, half_width: Array) -> list[
 
 
 def refuse_thin_bodies(contact: Contact, shape: Shape, y: Array, half_width: Array, least: float) -> None:
-    """Refuse a depth of less than ``least`` half-widths: the points at depth move as much as the surface there.
+    """Refuse a depth of less than ``least`` half-widths, where the points at depth move as much as the surface.
 
     Raises
     ------
@@ -145,24 +145,24 @@ def refuse_thin_bodies(contact: Contact, shape: Shape, y: Array, half_width: Arr
         if ratio < least:
             widest = float(np.max(half_width))
             shown = ratio * widest if isinstance(body.depth, str) else body.depth
-            condition = f"be large against the half-width of the contact, about {widest:.2g} mm"
+            condition = f"be large compared with the half-width of the contact, about {widest:.2g} mm"
             remedy = "give the thickness of the body, or 'none'"
             raise InputError("depth", shown, condition, remedy).within(f"body.{name}")
 
 
 def image_weights(freed: tuple[End, ...]) -> Iterator[Check]:
-    """Yield whether the images about side faces weigh as asked, if there are any."""
+    """Yield the check that the images about side faces have the weights requested, if there are any."""
     if not freed:
         return
     heavy = [end for end in freed if end.requested > HEAVIEST]
     sentences = tuple(
-        f"The images about the side face at y = {end.y:.6g} mm would weigh {end.requested:.3g} of the surface, a face "
-        "of the other body at the same place counted in, and above 1 refinement leads nowhere: their weights were "
-        "lowered until it is 1. The pressure up to that end is finite only by this."
+        f"The images about the side face at y = {end.y:.6g} mm would weigh {end.requested:.3g} of the surface, "
+        "including a face of the other body at the same place; above 1 refinement does not converge, so their weights "
+        "were lowered to a total of 1. Only this makes the pressure up to that end finite."
         for end in heavy
     )
     places = " and ".join(f"{end.y:.5g}" for end in heavy)
-    remark = f"Those about y = {places} mm were lowered until it is 1; the pressure up to there is finite only by this."
+    remark = f"Those about y = {places} mm were lowered to a total of 1; only this makes the pressure there finite."
     yield Check(
         "Images about side faces", "weight of at most 1 of the surface", max(end.requested for end in freed), HEAVIEST,
         sentences, remark if heavy else "",

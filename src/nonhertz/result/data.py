@@ -1,4 +1,4 @@
-"""Solutions as tables of other libraries: pandas for a row a case, xarray for a dimension an axis of the map."""
+"""Solutions in other libraries: pandas with one row per case, xarray with one dimension per axis of the map."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Solutions(Protocol):
-    """What is read of many solutions."""
+    """The part of `nonhertz.Solutions` that the conversions read."""
 
     shape: tuple[int, ...]
     singular: NDArray[np.bool_]
@@ -26,11 +26,11 @@ class Solutions(Protocol):
         """Which cases have a solution."""
 
     def column(self, name: str) -> NDArray[np.float64]:
-        """Return a quantity of all cases."""
+        """Return a quantity for all cases."""
 
 
 def dataframe(solutions: Solutions) -> pd.DataFrame:
-    """Return a row for each case; see `nonhertz.Solutions.to_dataframe`."""
+    """Return a DataFrame with a row for each case; see `nonhertz.Solutions.to_dataframe`."""
     pandas, names = _library("pandas", "to_dataframe"), _axes(solutions)
     index = pandas.MultiIndex.from_product([range(length) for length in solutions.shape], names=names)
     if len(names) == 1:
@@ -41,7 +41,7 @@ def dataframe(solutions: Solutions) -> pd.DataFrame:
 
 
 def dataset(solutions: Solutions) -> xr.Dataset:
-    """Return a variable for each quantity; see `nonhertz.Solutions.to_xarray`."""
+    """Return a Dataset with a variable for each quantity; see `nonhertz.Solutions.to_xarray`."""
     xarray, names = _library("xarray", "to_xarray"), _axes(solutions)
     found: xr.Dataset = xarray.Dataset(
         {name: (names, column, _attributes(name)) for name, column in _columns(solutions).items()},
@@ -56,7 +56,7 @@ def _axes(solutions: Solutions) -> list[str]:
 
 
 def _columns(solutions: Solutions) -> dict[str, Any]:
-    """Return all quantities by their names, and which cases have a solution and singular ends."""
+    """Return all quantities by name, and which cases have singular ends and which a solution."""
     found = {name: solutions.column(name) for name in QUANTITIES}
     return {**found, "singular": solutions.singular, "converged": solutions.converged}
 

@@ -1,14 +1,14 @@
-"""The pressure at the ends of a contact: a number where there is one, exponent and strength where there is none.
+"""The pressure at the ends of a contact: a value where it is finite, exponent and strength where it is singular.
 
-Where a contact runs out inside the bodies its pressure falls to zero. Where it reaches the end of a body the surface
-stops short, and at distances s small against the half-width the equations of the strips become those of a plane
-wedge, with p ~ K / s^alpha and cos(pi alpha) = kappa (`nonhertz.bodies.ends`). Only for kappa = 1, as where both
-bodies end together with mirrored faces, is that a finite pressure. For less every refinement raises the pressure of
-the last strip, so it says nothing; K and alpha do.
+Where a contact runs out inside the bodies, its pressure falls to zero. Where it reaches the end of a body, the surface
+stops abruptly, and at distances s small compared with the half-width the equations of the strips become those of a
+plane wedge, with p ~ K / s^alpha and cos(pi alpha) = kappa (`nonhertz.bodies.ends`). Only for kappa = 1, as where both
+bodies end together with mirrored faces, is that a finite pressure. For a smaller kappa every refinement raises the
+pressure of the last strip, so that value is meaningless; K and alpha are not.
 
-K is read off the strips within half a half-width of the end. There the pressure is K s^-alpha (1 + c s^(2 alpha)
+K is fitted to the strips within half a half-width of the end. There the pressure is K s^-alpha (1 + c s^(2 alpha)
 + ...): s^alpha also solves the equations of the wedge. The last two strips are left out, because collocation
-between them and the end is off by more than a tenth however narrow they are.
+error there exceeds a tenth however narrow they are.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ AT_ONE_PLACE = 0.01  # of the last strip
 
 
 def edge_pressures(contact: Contact, problem: Problem, state: State) -> tuple[EdgePressure, EdgePressure]:
-    """Return the pressure at the low and at the high end of a solved contact."""
+    """Return the pressures at the low and the high end of a solved contact."""
     return _edge_pressure(contact, problem, state, -1), _edge_pressure(contact, problem, state, 1)
 
 
@@ -55,12 +55,12 @@ def centre_pressure(contact: Contact, problem: Problem, state: State) -> Array:
 
 
 def singular_places(contact: Contact, problem: Problem, states: States) -> Array:
-    """Return where contacts on the same strips end without a limit of the pressure [mm].
+    """Return the ends of contacts on the same strips at which the pressure has no limit [mm].
 
     Returns
     -------
     ndarray, shape (cases, k)
-        Nan where there are fewer such ends than in others, or none.
+        Padded with nan where a case has fewer such ends than others, or none.
     """
     columns = []
     for side in (-1, 1):
@@ -76,14 +76,14 @@ def singular_places(contact: Contact, problem: Problem, states: States) -> Array
 
 
 def pressed(problem: Problem, edges: Array, rigid: Array, side: int) -> Flags:
-    """Return whether the undeformed bodies overlap at the end of the strips: only there can they touch.
+    """Return whether the undeformed bodies overlap at the end of the strips, without which they cannot touch there.
 
-    A strip may be wider than what is left of a contact that runs out next to the end of a body.
+    The last strip alone does not tell: it may be wider than the remainder of a contact that runs out close to the end.
 
     Parameters
     ----------
     problem : Problem
-        What is solved.
+        The problem solved.
     edges : ndarray, shape (n + 1,)
         Edges of the strips [mm].
     rigid : ndarray, shape (..., 2)
@@ -97,24 +97,24 @@ def pressed(problem: Problem, edges: Array, rigid: Array, side: int) -> Flags:
 
 
 def _is_sharp(contact: Contact, problem: Problem, edges: Array, side: int) -> bool:
-    """Return whether a contact that is open at the last of the strips ends at a sharp end of a body."""
+    """Return whether a contact that extends to the end of the strips ends at a sharp end of a body."""
     at, next_in = (-1, -2) if side > 0 else (0, 1)
     place, width = float(edges[at]), abs(float(edges[at] - edges[next_in]))
     return place in contact.interval and _image_weight(problem, place, side, AT_ONE_PLACE * width) < FINITE_FROM
 
 
 def sharp_end_error(edges: tuple[EdgePressure, ...], length: float) -> float:
-    """Return the relative error that strips leave at the ends of a contact, in proportion to the last one's width.
+    """Return the relative error that strips cause at the ends of a contact, proportional to the last one's width.
 
-    Measured on straight rollers: a tenth of both widths over the length, on equal and graded grids alike; 0.4 of
-    that at kappa = 1/4, 0.2 at 1/2, 0.06 at 3/4 and none at 1.
+    Measured on straight rollers: a tenth of both end strips' widths over the length, on equal and graded grids alike;
+    0.4 of that at kappa = 1/4, 0.2 at 1/2, 0.06 at 3/4 and zero at 1.
     """
     left = (edge.strip_width * math.pow(1.0 - edge.image_weight, 1.5) for edge in edges if not edge.converges)
     return SHARP_END_ERROR * sum(left) / length
 
 
 def _image_weight(problem: Problem, place: float, side: int, reach: float) -> float:
-    """Return kappa of all free faces within a distance of an end of the strips."""
+    """Return kappa summed over the free faces within ``reach`` of an end of the strips, at most 1."""
     found = (end.image_weight for end in problem.influence.ends if end.side == side and abs(end.y - place) <= reach)
     return min(sum(found), 1.0)
 
@@ -137,7 +137,7 @@ def _edge_pressure(contact: Contact, problem: Problem, state: State, side: int) 
     exponent = edge_exponent(kappa)
     half_width = problem.element.hertz_ratio * math.sqrt(float(state.m[at]))
     strength = correction = None
-    # The face of another body a little further out bends the pressure where K would be read off.
+    # The face of the other body a little further out distorts the pressure where K would be fitted.
     alone = kappa == _image_weight(problem, place, side, FIT_REACH * half_width)
     if alone and exponent >= LEAST_EXPONENT:
         distance = np.abs(state.y - place)[::-side]
@@ -148,7 +148,7 @@ def _edge_pressure(contact: Contact, problem: Problem, state: State, side: int) 
 
 
 def _convention(contact: Contact, problem: Problem, place: float, side: int, reach: float) -> str:
-    """Say of either body whether it ends at ``place``, and how its side face counts there."""
+    """Describe for each body whether it ends at ``place``, and how its side face is treated there."""
     index, words = (side + 1) // 2, []
     for which, (name, body) in enumerate((("a", contact.a), ("b", contact.b))):
         face = body.faces[index]
@@ -156,7 +156,7 @@ def _convention(contact: Contact, problem: Problem, place: float, side: int, rea
         if abs(body.interval[index] - place) > reach:
             words.append(f"{name} goes on")
         elif math.isfinite(face) and abs(face - place) > reach:
-            words.append(f"{name} can touch no further, {abs(face - place):.3g} mm short of its side face")
+            words.append(f"{name} can touch only up to here, {abs(face - place):.3g} mm short of its side face")
         elif weight > 0.0:
             words.append(f"{name} ends with its side face freed by images of weight {weight:.3g}")
         else:
@@ -167,9 +167,9 @@ def _convention(contact: Contact, problem: Problem, place: float, side: int, rea
 def _strength(
     distance: Array, width: Array, pressure: Array, exponent: float, half_width: float
 ) -> tuple[float | None, float | None]:
-    """Return K [MPa mm^alpha] and c [mm^(-2 alpha)], or None where too few strips lie near the end to tell.
+    """Return K [MPa mm^alpha] and c [mm^(-2 alpha)], or None if too few strips lie near the end.
 
-    Distances of the strip centres from the end, widths and pressures begin with the last strip.
+    Distances of the strip centres from the end, widths and pressures start with the outermost strip.
     """
     idle = np.flatnonzero(pressure == 0.0)
     run = idle[0] if idle.size else pressure.size
@@ -177,11 +177,11 @@ def _strength(
     if near.size < FEWEST_POINTS:
         return None, None
     s = distance[near]
-    # What a strip carries is the mean over its width.
+    # A strip's pressure is the mean over its width.
     low, high = s - 0.5 * width[near], s + 0.5 * width[near]
     mean = (high ** (1.0 - exponent) - low ** (1.0 - exponent)) / ((1.0 - exponent) * width[near])
     shape = np.column_stack([mean, mean * (s / half_width) ** (2.0 * exponent)])
-    if not np.all(np.isfinite(shape / pressure[near, None])):  # of a loop that failed
+    if not np.all(np.isfinite(shape / pressure[near, None])):  # the loop failed
         return None, None
     fit = np.linalg.lstsq(shape / pressure[near, None], np.ones(near.size), rcond=None)[0]
     if fit[0] <= 0.0:

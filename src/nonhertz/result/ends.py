@@ -1,4 +1,4 @@
-"""Where a contact ends so that its pressure has no limit, and which strips are away from there."""
+"""The ends of a contact at which the pressure has no limit, and which strips are away from them."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ from nonhertz.strip.state import runs
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-# A contact that goes on past a corner by less than this, in half-widths, ends there: fine strips reach round it.
+# A contact that extends past a corner by less than this, in half-widths, ends there: fine strips reach round it.
 PAST_CORNER = 0.1
-# The pressure at a corner that turns by theta grows by theta / (2 pi^2 K) whenever the distance falls to 1/e. Where
-# that is less than this share of it, refinement changes nothing that counts.
+# The pressure at a corner that turns by theta grows by theta / (2 pi^2 K) each time the distance falls by a factor e.
+# Where that is less than this fraction of it, refinement makes no significant difference.
 COUNTS = 0.02
-LEFT_AT_CORNER = 0.5  # of the squared pressure of a strip next to it: less, continued linearly, is a run-out
+LEFT_AT_CORNER = 0.5  # of the squared pressure in the strip next to it: if extrapolation leaves less, it is a run-out
 SAME_PLACE = 1e-9  # of the length
-STEP = 1e-5  # of the length, across which a corner is told from a curve
+STEP = 1e-5  # of the length: step of the differences that distinguish a corner from a curve
 
 
 def away_from_ends(solution: Solved, y: Array) -> Flags:
     """Return which places [mm] are more than a half-width from the singular ends of a contact, shape (n,).
 
-    Nearer to such an end the pressure grows with every refinement: as a maximum it says nothing.
+    Closer to such an end the pressure grows with every refinement, so it is meaningless as a maximum.
     """
     half_width = np.interp(y, solution.y, solution.half_width)
     away: Flags = distance_beyond(y, half_width, singular_y(solution)) > 0.0
@@ -44,9 +44,9 @@ def singular_ends(sharp: Iterable[float], corners: Iterable[float], length: floa
     sharp : iterable of float
         Where the contact reaches a sharp end [mm].
     corners : iterable of float
-        As `corner_ends` has them [mm]; those at a sharp end count as that.
+        From `corner_ends` [mm]; those at a sharp end count as sharp.
     length : float
-        Of all that the contact may cover [mm].
+        Length of the region that the contact may cover [mm].
     """
     found = [SingularEnd(y, EdgeKind.SINGULAR) for y in sharp]
     room = SAME_PLACE * length
@@ -58,7 +58,7 @@ def corner_ends(contact: Contact, edges: Array, pressure: Array, half_width: Arr
     """Return the corners of the profile at which a contact ends under pressure [mm], ascending.
 
     There the pressure has no limit, as at a sharp end: it does not fall towards the corner, and beyond it the surfaces
-    are apart. A contact that runs out next to a corner does not end at it, because its pressure falls to zero.
+    are apart. A contact that runs out next to a corner does not count, because its pressure falls to zero.
 
     Parameters
     ----------
@@ -67,13 +67,13 @@ def corner_ends(contact: Contact, edges: Array, pressure: Array, half_width: Arr
     edges : ndarray, shape (n + 1,)
         Edges of strips, or of rows of cells [mm].
     pressure, half_width : ndarray, shape (n,)
-        The largest pressure of each [MPa] and its half-width [mm], zero out of contact.
+        Largest pressure [MPa] and half-width [mm] of each, zero out of contact.
     """
     found: set[float] = set()
     y = 0.5 * (edges[1:] + edges[:-1])
     for first, last in runs(pressure > 0.0):
         room = PAST_CORNER * float(half_width[first : last + 1].max())
-        # Outermost first; positions are measured outwards.
+        # Outermost strip first; multiplied by ``side``, positions increase outwards.
         for side, run in ((-1.0, np.arange(first, last + 1)), (1.0, np.arange(last, first - 1, -1))):
             beyond = run[0] + int(side)
             outermost = y[beyond] if 0 <= beyond < y.size else edges[run[0] + (side > 0.0)]
@@ -84,7 +84,7 @@ def corner_ends(contact: Contact, edges: Array, pressure: Array, half_width: Arr
 
 
 def _presses(contact: Contact, bend: float, side: float, y: Array, pressure: Array, run: NDArray[np.int64]) -> bool:
-    """Return whether a bend is a corner that a contact presses against, its strips given from the outermost inwards."""
+    """Return whether a bend is a corner that a contact presses against; ``run`` are its strips, outermost first."""
     within = run[side * y[run] < side * bend]
     if within.size == 0:
         return False
@@ -96,8 +96,8 @@ def _presses(contact: Contact, bend: float, side: float, y: Array, pressure: Arr
         return False
     if within.size == 1:
         return True
-    # The square of the pressure falls linearly to zero where a contact runs out. Of three strips the last is left out,
-    # which may bear for what lies beyond it.
+    # The square of the pressure falls linearly to zero where a contact runs out. Given three strips the outermost is
+    # left out, because it may carry load for what lies beyond it.
     last, next_in = within[1:3] if within.size > 2 else within[:2]
     square = float(pressure[last] ** 2)
     fall = (float(pressure[next_in] ** 2) - square) / abs(y[next_in] - y[last])
@@ -105,13 +105,13 @@ def _presses(contact: Contact, bend: float, side: float, y: Array, pressure: Arr
 
 
 def _turn(contact: Contact, place: float, step: float) -> float:
-    """Return by how much the slope of the separation rises around a place [rad]."""
+    """Return by how much the slope of the separation increases across a place [rad]."""
     before, there, after = contact.separation(np.array([place - step, place, place + step])).tolist()
     return float((after - there) / step + (before - there) / step) if np.isfinite(there) else 0.0
 
 
 def ends_in_words(ends: Iterable[SingularEnd]) -> str:
-    """Return where pressure and stress have no limit.
+    """Return in words where pressure and stress have no limit.
 
     Examples
     --------
@@ -131,9 +131,9 @@ def ends_in_words(ends: Iterable[SingularEnd]) -> str:
 
 
 def largest_half_width(solution: Solved, ends: Iterable[float]) -> float:
-    """Return the largest half-width [mm] that is not right at one of ``ends``.
+    """Return the largest half-width [mm] away from ``ends``.
 
-    At a corner the contact grows wider with every refinement, and a length that others are measured by must not.
+    At a corner the contact grows wider with every refinement, which a reference length must not.
     """
     largest = solution.max_half_width
     away = solution.line_load > 0.0

@@ -1,4 +1,4 @@
-"""How much a solution may err by its strips: what coarser grids and unseen relief say, for one case or many."""
+"""The discretisation error of a solution, estimated from coarser grids and unresolved relief, for one case or many."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ from nonhertz.strip.state import Problem, State
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-LARGE_ERROR, LARGE_PRESSURE_ERROR = 0.05, 0.2  # estimated; a result worse than that is no design figure
-FEW_AT_END = 4  # strips within a half-width of an end, that say little of how the contact ends
-FALLS_AWAY = 0.1  # of the interference, by which it is less at an end than a half-width inside
-HIDDEN = 4.0  # times what the last strip exceeds the maximum by: its mean is lower than what it hides
-MISSED = 0.02  # of the deepest interference, overlapped where strips say that there is no contact
+LARGE_ERROR, LARGE_PRESSURE_ERROR = 0.05, 0.2  # estimated errors; a result worse than this is unfit for design
+FEW_AT_END = 4  # fewer strips within a half-width of an end do not resolve how the contact ends
+FALLS_AWAY = 0.1  # of the interference: by this much at least it is less at an end than a half-width inside
+HIDDEN = 4.0  # times the last strip's excess over the maximum: its mean is lower than the peak within it
+MISSED = 0.02  # of the deepest interference: an overlap this large where no strip is in contact is a missed contact
 
 
 def error_estimate(
     problem: Problem, levels: Levels, edges: tuple[EdgePressure, ...], singular: Array, at_corner: bool
 ) -> ErrorEstimate:
-    """Return the estimated errors of the finest level; infinite of a loop that failed.
+    """Return the estimated errors of the finest level; infinite if the loop failed.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def error_estimate(
     edges : tuple of EdgePressure
         How the contact ends.
     singular : ndarray, shape (k,)
-        Where it ends so that the pressure has no limit [mm].
+        The ends at which the pressure has no limit [mm].
     at_corner : bool
         Whether its largest pressure is at a corner of the profile within the contact.
     """
@@ -53,7 +53,7 @@ def error_estimate(
     unlimited = at_corner or any(edge.kind is EdgeKind.CUT_OFF for edge in edges)
     largest = partial(_largest, problem.element.hertz_ratio, singular)
     places, separation = within(problem, state.edges)
-    # What stands back farther than the bodies come together is out of contact, however far it does.
+    # Relief deeper than the bodies approach is out of contact, however deep it is.
     near = np.minimum(separation, np.maximum(state.rigid[0] + state.rigid[1] * places, np.min(separation)))
     departure = departures(near)
     mean, ripples = roughness(departure, state.width, state.r * state.m * state.width)
@@ -68,11 +68,11 @@ def error_estimate(
 
 
 def _beside_strips(problem: Problem, state: State, singular: Array, ripples: Array) -> float:
-    """Return the relative error of the largest pressure by what strips do not see.
+    """Return the relative error of the largest pressure caused by what strips do not resolve.
 
-    Pressing flat what departs from a parabola within them takes ripples of pressure. And on strips as wide as a contact
-    is, one that runs out shortly before the end of the bodies looks like one that reaches it: where the profile falls
-    away there, the last strip may well have the largest pressure.
+    Flattening the departure from a parabola within each strip takes ripples of pressure. And on strips as wide as the
+    contact, one that runs out shortly before the end of the bodies looks like one that reaches it: where the profile
+    falls away there, the last strip may well have the largest pressure.
     """
     half_width = problem.element.hertz_ratio * np.sqrt(state.m)
     highest, bearing = float(largest_pressure(state.y, state.pressure, half_width, singular)[0]), state.m > 0.0
@@ -112,9 +112,9 @@ def _largest(hertz_ratio: float, singular: Array, state: State) -> float:
 
 
 def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array) -> Flags:
-    """Return which cases may have a large estimated error: all that a coarser grid has no solution of, too.
+    """Return which cases may have a large estimated error, including all without a solution on a coarser grid.
 
-    ``singular`` are the places at which they end without a limit of the pressure [mm], shape (cases, k).
+    ``singular`` are their ends at which the pressure has no limit [mm], shape (cases, k).
     """
     finest = levels[0]
     highest = partial(_pressures, problem.element.hertz_ratio, singular)
@@ -152,7 +152,7 @@ def _pressures(hertz_ratio: float, singular: Array, states: States) -> Array:
 
 
 def may_miss_contact(problem: Problem, finest: States) -> Flags:
-    """Return which cases may touch beside the centres of strips that are out of contact."""
+    """Return which cases may touch away from the centres of strips that are out of contact."""
     places, separation = within(problem, finest.edges)
     y = 0.5 * (finest.edges[1:] + finest.edges[:-1])
     with np.errstate(invalid="ignore"):  # both infinite

@@ -1,10 +1,10 @@
-"""The largest pressure that refinement does not change.
+"""The largest pressure that is independent of refinement.
 
-Towards a sharp end, a corner of the profile at which a contact ends, or the end of strips that a contact goes on
-beyond, the pressure of strips and cells grows with every refinement. What counts there is what lies more than a
-half-width from such an end; nearer to it the true pressure is no semi-ellipse across either. Mostly the largest of that
-is at the border itself, which need not be in the middle of a strip: it is interpolated there, along the power of the
-distance that the neighbours are on.
+Towards a sharp end, a corner of the profile at which a contact ends, or the end of strips that cut a contact off,
+the pressure of strips and cells grows with every refinement. So only places more than a half-width from such an end
+count; closer to it the true pressure is not a semi-ellipse across either. Usually the largest of these pressures is at
+the border itself, which need not be in the middle of a strip: it is interpolated there, by the power law of the
+distance through the two neighbours.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-SAME = 1e-6  # of the largest, by which it may differ from another that is as large
+SAME = 1e-6  # relative difference up to which two pressures count as equally large
 
 
 def distance_beyond(y: Array, half_width: Array, ends: Array) -> Array:
-    """Return how much farther than a half-width places are from the nearest of the ends, infinite where none is.
+    """Return how much farther than a half-width places are from the nearest end, infinite where there is none.
 
     Parameters
     ----------
@@ -43,9 +43,9 @@ def distance_beyond(y: Array, half_width: Array, ends: Array) -> Array:
 
 
 def largest_pressure(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[Array, Array]:
-    """Return the largest pressures of many contacts that lie more than a half-width from their ends, and where.
+    """Return the largest pressures more than a half-width from the ends, for many contacts, and where they are.
 
-    In a contact so short that nothing does, it is the pressure where the nearest end is farthest, in half-widths.
+    If a contact is too short for that, it is the pressure where the nearest end is farthest away, in half-widths.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ def largest_pressure(y: Array, pressure: Array, half_width: Array, ends: Array) 
 
 
 def counted(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[Array, Array]:
-    """Return all places that `largest_pressure` looks at, and the pressures there, zero where they do not count."""
+    """Return all places that `largest_pressure` considers, and the pressures there, zero where they do not count."""
     nearest = _nearest(y, ends)
     beyond = nearest - half_width
     values = np.where(beyond > 0.0, pressure, 0.0)
@@ -89,10 +89,10 @@ def counted(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[
 def _at_borders(
     crossing: tuple[NDArray[np.intp], ...], y: Array, pressure: Array, half_width: Array, ends: Array
 ) -> tuple[Array, Array]:
-    """Return the places a half-width from an end, and the pressures there, each between a strip and the next.
+    """Return the places a half-width from an end, each between two neighbouring strips, and the pressures there.
 
-    Along the power of the distance from the end that both strips are on; or along a straight line, where the end lies
-    between them.
+    Interpolated by the power of the distance from the end that passes through both strips, or linearly where the end
+    lies between them.
     """
     *case, left = crossing
     right = (*case, left + 1)
@@ -114,7 +114,7 @@ def _at_borders(
         power = np.log(distance / from_end[0]) / np.log(from_end[1] / from_end[0])
     power = np.where(np.isfinite(power), power, share)
     place, pressures = first[0] + share * (second[0] - first[0]), first[2] ** (1.0 - power) * second[2] ** power
-    # A border before one end may lie next to another.
+    # A border of one end may lie close to another end.
     others = np.abs(place[:, None] - of_case)
     nearest = np.where(np.isnan(others), np.inf, others).min(axis=-1)
     half_width_there = first[1] + share * (second[1] - first[1])
@@ -122,21 +122,21 @@ def _at_borders(
 
 
 def places_of_largest(solution: Solved) -> tuple[float, ...]:
-    """Return where the largest pressure that counts is [mm], ascending: both places of a mirrored pair, else one."""
+    """Return where the largest pressure that counts is [mm], ascending: both places if they mirror each other."""
     if not solution.contact_y:
         return ()
     places, values = counted(solution.y, solution.largest_across, solution.half_width, singular_y(solution))
     places, values = places[values > 0.0], values[values > 0.0]
     order = np.argsort(places)
     equal = np.flatnonzero(values[order] >= (1.0 - SAME) * values.max())
-    # Two neighbours are one flat crest, and many are no marked place at all.
+    # Two neighbours are one flat crest, and more than two are not a distinct place at all.
     if equal.size == 2 and equal[1] - equal[0] > 1:
         return tuple(places[order][equal].tolist())
     return (solution.max_pressure_y,)
 
 
 def singular_y(solution: Solved) -> Array:
-    """Return where the ends are at which the pressure has no limit [mm]."""
+    """Return the positions of the ends at which the pressure has no limit [mm]."""
     return np.array([end.y for end in solution.singular_ends])
 
 

@@ -6,7 +6,7 @@ import math
 
 
 def digits(value: float, significant: int = 5) -> str:
-    """Return a number with so many significant digits, without an exponent where that can be read.
+    """Return a number with this many significant digits, without an exponent unless it is very small or large.
 
     Examples
     --------
@@ -22,7 +22,7 @@ def digits(value: float, significant: int = 5) -> str:
 
 
 def given(value: float, significant: int = 6) -> str:
-    """Return a number that was given, without zeros that say nothing.
+    """Return an input number without insignificant zeros.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""From the state that the strips end in to a solution: derived numbers, and what has to be said about them."""
+"""From the final state of the strips to a solution: derived numbers, and the warnings about them."""
 
 from __future__ import annotations
 
@@ -41,9 +41,9 @@ def outcome(contact: Contact, problem: Problem, levels: Levels) -> Solution:
     Raises
     ------
     InputError
-        If a body is thinner than its contact is wide, or the contact wider than a body is round.
+        If a body is thinner than its contact is wide, or a half-width exceeds a body's radius.
     ConvergenceError
-        If the Newton loop failed, or if what it calls a solution does not meet what was prescribed.
+        If the Newton loop failed, or if its solution does not meet what was prescribed.
     """
     solution = _solution(contact, problem, levels)
     refuse_thin(solution, problem)
@@ -61,14 +61,14 @@ def outcome(contact: Contact, problem: Problem, levels: Levels) -> Solution:
 def _shortfall(solution: Solution, problem: Problem) -> str | None:
     """Return what a converged solution fails to meet, from its arrays alone."""
     if not steady(solution.stiffness, float(np.max(np.abs(solution.edges)))):
-        return "The stiffness of the state reached is negative or not finite: nothing would hold the bodies there."
+        return "The stiffness of the state reached is negative or not finite: the equilibrium is unstable."
     motion = np.array([solution.approach, solution.tilt])
     return shortfall(problem, solution.edges, solution.line_load, solution.element_half_width, solution.gap, motion)
 
 
 def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
     state, compliance = levels.finest, contact.compliance
-    # A loop that failed may leave anything.
+    # A loop that failed may leave any values.
     with contextlib.nullcontext() if state.converged else np.errstate(all="ignore"):
         edges = edge_pressures(contact, problem, state)
         line_load, stiffness = state.r * state.m / compliance, state.stiffness / compliance
@@ -108,7 +108,7 @@ def _with_corners(
     ends: tuple[EdgePressure, EdgePressure],
     at_corners: tuple[float, ...],
 ) -> tuple[EdgePressure, EdgePressure]:
-    """Return the pressures at both ends with those told apart that do not run out but press against a corner."""
+    """Return the pressures at both ends, with run-outs that in fact press against a corner marked as corners."""
     pressure = centre_pressure(contact, problem, state)
     low, high = ends
     bearing = np.flatnonzero(state.m > 0.0)

@@ -1,4 +1,4 @@
-"""What solutions of strips and of the plane grid have in common: whoever reads a result needs no more."""
+"""What solutions of strips and of the plane grid have in common, and all that code reading a result relies on."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 
 class Solved(Protocol):
-    """A solved contact, whatever it was solved with; arrays have an entry for each strip, or each row of cells."""
+    """A solved contact, by either method; arrays have an entry for each strip, or each row of cells."""
 
     @property
     def contact(self) -> Contact:
@@ -75,7 +75,7 @@ class Solved(Protocol):
 
     @property
     def shape(self) -> Shape:
-        """Shape of the pressure across that influence counts with."""
+        """Shape of the pressure across that the influence is computed with."""
 
     @property
     def contact_y(self) -> tuple[tuple[float, float], ...]:

@@ -1,7 +1,7 @@
-"""The numbers of a result, each said once: name, symbol, units, and how to get it.
+"""The numbers of a result, each defined once: name, symbol, units, and how to get it.
 
-Terminal, report, page, files, comparisons and tables of data are made from these; a quantity added here is in all of
-them. People are shown micrometres and milliradians where Python and files have mm and rad.
+Terminal output, report, web page, files, comparisons and data tables are made from these; a quantity added here appears
+in all of them. People are shown micrometres and milliradians where Python and files have mm and rad.
 """
 
 from __future__ import annotations
@@ -17,25 +17,23 @@ from nonhertz.result.numerals import digits
 
 if TYPE_CHECKING:
     from nonhertz.result.protocol import Solved
-
-if TYPE_CHECKING:
     from nonhertz.result.solution import Solution
 
-ROUNDING = 1e-12  # of the terms of a sum, below which it is zero: symmetry leaves as much
+ROUNDING = 1e-12  # of the terms of a sum: below this it is shown as zero, since symmetric terms cancel only to rounding
 
 
 @dataclass(frozen=True)
 class Quantity:
     """One number of a solution.
 
-    Every kind of solution has those that are its attributes; stiffness is what strips have.
+    Those that are attributes exist for every kind of solution; the stiffness only for strips.
 
     Attributes
     ----------
     name : str
-        What Python, files and tables of data call it.
+        Its name in Python, files and data tables.
     label : str
-        What people call it.
+        Its name for people.
     symbol : str
         In formulas; may be empty.
     unit : str
@@ -43,11 +41,11 @@ class Quantity:
     get : callable
         Solution -> value in ``unit``.
     shown_unit : str
-        What people are shown it in.
+        The unit in which people are shown it.
     factor : float
         Values in ``shown_unit`` over those in ``unit``.
     scale : callable or None
-        Solution -> size of the terms whose sum it is, in ``unit``; None if it is no sum that may vanish.
+        Solution -> size of the terms that it sums, in ``unit``; None if it is not a sum that may cancel to zero.
     """
 
     name: str
@@ -60,7 +58,7 @@ class Quantity:
     scale: Callable[[Any], float] | None = None
 
     def shown(self, solution: Solved) -> float:
-        """Return the value in ``shown_unit``, zero where it is rounding."""
+        """Return the value in ``shown_unit``, zero where it is only rounding."""
         value = self.get(solution)
         if self.scale is not None and not abs(value) > ROUNDING * abs(self.scale(solution)):
             return 0.0
@@ -72,7 +70,7 @@ class Quantity:
 
 
 def reach(solution: Solved) -> float:
-    """Return the largest distance of a strip from y = 0 [mm]: the longest lever of a moment."""
+    """Return the largest distance of a strip from y = 0 [mm]: the longest lever arm of a moment."""
     return float(np.max(np.abs(solution.y)))
 
 
@@ -91,10 +89,10 @@ def _own(
 
 
 def _slope(row: int, column: int, name: str, unit: str, scale: Callable[[Any], float] | None = None) -> Quantity:
-    """Return an entry of the stiffness."""
+    """Return the quantity that is an entry of the stiffness."""
     force, _, motion = name.partition("_by_")
 
-    def get(solution: Any) -> Any:  # of many solutions too, all at once
+    def get(solution: Any) -> Any:  # works on Solutions too, all cases at once
         return solution.stiffness[..., row, column]
 
     return Quantity(name, f"d {force} / d {motion}", "", unit, get, unit, scale=scale)
@@ -119,10 +117,10 @@ _ALL = (
     _slope(1, 1, "moment_by_tilt", "N mm/rad"),
 )
 
-#: Every number of a solution by its name.
+#: Every number of a solution, by name.
 QUANTITIES: dict[str, Quantity] = {quantity.name: quantity for quantity in _ALL}
 
-#: Arrays along the contact by their names, and their units.
+#: Arrays along the contact, by name, with their units.
 ALONG: dict[str, str] = {
     "y": "mm",
     "strip_width": "mm",

@@ -33,7 +33,7 @@ class Status(enum.Enum):
     CONVERGED = "The solution satisfies every contact condition."
     ITERATION_LIMIT = "The iterations reached their limit before the contact conditions were met."
     STAGNATED = "The iterations could not reduce the residual any further."
-    REFUTED = "The state that the iterations ended in does not meet what was prescribed."
+    REFUTED = "The state in which the iterations ended does not meet what was prescribed."
 
     @property
     def label(self) -> str:
@@ -53,7 +53,7 @@ class ErrorEstimate:
         |error of load| / load; zero where the load is prescribed.
     max_pressure : float
         |error of maximum pressure| / maximum pressure. Infinite where the maximum is at a corner of the profile within
-        the contact: every refinement raises it, so that it has no error but no limit.
+        the contact: every refinement raises it without limit, so no error is defined.
     """
 
     approach: float
@@ -85,7 +85,7 @@ class EdgePressure:
     y : float
         Where the contact ends [mm].
     kind : EdgeKind
-        Whether the pressure runs out, is finite up to the end, or has no limit there, at a sharp end or at a corner.
+        Whether the pressure runs out, stays finite up to the end, or has no limit there, at a sharp end or a corner.
     pressure : float
         Pressure of the last strip [MPa], zero where the contact runs out. A limit only if ``converges``.
     strip_width : float
@@ -96,7 +96,7 @@ class EdgePressure:
         alpha [-] of p ~ K / s^alpha, s the distance from the end, cos(pi alpha) = kappa; zero where finite.
     strength : float or None
         K [MPa mm^alpha], fitted together with ``correction`` to the strips within half a half-width. None where
-        nothing is singular, where too few strips lie there, where a face of the other body does, and for alpha below
+        nothing is singular, where too few strips or a face of the other body lie that close, and for alpha below
         0.1, where the pressure is nearly constant and K alone would mislead.
     correction : float or None
         c [mm^(-2 alpha)] of p = K s^-alpha (1 + c s^(2 alpha)), which holds up to half a half-width; see `at`.
@@ -105,8 +105,8 @@ class EdgePressure:
 
     Notes
     -----
-    Against strips a thousand times narrower K is within 4 % for kappa up to 0.95, and for kappa = 0 within 4 % of
-    three-dimensional solutions. Nearer to the end than a tenth of the half-width the true pressure is no longer a
+    K is within 4 % of its value on strips a thousand times narrower for kappa up to 0.95, and for kappa = 0 within 4 %
+    of three-dimensional solutions. Closer to the end than a tenth of the half-width the true pressure is no longer a
     semi-ellipse across.
     """
 
@@ -131,7 +131,7 @@ class EdgePressure:
         Returns
         -------
         ndarray
-            Pressures [MPa]; not a number where there is no strength.
+            Pressures [MPa]; nan if there is no strength.
         """
         remedy = "give distances from the end in mm"
         s = numbers("distance", distance, remedy)
@@ -144,12 +144,12 @@ class EdgePressure:
 
     @property
     def converges(self) -> bool:
-        """Whether refinement brings ``pressure`` to a limit."""
+        """Whether ``pressure`` converges under refinement."""
         return self.kind in {EdgeKind.RUN_OUT, EdgeKind.FINITE}
 
     @property
     def law(self) -> str:
-        """How the pressure grows towards a sharp end, in words; empty where the contact reaches none."""
+        """How the pressure grows towards a sharp end, as text; empty where the contact does not reach one."""
         if self.kind is not EdgeKind.SINGULAR:
             return ""
         power = f"{self.exponent:.3g}"
@@ -174,7 +174,7 @@ class SingularEnd:
 
 
 class ReadOnly:
-    """A frozen dataclass whose arrays are read-only too, also after pickling, which forgets that; printed in brief."""
+    """A frozen dataclass whose arrays are read-only too, even after unpickling, which drops the flag; a short repr."""
 
     def __repr__(self) -> str:
         return brief.fields(self)
@@ -200,7 +200,7 @@ def read_only(array: Values) -> Values:
 
 
 class ContactResult(ReadOnly):
-    """What strips and plane grid derive alike from their arrays, and how both are printed."""
+    """What strips and plane grid derive from their arrays in the same way, and how both are printed."""
 
     def __repr__(self) -> str:
         return brief.plain_text(type(self).__name__, self._said())
@@ -253,7 +253,7 @@ class Solution(ContactResult):
     status : Status
         How the solve ended.
     approach : float
-        delta [mm], how much nearer the bodies came on the line y = 0 than first touch of a zero separation.
+        delta [mm], how far the bodies moved together on the line y = 0 beyond first touch at zero separation.
     tilt : float
         gamma [rad] about x; positive tilt loads the side of positive y.
     load : float
@@ -282,7 +282,7 @@ class Solution(ContactResult):
     iterations : int
         Newton steps on the grid of the result.
     error_estimate : ErrorEstimate
-        Discretisation errors that the solve estimates of itself.
+        The solve's own estimate of its discretisation errors.
     warnings : tuple of str
         What strains the model in this case; empty when nothing does.
     """
@@ -362,8 +362,8 @@ class Solution(ContactResult):
     def pressure(self, x: ArrayLike, y: ArrayLike) -> Array:
         """Return the pressure anywhere on the surface [MPa].
 
-        Across it is the semi-ellipse of ``centre_pressure`` and ``half_width``. Between the centres of strips the
-        squares of both are linear in y, and fall to zero where the contact runs out; up to any other end they stay.
+        Across, it is the semi-ellipse of ``centre_pressure`` and ``half_width``. Between strip centres the squares of
+        both are linear in y, and fall to zero where the contact runs out; up to any other end they stay constant.
 
         Parameters
         ----------
@@ -373,12 +373,12 @@ class Solution(ContactResult):
         Returns
         -------
         ndarray
-            Zero out of contact; exact at the centres of strips, and in a strip at a singular end no limit of anything.
+            Zero out of contact; exact at strip centres; in a strip at a singular end not a converged value.
 
         Raises
         ------
         InputError
-            If the places are no numbers, or their shapes do not broadcast.
+            If the places are not numbers, or their shapes do not broadcast.
         """
         remedy = "give places in mm"
         across, along = broadcast(remedy, numbers("x", x, remedy), numbers("y", y, remedy))
@@ -398,7 +398,7 @@ class Solution(ContactResult):
         return pressure
 
     def table(self) -> dict[str, Array]:
-        """Return the numbers along the contact by their names, an array each: what ``table.csv`` has."""
+        """Return the quantities along the contact by name, one array each: the columns of ``table.csv``."""
         return {name: getattr(self, name) for name in ALONG}
 
     @property

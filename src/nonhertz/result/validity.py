@@ -1,4 +1,4 @@
-"""What strains the model in a solved case, and what is refused because of it; each in one sentence."""
+"""What strains the model in a solved case, and what is refused for it; each in one sentence."""
 
 from __future__ import annotations
 
@@ -31,14 +31,14 @@ from nonhertz.strip.state import SCARCELY, Problem, State, runs, sprung
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-AT_CORNER = 1.5  # strips from a corner of the profile, at which a largest pressure is its own
-WIDEST_SERIES = 2.0  # lengths; a line load 17 lengths away is then good to 0.2 %
+AT_CORNER = 1.5  # strips: a maximum this close to a corner of the profile is attributed to the corner
+WIDEST_SERIES = 2.0  # lengths; a line load 17 lengths away is then accurate to 0.2 %
 
 
 def suspected(contact: Contact, problem: Problem, levels: Sequence[States], singular: Array, peak: Array) -> Flags:
-    """Return which of many cases may have warnings, at little cost; `outcome` tells whether they do.
+    """Return which of many cases may have warnings, at little cost; `outcome` decides whether they do.
 
-    That of singular ends is left to who asks.
+    The warning about singular ends is left to the caller.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States], sing
     levels : sequence of States
         The states of all cases on every grid, finest first.
     singular : ndarray, shape (cases, k)
-        Where they end without a limit of the pressure [mm], nan for no such end.
+        Their ends at which the pressure has no limit [mm], nan for no such end.
     peak : ndarray, shape (cases,)
         Where their largest pressures are [mm].
     """
@@ -96,7 +96,7 @@ def _uncertain(quantity: str, error: float, least: float = LARGE_ERROR) -> str:
     if not error > least:
         return ""
     if error == np.inf:
-        return f"The discretisation error of the {quantity} is not known, for want of a solution on fewer strips."
+        return f"The discretisation error of the {quantity} is not known: there is no solution on fewer strips."
     size = f"{100.0 * error:.2g} %" if error < 1.0 else "more than its own size"
     return f"The {quantity} is uncertain: its discretisation error is estimated at {size}; give more strips."
 
@@ -114,12 +114,12 @@ def _missed_contact(solution: Solution, problem: Problem, state: State) -> list[
     worst = int(np.argmax(overlap))
     return [
         f"The bodies overlap by {1e3 * overlap[worst]:.2g} um at y = {y[worst]:.6g} mm, where no strip has its centre: "
-        "a place of contact is missed; give narrower strips there."
+        "a contact region is missed; give narrower strips there."
     ]
 
 
 def _next_to_contact(state: State, y: Array) -> Flags:
-    """Return which places lie in strips in contact, or beside them within their width: the contact ends there."""
+    """Return which places lie in strips in contact, or within a strip width beside them, where the contact ends."""
     found: Flags = np.zeros(y.shape, dtype=bool)
     for first, last in runs(state.m > 0.0):
         low, high = state.edges[first] - state.width[first], state.edges[last + 1] + state.width[last]
@@ -154,7 +154,7 @@ def singularities(solution: Solution) -> tuple[str, ...]:
 
 
 def _without_limit(solution: Solution) -> list[str]:
-    """Return a sentence for a contact that the strips cut off, and for a corner within it that bears the maximum."""
+    """Return a sentence for a contact that the strips cut off, and for a corner within it that carries the maximum."""
     sentences = [
         f"The strips end at y = {edge.y:.6g} mm while the contact goes on: the pressure there is that of bodies cut "
         "off; give strips up to the end of the contact, or leave them out."
@@ -173,7 +173,7 @@ def _without_limit(solution: Solution) -> list[str]:
 def refuse_thin(solution: Solution, problem: Problem) -> None:
     """Refuse a depth so small that the points at depth move as much as the surface."""
     converged = solution.status is Status.CONVERGED
-    # A loop that failed leaves half-widths that mean nothing; those of springs may be too small by a half.
+    # A loop that failed leaves meaningless half-widths; those of springs may be too small by half.
     half_width = solution.half_width
     if not converged:
         half_width = solution.element.hertz_ratio * np.sqrt(sprung(problem, solution.edges).m)
@@ -183,13 +183,13 @@ def refuse_thin(solution: Solution, problem: Problem) -> None:
 
 
 def wider_than_round(contact: Contact, y: Array, half_width: Array) -> Flags:
-    """Return where a contact is wider than the body that is curved more sharply: no body has so much surface."""
+    """Return where the half-width exceeds the radius of the more sharply curved body: its surface ends before."""
     beyond: Flags = half_width * sharper_curvature(contact, y) > 1.0
     return beyond
 
 
 def refuse_wider_than_round(solution: Solution, problem: Problem) -> None:
-    """Refuse a contact that is wider than one of its bodies."""
+    """Refuse a contact that is wider than one of its bodies is round."""
     wide = np.flatnonzero(wider_than_round(solution.contact, solution.y, solution.half_width))
     if solution.status is not Status.CONVERGED or not wide.size:
         return
@@ -205,12 +205,12 @@ def refuse_wider_than_round(solution: Solution, problem: Problem) -> None:
 
 
 def refuse_wide_series(solution: Solution) -> None:
-    """Refuse a series of images under a contact so wide that the far ones are no line loads any more."""
+    """Refuse a series of images under a contact so wide that the far ones are no longer line loads."""
     widest = float(np.max(solution.half_width))
     for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
         if body.images == SERIES and body.length is not None and widest > WIDEST_SERIES * body.length:
             condition = (
-                f"only be asked where the half-width, {widest:.3g} mm here, is at most {WIDEST_SERIES:g} times the "
+                f"only be used where the half-width, {widest:.3g} mm here, is at most {WIDEST_SERIES:g} times the "
                 f"body's length of {body.length:g} mm"
             )
             raise InputError("images", SERIES, condition, "give a number of images").within(f"body.{name}")

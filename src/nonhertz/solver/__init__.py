@@ -1,1 +1,1 @@
-"""The verbs: one contact and what is prescribed in, a solution out; thousands of them in one call."""
+"""The entry points: a contact and what is prescribed in, a solution out; or thousands of them in one call."""

@@ -1,8 +1,8 @@
 """Thousands of cases in one call: loads, tilts and contacts, on all cores.
 
 On a number of strips, or on given ones, all cases of a contact go through compiled loops together. On the automatic
-grid every case learns a grid of its own, so they are solved one by one, side by side. Either way the result of a case
-is that of `nonhertz.solve`, on equal strips to the tolerance of the equations and on the automatic grid to the bit.
+grid every case has its own grid, so each is solved separately, in parallel. Either way the result of a case is that of
+`nonhertz.solve`: on equal strips to the tolerance of the equations, on the automatic grid to the last bit.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ import warnings
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -29,14 +28,11 @@ from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 from nonhertz.strip.levels import equal_grids, given_grids
 from nonhertz.strip.state import Problem
 
-if TYPE_CHECKING:
-    pass
-
 Array = NDArray[np.float64]
 Number = int | tuple[int, ...]
 
-# A turn of a thread: on shared strips, and on a grid of its own for each. Fixed, so that results do not depend on the
-# number of threads.
+# Cases per unit of work for a thread: on shared strips, and with a separate grid for each. Fixed, so that results do
+# not depend on the number of threads.
 CASES_AT_ONCE, CASES_APART = 64, 4
 _PRESCRIBED = ("approach", "load", "tilt", "moment")
 
@@ -60,15 +56,15 @@ def solve_many(
         One contact for all cases, or one for each.
     approach, load, tilt, moment : array_like, optional
         As in `nonhertz.solve`, a number for all cases or an array; arrays and ``contacts`` are broadcast against each
-        other, and the shape that comes of it is that of the results. Along the last axis neighbouring cases should be
-        alike: a case may then start from the one before.
+        other, and the resulting shape is that of the results. Neighbouring cases along the last axis should be
+        similar: a case may then start from the previous one.
     element : Element
         As in `nonhertz.solve`.
     strips : int or array_like or "auto", optional
         As in `nonhertz.solve`, for all cases. A number of strips is several times as fast as the automatic grid, and
-        runs on any number of cores without their waiting for each other.
+        scales to any number of cores.
     threads : int, optional
-        How many threads to use; all cores if left out. The results do not depend on it.
+        Number of threads; all cores if left out. The results do not depend on it.
 
     Returns
     -------
@@ -77,21 +73,21 @@ def solve_many(
     Raises
     ------
     InputError
-        If the input of any case cannot be used as it stands. What only solving shows, such as bodies that do not
-        touch, does not stop the others: see `Solutions.failures`.
+        If the input of any case is invalid. Failures that only solving reveals, such as bodies that do not touch, do
+        not stop the other cases: see `Solutions.failures`.
 
     Warns
     -----
     AccuracyWarning
-        If some results strain the model's validity, or contacts end where the pressure has no limit, once for all of
-        each; see `Solutions.warnings`.
+        If some results strain the model's validity, or some contacts end where the pressure has no limit: one warning
+        for each of the two, whatever the number of cases; see `Solutions.warnings`.
 
     Notes
     -----
-    Each case keeps its strips on all levels: some 3 kB on 41 strips, 15 kB on the automatic grid.
+    Each case stores its strips on all levels: some 3 kB on 41 strips, 15 kB on the automatic grid.
 
-    A case that starts from its neighbour may be solved where it would fail alone, and its error estimate then compares
-    with a coarser grid that alone would have failed too.
+    A case that starts from its neighbour may be solved where it would fail on its own; its error estimate may then use
+    a coarser grid that would also have failed on its own.
 
     Examples
     --------
@@ -130,13 +126,13 @@ class _Task:
     strips: Strips
 
     def solved(self) -> list[Block]:
-        """Return the cases solved, those together that were solved together."""
+        """Solve the cases; return those solved together in one block, the others in a block each."""
         grids = self._grids()
         if grids is None:
             return [self._alone(row) for row in range(len(self.numbers))]
         try:
             states = tuple(settle_all(self.problem, grids, self.targets))
-        # What the bodies refuse or raise, each case is told in its turn.
+        # Whatever the bodies refuse or raise is attributed to each case by solving it alone.
         except Exception:  # noqa: BLE001
             return [self._alone(row) for row in range(len(self.numbers))]
         done = np.flatnonzero(states[0].converged & ~self._too_wide(states[0]))
@@ -155,7 +151,7 @@ class _Task:
         return given_grids(edges) if edges is not None else None
 
     def _too_wide(self, states: States) -> NDArray[np.bool_]:
-        """Return which contacts are wider than their bodies are thick or round, which each is told in its turn."""
+        """Return which contacts are wider than their bodies are thick or round; solved alone, each is refused."""
         y = 0.5 * (states.edges[1:] + states.edges[:-1])
         half_width = self.problem.element.hertz_ratio * np.sqrt(states.m)
         beyond = wider_than_round(self.contact, y, half_width) | (self.problem.influence.shallowest(y) < half_width)
@@ -169,7 +165,7 @@ class _Task:
         try:
             levels = levels_of(self.contact, problem, self.strips)
             outcome(self.contact, problem, levels)
-        # Whatever a case raises, be it a profile of the user's own, it must not take the others with it.
+        # Whatever a case raises, even from a user-written profile, must not stop the others.
         except Exception as error:  # noqa: BLE001
             return Block(self.contact, self.problem, *at, (), error.with_traceback(None))
         return Block(self.contact, self.problem, *at, tuple(States.of(state) for state in levels.states))
@@ -189,7 +185,7 @@ def _several(contacts: Contact | Iterable[Contact]) -> list[Contact]:
 def _spread(
     contacts: int | None, given: dict[str, ArrayLike]
 ) -> tuple[tuple[int, ...], NDArray[np.intp], dict[str, Array]]:
-    """Return the shape of the results, and for each case which contact it is of and what is prescribed."""
+    """Return the shape of the results, and for each case the index of its contact and what is prescribed."""
     columns = [np.zeros((), dtype=int) if contacts is None else np.arange(contacts)]
     for name, value in given.items():
         try:
@@ -207,10 +203,10 @@ def _spread(
         shapes = ", ".join(
             f"{name}: {column.shape}" for name, column in zip(("contacts", *given), columns, strict=True)
         )
-        raise InputError("shapes", shapes, "fit together", "give numbers, or arrays that broadcast") from None
+        raise InputError("shapes", shapes, "broadcast together", "give numbers, or arrays of matching shapes") from None
     if spread[0].size == 0:
         empty = next(name for name, column in zip(("contacts", *given), columns, strict=True) if column.size == 0)
-        raise InputError(empty, [], "hold at least one case", "leave the call out where there is none")
+        raise InputError(empty, [], "hold at least one case", "skip the call if there is none")
     which, *values = (column.ravel() for column in spread)
     return (
         spread[0].shape or (1,),
@@ -227,7 +223,7 @@ def _tasks(
     element: Element,
     strips: Strips,
 ) -> list[_Task]:
-    """Return the cases in portions of one contact each; input that cannot be used is refused here."""
+    """Return the cases in portions of one contact each; invalid input is refused here."""
     by_contact: dict[int, list[int]] = {}
     for number, index in enumerate(which.tolist()):
         by_contact.setdefault(id(contacts[index]), []).append(number)
@@ -251,7 +247,7 @@ def _tasks(
         try:
             number = numbers[0]
             problem = problem_of(contact, case(number), element)
-            # A moment may lie beyond the ends of the bodies in each case, a load out of range in the outermost.
+            # A moment may act outside the bodies in any case; a load out of range shows in the extreme cases.
             loads = given["load"][numbers] if "load" in given else np.zeros(1)
             outermost = [numbers[int(loads.argmin())], numbers[int(loads.argmax())]]
             for number in numbers if "moment" in given else outermost:
@@ -272,7 +268,7 @@ def _tasks(
 
 
 def _suspects(given: dict[str, Array]) -> list[int]:
-    """Return the cases with a number that cannot be used."""
+    """Return the cases with an invalid number."""
     suspects = np.any([~np.isfinite(values) for values in given.values()], axis=0)
     if "load" in given:
         suspects |= given["load"] <= 0.0
@@ -286,7 +282,7 @@ def _automatic(strips: Strips) -> bool:
 
 
 def _portions(tasks: list[_Task]) -> Iterator[list[_Task]]:
-    """Yield tasks together until they make up a portion worth a turn of a thread."""
+    """Yield tasks grouped into portions large enough for one unit of work of a thread."""
     portion: list[_Task] = []
     for task in tasks:
         portion.append(task)

@@ -1,4 +1,4 @@
-"""The one verb: a contact and what is prescribed in, a solution out."""
+"""The entry point for one case: a contact and what is prescribed in, a solution out."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from nonhertz.strip.levels import Levels, on_automatic_strips, on_equal_strips, 
 from nonhertz.strip.state import Problem
 
 Array = NDArray[np.float64]
-#: A number of equal strips, their edges, or a grid that follows the contact.
+#: A number of equal strips, the edges of strips, or an automatic grid.
 Strips = int | Literal["auto"] | ArrayLike | None
 
 FEWEST_STRIPS, MOST_STRIPS = 1, 2000
@@ -45,7 +45,7 @@ def solve(
     contact : Contact
         The two bodies.
     approach : float, optional
-        delta [mm]: how much nearer the bodies come on the line y = 0. Give this or ``load``.
+        delta [mm]: how far the bodies move together on the line y = 0. Give this or ``load``.
     load : float, optional
         Q [N], positive. Give this or ``approach``.
     tilt : float, optional
@@ -57,7 +57,7 @@ def solve(
         SEMI_ELLIPTIC, or the paper's PARABOLIC.
     strips : int or array_like or "auto", optional
         A number: that many equal strips over the length on which both bodies can touch. An array: the edges of
-        the strips [mm], ascending. Left out or ``"auto"``: a graded grid that follows the contact.
+        the strips [mm], ascending. Omitted or ``"auto"``: a graded grid adapted to the contact.
 
     Returns
     -------
@@ -66,7 +66,7 @@ def solve(
     Raises
     ------
     InputError
-        If the input cannot be solved as it stands.
+        If the input is invalid.
     ConvergenceError
         If the Newton loop fails; its ``solution`` holds the state reached.
 
@@ -99,8 +99,8 @@ def problem_of(contact: Contact, given: Prescription, element: Element) -> Probl
     Raises
     ------
     InputError
-        If ``contact`` or ``element`` is not a Contact or an Element, or no pressure between the ends of the bodies has
-        that moment.
+        If ``contact`` or ``element`` is not a Contact or an Element, or no pressure between the ends of the bodies can
+        produce the moment.
     """
     if not isinstance(contact, Contact):
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
@@ -123,7 +123,7 @@ def refuse_no_element(element: object) -> None:
 
 
 def levels_of(contact: Contact, problem: Problem, strips: Strips) -> Levels:
-    """Return the states on the wanted strips and on coarser ones."""
+    """Return the states on the requested strips and on coarser ones."""
     count, edges = requested_strips(contact, strips)
     if count is not None:
         return on_equal_strips(problem, contact.interval, count)
@@ -133,7 +133,7 @@ def levels_of(contact: Contact, problem: Problem, strips: Strips) -> Levels:
 
 
 def requested_strips(contact: Contact, strips: Strips) -> tuple[int | None, Array | None]:
-    """Return the number of equal strips or the edges of given ones, neither for an automatic grid."""
+    """Return the number of equal strips or the edges of given ones; both None for an automatic grid."""
     remedy = "leave it out for an automatic grid"
     if strips is None or (isinstance(strips, str) and strips == "auto"):
         return None, None
@@ -152,16 +152,16 @@ def _checked_edges(contact: Contact, strips: ArrayLike) -> Array:
     try:
         edges = numbers("strips", strips, remedy)
     except InputError:
-        raise InputError("strips", strips, "ascend and be finite", remedy) from None
+        raise InputError("strips", strips, "be ascending and finite", remedy) from None
     if edges.ndim != 1 or not FEWEST_STRIPS < edges.size <= MOST_STRIPS + 1:
         raise InputError(
             "strips",
             edges.shape,
-            f"be a row of {FEWEST_STRIPS + 1} edges at least and {MOST_STRIPS + 1} at most",
+            f"be a row of {FEWEST_STRIPS + 1} to {MOST_STRIPS + 1} edges",
             remedy,
         )
     if not np.all(np.isfinite(edges)) or np.any(np.diff(edges) <= 0.0):
-        raise InputError("strips", edges.tolist(), "ascend and be finite", remedy)
+        raise InputError("strips", edges.tolist(), "be ascending and finite", remedy)
     if edges[0] < low or edges[-1] > high:
         raise InputError("strips", (float(edges[0]), float(edges[-1])), f"lie between {low} and {high}", remedy)
     return edges

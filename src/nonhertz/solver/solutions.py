@@ -1,4 +1,4 @@
-"""The results of many cases: arrays of what is most asked for, and the whole solution of any."""
+"""The results of many cases: arrays of the most used quantities, and the full solution of any case."""
 
 from __future__ import annotations
 
@@ -41,16 +41,16 @@ _COLUMNS = (
 
 
 class Solutions:
-    """The results of many cases: arrays of what is most asked for, and the whole `Solution` of any.
+    """The results of many cases: arrays of the most used quantities, and the full `Solution` of any case.
 
-    Where a case failed, numbers are not a number, and ``solutions[number]`` raises what `failures` holds.
+    Where a case failed, its numbers are nan, and ``solutions[number]`` raises the error in `failures`.
 
     Parameters
     ----------
     shape : tuple of int
-        Shape of the result arrays, below "(...)".
+        Shape of the result arrays, "(...)" below.
     blocks : tuple
-        What was solved together.
+        Groups of cases that were solved together.
 
     Attributes
     ----------
@@ -61,11 +61,11 @@ class Solutions:
     max_half_width, contact_length : ndarray, shape (...)
         As in `Solution` [mm].
     singular : ndarray of bool, shape (...)
-        Which contacts have such ends.
+        Whether the contact has such ends.
     stiffness : ndarray, shape (..., 2, 2)
         As in `Solution`.
     converged : ndarray of bool, shape (...)
-        Which cases have a solution.
+        Whether the case has a solution.
     """
 
     def __init__(self, shape: tuple[int, ...], blocks: tuple[Block, ...]) -> None:
@@ -115,12 +115,12 @@ class Solutions:
         return np.isfinite(self.approach)
 
     def column(self, name: str) -> Array:
-        """Return any quantity of `nonhertz.result.quantities.QUANTITIES` of all cases, nan where one has no solution.
+        """Return any of `nonhertz.result.quantities.QUANTITIES` for all cases, nan where a case has no solution.
 
         Parameters
         ----------
         name : str
-            Such as ``"approach"`` or ``"load_by_approach"``, in the units of Python.
+            Such as ``"approach"`` or ``"load_by_approach"``; values are in the units of Python.
 
         Raises
         ------
@@ -130,7 +130,7 @@ class Solutions:
         if not isinstance(name, str) or name not in QUANTITIES:
             raise InputError("name", name, f"be one of {', '.join(QUANTITIES)}", "choose one of them")
         get, at_once = QUANTITIES[name].get, None
-        with contextlib.suppress(AttributeError):  # which a quantity has that is made of whole solutions
+        with contextlib.suppress(AttributeError):  # raised by a quantity that needs whole solutions
             at_once = np.asarray(get(self))
         if at_once is not None and at_once.shape == self.shape:
             return at_once
@@ -141,7 +141,7 @@ class Solutions:
     def to_dataframe(self) -> pd.DataFrame:
         """Return a pandas DataFrame: a row for each case, a column for each quantity, units in ``attrs["units"]``.
 
-        Beside the quantities there are ``singular`` and ``converged``. Of several axes the index has a level each.
+        The columns ``singular`` and ``converged`` follow the quantities. The index has one level per axis.
 
         Raises
         ------
@@ -170,9 +170,9 @@ class Solutions:
         try:
             at = np.arange(len(self)).reshape(self.shape)[number]
         except ValueError:
-            raise IndexError(f"{number!r} is no number of a case") from None
+            raise IndexError(f"{number!r} is not a case number") from None
         if at.shape != ():
-            raise IndexError(f"one number for each of the {len(self.shape)} axes is wanted")
+            raise IndexError(f"give one number for each of the {len(self.shape)} axes")
         return self._solution(int(at))
 
     def _solution(self, number: int) -> Solution:
@@ -181,10 +181,10 @@ class Solutions:
 
     @cached_property
     def failures(self) -> dict[Number, Exception]:
-        """Why cases have no solution, by their number, or numbers where there are several axes.
+        """Why cases have no solution, by case number, or by a tuple of numbers if there are several axes.
 
-        Each is the error that `nonhertz.solve` raises for the case alone: an InputError, a ConvergenceError, or what a
-        profile or diameter of your own raised.
+        Each is the error that `nonhertz.solve` raises for the case alone: an InputError, a ConvergenceError, or
+        whatever a user-written profile or diameter raised.
         """
         found = {number: block.error for block in self._blocks if block.error is not None for number in block.numbers}
         return {case_label(number, self.shape): error for number, error in sorted(found.items())}
@@ -197,7 +197,7 @@ class Solutions:
 
     @cached_property
     def _strained(self) -> dict[int, str]:
-        """What strains the model first, of each case that something does."""
+        """The first sentence on what strains the model, for each case where something does."""
         return dict(sorted(pair for block in self._blocks for pair in block.strained()))
 
     def sentences(self) -> Iterator[str]:
@@ -212,7 +212,7 @@ class Solutions:
 
 
 def case_label(number: int, shape: tuple[int, ...]) -> Number:
-    """Return the number of a case on each axis, or the number alone where there is one."""
+    """Return a case's number on each axis, or the number itself if there is only one axis."""
     return number if len(shape) == 1 else tuple(int(index) for index in np.unravel_index(number, shape))
 
 
@@ -233,7 +233,7 @@ class Block:
         return self.states[0]
 
     def columns(self) -> tuple[Array, ...]:
-        """Return the results named in `_COLUMNS`, by the formulas of `Solution`."""
+        """Return the results named in `_COLUMNS`, computed by the formulas of `Solution`."""
         states, compliance = self.finest, self.contact.compliance
         y, width = 0.5 * (states.edges[1:] + states.edges[:-1]), np.diff(states.edges)
         line_load = states.r * states.m / compliance
@@ -259,19 +259,19 @@ class Block:
 
     @cached_property
     def singular(self) -> Array:
-        """Where contacts end without a limit of the pressure [mm], shape (cases, k), nan for no such end."""
+        """The ends at which the pressure has no limit [mm], shape (cases, k), nan for no such end."""
         return singular_places(self.contact, self.problem, self.finest)
 
     @property
     def has_singular_ends(self) -> NDArray[np.bool_]:
-        """Which contacts end so."""
+        """Whether each contact has such an end."""
         ends: NDArray[np.bool_] = np.any(np.isfinite(self.singular), axis=1)
         return ends
 
     def solution(self, row: int) -> Solution:
         """Return the solution of one case."""
         if self.error is not None:
-            # A copy, since every raise adds to an error's traceback.
+            # A copy, because every raise extends an error's traceback.
             raise copy.copy(self.error)
         problem = replace(self.problem, target=self.targets[row])
         states = [states.one(row) for states in self.states]
@@ -279,7 +279,7 @@ class Block:
         return outcome(self.contact, problem, levels)
 
     def strained(self) -> Iterator[tuple[int, str]]:
-        """Yield numbers of cases that strain the model, and the first sentence on each."""
+        """Yield the numbers of cases that strain the model, each with its first sentence."""
         if self.error is not None:
             return
         asked = self.contact, self.problem, self.states, self.singular, self.largest[1]

@@ -1,10 +1,10 @@
-"""The last check of a solution: whether it meets what was prescribed, computed from its own arrays alone.
+"""The final check of a solution: whether it meets what was prescribed, computed from its own arrays alone.
 
 The Newton loop judges itself by the residual of the equations it has just linearised, on the strips it holds active,
-and a globalisation may solve another problem on the way. This check shares nothing with the loop but the element's
-table and the images: from edges, loads, half-widths, approach and tilt it adds up displacement and curvature at every
-strip anew, and compares them with the bodies and with the prescription. What fails it is not a solution, whatever the
-loop thought of it.
+and a globalisation may solve a different problem on the way. This check shares nothing with the loop but the element's
+table and the images: from edges, loads, half-widths, approach and tilt it recomputes displacement and curvature at
+every strip and compares them with the bodies and with the prescription. A state that fails it is not a solution, even
+if the loop reported convergence.
 """
 
 from __future__ import annotations
@@ -23,20 +23,20 @@ Flags = NDArray[np.bool_]
 
 MET, NOT_FINITE, FIRST, SECOND, TENSION, UNCLOSED, OVERLAP, BENT, HIDDEN = range(9)
 
-# A thousand times what the loop asks of itself: sums in another order differ by rounding, wrong answers by far more.
-# Curvature rows are met to the square of the last step only.
+# A thousand times the loop's own tolerance: sums taken in another order differ by rounding, wrong answers by far more.
+# Curvature rows are met only to the square of the last step.
 TOLERANCE, CURVATURE_TOLERANCE = 1e-8, 1e-6
-ROUNDING = 1e-14  # of the largest length that a gap is the difference of
-# Of the interference. The rounding above is counted generously: some four digits are left of a contact of which it
-# hides no more than this.
+ROUNDING = 1e-14  # relative to the largest of the lengths whose difference is a gap
+# Largest rounding as a fraction of the interference. ROUNDING is generous: at this limit some four digits of the
+# interference remain.
 MOST_HIDDEN = 1e-2
-UNSTEADY = -1e-6  # of what the stiffness against approach makes of that against tilt: less is rounding
+UNSTEADY = -1e-6  # of stiffness against approach times reach^2: a tilt stiffness no more negative than this is rounding
 
 
 def shortfall(
     problem: Problem, edges: Array, line_load: Array, half_width: Array, gap: Array, motion: Array
 ) -> str | None:
-    """Return in one sentence what a solution fails to meet, or None.
+    """Return one sentence on what a solution fails to meet, or None if it meets everything.
 
     Parameters
     ----------
@@ -69,16 +69,16 @@ def shortfall(
         NOT_FINITE: f"The state reached is not finite {place}.",
         TENSION: f"The state reached has tension {place}, {found / compliance:.3g} N/mm.",
         UNCLOSED: f"The state reached leaves a gap of {1e3 * found:.3g} um {place}, where it bears load.",
-        OVERLAP: f"The bodies of the state reached overlap by {1e3 * found:.3g} um {place}.",
-        BENT: f"The surfaces of the state reached do not fit across the contact {place}, by {found:.2g} of the "
-        "curvature.",
-        HIDDEN: f"The bodies of the state reached interfere by {1e3 * found:.3g} um only, which rounding of tilt and "
-        "relief hides.",
+        OVERLAP: f"In the state reached, the bodies overlap by {1e3 * found:.3g} um {place}.",
+        BENT: f"In the state reached, the curvatures across the contact do not match {place}: the relative error is "
+        f"{found:.2g}.",
+        HIDDEN: f"In the state reached, the bodies interfere by only {1e3 * found:.3g} um, which is lost in the "
+        "rounding of tilt and relief.",
     }[condition]
 
 
 @compiled
-def first_unmet(  # noqa: PLR0911  (a condition each)
+def first_unmet(  # noqa: PLR0911  (one return per condition)
     y: Array,
     low: Array,
     high: Array,
@@ -94,9 +94,9 @@ def first_unmet(  # noqa: PLR0911  (a condition each)
     gap: Array,
     motion: Array,
 ) -> tuple[int, float, int]:
-    """Return the first condition that is not met, what was found there, and at which strip.
+    """Return the first condition that is not met, the value found, and the strip where it was found.
 
-    Parameters as of `nonhertz.strip.newton.newton`, but for ``q``, K times the load per length [mm], and
+    Parameters as in `nonhertz.strip.newton.newton`, except ``q``, K times the load per length [mm], and
     ``half_width``, a [mm], which belong to the solution.
     """
     condition, at = _unusable(q, half_width, gap, separation, motion)
@@ -125,15 +125,15 @@ def first_unmet(  # noqa: PLR0911  (a condition each)
 
 @compiled
 def steady(stiffness: Array, reach: float) -> bool:
-    """Return whether the bodies resist being pressed together and being turned.
+    """Return whether the bodies resist being pressed together and being tilted.
 
-    Where the model is strained beyond sense, under bodies as thin as their contact is wide and in contacts several
-    times as wide as long, the equations have solutions besides, of which load or moment fall as the bodies come nearer.
+    Far outside the model's validity (bodies as thin as their contact is wide, contacts several times as wide as long)
+    the equations have additional, spurious solutions whose load or moment falls as the bodies approach.
 
     Parameters
     ----------
     stiffness : ndarray, shape (2, 2)
-        As of the solution.
+        As in the solution.
     reach : float
         Largest distance from y = 0 [mm].
     """
@@ -144,25 +144,27 @@ def steady(stiffness: Array, reach: float) -> bool:
 
 @compiled
 def _unusable(q: Array, half_width: Array, gap: Array, separation: Array, motion: Array) -> tuple[int, int]:
-    """Return what makes the arrays no state at all, and at which strip."""
+    """Return why the arrays cannot describe a contact, and at which strip; MET if they can."""
     for i in range(q.size):
         unknown = math.isnan(gap[i]) or math.isnan(separation[i]) or not math.isfinite(motion[0] + motion[1])
         if unknown or not (math.isfinite(q[i]) and math.isfinite(half_width[i])):
             return NOT_FINITE, i
-        if q[i] < 0.0 or (q[i] > 0.0 and not half_width[i] > 0.0):
+        if q[i] > 0.0 and not half_width[i] > 0.0:
+            return NOT_FINITE, i  # an infinite pressure
+        if q[i] < 0.0:
             return TENSION, i
     return MET, 0
 
 
 @compiled
 def _unbalanced(y: Array, width: Array, prescribed: Flags, target: Array, q: Array, motion: Array) -> tuple[int, float]:
-    """Return which of the two prescribed quantities is missed, and what there is in its place."""
+    """Return which of the two prescribed quantities is missed, and the value found instead."""
     load, moment = np.sum(q * width), np.sum(q * width * y)
     first = load if prescribed[0] else motion[0]
     if not abs(first - target[0]) <= TOLERANCE * abs(target[0]):
         return FIRST, first
     second = moment if prescribed[1] else motion[1]
-    # A moment is as exact as the load on the longest arm.
+    # A moment is as accurate as the load at the longest lever arm.
     scale = load * max(abs(y[0]), abs(y[-1])) if prescribed[1] else abs(target[1])
     if not abs(second - target[1]) <= TOLERANCE * scale:
         return SECOND, second
@@ -171,7 +173,7 @@ def _unbalanced(y: Array, width: Array, prescribed: Flags, target: Array, q: Arr
 
 @compiled
 def _lengths(y: Array, separation: Array, q: Array, motion: Array) -> tuple[float, float]:
-    """Return the deepest interference in contact, and the largest length that gaps are differences of."""
+    """Return the deepest interference in contact, and the largest of the lengths whose differences are the gaps."""
     deepest, longest = 0.0, abs(motion[0]) + abs(motion[1]) * max(abs(y[0]), abs(y[-1]))
     for i in range(y.size):
         if q[i] > 0.0:
@@ -184,7 +186,7 @@ def _lengths(y: Array, separation: Array, q: Array, motion: Array) -> tuple[floa
 def _lift_and_bend(
     i: int, y: Array, low: Array, high: Array, terms: Array, at_depth: Array, table: Array, q: Array, half_width: Array
 ) -> tuple[float, float]:
-    """Return displacement [mm] and curvature [1/mm] of both surfaces at strip ``i``, on the centre line."""
+    """Return displacement [mm] and curvature [1/mm] of both surfaces together at strip ``i``, on the centre line."""
     lift = bend = 0.0
     for j in range(y.size):
         if q[j] > 0.0:

@@ -1,7 +1,8 @@
-"""Many cases on the same strips, in compiled loops that leave the interpreter alone.
+"""Many cases on the same strips, in compiled loops that never return to the interpreter.
 
-The levels are those of a single solve, one after another for all cases. A case starts as it would alone, or from the
-solution of the case before it on the same strips where that is nearer: along a sweep most of the way is then gone.
+The levels are those of a single solve, each taken for all cases before the next. A case starts as it would alone, or
+from the solution of the previous case on the same strips where that is closer: along a sweep this saves most
+iterations.
 """
 
 from __future__ import annotations
@@ -22,12 +23,12 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
-NEARBY = 0.1  # change in proportion up to which the case before is a start
+NEARBY = 0.1  # relative change up to which the previous case serves as the start
 
 
 @dataclass(frozen=True)
 class States:
-    """The states of many cases on one grid: arrays of `State`, one row a case."""
+    """The states of many cases on one grid: the arrays of `State`, one row per case."""
 
     edges: Array
     r: Array
@@ -41,7 +42,7 @@ class States:
 
     @classmethod
     def unsolved(cls, edges: Array, cases: int) -> States:
-        """Return room for that many cases."""
+        """Return empty states for that many cases."""
         strips = edges.size - 1
         of_strips = (np.zeros((cases, strips)) for _ in range(3))
         r, m, gap = of_strips
@@ -67,7 +68,7 @@ class States:
 
     @property
     def converged(self) -> Flags:
-        """Which cases meet every contact condition."""
+        """Whether each case meets every contact condition."""
         converged: Flags = self.status == CONVERGED
         return converged
 
@@ -78,16 +79,16 @@ def settle_all(problem: Problem, grids: Sequence[Array], targets: Array) -> list
     Parameters
     ----------
     problem : Problem
-        What the cases share; its own target is not looked at.
+        What the cases share; its own target is ignored.
     grids : sequence of ndarray
-        Edges of strips, finest first.
+        Strip edges, finest grid first.
     targets : ndarray, shape (cases, 2)
         As `Problem.target`.
 
     Returns
     -------
     list of States
-        Finest first. Cases that have not converged want the patience of `settle`, or its words for why they cannot.
+        Finest first. Cases that have not converged are left to `settle`, which tries harder or says why they cannot.
     """
     found: list[States] = []
     for strips in reversed(Strips.on(problem, grids)):
@@ -150,7 +151,7 @@ def _settle_all(
         target = targets[case]
         if not _within_reach(y, separation, prescribed, target):
             continue
-        # The case before, the coarser grid, springs: whichever there is, until one leads to a solution.
+        # Starts in turn, as far as available, until one converges: the previous case, the coarser grid, springs.
         for attempt in range(3):
             if attempt == 0:
                 before = case - 1
@@ -201,7 +202,7 @@ def _accepted(
     rigid: Array,
     stiffness: Array,
 ) -> bool:
-    """Return whether a converged state passes the last check."""
+    """Return whether a converged state passes the final check."""
     condition, _, _ = first_unmet(
         y, low, high, curvature, separation, prescribed, target, terms, at_depth, table, r * m, np.sqrt(m), gap, rigid
     )
@@ -210,7 +211,7 @@ def _accepted(
 
 @compiled
 def _within_reach(y: Array, separation: Array, prescribed: Flags, target: Array) -> bool:
-    """Return whether the resultant of load and moment lies between centres of strips that can touch."""
+    """Return whether the resultant of load and moment lies between the centres of strips that can touch."""
     if not (prescribed[0] and prescribed[1]):
         return True
     usable = np.flatnonzero(np.isfinite(separation))
@@ -220,7 +221,7 @@ def _within_reach(y: Array, separation: Array, prescribed: Flags, target: Array)
 
 @compiled
 def _nearby(prescribed: Flags, target: Array, before: Array, approach: float, half: float) -> bool:
-    """Return whether the case ``before``, with its ``approach``, is so much like this one that it is a good start."""
+    """Return whether the case ``before``, with its ``approach``, is close enough to this one to be a good start."""
     change = np.abs(target - before)
     scale = abs(target[1])
     if not prescribed[1]:

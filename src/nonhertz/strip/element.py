@@ -9,11 +9,11 @@ docs/explain/theory.md). With a load q per unit length and a half-space complian
     curvature               -d2w/dx2      = K q [B] / a^2       B(t)    = int psi t / sqrt(xi^2 + t^2) dxi
     derivatives by a        through tA' and tB'                 t B'(t) = int psi t xi^2 / (xi^2 + t^2)^(3/2) dxi
 
-where psi = -phi'/xi. Both shapes have closed forms, but the solver asks for millions of values: it reads all
-four functions from one table of polynomials, eight intervals to the octave of t, found from the bits of t without
-a logarithm. The table is made once, when an element is first used: from the closed forms up to t = 8,
-from a series in 1/t^2, whose coefficients are moments of phi, where these begin to cancel. Beyond t = 256 three
-terms of the series are all there is.
+where psi = -phi'/xi. Both shapes have closed forms, but the solver needs millions of values: it reads all
+four functions from one table of polynomials, eight intervals per octave of t, located from the bits of t without
+a logarithm. The table is made once, when an element is first used: from the closed forms up to t = 8, and
+beyond, where these begin to cancel, from a series in 1/t^2 whose coefficients are moments of phi. Beyond t = 256 a
+few terms of the series suffice.
 """
 
 from __future__ import annotations
@@ -30,15 +30,15 @@ from nonhertz.compiled import compiled
 
 Array = NDArray[np.float64]
 
-# The table covers [SMALL, FAR]; below it the leading terms are exact to rounding, beyond it a short series.
+# The table covers [SMALL, FAR]; below it the leading terms are exact to rounding, beyond it a short series is.
 SMALL_EXPONENT, FAR_EXPONENT = -30, 8
 SMALL, FAR = 2.0**SMALL_EXPONENT, 2.0**FAR_EXPONENT
 INTERVALS_PER_OCTAVE = 8
 DEGREE = 8
-# The closed forms cancel beyond this; the series has this many terms where the table is made from it.
+# The closed forms suffer cancellation beyond t = CANCELLING; there the table is made from LONG_SERIES terms.
 CANCELLING, LONG_SERIES = 8.0, 11
 SHORT_SERIES = 4
-# Where the parts of the table begin.
+# Offsets of the table's parts.
 SERIES_AT = (FAR_EXPONENT - SMALL_EXPONENT) * INTERVALS_PER_OCTAVE * (DEGREE + 1) * 4
 LEADING_AT = SERIES_AT + SHORT_SERIES * 4
 
@@ -75,7 +75,7 @@ class Element:
     line_factor: float
     hertz_ratio: float
     centre_factor: float
-    """p(0) = centre_factor * q / a, the pressure that the element itself has on the centre line."""
+    """p(0) = centre_factor * q / a, the element's own pressure on the centre line."""
     far_constant: float
     """A(t) - ln(2 t) at infinity, -int phi ln|xi|."""
     _moments: tuple[Callable[[int], float], Callable[[int], float]] = field(repr=False)
@@ -97,14 +97,14 @@ class Element:
 
     @cached_property
     def table(self) -> Array:
-        """Coefficients that the compiled core reads, in one row: polynomials, far series, leading terms."""
+        """Coefficients that the compiled core reads, in one flat array: polynomials, far series, leading terms."""
         return np.concatenate([self._polynomials(), self._series(SHORT_SERIES).ravel(), self._leading])
 
     def _polynomials(self) -> Array:
-        """Return polynomial coefficients, (intervals, DEGREE + 1, 4) in one row, highest power first.
+        """Return polynomial coefficients, (intervals, DEGREE + 1, 4) flattened, highest power first.
 
-        On each interval the variable runs over [-1, 1]. The interval is short against the distance to the
-        nearest singularity (t = 0 and t = +-i), so the Chebyshev interpolant reaches rounding at this degree.
+        On each interval the variable runs over [-1, 1]. The interval is short compared with the distance to the
+        nearest singularity (t = 0 and t = +-i), so the Chebyshev interpolant is exact to rounding at this degree.
         """
         octaves = np.arange(SMALL_EXPONENT, FAR_EXPONENT)
         low = (2.0 ** octaves[:, None] * (1.0 + np.arange(INTERVALS_PER_OCTAVE) / INTERVALS_PER_OCTAVE)).ravel()
@@ -153,15 +153,15 @@ class Element:
         return np.ascontiguousarray(rows[::-1])
 
 
-# The table is one flat array on purpose: taking a tuple apart or slicing a row costs a reference count each
-# time, which is more than all the arithmetic.
+# The table is deliberately one flat array: unpacking a tuple or slicing a row updates a reference count every
+# time, which costs more than all the arithmetic.
 
 
 @compiled
 def evaluate(t: float, table: Array) -> tuple[float, float, float, float]:
     """Return A, t A', B and t B' at one ``t`` from an element's table."""
     size = abs(t)
-    if not size < FAR:  # nor is NaN, which must not become a place in the table
+    if not size < FAR:  # NaN included, which must not become an index into the table
         return _far(t, size, table)
     if size < SMALL:
         return _small(t, size, table)
@@ -202,11 +202,11 @@ def _small(t: float, size: float, table: Array) -> tuple[float, float, float, fl
 
 @compiled
 def _locate(size: float) -> tuple[np.uint64, float]:
-    """Return where the polynomials of ``size`` begin in the table, and their variable in [-1, 1).
+    """Return where the polynomials for ``size`` begin in the table, and their variable in [-1, 1).
 
-    The bits of a double are its exponent and, below it, the place within the octave: shifted so that the top
-    three bits of that place remain, they number the intervals. Unsigned numbers spare a check for negative
-    indices in the innermost loop of all.
+    The bits of a double are its exponent followed by its mantissa, the position within the octave: shifted so that
+    only the top three bits of the mantissa remain, they number the intervals. Unsigned integers avoid a check for
+    negative indices in the innermost loop.
     """
     bits = np.float64(size).view(np.uint64)
     interval = (bits >> np.uint64(49)) - np.uint64((1023 + SMALL_EXPONENT) * INTERVALS_PER_OCTAVE)
@@ -221,7 +221,7 @@ def evaluate_displacement(t: float, table: Array) -> float:
     if not SMALL <= size < FAR:
         return evaluate(t, table)[0]
     first, x = _locate(size)
-    # Even and odd powers apart, so that the processor need not wait for every power before the next.
+    # Even and odd powers separately: two shorter dependency chains that the processor evaluates in parallel.
     square, even, odd = x * x, float(table[first]), 0.0
     for k in range(1, DEGREE, 2):
         odd = odd * square + table[first + np.uint64(4 * k)]
@@ -289,7 +289,7 @@ SEMI_ELLIPTIC = Element(
     _leading=(4.0 / math.pi, 4.0 / math.e, 4.0 / math.pi, 4.0),
 )
 
-#: The paper's element: parabolic across, with the bias that its shape costs (see docs/explain/theory.md).
+#: The paper's element: parabolic across, with the bias that this shape introduces (see docs/explain/theory.md).
 PARABOLIC = Element(
     name="parabolic",
     line_factor=6.0,

@@ -1,4 +1,4 @@
-"""What no loads on any strips could meet, told before a loop is started."""
+"""Prescriptions that no strip loads can meet, refused before a loop is started."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from nonhertz.strip.state import Problem, sprung
 Array = NDArray[np.float64]
 
 LOOKS, CLOSER_LOOKS = 20000, 4
-FINE_STRIPS = 2000  # of springs, to find a contact that a grid's strip centres miss
+FINE_STRIPS = 2000  # spring strips, to find a contact that falls between a grid's strip centres
 
 
 def feasible(problem: Problem, edges: Array) -> bool:
@@ -27,7 +27,7 @@ def feasible(problem: Problem, edges: Array) -> bool:
 
 
 def refuse_infeasible(problem: Problem, edges: Array, *, chosen: bool = True) -> None:
-    """Refuse a prescription that no loads on these strips can meet; ``chosen`` by the user, or automatic ones."""
+    """Refuse a prescription that no loads on these strips can meet; ``chosen`` if the user gave the strips."""
     y = 0.5 * (edges[1:] + edges[:-1])
     separation = problem.separation(y)
     usable = y[np.isfinite(separation)]
@@ -40,17 +40,17 @@ def refuse_infeasible(problem: Problem, edges: Array, *, chosen: bool = True) ->
         arm = second / first
         if not usable[0] <= arm <= usable[-1]:
             condition = f"have centres on both sides of moment / load = {arm:.9g} mm"
-            raise InputError("strips", edges.size - 1, condition, "take more strips or reduce the moment")
+            raise InputError("strips", edges.size - 1, condition, "use more strips or reduce the moment")
     elif by_moment:
         if not np.any(sprung(problem, edges).m > 0.0):
-            condition = "make the bodies touch at the tilt that the moment leads to"
+            condition = "bring the bodies into contact at the tilt that the moment causes"
             raise InputError("approach", float(first), condition, "raise it, or give a tilt")
     elif not by_load and not np.any(first + second * y - separation > 0.0):
         refuse_no_contact(problem, edges, chosen=chosen)
 
 
 def refuse_arm_outside(problem: Problem, within: tuple[float, float]) -> None:
-    """Refuse load and moment whose resultant lies outside of where there can be pressure."""
+    """Refuse a load and moment whose resultant lies outside the interval where there can be pressure."""
     if not np.all(problem.prescribed):
         return
     arm = float(problem.target[1] / problem.target[0])
@@ -64,9 +64,9 @@ def refuse_endless_relief(y: Array, separation: Array) -> None:
     """Refuse bodies whose relief is NaN somewhere, or infinite everywhere."""
     if np.any(np.isnan(separation)):
         place = float(y[np.argmax(np.isnan(separation))])
-        raise InputError("profile", math.nan, f"not be NaN, but is at y = {place:g}", "mend its relief")
+        raise InputError("profile", math.nan, f"not be NaN, but is at y = {place:g}", "correct its relief")
     if not np.any(np.isfinite(separation)):
-        remedy = "take relief away or lengthen the logarithm"
+        remedy = "reduce the relief or lengthen the logarithmic profile"
         raise InputError("profile", math.inf, "leave a finite separation somewhere on the bodies", remedy)
 
 
@@ -74,10 +74,10 @@ def refuse_no_contact(problem: Problem, edges: Array, *, chosen: bool = True) ->
     """Say why no strip touches at the prescribed approach: too few strips, or bodies too far apart."""
     fine = sprung(problem, uniform(float(edges[0]), float(edges[-1]), FINE_STRIPS))
     if chosen and np.any(fine.m > 0.0):
-        remedy = "take more strips, or leave it out for an automatic grid"
-        raise InputError("strips", edges.size - 1, "put the centre of a strip into the contact", remedy)
+        remedy = "use more strips, or leave it out for an automatic grid"
+        raise InputError("strips", edges.size - 1, "put the centre of a strip inside the contact", remedy)
     tilt = 0.0 if problem.prescribed[1] else problem.target[1]
-    # The strips themselves are the finer ones where they narrow towards a place.
+    # Graded strips may be finer than the equal spring strips, so their edges are searched too.
     within = np.interp(np.linspace(0.0, edges.size - 1.0, LOOKS), np.arange(edges.size), edges)
     needed = _first_touch(problem, tilt, np.unique(np.concatenate([fine.y, edges, within])))
     given = float(problem.target[0])
@@ -90,7 +90,7 @@ def refuse_no_contact(problem: Problem, edges: Array, *, chosen: bool = True) ->
 
 
 def _first_touch(problem: Problem, tilt: float, y: Array) -> float:
-    """Return the least approach [mm] at which the bodies touch, looked for ever nearer around the best of places."""
+    """Return the smallest approach [mm] at which the bodies touch, by repeated refinement around the best place."""
     least = math.inf
     for _ in range(CLOSER_LOOKS):
         separation = problem.separation(y)

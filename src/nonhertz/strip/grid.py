@@ -1,8 +1,8 @@
 """Where the strips lie.
 
-A grid is made from a *size function*, the strip width wanted at each y: small where the contact ends, at sharp
-ends, at kinks and where the profile bends hard, growing in proportion to the distance from there, and nowhere
-narrower than a fraction of the half-width, below which strips stop being strips. The edges then follow from
+A grid is made from a *size function*, the target strip width at each y: small where the contact ends, at sharp
+ends, at kinks and where the profile bends sharply, growing in proportion to the distance from there, and nowhere
+narrower than a fraction of the half-width, below which the strip model breaks down. The edges then follow from
 walking along y in steps of that width. A strip is centred on y = 0 where that is in contact, so that the centre
 pressure is a strip's own value, and edges lie on the ends of the bodies and on kinks.
 
@@ -26,25 +26,24 @@ from nonhertz.strip.state import Problem, State, runs
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-# Tuned on Hertz contacts and on sharp ends over two decades of load; the figures behind them are in
-# docs/explain/grid.md.
-STRIPS_PER_CONTACT = 72.0  # the widest strips in contact
+# Tuned on Hertz contacts and on sharp ends over two decades of load; docs/explain/grid.md has the figures.
+STRIPS_PER_CONTACT = 72.0  # sets the widest strip in contact
 NARROWEST = 1.0 / 40.0  # of the half-width, at sharp ends and kinks
-END_SHARE = 0.068  # of the distance in which m falls from half its summit to zero
+END_SHARE = 0.068  # of the distance over which m falls from half its peak to zero
 GROWTH = 0.15  # of the distance from a feature
 GROWTH_OUTSIDE = 0.8
-SAG = 1e-3  # of the interference: how much the profile may sag between the edges of one strip
+SAG = 1e-3  # of the interference: the largest sagitta of the profile over one strip
 KINK_SHARE = 0.05
 LOOSEST = 64.0
-LEAST_STRIP = 0.4  # of the wanted width, for a strip between two corners
-# No strip is wanted narrower than this share of the region, nor than so many times what y is rounded to there: edges
-# ascend, and by so much that rounding does not matter.
+LEAST_STRIP = 0.4  # of the target width, for a strip between two corners
+# No target width is below this fraction of the region, or below this many times the spacing of floating-point numbers
+# there: edges ascend, by steps large enough for rounding not to matter.
 NARROWEST_EVER, ROUNDINGS = 1e-9, 1e4
 MOST_BENDS = 12
 STRIPS_PER_OVERLAP = 5.0
-EXTENSION = 0.3  # of the contact's length, beyond strips that end before it does
+EXTENSION = 0.3  # of the contact's length, added where the strips end before the contact does
 LEAST_KINK = 1e-7  # rad
-NEAREST = 3  # strips, to say how wide the contact is somewhere
+NEAREST = 3  # strips whose largest half-width is taken as the local one
 
 
 @dataclass(frozen=True)
@@ -80,12 +79,12 @@ def uniform(low: float, high: float, count: int) -> Array:
 
 
 def reaches(state: State, side: int) -> bool:
-    """Return whether the contact is still open at the outer edge of the strips on that side."""
+    """Return whether the contact extends to the outer edge of the strips on that side."""
     return bool(reaching(state.edges, state.m, side))
 
 
 def reaching(edges: Array, m: Array, side: int) -> Flags:
-    """Return the same of many contacts on the same strips, with their m in rows."""
+    """Return the same for many contacts on the same strips, with their m in rows."""
     at = -1 if side > 0 else 0
     touching: Flags = m[..., at] > 0.0
     if edges.size < 3:
@@ -98,18 +97,18 @@ def reaching(edges: Array, m: Array, side: int) -> Flags:
 
 
 def cut_off(state: State, interval: tuple[float, float]) -> tuple[bool, bool]:
-    """Return whether strips end at low and at high y while both contact and bodies go on."""
+    """Return whether the strips end at low and at high y while both contact and bodies continue."""
     low, high = float(state.edges[0]), float(state.edges[-1])
     return reaches(state, -1) and low > interval[0], reaches(state, 1) and high < interval[1]
 
 
 def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tuple[float, float]) -> Sizes:
-    """Return the size function that a coarse solution asks for.
+    """Return the size function that a coarse solution calls for.
 
     Parameters
     ----------
     problem : Problem
-        What is solved.
+        The problem to solve.
     state : State
         A solution on coarser strips, which may cover less than the bodies.
     bends : tuple of float
@@ -158,14 +157,14 @@ def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tu
 
 
 def _resolved(low: float, high: float) -> float:
-    """Return the narrowest strip that numbers between ``low`` and ``high`` resolve."""
+    """Return the narrowest strip width that floating-point numbers between ``low`` and ``high`` resolve."""
     spacing = float(np.spacing(max(abs(low), abs(high))))
     return max(NARROWEST_EVER * (high - low), ROUNDINGS * spacing)
 
 
 @compiled
 def _near(y: Array, m: Array, place: float) -> float:
-    """Return the half-width of the widest of the strips in contact nearest to ``place``."""
+    """Return the largest half-width of the few strips in contact nearest to ``place``."""
     widest, beyond = 0.0, -1.0
     for _ in range(NEAREST):
         at, closest = -1, np.inf
@@ -180,7 +179,7 @@ def _near(y: Array, m: Array, place: float) -> float:
 
 @compiled
 def _fall(y: Array, m: Array, low: float, high: float, side: int) -> float:
-    """Return the distance from one end of a contact at which m has half the value of the nearest summit."""
+    """Return the distance from one end of a contact at which m is half its value at the nearest peak."""
     inside = np.flatnonzero((y >= low) & (y <= high) & (m > 0.0))
     end = high if side > 0 else low
     if side > 0:
@@ -201,9 +200,9 @@ def _fall(y: Array, m: Array, low: float, high: float, side: int) -> float:
 
 
 def overlaps(problem: Problem, state: State, interval: tuple[float, float]) -> list[tuple[float, float]]:
-    """Return middles of intervals where the surfaces overlap between strips out of contact, and widths for them.
+    """Return the midpoints of intervals where the surfaces overlap between strips out of contact, and widths for them.
 
-    A wide strip out of contact sees the gap at its centre only; another place of contact may lie beside it.
+    A wide strip out of contact sees the gap only at its centre; there may be another contact off centre.
     """
     y, overlap = overlapping(problem, state, interval)
     if not np.any(overlap > 0.0):
@@ -211,8 +210,8 @@ def overlaps(problem: Problem, state: State, interval: tuple[float, float]) -> l
     step = (interval[1] - interval[0]) / SAMPLES
     found = []
     for i, j in runs(overlap > 0.0):
-        # No wider than its neighbours without overlap allow: crests may be much nearer to each other than samples, and
-        # much narrower.
+        # No wider than the neighbouring places without overlap allow: crests may be much closer together than the
+        # samples, and much narrower.
         low, high = _reach(y, overlap, i, -1), _reach(y, overlap, j, 1)
         extent = max(float(y[j] - y[i]), min(step, low + float(y[j] - y[i]) + high))
         found.append((float(0.5 * (y[i] + y[j])), extent / STRIPS_PER_OVERLAP))
@@ -220,7 +219,7 @@ def overlaps(problem: Problem, state: State, interval: tuple[float, float]) -> l
 
 
 def _reach(y: Array, overlap: Array, at: int, side: int) -> float:
-    """Return how far an overlap may go on beyond its last place: twice as far as a straight line to the next."""
+    """Return how far an overlap may extend beyond its last place: twice as far as a straight line to the next."""
     beside = at + side
     if not 0 <= beside < y.size:
         return 0.0
@@ -233,7 +232,7 @@ def _reach(y: Array, overlap: Array, at: int, side: int) -> float:
 def kinks(separation: Callable[[Array], Array], bends: tuple[float, ...], state: State) -> list[tuple[float, float]]:
     """Return places in contact, or next to it, where the slope of the separation jumps, and the jump [rad].
 
-    A bend where only the curvature jumps turns half as much over half the distance; a kink as much.
+    Where only the curvature jumps, the slope change shrinks in proportion to the step; at a kink it does not.
     """
     low, high = state.edges[0], state.edges[-1]
     inside = [bend for bend in bends if low < bend < high and _nearly_touching(state, bend)]
@@ -279,7 +278,7 @@ def _sagging(y: Array, h: Array, rigid: Array, narrowest: float) -> Array:
         if math.isfinite(bend) and bend > 0.0 and rigid[0] + rigid[1] * y[i + 1] >= h[i + 1]:
             requested = min(requested, math.sqrt(8.0 * SAG * deepest / bend))
         width[i] = max(requested, narrowest)
-    # Let it grow away from every sample no faster than from a feature.
+    # Away from every sample it may grow no faster than from a feature.
     for i in range(1, width.size):
         width[i] = min(width[i], width[i - 1] + GROWTH * step)
     for i in range(width.size - 2, -1, -1):
@@ -288,9 +287,9 @@ def _sagging(y: Array, h: Array, rigid: Array, narrowest: float) -> Array:
 
 
 def graded(requested: Sizes, limit: int) -> Grading:
-    """Return the graded grids of a size function, at most ``limit`` strips.
+    """Return the graded grids of a size function, of at most ``limit`` strips.
 
-    Where the sizes ask for more, they are loosened away from the features until they do not.
+    Where the sizes call for more, they are loosened away from the features until they do not.
     """
     by = 1.0
     grading = Grading(requested, limit)
@@ -310,7 +309,7 @@ def _centre(requested: Sizes) -> float:
 
 
 class Grading:
-    """A walk along y in steps of the wanted width, and the grids of any number of strips that come of it."""
+    """A walk along y in steps of the target width, and the grids of any number of strips that it yields."""
 
     def __init__(self, requested: Sizes, limit: int) -> None:
         self.limit = limit
@@ -324,10 +323,10 @@ class Grading:
         self.count = float(self.right[1][-1] + self.left[1][-1])
 
     def edges(self, share: float) -> Array:
-        """Return the edges of a grid with ``share`` times as many strips as wanted, or as the limit allows."""
+        """Return the edges of a grid with ``share`` times as many strips as requested, or as the limit allows."""
         share *= min(1.0, self.limit / self.count)
         half = 0.5 / share
-        # Too near to an end for half a strip and another one beside it.
+        # Too close to an end for half a strip and another one beside it.
         if min(self.right[1][-1], self.left[1][-1]) < half + LEAST_STRIP / share:
             return self._edges_from_end(share)
         reach = min(
@@ -339,7 +338,7 @@ class Grading:
         return np.concatenate([left[::-1], right])
 
     def _edges_from_end(self, share: float) -> Array:
-        """Return the edges of a grid that is centred on nothing, cut from the end next to the centre."""
+        """Return the edges of a grid without a centred strip, cut from the end nearest to the centre."""
         near, far = (self.left, self.right) if self.left[1][-1] <= self.right[1][-1] else (self.right, self.left)
         y = np.concatenate([near[0][:0:-1], far[0]])
         count = np.concatenate([near[1][-1] - near[1][:0:-1], near[1][-1] + far[1]])
@@ -349,7 +348,7 @@ class Grading:
 
 @compiled
 def _cut(y: Array, count: Array, start: float, corners: Array, share: float) -> Array:
-    """Return edges from ``start`` outward, whole numbers of strips to every corner and to the end."""
+    """Return edges from ``start`` outward, a whole number of strips to every corner and to the end."""
     outward = 1.0 if y[-1] > y[0] else -1.0
     along = outward * y
     begin = np.interp(outward * start, along, count)
@@ -396,7 +395,7 @@ def _walk(
     while used < room:
         here = y[used - 1]
         step = _size(here, places, widths, sample_y, sample_width, contact, largest, largest_outside, growth)
-        if used > room // 2:  # more strips than any grid has: the rest in even steps
+        if used > room // 2:  # more strips than any grid has: cover the rest in even steps
             step = max(step, steps_per_strip * abs(stop - here) / (room - used))
         there = here + outward * step / steps_per_strip
         last = outward * (there - stop) >= 0.0 or used == room - 1
@@ -425,7 +424,7 @@ def _size(
     largest_outside: float,
     growth: float,
 ) -> float:
-    """Return the strip width wanted at ``y``."""
+    """Return the target strip width at ``y``."""
     inside = False
     for k in range(contact.shape[0]):
         inside = inside or (contact[k, 0] <= y <= contact[k, 1])
@@ -434,8 +433,8 @@ def _size(
     for k in range(places.size):
         width = min(width, widths[k] + rate * abs(y - places[k]))
     if inside:
-        # The narrower of both samples around y, so that a symmetric profile has a symmetric grid; but a kink bends at
-        # one sample, however far it is to the next.
+        # The narrower of the two samples around y, so that a symmetric profile has a symmetric grid. But a kink shows
+        # at one sample only, however far away the next is, so its width grows with the distance.
         place = (y - sample_y[0]) / (sample_y[1] - sample_y[0])
         for beside in (math.floor(place), math.ceil(place)):
             sample = min(max(beside, 0), sample_y.size - 1)

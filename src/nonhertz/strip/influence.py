@@ -1,9 +1,9 @@
 """From strip loads to displacement and curvature on the centre line.
 
 A strip acts at a point through the difference of an element's functions between its two edges, and its images do
-the same from where they are. The loops below add up *terms* (`nonhertz.bodies.influence`) and know nothing about what
-they stand for. What the loads do at depth depends neither on the loads nor on the half-widths, so it is worked out once
-for a grid, as a matrix that the loop subtracts.
+the same from their own positions. The loops below add up *terms* (`nonhertz.bodies.influence`) without knowing what
+they stand for. The displacement at depth is linear in the loads and independent of the half-widths, so it is worked out
+once per grid, as a matrix that the loop subtracts.
 
 All coefficients are per unit of compliance: with r = K q / a^2 and m = a^2 as unknowns, K appears nowhere.
 """
@@ -22,7 +22,7 @@ from nonhertz.strip.element import evaluate, evaluate_displacement
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-EQUAL = 1e-12  # of their width, by which strips may differ and still count as equal
+EQUAL = 1e-12  # fraction of their width by which strips may differ and still count as equal
 
 
 @compiled
@@ -91,11 +91,11 @@ def _seen_from_any_strips(
 def _seen_from_equal_strips(
     y: Array, low: float, high: float, inverse: float, active: Indices, terms: Array, table: Array, out: Array
 ) -> None:
-    """Do the same for equal strips: neighbours share an edge, so each edge is evaluated once."""
+    """Equal strips: neighbours share an edge, so each edge is evaluated once."""
     out[:] = 0.0
     for k in range(terms.shape[0]):
         sign, weight = terms[k, 0], terms[k, 2]
-        # The edge that the next strip shares, and the other.
+        # The edge shared with the next strip, and the other one.
         near, far = (low, high) if sign > 0.0 else (high, low)
         a0, ta0, b0, tb0 = evaluate((sign * far + terms[k, 1] - y[active[0]]) * inverse, table)
         for i in range(active.size):
@@ -123,7 +123,7 @@ def displacement(
 
 
 def displacements(influence: Influence, y: Array, edges: Array, r: Array, m: Array, table: Array) -> Array:
-    """Return the displacement per unit of compliance at several places ``y``, against the points at depth."""
+    """Return the displacement per unit of compliance at several places ``y``, relative to the points at depth."""
     at_depth: Array = influence.at_depth(y, edges) @ (r * m)
     return _on_the_surface(y, edges[:-1], edges[1:], r, m, influence.terms, table) - at_depth
 

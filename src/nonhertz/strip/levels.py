@@ -1,9 +1,9 @@
-"""Grids tried from coarse to fine, each solution the start and the teacher of the next.
+"""Grids solved from coarse to fine, each solution providing the start and the grading of the next.
 
-On strips that are wide against the half-width the Newton loop converges from springs; on narrow ones it wants a
-start that has the shape of the contact, which a coarser level gives it. An automatic grid is made in the same way:
-equal strips find the contact, a rough graded grid learns where it ends and bends, and the final grid is solved
-with half its strips and with all. The levels also bound the error: see `Levels.difference`.
+On strips that are wide compared with the half-width the Newton loop converges from springs; on narrow ones it needs a
+start that has the shape of the contact, which a coarser level provides. An automatic grid is made in the same way:
+equal strips find the contact, a rough graded grid locates its ends and bends, and the final grid is solved
+with half its strips and with all. The levels also give an error estimate: see `Levels.difference`.
 """
 
 from __future__ import annotations
@@ -37,19 +37,19 @@ STRIP_LIMIT = 87  # of an automatic grid on one interval of contact
 COARSE_STRIPS = 24
 COARSEST_LEVEL = 5
 PATIENT_STRIPS = 400
-MORE_STRIPS = (1, 5, 25)  # times as many to begin with, should fewer miss the contact
+MORE_STRIPS = (1, 5, 25)  # times as many to begin with, in case fewer miss the contact
 FEWER_STRIPS = (1.0, 0.94, 0.88, 0.82, 0.76)  # tried in turn where a grid has no solution
-# Shares of the strips: a rough grid from which the final one is learnt, half of that and all; and these again, should
-# the solution show that another place of contact was missed.
+# Fractions of the strips: a rough grid that grades the final one, then half of the final one and all of it; and these
+# again, if the solution shows that another contact was missed.
 LESSONS = ((0.35,), (0.5, 1.0))
 REPEATS = (LESSONS[-1], LESSONS[-1])
-WELL_FILLED = 0.4  # of the region by the contact, before a grid is graded from it
+WELL_FILLED = 0.4  # fraction of the region that the contact must fill before a grid is graded from it
 SAFETY = 2.0
 
 
 @dataclass(frozen=True)
 class Levels:
-    """The solution, and those on coarser grids, finest first; coarser ones that did not converge are left out."""
+    """The solution and those on coarser grids, finest first; coarser ones that did not converge are left out."""
 
     states: tuple[State, ...]
 
@@ -61,9 +61,9 @@ class Levels:
     def difference(self, quantity: Callable[[State], float]) -> float:
         """Return an estimate of the relative error of a quantity.
 
-        An error that halves with the strips is as large as the last change. Sharp ends halve it a little less, and a
-        contact that ends by chance just so can hide it in one change, but hardly in two: so the larger of the last
-        change and half the change before it, twice.
+        An error that halves when the strips are halved is as large as the last change. At sharp ends it falls a little
+        less, and a contact whose end happens to suit the strips can hide it in one change, but hardly in two: so twice
+        the larger of the last change and half the change before it.
         """
         values = [quantity(state) for state in self.states if state.converged]
         if len(values) < 2 or values[0] == 0.0:
@@ -114,7 +114,7 @@ def on_automatic_strips(problem: Problem, interval: Interval, bends: tuple[float
         grading = graded(requested, STRIP_LIMIT if len(requested.contact) == 1 else 2 * STRIP_LIMIT)
         for share in shares:
             states.insert(0, _settled(problem, grading, states[0], share))
-    # The equal strips that found the contact are too few to say anything of the error.
+    # The equal strips that found the contact are too few to say anything about the error.
     return Levels(tuple(states[:-1]) or tuple(states))
 
 
@@ -127,18 +127,18 @@ def _raised(problem: Problem, grids: list[Array]) -> Levels:
             state = settle(problem, edges, states[0] if states else None, patient=False, tolerance=ROUGH_TOLERANCE)
             if state.converged:
                 states.insert(0, state)
-    # What no coarser grid has a solution of, hours of patience on very many strips would not find either.
+    # Where no coarser grid has a solution, hours of retries on very many strips would not find one either.
     patient = bool(states) or grids[0].size <= PATIENT_STRIPS
     return Levels((settle(problem, grids[0], states[0] if states else None, patient=patient), *states))
 
 
 def _settled(problem: Problem, grading: Grading, near: State, share: float) -> State:
-    """Return the solution on a graded grid, or on a slightly coarser one where that has none.
+    """Return the solution on a graded grid, or on a slightly coarser one if there is none.
 
-    Where a blunt contact ends just at the edge of a strip, that strip can be unable to bear load (its neighbours
-    alone curve the surface more than the bodies do) and yet be overlapped without it. The next grid has its edges
-    elsewhere. So it is tried where the equations have another solution too, which nothing would hold: contacts several
-    times as wide as long have such.
+    Where a blunt contact ends just at the edge of a strip, that strip can be unable to carry load (its neighbours
+    alone curve the surface more than the bodies do) and yet overlap without it. The next grid has its edges
+    elsewhere. It is also tried when the solution found is unstable, as spurious ones are in contacts several times as
+    wide as long.
     """
     state = near
     tolerance = TOLERANCE if share == 1.0 else ROUGH_TOLERANCE
@@ -151,7 +151,7 @@ def _settled(problem: Problem, grading: Grading, near: State, share: float) -> S
 
 
 def _located(problem: Problem, interval: Interval, finite: Interval) -> State:
-    """Return a solution on equal strips of a region that the contact fills well, looked for from ``finite`` on."""
+    """Return a solution on equal strips of a region that the contact fills well, searching from ``finite`` inwards."""
     edges = _first_strips(problem, finite)
     state = settle(problem, edges, tolerance=ROUGH_TOLERANCE)
     for _ in range(40):
@@ -175,7 +175,7 @@ def _first_strips(problem: Problem, finite: Interval) -> Array:
     edges = uniform(*finite, COARSE_STRIPS)
     y = 0.5 * (edges[1:] + edges[:-1])
     refuse_endless_relief(y, problem.separation(y))
-    # A prescribed approach may bring no more than a speck together, a moment only the very end.
+    # A prescribed approach may bring only a tiny spot into contact, a moment only the very end.
     if problem.prescribed[0] and feasible(problem, edges):
         return edges
     refuse_arm_outside(problem, finite)
@@ -191,14 +191,14 @@ def _first_strips(problem: Problem, finite: Interval) -> Array:
 
 
 def _region_at_end(problem: Problem, finite: Interval) -> Interval:
-    """Return a region at one end of the bodies in whose middle load and moment have their resultant."""
+    """Return a region at one end of the bodies, centred on the resultant of load and moment."""
     low, high = finite
     arm = float(problem.target[1] / problem.target[0])
     return (max(low, 2.0 * arm - high), high) if high - arm < arm - low else (low, min(high, 2.0 * arm - low))
 
 
 def _neighbourhood(problem: Problem, low: float, high: float) -> tuple[float, float]:
-    """Return where springs find the bodies in touch, and a margin."""
+    """Return the interval in which springs find contact, with a margin."""
     for _ in range(3):
         fine = sprung(problem, uniform(low, high, FINE_STRIPS))
         touching = np.flatnonzero(fine.m > 0.0)
@@ -213,7 +213,7 @@ def _neighbourhood(problem: Problem, low: float, high: float) -> tuple[float, fl
 
 
 def bounded(problem: Problem, interval: Interval) -> Interval:
-    """Return the interval on which to look for the contact; finite even where the bodies are unbounded."""
+    """Return the interval in which to look for the contact; finite even where the bodies are unbounded."""
     low, high = interval
     if math.isfinite(low) and math.isfinite(high):
         return low, high

@@ -1,10 +1,10 @@
 """Small dense linear equations, by Gaussian elimination with row pivoting.
 
-With a hundred unknowns a call to LAPACK is as dear in copies, and in threads that wait for each other, as it is cheap
-in arithmetic. Here nearly all of the work is one product of matrices, in tiles of 4 x 8 numbers that stay in the
-processor while a row and a column run past them. So that tiles never meet an edge, systems are padded to whole blocks
-with equations that say x = 0. One thread does the same in the same order whoever else is at work: a contact solved
-among a thousand others comes out as if it had been alone.
+With a hundred unknowns, a call to LAPACK loses in copies and thread synchronisation what it saves in arithmetic. Here
+nearly all of the work is one matrix product, in tiles of 4 x 8 numbers that stay in registers while a row and a column
+stream past them. Systems are padded to whole blocks with equations x = 0, so that tiles never meet an edge. Each system
+is solved by one thread in a fixed order of operations: a contact solved among a thousand others gives the same bits as
+on its own.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from nonhertz.compiled import compiled
 Array = NDArray[np.float64]
 Eight = tuple[float, float, float, float, float, float, float, float]
 
-BLOCK = 8  # rows and columns eliminated at a time, and the width of a tile
+BLOCK = 8  # rows and columns eliminated at a time, also the width of a tile
 _TALL = 4  # the height of a tile
 _NONE = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
@@ -30,13 +30,13 @@ def padded(count: int) -> int:
 
 @compiled
 def blank(unknowns: int, sides: int) -> Array:
-    """Return room for a system, all zero but for the padding.
+    """Return an empty system, all zero except for the padding.
 
     Returns
     -------
     ndarray, shape (padded(unknowns), padded(unknowns) + padded(sides))
-        The matrix belongs into the first rows and columns, the right-hand sides into the columns from
-        ``padded(unknowns)`` on.
+        The matrix goes in the first rows and columns, the right-hand sides in the columns from
+        ``padded(unknowns)`` onwards.
     """
     n = padded(unknowns)
     equations = np.zeros((n, n + padded(sides)))
@@ -47,7 +47,7 @@ def blank(unknowns: int, sides: int) -> Array:
 
 @compiled
 def solve_in_place(equations: Array) -> None:
-    """Replace the right-hand sides of a system that `blank` made by its solutions.
+    """Replace the right-hand sides of a system from `blank` by its solutions.
 
     The matrix is overwritten. Where it is singular the solutions are not finite.
     """
@@ -70,14 +70,14 @@ def solve_in_place(equations: Array) -> None:
 
 @compiled
 def subtract_product(result: Array, left: Array, right: Array, column: int) -> None:
-    """Subtract a product of padded square matrices from the square at the left of ``result``.
+    """Subtract a product of padded square matrices from the left square of ``result``.
 
     Parameters
     ----------
     result, left : ndarray, shape (n, n or more)
         Arrays of whole blocks.
     right : ndarray, shape (n, column + n or more)
-        The square that begins in this ``column`` counts.
+        Only the square starting at this ``column`` is used.
     """
     n = result.shape[0]
     _subtract_tiles(result, left, right, 0, n, 0, n, 0, 0, column, n)
@@ -129,10 +129,11 @@ def _subtract_tiles(
     shift: int,
     depth: int,
 ) -> None:
-    """Subtract from rows ``top`` to ``bottom`` and columns ``begin`` to ``end`` of ``result`` a product.
+    """Subtract a product from rows ``top`` to ``bottom`` and columns ``begin`` to ``end`` of ``result``.
 
-    Its left factor has ``depth`` columns from ``left_column`` on, its right one as many rows from ``right_row`` on, and
-    columns ``shift`` to the right of those of the result. Unsigned numbers spare a check for negative indices.
+    Its left factor has ``depth`` columns starting at ``left_column``; its right factor has as many rows starting at
+    ``right_row``, and its columns lie ``shift`` to the right of those of the result. Unsigned integers avoid a check
+    for negative indices.
     """
     tall, wide = np.uint64(_TALL), np.uint64(BLOCK)
     i = np.uint64(top)
@@ -156,7 +157,7 @@ def _subtract_tiles(
 
 @compiled
 def _more(s: Eight, factor: float, right: Array, row: np.uint64, column: np.uint64) -> Eight:
-    """Return ``s`` and ``factor`` times eight numbers of a row."""
+    """Return ``s`` plus ``factor`` times eight numbers of a row."""
     return (
         s[0] + factor * right[row, column],
         s[1] + factor * right[row, column + np.uint64(1)],

@@ -1,19 +1,19 @@
 """The one loop: a semi-smooth Newton method for loads and half-widths of all strips at once.
 
-Unknown are, per strip, m = a^2 and r = K q / a^2, and for the whole contact the approach and the tilt. In an
+The unknowns are, for each strip, m = a^2 and r = K q / a^2, and for the whole contact the approach and the tilt. In an
 elliptical Hertz contact r is constant and m a parabola; both stay bounded where the contact ends, where the
-pressure summit of the paper's formulation goes to infinity. For every strip in contact the gap and its
+peak pressure of the paper's formulation goes to infinity. For every strip in contact the gap and its
 second derivative across vanish on the centre line; a strip out of contact has no load and drops out. Which
-strips touch is settled within the loop, as in a primal-dual active set method: a strip whose m would turn
+strips touch is determined within the loop, as in a primal-dual active set method: a strip whose m would turn
 negative leaves, a strip whose gap is negative enters. Because a strip's own effect, m [A](m), is a concave
-function through zero, a leaving or entering strip takes the m that its own equation asks for, which
-stops the flutter of nearly idle strips.
+function through zero, a leaving or entering strip takes the m that satisfies its own equation, which
+stops nearly idle strips from oscillating in and out.
 
-The curvature rows are linear in r. Every step first gives r what they ask for at the present m, which takes most of
-the nonlinearity out of what is left, and keeps from that elimination how r follows m: so the step itself is a system in
-m alone. The approach and the tilt border it: it is solved for three right-hand sides, the residual and the two rigid
-motions, and a 2 x 2 system then serves any of the four pairs of prescribed quantities. The two extra solutions are the
-stiffness matrix.
+The curvature rows are linear in r. Every step first solves them for r at the current m, which removes most of the
+nonlinearity from the rest, and keeps from that elimination the derivative of r with respect to m: so the step itself is
+a system in m alone. The approach and the tilt border it: it is solved for three right-hand sides, the residual and the
+two rigid motions, and a 2 x 2 system then serves any of the four pairs of prescribed quantities. The two extra
+solutions give the stiffness matrix.
 """
 
 from __future__ import annotations
@@ -33,15 +33,16 @@ Flags = NDArray[np.bool_]
 
 CONVERGED, ITERATION_LIMIT, STAGNATED = range(3)
 
-# Of a solution, and of one that only leads to the next grid.
+# For a solution, and for one that only serves as the start on the next grid.
 TOLERANCE, ROUGH_TOLERANCE = 1e-11, 1e-6
-# Once residual and step are this small, what the step leaves is its square, and the stiffness is exact to this.
+# Once residual and step are this small, the remaining error is the square of the step, and the stiffness is accurate to
+# SMALL_STEP.
 NEARLY, SMALL_STEP = 1e-8, 1e-5
-# The same on the way to a finer grid, where nobody asks for the stiffness.
+# The same on the way to a finer grid, where the stiffness is not needed.
 ROUGHLY_NEARLY, ROUGHLY_SMALL = 1e-3, 0.1
 STEP_LIMIT = 60
-LEAST_CHANGE = 0.3  # of r in one step, and its inverse the largest
-WIDEST = 1e4  # half-width over half the length of the strips: beyond it the iteration has diverged
+LEAST_CHANGE = 0.3  # smallest factor by which r may change in one step; its inverse is the largest
+WIDEST = 1e4  # half-width over half the total length of the strips, beyond which the iteration has diverged
 # A strip enters only if its overlap exceeds this fraction of the residual; otherwise the active set oscillates.
 LET_SETTLE = 0.1
 
@@ -67,10 +68,10 @@ def newton(
     relaxation: float,
     eager: bool,
 ) -> tuple[int, int, float]:
-    """Solve the contact of strips, starting from and overwriting ``r``, ``m`` and ``rigid``.
+    """Solve the contact of strips, starting from ``r``, ``m`` and ``rigid`` and overwriting them.
 
-    Lengths may be in any one unit; loads are counted times the compliance K, so that K q has the unit of a
-    length, K Q that of its square.
+    Lengths may be in any one unit; loads are multiplied by the compliance K, so that K q has the unit of a
+    length and K Q that of its square.
 
     Parameters
     ----------
@@ -93,9 +94,9 @@ def newton(
     tolerance : float
         Largest relative residual of a solution.
     relaxation : float
-        Longest fraction of a Newton step to take; 1 unless a case resists.
+        Fraction of each Newton step to take; 1 except as a fallback.
     eager : bool
-        Whether r takes what the curvature rows ask for before every step; true unless a case resists.
+        Whether the curvature rows are solved for r before every step; true except as a fallback.
 
     Returns
     -------
@@ -137,7 +138,7 @@ def newton(
             _relative(off, prescribed, reference),
         )
         residual = worse(unsettled, -(np.min(gap) + noise) / scale)
-        # A strip whose m is NaN is not active, and shows in no residual.
+        # A strip whose m is NaN is not active and appears in no residual.
         if not math.isfinite(residual) or not math.isfinite(np.sum(m)):
             return STAGNATED, step, residual
 
@@ -168,7 +169,7 @@ def newton(
 
 @compiled
 def worse(one: float, other: float) -> float:
-    """Return the larger of two numbers, NaN if either is: a maximum of Numba or Python may lose it."""
+    """Return the larger of two numbers, or NaN if either is NaN, which the max of Numba or Python may drop."""
     return one if math.isnan(one) or other <= one else other
 
 
@@ -180,13 +181,13 @@ def _interference(y: Array, separation: Array, rigid: Array, active: Indices) ->
 
 @compiled
 def _rounding(separation: Array, rigid: Array, active: Indices, half: float) -> float:
-    """Return what rounding alone can make of a gap, the small difference of separation and motion."""
+    """Return the rounding error of a gap, the small difference of separation and motion."""
     return 1e-15 * float(abs(rigid[0]) + abs(rigid[1]) * half + np.max(np.abs(separation[active])))
 
 
 @compiled
 def _keep_two(y: Array, width: Array, prescribed: Flags, target: Array, r: Array, m: Array) -> None:
-    """Let a neighbour join a lone strip that should carry load and moment, since one strip cannot."""
+    """Put a neighbour in contact beside a lone strip that must carry load and moment: one strip cannot."""
     if not (prescribed[0] and prescribed[1]):
         return
     active = np.flatnonzero(m > 0.0)
@@ -202,7 +203,7 @@ def _keep_two(y: Array, width: Array, prescribed: Flags, target: Array, r: Array
 
 @compiled
 def _balance_residual(prescribed: Flags, target: Array, rigid: Array, load: float, moment: float, half: float) -> Array:
-    """Return what approach or load, tilt or moment lack; tilts are counted as approach at the end."""
+    """Return target minus current approach or load, and tilt or moment; a tilt as the approach it gives at the end."""
     off = np.empty(2)
     off[0] = target[0] - load if prescribed[0] else target[0] - rigid[0]
     off[1] = target[1] / half - moment if prescribed[1] else (target[1] - rigid[1]) * half
@@ -232,7 +233,7 @@ def _settling(
     at_depth: Array,
     table: Array,
 ) -> float:
-    """Return the displacement per unit of compliance at the centre of strip ``i`` against the points at depth."""
+    """Return the displacement per unit of compliance at the centre of strip ``i``, relative to the points at depth."""
     total = displacement(y[i], low, high, inverse, q, active, terms, table)
     for j in active:
         total -= at_depth[i, j] * q[j]
@@ -266,9 +267,9 @@ def _idle_gaps(
 
 @compiled
 def _curved(blocks: Array, curvature: Array) -> tuple[Array, Array]:
-    """Return the r that meet the curvature rows, and F = d r / d (r mu) with mu the relative changes of m.
+    """Return the r that satisfy the curvature rows, and F = d r / d (r mu), mu being the relative changes of m.
 
-    F is left where it was solved for: in a larger array, from column ``padded(k)`` on.
+    F is left where it was solved for: in a larger array, from column ``padded(k)`` onwards.
     """
     k = curvature.size
     equations = blank(k, k + 1)
@@ -284,7 +285,7 @@ def _curved(blocks: Array, curvature: Array) -> tuple[Array, Array]:
 
 @compiled
 def _held(required: Array, r: Array) -> Array:
-    """Return ``wanted`` where it is within a factor of ``r``: far from the answer it may not even be positive."""
+    """Return ``required``, limited to a factor of ``r``: far from the solution it may not even be positive."""
     held: Array = np.minimum(np.maximum(required, LEAST_CHANGE * r), r / LEAST_CHANGE)
     return held
 
@@ -315,7 +316,7 @@ def _directions(
             loaded[i, j] = -blocks[0, i, j] * m[j]
             equations[i, j] = (blocks[0, i, j] - 0.5 * blocks[1, i, j]) * m[j]
     subtract_product(equations, loaded, follows, at)
-    # What the product brought into the padding must not tie it to the rest.
+    # Clear what the product left in the padding, so that it stays decoupled.
     equations[:, k:at] = 0.0
     for i in range(k, at):
         equations[i, i] = 1.0
@@ -359,7 +360,7 @@ def _rigid_step(response: Array, off: Array, prescribed: Flags, weights: Array, 
     """Return the changes of approach and of tilt times half length that meet the prescribed pair."""
     matrix = np.array([[1.0, 0.0], [0.0, 1.0]])
     side = off.copy()
-    # A single strip resists tilt no more than a ball: the least rise of the diagonal keeps its tilt as it is.
+    # A single strip has no stiffness against tilt, like a ball: a tiny addition to the diagonal leaves its tilt alone.
     ridge = 1e-14 * abs(response[0, 0])
     if prescribed[0]:
         matrix[0] = response[0]
@@ -411,7 +412,7 @@ def _update(
 def _enter(
     width: Array, curvature: Array, gap: Array, overlap: float, active: Indices, table: Array, r: Array, m: Array
 ) -> bool:
-    """Put strips with more than this ``overlap`` in contact, with r from their nearest neighbour there."""
+    """Put strips with more than this ``overlap`` in contact, with r from the nearest strip in contact."""
     entered = False
     for i in range(gap.size):
         if gap[i] < -overlap:
@@ -424,7 +425,7 @@ def _enter(
 
 @compiled
 def _own_width(required: float, width: float, table: Array) -> float:
-    """Return m with m [A](m) = ``wanted``, by Newton's method on a concave increasing function."""
+    """Return m with m [A](m) = ``required``, by Newton's method on a concave increasing function."""
     m = 0.25 * required
     for _ in range(40):
         value, slope = self_displacement(width, m, table)

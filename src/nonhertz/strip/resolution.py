@@ -1,10 +1,10 @@
-"""What the bodies do between the centres of strips, where a solution does not look.
+"""What happens between the strip centres, where a solution does not look.
 
-Every condition of a contact is met at the centres of strips. A profile that is rough within a strip, or a place where
-the bodies overlap beside a wide strip out of contact, shows in none of them, and not in a comparison with coarser grids
-either, which look at fewer places still. So the bodies are asked once more: at several places within each strip in
-contact, how far the separation departs from a parabola; and along the whole bodies, with every crest of the profiles,
-whether the surfaces overlap where the strips say that there is no contact.
+Contact conditions are enforced only at strip centres. A profile that is rough within a strip, or an overlap off the
+centre of a wide strip out of contact, shows in none of them, nor in a comparison with coarser grids, which sample even
+fewer places. So the bodies are sampled again: at several places within each strip in contact, for how far the
+separation departs from a parabola; and along the whole bodies, including every crest of the profiles, for overlaps
+where no strip is in contact.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ Array = NDArray[np.float64]
 
 SAMPLES = 600  # along the bodies
 WITHIN = 9  # places in a strip
-BESIDE = 0.02  # of an interval in contact, next to which an overlap is only where it ends
-NOTICED = 1e-9  # of the deepest interference, below which an overlap is rounding
+BESIDE = 0.02  # of an interval in contact: an overlap this close to it only shows where the contact ends
+NOTICED = 1e-9  # of the deepest interference; a smaller overlap is rounding
 _PLACES = (np.arange(WITHIN) + 0.5) / WITHIN - 0.5
 _PARABOLA = np.linalg.qr(np.vander(_PLACES, 3))[0]
 
@@ -32,9 +32,9 @@ def within(problem: Problem, edges: Array) -> tuple[Array, Array]:
 
 
 def departures(separation: Array) -> Array:
-    """Return how far the separation `within` each strip departs from a parabola, root mean square [mm].
+    """Return the root mean square departure of the separation `within` each strip from a parabola [mm].
 
-    Zero where the separation is infinite in part of a strip: there is no telling.
+    Zero where the separation is infinite in part of a strip, where it is undefined.
     """
     finite = np.all(np.isfinite(separation), axis=1)
     h = np.where(finite[:, None], separation, 0.0)
@@ -44,21 +44,21 @@ def departures(separation: Array) -> Array:
 
 
 def roughness(departure: Array, width: Array, load: Array) -> tuple[Array, Array]:
-    """Return what strips leave out of the bodies by departing from their profile, for one case or many.
+    """Return the roughness that strips do not resolve, for one case or many.
 
     Parameters
     ----------
     departure, width : ndarray, shape (strips,)
         See `departures`; widths [mm].
     load : ndarray, shape (..., strips)
-        Load of each strip in any unit.
+        Load of each strip, in any unit.
 
     Returns
     -------
     tuple of ndarray, shape (...), and ndarray, shape (strips,)
-        Mean over the contact [mm], each strip weighted with its load; and the ripple of pressure that pressing each
-        strip flat takes, as q / a, K times. A wave of amplitude A and length l takes pi E* A / l = A / (K l), and
-        within a strip it is no longer than that.
+        Mean over the contact [mm], each strip weighted by its load; and the pressure ripple needed to flatten each
+        strip, as K q / a. A wave of amplitude A and length l takes pi E* A / l = A / (K l), and within a strip l is at
+        most the strip's width.
     """
     mean = load @ departure / np.sum(load, axis=-1)
     # q / a is pi / 2 times the pressure.
@@ -66,7 +66,7 @@ def roughness(departure: Array, width: Array, load: Array) -> tuple[Array, Array
 
 
 def _summits(y: Array, depth: Array) -> Array:
-    """Return where parabolas through three places each are deepest, of those that are deeper than zero there."""
+    """Return the vertices of parabolas through three neighbouring places each, where they are deeper than zero."""
     left, here, right = depth[:-2], depth[1:-1], depth[2:]
     at = np.flatnonzero((here >= left) & (here > right) & np.isfinite(left) & np.isfinite(right)) + 1
     before, after = ((depth[to] - depth[of]) / (y[to] - y[of]) for of, to in ((at - 1, at), (at, at + 1)))
@@ -83,15 +83,15 @@ def overlapping(problem: Problem, state: State, interval: tuple[float, float]) -
     Parameters
     ----------
     problem, state
-        What is solved, and a solution.
+        The problem, and a solution of it.
     interval : tuple of float
         Where the bodies can touch [mm], finite.
 
     Returns
     -------
     tuple of two ndarray, shape (places,)
-        Places [mm], ascending, and depths [mm]: zero in contact and beside it, negative where the surfaces are apart
-        before they give way.
+        Places [mm], ascending, and depths [mm]: zero in contact and beside it, negative where the undeformed surfaces
+        are apart.
     """
     contact = np.array(state.contact)
     margin = BESIDE * (contact[:, 1:] - contact[:, :1])
@@ -101,7 +101,7 @@ def overlapping(problem: Problem, state: State, interval: tuple[float, float]) -
     depth = state.rigid[0] + state.rigid[1] * y - h
     summits = _summits(y, depth)
     if summits.size:
-        # A bump may touch between places at all of which the surfaces are apart.
+        # A bump may touch between two places where the surfaces are apart.
         h = np.concatenate([h, problem.separation(summits)])
         y, first = np.unique(np.concatenate([y, summits]), return_index=True)
         depth = state.rigid[0] + state.rigid[1] * y - h[first]

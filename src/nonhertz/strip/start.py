@@ -1,7 +1,7 @@
 """Where the Newton loop starts: independent springs, or the solution on another grid.
 
-On springs (a Winkler foundation) every strip answers to its own load alone, q = d / (K Lambda), with one
-logarithm Lambda for the whole contact. That is a convex, piecewise linear problem which has a solution for any
+On springs (a Winkler foundation) every strip responds to its own load alone, q = d / (K Lambda), with one
+logarithm Lambda for the whole contact. That is a convex, piecewise linear problem with a solution for any
 of the four pairs of prescribed quantities, found by Newton's method for the approach and by false position for the
 tilt.
 """
@@ -35,7 +35,7 @@ def started(
     near_m: Array,
     near_rigid: Array,
 ) -> tuple[Array, Array, Array]:
-    """Return r, m and the rigid motion from a solution on other strips, or from springs if that has no strips."""
+    """Return r, m and the rigid motion from a solution on other strips, or from springs if there is none."""
     if near_y.size > 0:
         r, m = prolong(near_y, near_r, near_m, y)
         m[~np.isfinite(separation)] = 0.0
@@ -57,7 +57,7 @@ def springs(
     """Return r, m and the rigid motion of independent springs; arguments as in `nonhertz.strip.newton`."""
     if not (prescribed[1] and target[1] < 0.0):
         return _springs(y, width, curvature, separation, line_factor, prescribed, target)
-    # Mirrored, so that two cases which are each other's image begin alike to the last bit.
+    # Mirrored, so that two cases that are mirror images of each other start identically to the last bit.
     r, m, rigid = _springs(
         -y[::-1].copy(), width[::-1].copy(), curvature[::-1].copy(), separation[::-1].copy(), line_factor, prescribed,
         target * np.array([1.0, -1.0]),
@@ -94,12 +94,12 @@ def _springs(
 
 @compiled
 def _balance(beds: tuple[Array, Array, Array], stiffness: float, prescribed: Flags, target: Array) -> Array:
-    """Return approach and tilt of ``beds`` (place, width, separation) of this stiffness per unit of length."""
+    """Return approach and tilt of spring ``beds`` (place, width, separation) of this stiffness per unit length."""
     tilt = other = float(target[1])
     if prescribed[1]:
         tilt, other = _tilts(beds, stiffness, prescribed, target)
     approach = _approach(beds, stiffness, tilt, prescribed, target)
-    # A moment may vanish because nothing touches; any other asks for the end of the bracket where something does.
+    # With nothing in contact the moment is zero too. For a nonzero target take the end of the bracket in contact.
     if target[1] != 0.0 and not np.max(approach + tilt * beds[0] - beds[2]) > 0.0:
         tilt = other
         approach = _approach(beds, stiffness, tilt, prescribed, target)
@@ -123,7 +123,7 @@ def _tilts(beds: tuple[Array, Array, Array], stiffness: float, prescribed: Flags
             break
         low, excess, high = high, over, 2.0 * high
         over = _excess_moment(beds, stiffness, high, prescribed, target)
-    # False position, which halves an end's weight when that stays.
+    # False position (Illinois variant): halve the value at an end that stays put.
     for _ in range(SECANTS):
         if over == 0.0 or abs(high - low) <= 1e-10 * (abs(high) + abs(low)):
             break
@@ -143,9 +143,9 @@ def _approach(
 ) -> float:
     """Return the approach at this tilt: the prescribed one, or the one at which the springs carry the load.
 
-    If all springs bore, pulling where they are too short, the approach would be too large. Without those that pull it
-    is less, and so on: the load is a convex function of the approach made of straight pieces, on which Newton's method
-    comes down to the answer itself.
+    With all springs acting, in tension where they are too short, the approach is too large. Dropping those in tension
+    lowers it, and so on: the load is a convex, piecewise linear function of the approach, on which Newton's method
+    descends to the exact answer.
     """
     if not prescribed[0]:
         return float(target[0])
@@ -178,12 +178,12 @@ def _excess_moment(
 def prolong(y_from: Array, r_from: Array, m_from: Array, y: Array) -> tuple[Array, Array]:
     """Return r and m interpolated to other strips.
 
-    m runs linearly through zero where the contact ends: the first idle strip is given the value that continues
-    the line, so that strips of the other grid are counted in or out by where the contact really ends.
+    m passes linearly through zero where the contact ends: the first idle strip is given the value that continues
+    the line, so that strips of the other grid are in or out of contact according to where it really ends.
     """
     extended = m_from.copy()
     _continue_past_ends(y_from, m_from, extended)
-    # The same seen from the other side.
+    # The same from the other side.
     _continue_past_ends(y_from[::-1], m_from[::-1], extended[::-1])
     touching = np.flatnonzero(m_from > 0.0)
     m = np.maximum(np.interp(y, y_from, extended), 0.0)
@@ -192,7 +192,7 @@ def prolong(y_from: Array, r_from: Array, m_from: Array, y: Array) -> tuple[Arra
 
 @compiled
 def _continue_past_ends(y: Array, m: Array, extended: Array) -> None:
-    """Continue m into the first idle strip after two that touch, as far as that leads below what is there."""
+    """Extrapolate m into the first idle strip after two in contact, if that gives less than the value there."""
     for at in range(2, m.size):
         if m[at] == 0.0 and m[at - 1] > 0.0 and m[at - 2] > 0.0:
             slope = (m[at - 1] - m[at - 2]) / (y[at - 1] - y[at - 2])

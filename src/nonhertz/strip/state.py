@@ -18,16 +18,17 @@ from nonhertz.strip.start import springs, started
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-LEAST_RISE = 1e-3  # of the load, below which raising it further is given up
+LEAST_RISE = 1e-3  # of the load: a smaller increment is not attempted
 # Depths in half-widths of independent springs, which may be half of the true ones where bodies are thin. Below the
-# first no loop is started, below the second a failed start is not retried, below the third thinness is the reason.
+# first no loop is started, below the second a failed start is not retried, below the third a failure is blamed on the
+# thin body.
 HOPELESS, BEYOND_HELP, SCARCELY = 0.7, 2.0, 4.0
 _NOTHING = np.empty(0)
 
 
 @dataclass(frozen=True)
 class Problem:
-    """What the strips have to satisfy, whatever the grid.
+    """What the strips have to satisfy, on any grid.
 
     Attributes
     ----------
@@ -42,10 +43,10 @@ class Problem:
     influence : Influence
         How strips act.
     compliance : float
-        K [1/MPa], by which loads are counted.
+        K [1/MPa], by which loads are multiplied.
     crests : callable
-        () -> where profiles may stand out between any places that are looked at [mm]. Of a measured line they are
-        thousands, and many a solve does without.
+        () -> where profiles may stand out between sampled places [mm]. A measured line has thousands of them, and
+        many solves do not need them: hence a callable.
     """
 
     separation: Callable[[Array], Array]
@@ -59,7 +60,7 @@ class Problem:
     _sampled: dict[tuple[float, float, int], tuple[Array, Array]] = field(default_factory=dict, repr=False)
 
     def sampled(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
-        """Return places at equal distances and the separation there, kept for the next who asks."""
+        """Return evenly spaced places and the separation there, cached."""
         key = (low, high, intervals)
         if key not in self._sampled:
             y = np.linspace(low, high, intervals + 1)
@@ -67,8 +68,8 @@ class Problem:
         return self._sampled[key]
 
     def surveyed(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
-        """Return the places of `sampled` and the crests between them, and the separation there, ascending."""
-        key = (low, high, -intervals)  # beside that of the samples alone
+        """Return the places of `sampled` and the crests between them, ascending, and the separation there."""
+        key = (low, high, -intervals)  # distinct from the key of the samples alone
         if key not in self._sampled:
             y, h = self.sampled(low, high, intervals)
             crests = np.array(self.crests())
@@ -87,7 +88,7 @@ class Problem:
 
 @dataclass(frozen=True)
 class State:
-    """Strips with their unknowns: the start of a Newton loop, or its end."""
+    """Strips with their unknowns: the start of a Newton loop, or its result."""
 
     edges: Array
     r: Array
@@ -177,8 +178,8 @@ def settle(
 ) -> State:
     """Return the solved state on the strips between ``edges``, starting from a ``near`` one if there is one.
 
-    Where the loop fails from one start, the next is tried: springs; and if ``patient`` springs with r and m stepping
-    together, with shortened steps, and last the load raised in steps from a small one.
+    Where the loop fails from one start, the next is tried: springs; then, if ``patient``, springs with r and m stepped
+    together, springs with shortened steps, and finally the load raised in steps from a small one.
     """
     strips = Strips.of(problem, edges)
     state = None
@@ -190,7 +191,7 @@ def settle(
 
 
 def _helped(problem: Problem, strips: Strips, state: State, tolerance: float) -> State:
-    """Return what patience makes of a state that did not converge."""
+    """Return the best result of further attempts at a state that did not converge."""
     state = _better(state, strips.loop(problem, tolerance, eager=False))
     if state.converged or strips.too_thin(problem, strips.springs(problem)[1], BEYOND_HELP):
         return state
@@ -201,7 +202,7 @@ def _helped(problem: Problem, strips: Strips, state: State, tolerance: float) ->
 
 
 def sprung(problem: Problem, edges: Array) -> State:
-    """Return the answer of independent springs between ``edges``, unsolved."""
+    """Return the response of independent springs between ``edges``, not a solution."""
     y = 0.5 * (edges[1:] + edges[:-1])
     r, m, rigid = _springs(problem, edges, y, problem.curvature(y), problem.separation(y))
     return State(edges, r, m, rigid, np.zeros_like(y), np.zeros((2, 2)), ITERATION_LIMIT, 0, np.inf)
@@ -222,7 +223,7 @@ def _better(one: State, other: State) -> State:
 
 @dataclass(frozen=True)
 class Strips:
-    """Strips with all that is known of them before their loads are."""
+    """Strips with everything that is known about them before their loads are."""
 
     edges: Array
     y: Array
@@ -239,7 +240,7 @@ class Strips:
 
     @classmethod
     def on(cls, problem: Problem, grids: Sequence[Array]) -> list[Strips]:
-        """Return the strips of several grids, the bodies asked once for all."""
+        """Return the strips of several grids, with one call to the bodies for all of them."""
         centres = [0.5 * (edges[1:] + edges[:-1]) for edges in grids]
         y = np.concatenate(centres)
         cuts = np.cumsum([places.size for places in centres[:-1]])
@@ -263,19 +264,19 @@ class Strips:
         return _springs(problem, self.edges, self.y, self.curvature, self.separation)
 
     def too_thin(self, problem: Problem, m: Array, least: float) -> bool:
-        """Return whether a body is not ``least`` half-widths deep.
+        """Return whether a body is less than ``least`` half-widths deep.
 
-        Where points at depth lie within the contact they move more than the surface, and the equations have either
-        no solution or some that mean nothing.
+        Points at a depth comparable to the contact width move more than the surface, and the equations then have
+        either no solution or meaningless ones.
         """
         if not problem.influence.references:
             return False
         return bool(np.any(self.shallowest < least * problem.element.hertz_ratio * np.sqrt(m)))
 
     def raised(self, problem: Problem) -> State:
-        """Return the state reached by raising the load from a small one, in steps as long as the loop allows.
+        """Return the state reached by raising the load from a small one, in steps as large as the loop allows.
 
-        What converged at a share of the load only is no solution, and is not marked as one.
+        A state that converged only at a fraction of the load is not a solution and is not marked as one.
         """
         near, reached, share = None, 0.0, 0.01
         for _ in range(40):
@@ -298,7 +299,7 @@ class Strips:
         relaxation: float = 1.0,
         eager: bool = True,
     ) -> State:
-        """Return where the Newton loop ends that starts from a ``near`` state, else from springs."""
+        """Return the result of a Newton loop started from a ``near`` state, or else from springs."""
         element, influence = problem.element, problem.influence
         start = (near.y, near.r, near.m, near.rigid) if near is not None else (_NOTHING, _NOTHING, _NOTHING, _NOTHING)
         r, m, rigid = started(

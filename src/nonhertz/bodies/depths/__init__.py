@@ -1,4 +1,4 @@
-"""What displacement can be measured against, one file each; one that is added is in Python, files and form at once."""
+"""What displacement is measured against, one file per choice; a new one appears in Python, case files and web form."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nonhertz.inputs.checks import positive
 
 DepthRule = str | float
 
-#: Choices by the word that asks for them.
+#: Choices by their keywords.
 DEPTHS: Final[dict[str, Depth]] = {depth.word: depth for depth in (Endless(), PlaneStrain(), Diameter())}
 
 WORDS: Final = ", ".join(map(repr, DEPTHS))
@@ -28,13 +28,13 @@ def depth_of(rule: DepthRule, convex: bool) -> Depth:
     Raises
     ------
     InputError
-        If ``rule`` is neither one of the words nor a positive length, or asks for a diameter that a body lacks which
-        is not ``convex``.
+        If ``rule`` is neither one of the words nor a positive length, or requires a diameter and the body is not
+        ``convex``.
     """
     if isinstance(rule, str) and rule in DEPTHS:
         if DEPTHS[rule].of_diameter and not convex:
             remedy = "give the thickness of a ring or plate in mm, or write 'none'"
-            raise InputError("depth", rule, "only be asked of a convex body, which has a diameter to go by", remedy)
+            raise InputError("depth", rule, "only be used for a convex body, which has a diameter", remedy)
         return DEPTHS[rule]
     if isinstance(rule, bool) or not isinstance(rule, Real):
         raise InputError("depth", rule, f"be one of {WORDS} or a length", _REMEDY)

@@ -1,7 +1,7 @@
-"""What a choice of depth says of itself, and how the points that displacement is measured against move.
+"""The interface of a choice of depth, and how the points that displacement is measured against move.
 
 The displacement of the surface of a half-space under a line load is measured against a point at depth, which moves
-itself: a load lifts a point at depth d below the centre line by a function of its distance along y over d alone.
+too: a load displaces a point at depth d below the centre line by a function of its distance along y over d alone.
 """
 
 from __future__ import annotations
@@ -29,19 +29,19 @@ class Reference(Protocol):
 
     @property
     def below(self) -> Callable[[Array], Array]:
-        """Y [mm] -> depth below the surface [mm] that half-widths must be small against."""
+        """Y [mm] -> depth below the surface [mm], compared with which half-widths must be small."""
 
     def displacement(self, y: Array, edges: Array) -> Array:
         """Return its displacement under ``y`` per unit of K q of each strip, shape (places, strips)."""
 
 
 class Depth(ABC):
-    """Against what the displacement of a body is measured.
+    """What the displacement of a body is measured against.
 
     Attributes
     ----------
     word : str
-        What files and Python call it; empty for what is given as a number.
+        Its keyword in files and Python; empty if given as a number.
     meaning : str
         Where that is, as it follows the word in descriptions of case files.
     of_diameter : bool
@@ -55,11 +55,11 @@ class Depth(ABC):
     @property
     @abstractmethod
     def place(self) -> str:
-        """Against what, as it follows "is measured against"."""
+        """The reference, as it follows "is measured against"."""
 
     @abstractmethod
     def below(self, body: Solid, shape: Shape) -> Callable[[Array], Array] | None:
-        """Return y [mm] -> depth of the point below the surface [mm]; None where it is far away."""
+        """Return y [mm] -> depth of the point below the surface [mm]; None if it is far away."""
 
     def reference(self, body: Solid, shape: Shape, images: Images) -> Reference | None:
         """Return what the displacement of a body with these mirror images is measured against; None if far away."""
@@ -82,9 +82,10 @@ class PointsAtDepth:
     poisson_factor : float
         1 / (2 (1 - nu)).
     terms : ndarray, shape (terms, 3)
-        Rows (sign, offset, weight) as for the surface, of this body alone, its share of the compliance in the weights.
+        Rows (sign, offset, weight) as for the surface, for this body alone; weights include its share of the
+        compliance.
     far : callable or None
-        y [mm] -> what images too far away to be told apart add to the surface's displacement, per unit of load.
+        y [mm] -> displacement that the far images add at the surface relative to depth, per unit of load.
     """
 
     below: Callable[[Array], Array]
@@ -102,7 +103,7 @@ class PointsAtDepth:
 
 @compiled
 def _at_depth(y: Array, depth: Array, edges: Array, poisson_factor: float, terms: Array) -> Array:
-    """Return what a load from the far left up to each edge does at depth under each place, up to a constant."""
+    """Return the displacement at depth under each place by a load from the far left up to each edge, to a constant."""
     out = np.zeros((y.size, edges.size))
     for i in range(y.size):
         inverse = 1.0 / depth[i]

@@ -1,4 +1,4 @@
-"""``"diameter"``: the point opposite the contact, at the depth of a diameter or a multiple of it."""
+"""``"diameter"``: the point opposite the contact, at a depth of one diameter or a multiple of it."""
 
 from __future__ import annotations
 
@@ -27,15 +27,15 @@ class Diameter(Depth):
     place = "a point its diameter below the surface"
 
     def diameters(self, body: Solid, shape: Shape) -> float:
-        """Return depth over diameter."""
+        """Return depth / diameter."""
         return 1.0
 
     def below(self, body: Solid, shape: Shape) -> Callable[[Array], Array]:
         """Return y [mm] -> depth [mm].
 
-        What is returned raises InputError where the body is not convex.
+        The returned function raises InputError where the body is not convex.
         """
-        # A partial function rather than a nested one, so that what holds it can be pickled.
+        # A partial function rather than a nested one, so that its holder can be pickled.
         return partial(_in_diameters, body, self.word, self.diameters(body, shape))
 
 
@@ -43,6 +43,6 @@ def _in_diameters(body: Solid, word: str, diameters: float, y: Array) -> Array:
     curvature = body.curvature(y)
     if np.any(curvature <= 0.0):
         remedy = "give the thickness of the body in mm, or write 'none'"
-        raise InputError("depth", word, "only be asked of a body that is convex everywhere", remedy)
+        raise InputError("depth", word, "only be used for a body that is convex everywhere", remedy)
     depth: Array = 2.0 * diameters / curvature
     return depth

@@ -1,4 +1,4 @@
-"""``"none"``: a point far away, under a half-space of endless depth."""
+"""``"none"``: a point far away, in a half-space of infinite depth."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class Endless(Depth):
 
     word = "none"
     meaning = "far away"
-    place = "a point far away: it is a half-space of endless depth"
+    place = "a point far away: it is a half-space of infinite depth"
 
     def below(self, body: Solid, shape: Shape) -> None:
         """Return None: far away."""

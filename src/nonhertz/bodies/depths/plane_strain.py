@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class PlaneStrain(Diameter):
-    """Displacement against the depth that makes the compression of a long cylinder that of plane strain.
+    """Displacement against a point at the depth that makes the compression of a long cylinder that of plane strain.
 
     References
     ----------
@@ -25,16 +25,16 @@ class PlaneStrain(Diameter):
     place = "the depth that makes the compression of a long cylinder that of plane strain"
 
     def diameters(self, body: Solid, shape: Shape) -> float:
-        """Return depth over diameter."""
+        """Return depth / diameter."""
         return plane_strain_depth(shape, body.material.poisson)
 
 
 def plane_strain_depth(shape: Shape, poisson: float) -> float:
     """Return depth / diameter at which a long cylinder's compression is that of plane strain.
 
-    In plane strain the displacement of a strip of infinite length against depth d is 2 K q (ln(d / a) + C - 1 /
-    (2 (1 - nu))), C the element's constant; a long cylinder is compressed by K q (2 ln(2 D / b) - 1). Both agree at
-    d = 2 D (a / b) exp(1 / (2 (1 - nu)) - C - 1/2), in which the load cancels.
+    In plane strain the displacement of a strip of infinite length relative to depth d is 2 K q (ln(d / a) + C - 1 /
+    (2 (1 - nu))), C being the element's constant; a long cylinder is compressed by K q (2 ln(2 D / b) - 1). The two
+    agree at d = 2 D (a / b) exp(1 / (2 (1 - nu)) - C - 1/2), in which the load cancels.
 
     Examples
     --------

@@ -18,12 +18,12 @@ Array = NDArray[np.float64]
 
 
 class Thickness(Depth):
-    """Displacement against a point at one depth everywhere.
+    """Displacement against a point at the same depth everywhere.
 
     Parameters
     ----------
     depth : float
-        Below the surface [mm].
+        Depth below the surface [mm].
     """
 
     word = ""
@@ -34,7 +34,7 @@ class Thickness(Depth):
 
     @property
     def place(self) -> str:
-        """A point at the depth that was given."""
+        """A point at the given depth."""
         return f"a point {self._depth:.6g} mm below the surface"
 
     def below(self, body: Solid, shape: Shape) -> Callable[[Array], Array]:

@@ -1,4 +1,4 @@
-"""Ways to treat a side face, one file each; one that is added is in Python, files and form at once."""
+"""Ways to treat a side face, one file each; a new one appears in Python, case files and web form at once."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nonhertz.inputs.checks import not_negative
 
 FaceRule = str | float
 
-#: Treatments by the word that asks for them.
+#: Treatments by their keywords.
 SIDE_FACES: Final[dict[str, SideFace]] = {face.word: face for face in (Mirror(), Calibrated(), HalfSpace())}
 
 WORDS: Final = ", ".join(map(repr, SIDE_FACES))

@@ -1,4 +1,4 @@
-"""``"calibrated"``: one image of the weight that comes nearest to a free side face."""
+"""``"calibrated"``: one image with the weight that comes closest to a free side face."""
 
 from typing import Final
 
@@ -6,7 +6,7 @@ import numpy as np
 
 from nonhertz.bodies.sides.side_face import SideFace
 
-# Weights that bring the pressure from a quarter of the half-width inwards within 2 % of the exact quarter-space,
+# Weights with which the pressure is within 2 % of the exact quarter-space from a quarter of the half-width inwards,
 # fitted to three-dimensional solutions of a roller that ends on a long body and of two coincident ends.
 _POISSON: Final = (0.0, 0.2, 0.25, 0.28, 0.3, 0.33, 0.4)
 _WEIGHT: Final = (1.10, 1.35, 1.45, 1.50, 1.60, 1.65, 1.95)
@@ -25,7 +25,7 @@ class Calibrated(SideFace):
     meaning = "by images of the weight that comes nearest to a free face"
 
     def image_weight(self, poisson: float) -> float:
-        """Return the weight: linear between the fitted ones; outside 0 to 0.4, where nothing was fitted, the outermost.
+        """Return the weight: linear between the fitted ones; outside 0 to 0.4, where nothing was fitted, the nearest.
 
         Parameters
         ----------

@@ -1,10 +1,10 @@
-"""``"none"``: the body goes on behind the face, as a half-space does."""
+"""``"none"``: the body continues behind the face, as a half-space does."""
 
 from nonhertz.bodies.sides.side_face import SideFace
 
 
 class HalfSpace(SideFace):
-    """A face that is not made free."""
+    """A face that is not freed."""
 
     word = "none"
     meaning = "not at all"

@@ -1,7 +1,7 @@
-"""What a treatment of a side face says of itself.
+"""The interface of a treatment of a side face.
 
 A side face of a half-space is freed of shear by an image of the pressure behind it. The image doubles the normal
-stress on the face instead of removing it, so the end is still too stiff; a weight above 1 makes up for part of that.
+stress on the face instead of removing it, so the end is still too stiff; a weight above 1 compensates for part of that.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ from typing import ClassVar
 
 
 class SideFace(ABC):
-    """How one side face is made free of stress, as far as it is.
+    """How far, and by what means, one side face is freed of stress.
 
     Attributes
     ----------
     word : str
-        What files and Python call it; empty for what is given as a number.
+        Its keyword in files and Python; empty if given as a number.
     meaning : str
         What it does, as it follows the word in descriptions of case files.
     """

@@ -1,10 +1,10 @@
-"""A number: one image of that weight."""
+"""A number: one image with that weight."""
 
 from nonhertz.bodies.sides.side_face import SideFace
 
 
 class Weighted(SideFace):
-    """A face about which the pressure is mirrored with a weight of the user's own.
+    """A face about which the pressure is mirrored with a user-given weight.
 
     Parameters
     ----------

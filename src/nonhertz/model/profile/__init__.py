@@ -1,15 +1,14 @@
-"""Relief along the axis: how much material is taken away at each y.
+"""Relief along the axis: how much material is removed at each y.
 
 A profile is a function of the axial coordinate y [mm], measured from the middle of its body, whose value is
-the relief [mm], positive where material is taken away. Profiles are values: they add (``crown(...) +
-chamfer(...)``), shift along the axis and scale, and each change makes a new one. Beside its function a
-profile knows its *bends*, the places where slope or curvature jump, because the strips must be refined there,
-and its *extent*, outside of which there is nothing to touch. An infinite relief says the same: no body here.
+the relief [mm], positive where material is removed. Profiles are values: they add (``crown(...) +
+chamfer(...)``), shift along the axis and scale, and each operation returns a new one. Besides its function a
+profile knows its *bends*, the places where slope or curvature jumps, because the strips must be refined there,
+and its *extent*, outside which there is nothing to touch. An infinite relief means the same: no body here.
 
-The lower-case functions are the catalogue: what engineers call a profile by, each with its source. Each returns a
-`Profile`, and raises `InputError` where a value is out of range. Those that
-are drawn for a design load take it in the same four words: load [N], length [mm], radius (combined, across
-the contact) [mm] and compliance (of both bodies) [1/MPa].
+The lower-case functions are the catalogue, under the names that engineers use, each with its source. Each returns a
+`Profile`, and raises `InputError` if a value is out of range. Profiles for a design load take the same four parameters:
+load [N], length [mm], radius (combined, across the contact) [mm] and compliance (of both bodies) [1/MPa].
 """
 
 from __future__ import annotations
@@ -31,7 +30,7 @@ from nonhertz.model.profile.logarithm import (
 from nonhertz.model.profile.table import Tabulated, from_file, tabulated
 from nonhertz.model.profile.uniform_pressure import UniformPressure, lundberg
 
-#: Profiles that a case file may call by name.
+#: Profiles that a case file may refer to by name.
 CATALOGUE: dict[str, Callable[..., Profile]] = {
     "straight": straight,
     "crown": crown,
@@ -50,7 +49,7 @@ CATALOGUE: dict[str, Callable[..., Profile]] = {
     "tabulated": tabulated,
 }
 
-#: Unit of every numeric parameter in the catalogue; a name has the same unit in all of its functions.
+#: Unit of every numeric parameter in the catalogue; a name has the same unit in every function.
 PARAMETER_UNITS: dict[str, str] = {
     "amplitude": "mm",
     "angle": "rad",

@@ -23,11 +23,11 @@ def places(y: ArrayLike) -> Array:
 class Profile(ABC):
     """Relief along the axis of a body; `nonhertz.model.profile` has the catalogue."""
 
-    # Kind and parameters of the catalogue; None of what is not of it. No field, so that equal reliefs are equal.
+    # Kind and parameters in the catalogue; None if not from it. Not a field, so that equal reliefs compare equal.
     _called: tuple[str, dict[str, Any]] | None = None
 
     def called(self, kind: str, **parameters: Any) -> Profile:
-        """Return this profile with the kind and the parameters by which a case file has it; None is left out."""
+        """Return this profile with the kind and parameters that describe it in a case file; None is left out."""
         named = copy.copy(self)
         given = {name: value for name, value in parameters.items() if value is not None}
         object.__setattr__(named, "_called", (kind, given))
@@ -44,12 +44,12 @@ class Profile(ABC):
 
     @property
     def bends(self) -> tuple[float, ...]:
-        """Axial positions [mm] where slope or curvature of the relief jump."""
+        """Axial positions [mm] where slope or curvature of the relief jumps."""
         return ()
 
     @property
     def crests(self) -> tuple[float, ...]:
-        """Axial positions [mm] at which the relief may stand out between any places that are looked at."""
+        """Axial positions [mm] at which the relief may stand out between sampled places."""
         return self.bends
 
     @property
@@ -63,7 +63,7 @@ class Profile(ABC):
         return Shifted(self, float(by))
 
     def scaled(self, by: float) -> Profile:
-        """Return this profile with its relief multiplied by ``by``; infinite relief stays what it is."""
+        """Return this profile with its relief multiplied by ``by``; infinite relief stays infinite."""
         finite("by", by, "give a factor")
         return Scaled(self, float(by))
 
@@ -149,9 +149,9 @@ class Shifted(Profile):
 
 
 def moved_back(y: ArrayLike, by: float, extent: tuple[float, float]) -> Array:
-    """Return positions [mm] ``by`` further back; those up to the ends of the moved ``extent`` stay within it.
+    """Return positions [mm] moved back ``by``; those within the moved ``extent``, ends included, stay within it.
 
-    The difference alone would put an end outside by rounding, where there is no body.
+    A plain difference could put an end outside by rounding, where there is no body.
     """
     y = places(y)
     low, high = extent
@@ -169,8 +169,7 @@ class Scaled(Profile):
     def relief(self, y: ArrayLike) -> Array:
         """Return ``by`` times the profile's relief."""
         relief = self.profile.relief(y)
-        # A plain product would turn "no body here" into NaN (factor 0) or into a peak without end (factor <
-        # 0).
+        # A plain product would turn "no body here" into NaN (factor 0) or an infinite peak (factor < 0).
         present = np.isfinite(relief)
         return np.where(present, self.by * np.where(present, relief, 0.0), np.inf)
 

@@ -14,10 +14,10 @@ from nonhertz.model.profile.base import Array, Profile, places
 
 
 def _drop(radius: float, y: ArrayLike) -> Array:
-    """Drop [mm] of a circle at the distance ``y`` from its summit; infinite where the circle has ended."""
+    """Drop [mm] of a circle at the distance ``y`` from its summit; infinite beyond the circle."""
     size, distance = abs(radius), np.abs(places(y))
     inside = np.maximum((size - distance) * (size + distance), 0.0)
-    # R - sqrt(R^2 - y^2) would lose all digits of the few micrometres that matter out of metres of radius.
+    # R - sqrt(R^2 - y^2) would lose to cancellation the few micrometres that matter beside metres of radius.
     drop = distance**2 / (size + np.sqrt(inside))
     return np.where(distance <= size, math.copysign(1.0, radius) * drop, np.inf)
 
@@ -27,7 +27,7 @@ class Arcs(Profile):
     """A middle and two ends, each a circular arc, the same on both sides.
 
     The middle has its summit at y = 0 and ends at ``junction``; the arc of the positive end has its summit at
-    ``end_summit`` (it is drawn from ``junction`` on only). An infinite ``radius`` makes a straight middle.
+    ``end_summit`` (it applies only beyond ``junction``). An infinite ``radius`` makes a straight middle.
     """
 
     radius: float
@@ -36,7 +36,7 @@ class Arcs(Profile):
     end_summit: float
 
     def relief(self, y: ArrayLike) -> Array:
-        """Return the relief [mm]; infinite beyond the place where an arc turns vertical."""
+        """Return the relief [mm]; infinite beyond the point where an arc becomes vertical."""
         distance = np.abs(places(y))
         middle = _drop(self.radius, np.minimum(distance, self.junction))
         end = _drop(self.end_radius, np.maximum(distance, self.junction) - self.end_summit)
@@ -86,11 +86,11 @@ def crown(radius: float, centre: float = 0.0) -> Profile:
 
 
 def partial_crown(radius: float, straight: float, blended: bool = True) -> Profile:
-    """Return a partially crowned profile: a straight middle and a circular arc at either end.
+    """Return a partially crowned profile: a straight middle and a circular arc at each end.
 
-    Two shapes go by this name. Blended, the arcs begin at the ends of the straight middle without a slope
+    Two shapes go by this name. Blended, the arcs begin at the ends of the straight middle with zero slope
     ("tangential"): relief = R - sqrt(R^2 - s^2) with s = abs(y) - straight / 2. Not blended, both ends belong
-    to one arc with its summit in the middle of the body, of which the straight part cuts the top off, so that
+    to one arc with its summit in the middle of the body, whose top the straight part cuts off, so that
     they meet it at the angle asin(straight / (2 R)): relief = sqrt(R^2 - straight^2 / 4) - sqrt(R^2 - y^2).
 
     Parameters
@@ -105,7 +105,7 @@ def partial_crown(radius: float, straight: float, blended: bool = True) -> Profi
     Raises
     ------
     InputError
-        If a value is out of range, or the arc that is not blended ends within the straight middle.
+        If a value is out of range, or an unblended arc ends within the straight middle.
 
     References
     ----------
@@ -137,8 +137,8 @@ def partial_crown(radius: float, straight: float, blended: bool = True) -> Profi
 def two_radius(radius: float, end_radius: float, middle: float) -> Profile:
     """Return a profile of two radii: one arc in the middle, another at the ends, tangential where they meet.
 
-    For abs(y) <= y1 = middle / 2 the relief is R1 - sqrt(R1^2 - y^2); beyond it follows the circle of radius
-    R2 that has the same slope there, whose summit lies at y1 (1 - R2 / R1).
+    For abs(y) <= y1 = middle / 2 the relief is R1 - sqrt(R1^2 - y^2); beyond y1 it follows the circle of radius
+    R2 that has the same slope there and whose summit lies at y1 (1 - R2 / R1).
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What a profile that is drawn for one load needs to know of that load."""
+"""The amplitude and half-width that a profile for a design load depends on."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from nonhertz.model.material import STEEL
 def design_amplitude(load: float, length: float, compliance: float | None) -> float:
     """Return the amplitude q / (pi E*) [mm] of the logarithm that spreads ``load`` evenly over ``length``.
 
-    The quotient is (load / length) times the sum of both bodies' compliances; None stands for steel on steel.
+    It equals (load / length) times the sum of both bodies' compliances; None means steel on steel.
     """
     positive("load", load, "give the design load of one contact in N")
     positive("length", length, "give the length over which the profile is drawn in mm")

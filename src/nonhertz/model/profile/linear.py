@@ -17,7 +17,7 @@ _ANGLE_REMEDY = "give the angle in rad, 1 degree is 0.01745"
 
 @dataclass(frozen=True)
 class Conical(Profile):
-    """A relief that grows along the whole axis at one angle."""
+    """A relief that grows along the whole axis at a constant angle."""
 
     angle: float
 
@@ -61,7 +61,7 @@ def conical(angle: float) -> Profile:
     """Return a conical profile: a taper over the whole length, such as a grinding error.
 
     Relief = tan(angle) y. It is zero in the middle of the body, which keeps its nominal diameter, and
-    negative on the side where the body is thicker than that.
+    negative on the side where the body is thicker.
 
     Parameters
     ----------
@@ -119,7 +119,7 @@ def tapered_ends(straight: float, angle: float) -> Profile:
 def chamfer(length: float, width: float, angle: float = 0.25 * math.pi) -> Profile:
     """Return the chamfers at both ends of a body, to be added to the profile between them.
 
-    Relief = tan(angle) (abs(y) - length / 2 + width) over the last ``width`` before either end.
+    Relief = tan(angle) (abs(y) - length / 2 + width) over the last ``width`` before each end.
 
     Parameters
     ----------
@@ -132,8 +132,8 @@ def chamfer(length: float, width: float, angle: float = 0.25 * math.pi) -> Profi
 
     References
     ----------
-    Geometry. Contact ends where a chamfer begins: the surfaces bend by micrometres there, the chamfer drops
-    by tenths of a millimetre.
+    Geometry. Contact ends where a chamfer begins: the surfaces deflect by micrometres there, while the chamfer
+    drops by tenths of a millimetre.
 
     Examples
     --------

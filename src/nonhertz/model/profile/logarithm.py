@@ -13,22 +13,22 @@ from nonhertz.inputs.checks import finite, not_negative, positive
 from nonhertz.model.profile.base import Array, Profile, places
 from nonhertz.model.profile.design_load import design_amplitude, design_half_width
 
-# Johns and Gohar fitted their logarithm to Lundberg's drop at the end with it; -ln 0.3033 = 1.1930.
+# The factor with which Johns and Gohar fitted their logarithm to Lundberg's drop at the end; -ln 0.3033 = 1.1930.
 _END = 0.3033
-# Places are counted no farther away than this, in mm and in half-lengths, so that no square overflows.
+# Positions are clipped to these, in mm and in half-lengths, so that no square overflows.
 _FAR, _BEYOND = 1e100, 1e150
-_MOST_DROP = 700.0  # amplitudes: below exp(-708) numbers lose their digits
-_LEAST_SHARE = 1e-9  # of the length that is crowned; rounding of the length would hide less
+_MOST_DROP = 700.0  # amplitudes: below exp(-708) numbers lose precision
+_LEAST_SHARE = 1e-9  # of the length that is crowned; less would be lost in the rounding of the length
 
 
 @dataclass(frozen=True)
 class Logarithmic(Profile):
-    """Relief ``amplitude * ln(1 / (1 - (1 - rest) s^2))`` with s counted from a straight middle to the end.
+    """Relief ``amplitude * ln(1 / (1 - (1 - rest) s^2))`` with s measured from a straight middle to the end.
 
     ``s = max(0, |y| - straight / 2) / (curved / 2)`` is 1 at the ends, ``|y| = length / 2``; ``curved`` is the length
-    of the curved part, both ends together, ``straight = length - curved``. ``rest`` is what is left of the logarithm's
-    argument at the ends, where the relief is ``amplitude * ln(1 / rest)``, or ``at_end`` if that is less. Beyond the
-    place where the argument would reach zero the relief is infinite.
+    of the curved part, both ends together, ``straight = length - curved``. ``rest`` is the value of ``1 - (1 - rest)
+    s^2`` at the ends, where the relief is ``amplitude * ln(1 / rest)``, or ``at_end`` if that is less. Beyond the
+    point where this value reaches zero the relief is infinite.
     """
 
     amplitude: float
@@ -47,16 +47,16 @@ class Logarithmic(Profile):
         distance = np.minimum(np.abs(places(y)), _FAR)
         half = 0.5 * self.curved
         share = np.minimum(np.maximum(distance - 0.5 * self.straight, 0.0) / half, _BEYOND)
-        # 1 - s, counted from the end: a difference of numbers alike is exact, so that it is zero at the end itself and
-        # keeps its digits beside it, where a millionth of the argument is micrometres of relief.
+        # 1 - s, measured from the end: a difference of nearly equal numbers is exact, so it is zero at the end itself
+        # and accurate close to it, where a millionth of the argument is micrometres of relief.
         to_end = np.maximum((0.5 * self.length - distance) / half, -_BEYOND)
         argument = to_end * (1.0 + share) + self.rest * share**2
         inside = argument > 0.0
         outer = np.where(inside, -np.log(np.where(inside, argument, 1.0)), np.inf)
-        # In the middle it is s that has the digits.
+        # In the middle, s itself is accurate.
         inner = -np.log1p(-(1.0 - self.rest) * np.minimum(share, 0.5) ** 2)
         drop = np.where(to_end > 0.5, inner, outer)
-        # Without an amplitude there is a body up to the pole, and none from there on.
+        # With zero amplitude there is a body up to the pole, and none from there outwards.
         relief = np.where(np.isinf(drop), np.inf, self.amplitude * np.where(np.isinf(drop), 0.0, drop))
         return np.asarray(np.where(to_end >= 0.0, np.minimum(relief, self.at_end), relief) + 0.0)
 
@@ -69,7 +69,7 @@ class Logarithmic(Profile):
 def logarithmic(amplitude: float, length: float, fraction: float = 1.0, straight: float = 0.0) -> Profile:
     """Return a general logarithmic profile.
 
-    Relief = ``amplitude * ln(1 / (1 - (2 y fraction / length)^2))``, with y counted from the end of the
+    Relief = ``amplitude * ln(1 / (1 - (2 y fraction / length)^2))``, with y measured from the end of the
     straight middle if there is one.
 
     Parameters
@@ -77,9 +77,9 @@ def logarithmic(amplitude: float, length: float, fraction: float = 1.0, straight
     amplitude : float
         A [mm], not negative.
     length : float
-        Length over which the profile is drawn [mm], positive; the straight middle not counted.
+        Length over which the profile is drawn [mm], positive, excluding the straight middle.
     fraction : float
-        Share of the half-length at which the end of the roller sits on the curve, in (0, 1]; at 1 the relief
+        Fraction of the half-length at which the end of the roller lies on the curve, in (0, 1]; at 1 the relief
         at the end is infinite, just below 1 it is large but finite.
     straight : float
         Length of a straight middle [mm], not negative.
@@ -111,7 +111,7 @@ def iso_logarithmic(diameter: float, length: float) -> Profile:
     """Return the reference profile of ISO 16281 for cylindrical and needle rollers.
 
     Up to length = 2.5 diameter: relief = 0.00035 D ln(1 / (1 - (2 y / L)^2)). Longer rollers have a straight
-    middle of L - 2.5 D and beyond it 0.0005 D ln(1 / (1 - ((2 abs(y) - (L - 2.5 D)) / (2.5 D))^2)).
+    middle of L - 2.5 D, and beyond it 0.0005 D ln(1 / (1 - ((2 abs(y) - (L - 2.5 D)) / (2.5 D))^2)).
 
     Parameters
     ----------
@@ -127,7 +127,7 @@ def iso_logarithmic(diameter: float, length: float) -> Profile:
 
     Notes
     -----
-    The text of the standard was not at hand. The formulas agree with two independent programs that implement
+    The text of the standard was not available. The formulas agree with two independent programs that implement
     ISO/TS 16281:2008 (AxisForge, and minzhun/ISO16281 for the short form) and one that implements
     DIN 26281 (moritzploss/tribology, short form).
 
@@ -169,7 +169,7 @@ def iso_tapered(diameter: float, length: float) -> Profile:
 
     Notes
     -----
-    The text of the standard was not at hand. Formula and coefficient agree with minzhun/ISO16281 and with
+    The text of the standard was not available. Formula and coefficient agree with minzhun/ISO16281 and with
     what users of the MASTA software read back from its profile of that name.
 
     References
@@ -189,7 +189,7 @@ def iso_tapered(diameter: float, length: float) -> Profile:
 def iso_thrust(diameter: float, length: float) -> Profile:
     """Return the reference profile of ISO 16281 for rollers of cylindrical and needle roller thrust bearings.
 
-    It is the one of cylindrical rollers, `iso_logarithmic`; tapered rollers of thrust bearings have
+    It is the same as for cylindrical rollers, `iso_logarithmic`; for tapered rollers of thrust bearings use
     `iso_tapered`.
 
     Parameters
@@ -207,7 +207,7 @@ def iso_thrust(diameter: float, length: float) -> Profile:
     Notes
     -----
     That thrust rollers share the functions of radial ones was taken from minzhun/ISO16281, a program that
-    implements ISO/TS 16281:2008; the text of the standard was not at hand.
+    implements ISO/TS 16281:2008; the text of the standard was not available.
 
     References
     ----------
@@ -237,13 +237,13 @@ def johns_gohar(load: float, length: float, radius: float, compliance: float | N
     radius : float
         Combined radius of curvature rho across the contact [mm], 1/rho = 1/rho_a + 1/rho_b, positive.
     compliance : float or None
-        K_a + K_b = 1 / (pi E*), the sum of both bodies' (1 - nu^2) / (pi E) [1/MPa], as `Contact.compliance`
-        gives it; steel on steel if left out.
+        K_a + K_b = 1 / (pi E*), the sum of both bodies' (1 - nu^2) / (pi E) [1/MPa], as given by
+        `Contact.compliance`; steel on steel if left out.
 
     Returns
     -------
     Profile
-        The profile, meant as the relief of both bodies together.
+        The profile, meant as the combined relief of both bodies.
 
     Raises
     ------
@@ -293,10 +293,10 @@ def fujiwara_kawase(
     k1 : float
         Factor K1 on the load, positive; above 1 for rollers that tilt.
     k2 : float
-        Share K2 of the length that is crowned, from 1e-9 to 1.
+        Fraction K2 of the length that is crowned, from 1e-9 to 1.
     zm : float or None
         Relief at the end [mm], positive; if left out, A ln(a / (0.3033 b)) with the Hertz half-width b at the
-        design load, which for k1 = k2 = 1 is the profile of Johns and Gohar.
+        design load, which for k1 = k2 = 1 gives the profile of Johns and Gohar.
     compliance : float or None
         K_a + K_b = 1 / (pi E*), the sum of both bodies' (1 - nu^2) / (pi E) [1/MPa]; steel on steel if left
         out.
@@ -333,7 +333,7 @@ def fujiwara_kawase(
     at_end = math.inf
     if zm is not None:
         positive("zm", zm, "give the relief at the end in mm, or leave it out for that of Johns and Gohar")
-        # For a light design load the exponential has no digits left, and the end is no pole for that.
+        # Under a light design load the exponential underflows; the relief at the end must stay finite nevertheless.
         rest, at_end = math.exp(-zm / amplitude) if zm < _MOST_DROP * amplitude else 0.0, float(zm)
     elif radius is not None:
         rest = _END * 2.0 * design_half_width(load, length, radius, compliance) / float(length)

@@ -22,17 +22,17 @@ from nonhertz.model.profile.base import Array, Profile, places
 #: The curve through tabulated points.
 Interpolation = Literal["pchip", "linear", "cubic"]
 _MOST_BENDS, _MOST_CRESTS = 20, 5000
-_CLOSEST = 1e-12  # of the farthest position: rounding of the positions would hide less
+_CLOSEST = 1e-12  # of the farthest position: a smaller spacing would be lost in rounding
 LARGEST_FILE = 5_000_000  # bytes
-MOST_POINTS = 100_000  # strips follow some hundreds
+MOST_POINTS = 100_000  # strips resolve some hundreds
 _FEWER_POINTS = "export fewer points; a few thousand are enough"
-_COLUMNS = "write one point a line, y and relief in mm"
+_COLUMNS = "write one point per line, y and relief in mm"
 _SMALL_UNIT = re.compile(r"(?<![a-z])(um|µm|μm|nm|microns?|micromet(?:er|re)s?)(?![a-z])", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
 class Tabulated(Profile):
-    """A curve through given points; outside of them there is no body."""
+    """A curve through given points; outside them there is no body."""
 
     y: tuple[float, ...]
     values: tuple[float, ...]
@@ -51,9 +51,9 @@ class Tabulated(Profile):
 
     @property
     def bends(self) -> tuple[float, ...]:
-        """The kinks of a linear interpolation: where the slope jumps by over a tenth of its whole range.
+        """The kinks of a linear interpolation: where the slope jumps by more than a tenth of its whole range.
 
-        A smooth curve sampled densely has none. Where more than twenty points qualify, the table is rough
+        A densely sampled smooth curve has none. Where more than twenty points qualify, the table is rough
         rather than kinked, and no point deserves more attention than its neighbours.
         """
         if self.interpolation != "linear" or len(self.y) < 3:
@@ -64,7 +64,7 @@ class Tabulated(Profile):
 
     @cached_property
     def crests(self) -> tuple[float, ...]:
-        """The points at which the slope of the relief rises; of very many the lowest of every few."""
+        """The points at which the slope of the relief increases; if very many, the lowest of every few."""
         relief, y = np.array(self.values), np.array(self.y)
         slopes = np.diff(relief) / np.diff(y)
         rising = np.flatnonzero(np.diff(slopes) > 0.0) + 1
@@ -83,11 +83,11 @@ class Tabulated(Profile):
     def _curve(self) -> Callable[[Array], Array]:
         if self.interpolation == "linear":
             return _Polyline(np.array(self.y), np.array(self.values))
-        # Here and not above: importing scipy.interpolate takes half a second.
+        # Imported here, because importing scipy.interpolate takes half a second.
         from scipy.interpolate import CubicSpline, PchipInterpolator
 
         make = PchipInterpolator if self.interpolation == "pchip" else CubicSpline
-        with np.errstate(over="ignore"):  # pchip divides by slopes and means zero by what overflows
+        with np.errstate(over="ignore"):  # pchip divides by slopes; an overflow there stands for zero
             curve: Callable[[Array], Array] = make(np.array(self.y), np.array(self.values))
         return curve
 
@@ -107,9 +107,9 @@ def tabulated(y: Sequence[float], relief: Sequence[float], interpolation: Interp
     Parameters
     ----------
     y : sequence of float
-        Axial positions [mm] from the middle of the body, two at least, all different, in any order.
+        Axial positions [mm] from the middle of the body, at least two, all different, in any order.
     relief : sequence of float
-        Relief there [mm], positive where material is taken away.
+        Relief there [mm], positive where material is removed.
     interpolation : {"pchip", "cubic", "linear"}
         The curve through the points: ``"pchip"``, a smooth one that never overshoots them; ``"linear"``; or
         ``"cubic"``, the spline with continuous curvature, which may overshoot.
@@ -117,12 +117,12 @@ def tabulated(y: Sequence[float], relief: Sequence[float], interpolation: Interp
     Returns
     -------
     Profile
-        The profile. It is defined between the outermost points, and contact cannot reach beyond them.
+        The profile, defined between the outermost points; contact cannot extend beyond them.
 
     Raises
     ------
     InputError
-        If the lists differ in length, are too short, hold something else than finite numbers or a position
+        If the lists differ in length, are too short, or hold anything but finite numbers or the same position
         twice.
 
     References
@@ -143,7 +143,7 @@ def tabulated(y: Sequence[float], relief: Sequence[float], interpolation: Interp
             "relief", relief, f"hold as many numbers as y, {len(positions)}", "give one relief per position"
         )
     if len(positions) < 2:
-        raise InputError("y", y, "hold two positions at least", "give the measured points in mm")
+        raise InputError("y", y, "hold at least two positions", "give the measured points in mm")
     order = np.argsort(positions, kind="stable")
     positions, reliefs = positions[order], reliefs[order]
     twice = np.flatnonzero(np.diff(positions) <= 0.0)
@@ -165,8 +165,8 @@ def _refuse_crowded(positions: Array) -> None:
 def from_file(path: str | os.PathLike[str], interpolation: Interpolation = "pchip") -> Profile:
     r"""Return a profile read from a text file of two columns, y and relief, both in mm.
 
-    Columns are separated by semicolon, tab, comma or blanks; with semicolon or tab the decimal sign may be a
-    comma. Blank lines, what follows a ``#``, and one line of column names at the top are skipped.
+    Columns are separated by semicolons, tabs, commas or blanks; with semicolons or tabs the decimal sign may be a
+    comma. Blank lines, anything after a ``#``, and one line of column names at the top are skipped.
 
     Parameters
     ----------
@@ -178,14 +178,14 @@ def from_file(path: str | os.PathLike[str], interpolation: Interpolation = "pchi
     Returns
     -------
     Profile
-        The profile, with y = 0 the middle of the body. A file of heights in micrometres becomes a relief in
-        mm by ``.scaled(-0.001)``, and ``.shifted`` puts its middle in place.
+        The profile, with y = 0 at the middle of the body. ``.scaled(-0.001)`` turns heights in micrometres into a
+        relief in mm, and ``.shifted`` moves the middle into place.
 
     Raises
     ------
     InputError
-        If the file cannot be read, is no file but a device or a pipe, is larger than 5 MB, holds more than 100,000
-        points, or a line is not two numbers; the sentence names file and line.
+        If the file cannot be read, is a device or a pipe, is larger than 5 MB, holds more than 100,000 points, or a
+        line is not two numbers; the message names file and line.
 
     References
     ----------
@@ -205,8 +205,8 @@ def from_file(path: str | os.PathLike[str], interpolation: Interpolation = "pchi
     path = Path(path)
     points = _read(path)
     if len(points) < 2:
-        found = f"{legible(path.name)} holds {'one point only' if points else 'no data'}"
-        raise InputError("path", str(path), f"name a file of two points at least ({found})", _COLUMNS)
+        found = f"{legible(path.name)} holds {'only one point' if points else 'no data'}"
+        raise InputError("path", str(path), f"name a file of at least two points ({found})", _COLUMNS)
     y, relief = zip(*points, strict=True)
     try:
         return tabulated(y, relief, interpolation)
@@ -218,15 +218,15 @@ def _numbers(field: str, values: Sequence[float]) -> Array:
     remedy = "give a list of numbers in mm"
     try:
         numbers = np.asarray(values)
-    except ValueError:  # lists of unequal length in one another
+    except ValueError:  # nested lists of unequal length
         raise InputError(field, values, "be a list of numbers", remedy) from None
     if numbers.ndim != 1 or (numbers.size and numbers.dtype.kind not in "iuf"):
         raise InputError(field, values, "be a list of numbers", remedy)
     numbers = numbers.astype(float)
     if not np.all(np.isfinite(numbers)):
-        raise InputError(field, values, "hold finite numbers only", "leave out the points that were not measured")
+        raise InputError(field, values, "hold only finite numbers", "leave out the points that were not measured")
     if np.any(np.abs(numbers) > MOST):
-        raise InputError(field, values, f"hold no number over {MOST:g} in size", remedy)
+        raise InputError(field, values, f"hold no number over {MOST:g} in magnitude", remedy)
     return numbers
 
 
@@ -234,14 +234,14 @@ def _read(path: Path) -> list[tuple[float, float]]:
     if special(path):
         raise InputError("path", str(path), "name a file, not a device or a pipe", "save the points in a file")
     try:
-        # Line ends of all systems.
+        # Line endings of any system.
         lines = content(path, LARGEST_FILE).decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n").split("\n")
     except OSError as error:
         why = error.strerror or "unreadable"
         reason = f"{legible(path.name)}: {why[:1].lower()}{why[1:]}"
         remedy = _FEWER_POINTS if error.errno == errno.EFBIG else "check it"
         raise InputError("path", str(path), f"name a file that can be read ({reason})", remedy) from None
-    except ValueError:  # not text, or a name that no file can have
+    except ValueError:  # not text, or an impossible file name
         raise InputError("path", str(path), "name a text file in UTF-8", "export the points as CSV") from None
     points: list[tuple[float, float]] = []
     header_allowed = True
@@ -284,6 +284,6 @@ def _point(place: str, content: str, values: list[float | None]) -> tuple[float,
 
 
 def _check_header(place: str, content: str) -> None:
-    # Micrometres read as millimetres would be a thousandfold relief, and no later check could tell.
+    # Micrometres read as millimetres would make the relief a thousand times too large, and no later check could tell.
     if _SMALL_UNIT.search(content):
         raise InputError(place, content, "name mm as the unit", "convert both columns to mm, or delete the line")

@@ -1,13 +1,13 @@
-"""Lundberg's profile: the relief under which a line contact has the same pressure along its whole length.
+"""Lundberg's profile: the relief with which a line contact has the same pressure along its whole length.
 
-Where the pressure is a semi-ellipse across and constant along the contact, the centre line sinks by
+Where the pressure is a semi-ellipse across and constant along the contact, the centre line is depressed by
 
     w(y) = K q [A((a - y) / b) + A((a + y) / b)] ,      A(t) = int_0^t (4/pi) sqrt(1 + s^2) (K(k) - E(k)) ds ,
 
-K(k), E(k) complete elliptic integrals with k^2 = 1/(1 + s^2), so the relief must be w(0) - w(y). A has no
-closed form, but it is one function of one variable: t A'(t) is integrated in ln t once per process, and a
-piecewise cubic carries the result to ten digits. The table serves every profile, which therefore holds three
-numbers only.
+K(k), E(k) being complete elliptic integrals with k^2 = 1/(1 + s^2), so the relief must be w(0) - w(y). A has no
+closed form, but it is a single function of one variable: t A'(t) is integrated in ln t once per process, and a
+piecewise cubic represents the result to ten digits. The table serves every profile, so a profile holds only three
+numbers.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _NEAR, _FAR, _STEP = 1e-5, 64.0, 0.01
 
 @dataclass(frozen=True)
 class UniformPressure(Profile):
-    """The relief that evens out the pressure of a contact of given length and half-width."""
+    """The relief that makes the pressure uniform along a contact of given length and half-width."""
 
     amplitude: float
     length: float
@@ -49,30 +49,30 @@ class UniformPressure(Profile):
 
 
 def lundberg(load: float, length: float, radius: float, compliance: float | None = None) -> Profile:
-    """Return Lundberg's profile for a design load: under that load the pressure is even along the length.
+    """Return Lundberg's profile for a design load: under that load the pressure is uniform along the length.
 
     Relief = A [2 A1(a/b) - A1((a - y)/b) - A1((a + y)/b)], where A = (load / length) (K_a + K_b),
     a = length / 2, b is the Hertz half-width of the line contact at the design load and A1 the displacement
     function of a strip with a semi-elliptic pressure (see the module). For y well within the ends this is
     nearly A ln(1 / (1 - (y / a)^2)); at the end it is not infinite but A (ln(a / b) + 1.1932). Beyond the
-    ends it follows the deformed surface, so that a longer body would just touch there without pressure.
+    ends it follows the deformed surface, so that a longer body would just touch there with zero pressure.
 
     Parameters
     ----------
     load : float
         Design load of the contact [N], positive.
     length : float
-        Length over which the pressure shall be even [mm], positive.
+        Length over which the pressure is to be uniform [mm], positive.
     radius : float
         Combined radius of curvature rho across the contact [mm], 1/rho = 1/rho_a + 1/rho_b, positive.
     compliance : float or None
-        K_a + K_b = 1 / (pi E*), the sum of both bodies' (1 - nu^2) / (pi E) [1/MPa], as `Contact.compliance`
-        gives it; steel on steel if left out.
+        K_a + K_b = 1 / (pi E*), the sum of both bodies' (1 - nu^2) / (pi E) [1/MPa], as given by
+        `Contact.compliance`; steel on steel if left out.
 
     Returns
     -------
     Profile
-        The profile, meant as the relief of both bodies together.
+        The profile, meant as the combined relief of both bodies.
 
     Raises
     ------
@@ -81,15 +81,15 @@ def lundberg(load: float, length: float, radius: float, compliance: float | None
 
     Notes
     -----
-    Both bodies are half-spaces, and the relief is exact on the centre line only. Within about one half-width
-    of the ends no relief of circular sections gives a semi-elliptic pressure of even width: the contact
-    narrows and its peak rises there (by 3 % one half-width from the end in the example below, as solved with
-    this package, and more beyond).
+    Both bodies are half-spaces, and the relief is exact only on the centre line. Within about one half-width
+    of the ends no relief with circular cross-sections gives a semi-elliptic pressure of constant width: the contact
+    narrows and its peak pressure rises there (by 3 % one half-width from the end in the example below, as solved
+    with this package, and more beyond).
 
     References
     ----------
     G. Lundberg, Elastische Beruehrung zweier Halbraeume, Forschung auf dem Gebiete des Ingenieurwesens 10
-    (1939) 201-211, doi:10.1007/BF02584950. The exact integral in place of his logarithm is our own
+    (1939) 201-211, doi:10.1007/BF02584950. The exact integral that replaces his logarithm is our own
     derivation.
 
     Examples
@@ -138,7 +138,7 @@ def _table() -> Array:
 
 def _slope(u: Array) -> Array:
     """Return t A'(t) at t = exp(u)."""
-    # Here and not above: importing scipy costs more than everything else that this package imports first.
+    # Imported here, because importing scipy takes longer than everything else that this package imports at first.
     from scipy.special import ellipe, ellipkm1
 
     t = np.exp(u)
