@@ -1,6 +1,6 @@
-"""The command line: read, call one function, print.
+"""The command line: read the input, call one function, print.
 
-Only what parses the arguments is imported before a command runs, so that ``--help`` answers at once.
+Only the argument parser is imported before a command runs, so that ``--help`` answers at once.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from nonhertz.errors import CaseError, InputError
 
 FINE, NOT_CONVERGED, BAD_INPUT, INTERNAL = range(4)
 NOT_VERIFIED = NOT_CONVERGED
-# As a shell reports a program that a signal has ended.
+# As a shell reports a program ended by a signal.
 INTERRUPTED, BROKEN_PIPE = 130, 141
 
 _EXTRAS = {
@@ -33,36 +33,36 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Parameters
     ----------
     arguments : sequence of str or None
-        What follows the program's name; None takes it from the shell.
+        Command-line arguments without the program's name; None for those of the process.
 
     Returns
     -------
     int
-        Exit code: 0 fine, 1 not converged or not verified, 2 bad input, 3 internal error or output that cannot be
-        written, 130 interrupted, 141 nobody reads the output to its end.
+        Exit code: 0 success, 1 not converged or not verified, 2 bad input, 3 internal error or output that cannot be
+        written, 130 interrupted, 141 broken pipe.
     """
     _fill_closed_streams()
-    # Figures are drawn into files, whatever screen is preferred, or misspelled, for other programs.
+    # Figures are drawn to files, whatever backend, even a misspelled one, is set for other programs.
     os.environ["MPLBACKEND"] = "agg"
     words = list(sys.argv[1:] if arguments is None else arguments)
     debug = "--debug" in words or os.environ.get("NONHERTZ_DEBUG", "0") not in {"", "0"}
     if isinstance(sys.stdout, io.TextIOWrapper):
-        # A title in Greek must not end a solve on a terminal that knows ASCII only.
+        # A Greek title must not crash a solve on an ASCII-only terminal.
         sys.stdout.reconfigure(errors="replace")
     try:
         if sys.stdout is None:
             raise OSError(errno.EBADF, "standard output is closed")
-        from nonhertz.cli.commands import run  # here, since what it imports may be missing
+        from nonhertz.cli.commands import run  # here, since its dependencies may be missing
 
         code = run([word for word in words if word != "--debug"])
         sys.stdout.flush()
         return code
     except SystemExit as error:
-        # What rich makes of a pipe that nobody reads on.
+        # rich turns a broken pipe into SystemExit.
         if isinstance(error.__context__, BrokenPipeError):
             return _ended(error.__context__)
         raise
-    except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001  (the border: everything ends as a code)
+    except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001  (top level: everything ends as an exit code)
         if debug:
             with contextlib.suppress(OSError):
                 traceback.print_exception(error)
@@ -107,17 +107,17 @@ def _verdict(error: BaseException) -> tuple[int, list[str]]:
 
 
 def _fill_closed_streams() -> None:
-    """Put nothing in the place of standard streams that are closed, where the next file to be opened would end up."""
+    """Open closed standard streams on the null device; otherwise the next file opened would take their place."""
     for descriptor in range(3):
         try:
             os.fstat(descriptor)
         except OSError:
-            os.open(os.devnull, os.O_RDWR)  # takes the lowest number that is free
+            os.open(os.devnull, os.O_RDWR)  # takes the lowest free descriptor
     if sys.stderr is None:
         sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115  (until the process ends)
 
 
 def _close_output() -> None:
-    """Let nothing more be written, not even by the interpreter when it ends."""
+    """Discard all further output, including what the interpreter flushes on exit."""
     with contextlib.suppress(AttributeError, OSError, ValueError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

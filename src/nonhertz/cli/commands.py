@@ -1,6 +1,6 @@
 """The commands and their arguments.
 
-The docstrings are what ``--help`` prints.
+``--help`` prints the docstrings.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from nonhertz.errors import CaseError, ConvergenceError, InputError
 app = App(
     name="nonhertz",
     help="Elastic contact of rollers, raceways, gear teeth and wheels whose shape no Hertz formula fits.",
-    help_epilogue="Exit codes: 0 fine, 1 not converged or not verified, 2 bad input, 3 internal error.",
+    help_epilogue="Exit codes: 0 success, 1 not converged or not verified, 2 bad input, 3 internal error.",
     version=__version__,
     exit_on_error=False,
     print_error=False,
@@ -43,7 +43,7 @@ def run(words: Sequence[str]) -> int:
 
 @contextlib.contextmanager
 def _plain_warnings() -> Iterator[None]:
-    """Show warnings, such as those of a measured profile, as sentences and not as lines of source."""
+    """Show warnings, such as those about a measured profile, as sentences without source lines."""
     with warnings.catch_warnings():
         warnings.showwarning = lambda message, *_, **__: print(f"warning: {message}", file=sys.stderr)
         yield
@@ -64,9 +64,9 @@ def solve(
     case : Path
         The case file; see 'nonhertz new'.
     out : Path
-        Directory for result.json, table.csv and the figures; made if it does not exist.
+        Directory for result.json, table.csv and the figures; created if it does not exist.
     as_json : bool
-        Print one JSON object with all numbers in place of the summary.
+        Print one JSON object with all numbers instead of the summary.
     """
     from nonhertz.cli.solve import results_written, solved_or_not
     from nonhertz.io.casefile import read_case
@@ -100,19 +100,19 @@ def compare(
 ) -> int:
     """Solve a case file with strips of both elements and on a plane grid, and compare them.
 
-    The plane grid assumes nothing of how the pressure is distributed across the contact. Where it and the strips
-    differ by more than 1 %, what the solutions tell of why is printed. It takes some seconds.
+    The plane grid assumes nothing about how the pressure is distributed across the contact. Where it and the strips
+    differ by more than 1 %, the reasons found in the solutions are printed. This takes a few seconds.
 
     Parameters
     ----------
     case : Path
-        The case file; its solver.element has no effect, solver.strips goes for both elements.
+        The case file; its solver.element has no effect, solver.strips applies to both elements.
     out : Path
-        Directory for comparison.json, comparison.csv and the figure; made if it does not exist.
+        Directory for comparison.json, comparison.csv and the figure; created if it does not exist.
     cells : tuple of int
         Cells of the plane grid, ACROSS and ALONG; 128 512 if left out.
     as_json : bool
-        Print one JSON object with all numbers in place of the table.
+        Print one JSON object with all numbers instead of the table.
     """
     from nonhertz.cli.compare import compared, comparison_written, print_comparison
     from nonhertz.io.casefile import read_case
@@ -149,7 +149,7 @@ def stress(
 ) -> int:
     """Solve a case file and find the largest stresses below the surface.
 
-    Von Mises, maximum shear and orthogonal shear stress, how large and where: in the whole body, and in one
+    Size and position of the largest von Mises, maximum shear and orthogonal shear stress, in the whole body and in one
     cross-section of it.
 
     Parameters
@@ -157,16 +157,16 @@ def stress(
     case : Path
         The case file.
     station : float
-        Where the cross-section lies along the contact [mm]; left out, where the von Mises stress is largest.
+        Position of the cross-section along the contact [mm]; by default where the von Mises stress is largest.
     body : str
-        The body to look into, a or b. Both bear the same pressure.
+        The body to examine, a or b. Both bear the same pressure.
     out : Path
-        Directory for stress.json, tables and figures of two planes; made if it does not exist.
+        Directory for stress.json, tables and figures of two planes; created if it does not exist.
     as_json : bool
-        Print one JSON object in place of the table.
+        Print one JSON object instead of the table.
     """
     from nonhertz.cli.solve import solved_or_not
-    from nonhertz.cli.stress import checked_body, tell_stresses
+    from nonhertz.cli.stress import checked_body, report_stresses
     from nonhertz.io.casefile import read_case
     from nonhertz.io.folder import refuse_unwritable
 
@@ -178,7 +178,7 @@ def stress(
     if complaint:
         print(complaint, file=sys.stderr)
         return NOT_CONVERGED
-    tell_stresses(solution, problem.title, station, name, out, as_json)
+    report_stresses(solution, problem.title, station, name, out, as_json)
     return FINE
 
 
@@ -192,26 +192,26 @@ def life(
     out: Path | None = None,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
-    """Solve a case file and tell how long both bodies last by several fatigue models.
+    """Solve a case file and assess how long both bodies last by several fatigue models.
 
     Lives are relative to those of the same bodies under an ideal pressure, Hertz's line pressure with the load spread
-    evenly. It takes some seconds for each load.
+    evenly. This takes a few seconds per load.
 
     Parameters
     ----------
     case : Path
-        The case file; its table life has the number of rollers, parameters of models, and a spectrum of loads.
+        The case file; its table life has the number of rollers, model parameters, and a load spectrum.
     model : tuple of str
-        Names of the models: lundberg-palmgren, ioannides-harris, zaretsky, weibull, iso-16281. Left out, those of the
+        Names of the models: lundberg-palmgren, ioannides-harris, zaretsky, weibull, iso-16281. By default those in the
         file, or all of them.
     compared : Path
-        Another case file, to tell how much longer the first lives by the same models.
+        Another case file to compare with, by the same models: how much longer the first one lasts.
     out : Path
-        Directory for life.json, tables and the figure; made if it does not exist.
+        Directory for life.json, tables and the figure; created if it does not exist.
     as_json : bool
-        Print one JSON object in place of the table.
+        Print one JSON object instead of the table.
     """
-    from nonhertz.cli.life import check_models, tell_lives
+    from nonhertz.cli.life import check_models, report_lives
     from nonhertz.io.casefile import named, read_case
     from nonhertz.io.folder import refuse_unwritable
 
@@ -222,7 +222,7 @@ def life(
             problems.append(read_case(compared))
     if out is not None:
         refuse_unwritable(out)
-    return tell_lives(problems, model, out, as_json)
+    return report_lives(problems, model, out, as_json)
 
 
 @app.command
@@ -232,22 +232,22 @@ def report(
     life: bool | None = None,
     stress: bool = True,
 ) -> int:
-    """Solve case files and write one HTML file for people who run nothing.
+    """Solve case files and write one HTML report that anyone can open in a browser.
 
-    It has inputs, assumptions and whether they hold, results, figures, references and the case files themselves, and
-    loads nothing from elsewhere. Several cases are compared with the first.
+    It contains inputs, assumptions and whether they hold, results, figures, references and the case files themselves,
+    and loads nothing from elsewhere. Several cases are compared with the first.
 
     Parameters
     ----------
     cases : tuple of Path
-        The case files, one at least.
+        The case files, at least one.
     out : Path
-        The file to write; an older report is replaced, any other file is not. Left out, the first case file's name
+        The file to write; an older report is overwritten, any other file is not. By default the first case file's name
         with '-report.html', in the current directory.
     life : bool
-        Assess lives, or do not; left out, of those cases that have a table life. It takes some seconds for each load.
+        Whether to assess lives, which takes a few seconds per load; by default only for cases with a table life.
     stress : bool
-        Look below the surface.
+        Search for the largest stresses below the surface.
     """
     from nonhertz.cli.report import made, read_cases, target, write
     from nonhertz.io.folder import refuse_unwritable
@@ -289,44 +289,44 @@ def profile(
     out: Path | None = None,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
-    """Prepare a measured profile step by step, and say what every step did.
+    """Prepare a measured profile step by step, and say what each step did.
 
     Parameters
     ----------
     file : Path
-        What the measuring machine wrote: text in columns, a MarWin text export, .smd, .prf or .x3p.
+        The measuring machine's file: text in columns, a MarWin text export, .smd, .prf or .x3p.
     position_unit : str
-        Unit of the positions in a text; what the file states, or mm.
+        Unit of the positions in a text file; by default what the file states, or mm.
     height_unit : str
-        Unit of the heights in a text, such as um; what the file states, or mm.
+        Unit of the heights in a text file, such as um; by default what the file states, or mm.
     position_column : str
         Column of the positions, by number from 1 or by name.
     height_column : str
         Column of the heights.
     sense : str
-        height (positive where material is) or drop (positive where it is taken away).
+        height (positive where there is material) or drop (positive where material is removed).
     level : bool
-        Take off the tilt at which the body lay in the machine; --no-level leaves it.
+        Remove the tilt at which the body lay in the machine; --no-level keeps it.
     align : str
         How to find the middle of the body: ends, symmetry or no.
     trim : str
         Cut off the chamfers: auto, a length to keep, or no.
     outliers : str
-        Robust standard deviations beyond which points are taken out, 5 if left out, or no.
+        Robust standard deviations beyond which points are removed, 5 by default, or no.
     smooth : str
         Filter: gaussian, spline or no.
     cutoff : str
-        Wavelength of which the filter lets half through, 0.8 mm if left out.
+        Wavelength at which the filter transmits 50 %, 0.8 mm by default.
     slope : str
-        Slope at which a chamfer begins, 0.05 if left out.
+        Slope at which a chamfer begins, 0.05 by default.
     points : str
         How many points to keep: auto, a number, or no for all.
     fit : str
         A kind of profile to fit, such as crown, or best to compare all.
     out : Path
-        Directory for profile.csv, profile.json, profile.toml and the figure; made if it does not exist.
+        Directory for profile.csv, profile.json, profile.toml and the figure; created if it does not exist.
     as_json : bool
-        Print one JSON object in place of the tables.
+        Print one JSON object instead of the tables.
     """
     from nonhertz.cli import profile as of_profile
     from nonhertz.io.folder import refuse_unwritable
@@ -365,7 +365,7 @@ def check(case: Path, /) -> int:
 
     try:
         problem = read_case(case)
-        # What only the solver can see, such as a contact that nothing ends. It takes milliseconds.
+        # Finds what only the solver can see, such as an unbounded contact. It takes milliseconds.
         solved_or_not(problem)
     except CaseError as error:
         for number, mistake in enumerate(error.mistakes, start=1):
@@ -384,7 +384,7 @@ def new(path: Path | None = None, /) -> int:
     Parameters
     ----------
     path : Path
-        Where to; an existing file is never overwritten. Left out, the file is printed.
+        The file to write; an existing file is never overwritten. By default the text is printed.
     """
     from nonhertz.io.casefile import starting_case, write_starting_case
 
@@ -404,17 +404,17 @@ def serve(
     port: int = 8765,
     browser: bool = True,
 ) -> NoReturn:
-    """Open a page in the browser on which a case is changed and solved as you go.
+    """Open a page in the browser on which to change a case and see it solved as you type.
 
-    The page is served to this machine alone, and nothing leaves it. Ctrl-C ends it.
+    The page is served to this machine only, and no data leave it. Ctrl-C stops it.
 
     Parameters
     ----------
     case : Path
-        The case file to begin with; left out, the one that 'nonhertz new' writes. The page reads no files: a profile
-        that names one begins with its points.
+        The case file to start with; by default the one that 'nonhertz new' writes. The page reads no files: a profile
+        from a file starts with its points.
     port : int
-        Where the page is served; 0 for a free port.
+        Port on which the page is served; 0 for any free port.
     browser : bool
         Whether to open the page in a browser.
     """
@@ -440,17 +440,17 @@ def verify(
 ) -> int:
     """Compare with publications, exact solutions and other methods.
 
-    Every number is computed anew and set beside what it should be; the exit code is 1 if one is off by more
-    than its tolerance. It takes less than two minutes.
+    Every number is recomputed and set beside its reference value; the exit code is 1 if one is off by more than its
+    tolerance. This takes less than two minutes.
 
     Parameters
     ----------
     out : Path
-        Directory for validation.md, its figures and verify.json; made if it does not exist.
+        Directory for validation.md, its figures and verify.json; created if it does not exist.
     only : tuple of str
-        Names of the sections to run, such as 'half-space plane-strain'; left out, all of them.
+        Names of the sections to run, such as 'half-space plane-strain'; by default all of them.
     as_json : bool
-        Print a JSON list of all checks in place of the tables.
+        Print a JSON list of all checks instead of the tables.
     """
     from nonhertz.cli.verify import Progress, print_section
     from nonhertz.io.folder import refuse_unwritable

@@ -1,4 +1,4 @@
-"""What ``nonhertz compare`` does, writes, and prints for people."""
+"""What ``nonhertz compare`` runs, writes and prints."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _COLUMNS = ("", "plane grid", "semi-elliptic", "difference", "parabolic", "diffe
 
 
 def compared(case: Case, cells: tuple[int, int] | None) -> Comparison:
-    """Return strips of both elements and the plane grid on a case.
+    """Return the comparison of strips of both elements and the plane grid for a case.
 
     Raises
     ------
@@ -52,7 +52,7 @@ def comparison_written(directory: Path, found: Comparison, title: str) -> tuple[
 
 
 def print_comparison(found: Comparison, title: str) -> None:
-    """Print results side by side, times, where and why the methods differ, and warnings."""
+    """Print results side by side, run times, where and why the methods differ, and warnings."""
     printing = console()
     printing.print(Text(title, style="bold"))
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
@@ -68,7 +68,7 @@ def print_comparison(found: Comparison, title: str) -> None:
 
 
 def comparison_rows(found: Comparison) -> list[tuple[str, ...]]:
-    """Return name, value of the plane grid, and value and difference of both kinds of strips, for each quantity."""
+    """Return name, value on the plane grid, and value and difference for both strip elements, for each quantity."""
     rows = [_row(each) for each in found.quantities]
     seconds = found.seconds
     times = [_time(each) for each in (seconds.patch, seconds.semi_elliptic, seconds.parabolic)]
@@ -78,7 +78,7 @@ def comparison_rows(found: Comparison) -> list[tuple[str, ...]]:
 
 
 def sentences(found: Comparison) -> list[str]:
-    """Return how times were taken, what has to be known of quantities, and every stretch with its reasons."""
+    """Return how times were taken, remarks on quantities, and every stretch with its reasons."""
     lines = [
         f"Times: one solve on the plane grid, the median of {found.seconds.runs} on strips; compilation is not counted."
     ]
@@ -87,8 +87,8 @@ def sentences(found: Comparison) -> list[str]:
         remarks.setdefault(each.remark, []).append(each.name)
     lines += [f"{' and '.join(names)}: {remark}." for remark, names in remarks.items() if remark]
     if not found.stretches:
-        return [*lines, "Along the line strips and plane grid differ by 1 % nowhere."]
-    lines.append("Along the line they differ by more than 1 % of the pressure there:")
+        return [*lines, "Along the line, strips and plane grid differ by less than 1 % everywhere."]
+    lines.append("Along the line, they differ by more than 1 % of the pressure there:")
     lines += [f"- {_sentence(each)}" for each in found.stretches]
     return lines
 
@@ -109,7 +109,7 @@ def _difference(value: float, each: Quantity) -> str:
         return ""
     if each.absolute:
         return f"{value:+.2g} {each.unit}" if value else "0"
-    # A load that is prescribed, say, is met to rounding.
+    # A prescribed load, for example, is met to rounding error.
     return _percent(value) if abs(value) > 1e-10 else "0"
 
 
@@ -128,5 +128,5 @@ def _sentence(each: Stretch) -> str:
     if not each.explained:
         left = _percent(each.unexplained) if math.isfinite(each.unexplained) else "all of it"
         what = f"{left} at {each.unexplained_at:.5g} mm" if each.reasons else "this"
-        why = f"{why} Unexplained: the solutions do not tell why {what}; more cells or strips may.".strip()
+        why = f"{why} Unexplained: the solutions do not show why {what}; more cells or strips may.".strip()
     return f"{each.element} strips, y = {each.low:.5g} to {each.high:.5g} mm ({worst} at {each.at:.5g} mm). {why}"

@@ -1,4 +1,4 @@
-"""What ``nonhertz life`` assesses, writes, and prints for people."""
+"""What ``nonhertz life`` assesses, writes and prints."""
 
 from __future__ import annotations
 
@@ -33,11 +33,11 @@ from nonhertz.show.lives import (
     without_ratio,
 )
 
-WIDTH = 120  # of what is piped
+WIDTH = 120  # of piped output
 
 
 def check_models(names: Iterable[str]) -> None:
-    """Refuse names that no model has.
+    """Reject unknown model names.
 
     Raises
     ------
@@ -48,8 +48,8 @@ def check_models(names: Iterable[str]) -> None:
             raise InputError("--model", name, "be a fatigue model", f"choose from {', '.join(MODELS)}")
 
 
-def tell_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_json: bool) -> int:
-    """Solve one or two cases, assess their lives, write them if there is where to, print them; return the exit code."""
+def report_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_json: bool) -> int:
+    """Solve one or two cases, assess their lives, write them if requested, print them; return the exit code."""
     models, notes = models_for(cases[0], names, cases[1:])
     progress = Progress(sum(2 * max(1, len(case.life.spectrum)) for case in cases))
     found: list[Assessment] = []
@@ -120,7 +120,7 @@ def _print_warnings(printing: Console, found: Assessment) -> None:
 
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]], *, left: Sequence[int]) -> Table:
     rows = list(rows)
-    # Not a column where all is blank, as revolutions are without a raceway.
+    # Drop columns that are blank throughout, as revolutions are without a raceway.
     columns = [position for position in range(len(head)) if any(row[position] for row in rows)]
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
     for position in columns:

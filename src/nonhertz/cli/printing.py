@@ -1,4 +1,4 @@
-"""What commands print for people."""
+"""Printing for people."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from rich.table import Table
 
 
 def console(piped: int | None = 100) -> Console:
-    """Return what prints to standard output: as wide as the terminal, or so many columns where there is none.
+    """Return a console on standard output: as wide as the terminal, or ``piped`` columns where there is none.
 
-    None leaves those to COLUMNS, or 80.
+    With None, COLUMNS sets the piped width, or else it is 80.
     """
     return Console(highlight=False, width=None if sys.stdout.isatty() else piped)
 
 
 def print_table(printing: Console, table: Table) -> None:
-    """Print a table, wider than the terminal if it must be: half a number looks like another one."""
+    """Print a table, wider than the terminal if need be: a truncated number looks like a different one."""
     for column in table.columns:
         column.overflow = "fold"
     whole = Console(highlight=False, width=max(printing.width, _least_width(printing, table)))
@@ -26,7 +26,7 @@ def print_table(printing: Console, table: Table) -> None:
 
 
 def _least_width(printing: Console, table: Table) -> int:
-    """Return the width at which no cell is cut and no word is broken."""
+    """Return the width at which no cell is truncated and no word is broken."""
     options = printing.options.update(width=sys.maxsize)
     _, right, _, left = table.padding
     return sum(

@@ -1,4 +1,4 @@
-"""What ``nonhertz profile`` makes of a measured file, and what it prints for people."""
+"""What ``nonhertz profile`` makes of a measured file, and what it prints."""
 
 from __future__ import annotations
 
@@ -25,19 +25,19 @@ from nonhertz.result.numerals import digits
 BEST = "best"
 _PLAIN_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 _NO, _YES = frozenset({"no", "false", "none"}), frozenset({"yes", "true"})
-# Options whose words are words, whatever they look like.
+# Options whose values are always text, whatever they look like.
 _WORDS = frozenset({"position_unit", "height_unit", "sense"})
 
 
 def options(**words: str | bool | None) -> dict[str, Any]:
-    """Return what options of the command line mean, by the keys of a case file; None is left out.
+    """Return the values of command-line options by case-file key; None is left out.
 
-    A number is a number, "no" is false, and lengths are text with a unit or a number in mm.
+    Text that looks like a number becomes one, "no" is false, and lengths are text with a unit or a number in mm.
 
     Raises
     ------
     InputError
-        If a value is of the wrong kind; the option is named as it is written.
+        If a value has the wrong type; the option is named as on the command line.
     """
     values = {}
     for name, word in words.items():
@@ -51,7 +51,7 @@ def options(**words: str | bool | None) -> dict[str, Any]:
 
 
 def option_named(error: InputError) -> InputError:
-    """Return the same complaint with the option as it is written on the command line."""
+    """Return the same error with the option named as on the command line."""
     if error.field == "file":
         remedy = re.sub(r"\b(position|height)_(unit|column)\b", r"--\1-\2", error.remedy)
         return InputError("file", error.value, error.condition, remedy)
@@ -64,7 +64,7 @@ def prepared(file: Path, values: Mapping[str, Any]) -> Measured:
     Raises
     ------
     InputError
-        If the file cannot be read or a step does not go with it.
+        If the file cannot be read or a step does not suit it.
     """
     try:
         measured = measured_from(trace_from(file, values), values)
@@ -75,7 +75,7 @@ def prepared(file: Path, values: Mapping[str, Any]) -> Measured:
 
 
 def fitted(measured: Measured, kind: str | None) -> tuple[Fit, ...]:
-    """Return the fits that were asked for: of one kind, of all for "best", or none.
+    """Return the requested fits: of one kind, of all kinds for "best", or none.
 
     Raises
     ------
@@ -125,7 +125,7 @@ def print_profile(measured: Measured, fits: Sequence[Fit]) -> None:
 
 
 def profile_rows(measured: Measured) -> list[tuple[str, str]]:
-    """Return name and sentence of every step, the relief that came of them, and the roughness."""
+    """Return name and sentence of every step, the resulting relief, and the roughness."""
     found, points = measured.roughness, measured.points
     low, high, most = found.main_band
     return [
@@ -139,7 +139,7 @@ def profile_rows(measured: Measured) -> list[tuple[str, str]]:
 
 
 def fit_rows(fits: Sequence[Fit]) -> list[tuple[str, ...]]:
-    """Return kind, parameters with their standard errors, and what each fit leaves, the best first."""
+    """Return kind, parameters with their standard errors, and residuals of each fit, best first."""
     return [
         (
             fit.kind,

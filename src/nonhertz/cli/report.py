@@ -1,4 +1,4 @@
-"""What ``nonhertz report`` reads, makes and writes."""
+"""What ``nonhertz report`` reads, composes and writes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nonhertz.io.folder import write_files
 from nonhertz.report import MARK, CaseResults, examined, rendered, settled, steps
 
 _REMEDY = "give the name of a file such as report.html"
-_NEAR = 2000  # characters at the beginning of a report, among which its mark stands
+_NEAR = 2000  # characters at the beginning of a report, which include its mark
 
 
 def read_cases(paths: Sequence[Path]) -> list[Case]:
@@ -22,7 +22,7 @@ def read_cases(paths: Sequence[Path]) -> list[Case]:
     Raises
     ------
     CaseError
-        With every mistake in all of them; of several files each has its path in front.
+        With every mistake in all of them; with several files each is prefixed by its path.
     """
     if len(paths) == 1:
         return [_silently(paths[0])]
@@ -40,30 +40,30 @@ def read_cases(paths: Sequence[Path]) -> list[Case]:
 
 
 def _silently(path: Path) -> Case:
-    """Return a case; what is warned of on reading it stands in the report."""
+    """Return a case without issuing warnings; the report shows them."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", AccuracyWarning)
         return read_case(path)
 
 
 def target(out: Path | None, cases: Sequence[Path]) -> Path:
-    """Return the file to write to: beside nothing but an older report, which is replaced.
+    """Return the file to write to, which must be new or an older report.
 
     Raises
     ------
     InputError
-        If there is something else in its place.
+        If something else already exists there.
     """
     path = Path(f"{cases[0].stem}-report.html") if out is None else out
     if path.is_dir():
         raise InputError("--out", str(path), "be a file, not a directory", _REMEDY)
     if path.exists() and not _is_report(path):
-        raise InputError("--out", str(path), "be a new file or a report of nonhertz to replace", "choose another name")
+        raise InputError("--out", str(path), "be a new file or an older nonhertz report", "choose another name")
     return path
 
 
 def made(cases: Sequence[Case], life: bool | None, stress: bool) -> tuple[str, tuple[CaseResults, ...]]:
-    """Return the report on cases as text and what it tells of."""
+    """Return the report on cases as text, and the results in it."""
     found = settled(cases)
     progress = Progress(steps(found, life=life, stress=stress) + 1)
     try:
@@ -75,7 +75,7 @@ def made(cases: Sequence[Case], life: bool | None, stress: bool) -> tuple[str, t
 
 
 def write(path: Path, text: str) -> None:
-    """Write a report, all of it or nothing.
+    """Write a report atomically.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What the page of ``nonhertz serve`` begins with."""
+"""What the page of ``nonhertz serve`` starts with."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from nonhertz.io.casefile import case_in, case_text, parsed, starting_case
 
 
 def starting_document(path: Path | None) -> tuple[dict[str, Any], tuple[str, ...]]:
-    """Return the document that the page begins with, and sentences on the files that it named.
+    """Return the document that the page starts with, and notes on the files that it named.
 
     Parameters
     ----------
@@ -19,7 +19,7 @@ def starting_document(path: Path | None) -> tuple[dict[str, Any], tuple[str, ...
     Raises
     ------
     CaseError
-        If there are mistakes in the file, or more in it than the page takes.
+        If there are mistakes in the file, or it exceeds the limits of the page.
     """
     if path is None:
         return parsed(starting_case(), "case.toml"), ()

@@ -1,4 +1,4 @@
-"""Solving a case for a command, and writing what comes of it."""
+"""Solving a case for a command, and writing the results."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ if TYPE_CHECKING:
 
 
 def solved_or_not(case: Case) -> tuple[Solution, str]:
-    """Return the solution and, if it has not converged, what to say about that."""
+    """Return the solution and, if it has not converged, a message about that."""
     from nonhertz.show.analysis import attempted
 
     return attempted(case)
 
 
 def spectrum_or_not(case: Case) -> tuple[Spectrum, str]:
-    """Return the solutions of all loads with their shares, or what to say about why there are none."""
+    """Return the solutions for all loads with their shares, or a message why there are none."""
     from nonhertz.show.analysis import spectrum_solved
 
     try:

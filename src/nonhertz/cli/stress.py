@@ -1,4 +1,4 @@
-"""What ``nonhertz stress`` evaluates, writes, and prints for people."""
+"""What ``nonhertz stress`` evaluates, writes and prints."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from nonhertz.show.stresses import COLUMNS, sentences, stress_rows
 from nonhertz.subsurface import Extremes
 
 _SEARCHES = 2  # for the largest stresses: in the whole body and in a cross-section
-_STATION_REMEDY = "choose a place in the body, or leave it out for the cross-section of the largest von Mises stress"
+_STATION_REMEDY = "choose a position in the body, or leave it out for the cross-section of the largest von Mises stress"
 
 
 def checked_body(station: float | None, body: str) -> BodyName:
-    """Return the body, and refuse what no solution is needed to see.
+    """Return the body; reject arguments that can be checked before solving.
 
     Raises
     ------
@@ -32,7 +32,7 @@ def checked_body(station: float | None, body: str) -> BodyName:
     if body not in BODIES:
         raise InputError("--body", body, "be one of the two bodies", "write a or b")
     if station is not None and not math.isfinite(station):
-        raise InputError("--station", station, "be finite", "give a place along the contact in mm")
+        raise InputError("--station", station, "be finite", "give a position along the contact in mm")
     return BODIES[BODIES.index(body)]
 
 
@@ -51,10 +51,10 @@ def searched(
     return largest_stresses(solution, station, body, progress.announce)
 
 
-def tell_stresses(
+def report_stresses(
     solution: Solution, title: str, station: float | None, body: BodyName, out: Path | None, as_json: bool
 ) -> None:
-    """Find the largest stresses, write them if there is where to, and print them."""
+    """Find the largest stresses, write them if requested, and print them."""
     from nonhertz.io.stresses import as_json as json_text
 
     progress = Progress(_SEARCHES if out is None else _SEARCHES + 1)
@@ -92,7 +92,7 @@ def _stresses_written(
 
 
 def print_stresses(solution: Solution, overall: Extremes, section: Extremes, title: str) -> None:
-    """Print the largest stresses and where they are, what a pass of the load does, and warnings."""
+    """Print the largest stresses and their positions, the effect of a pass of the load, and warnings."""
     printing = console()
     printing.print(Text(title, style="bold"))
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")

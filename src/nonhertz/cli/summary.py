@@ -1,4 +1,4 @@
-"""The summary that ``nonhertz solve`` prints for people."""
+"""The summary that ``nonhertz solve`` prints."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from nonhertz.show.summary import summary_rows
 
 
 def print_summary(solution: Solution, title: str) -> None:
-    """Print what a solve found, with the errors that it estimates of itself."""
+    """Print the result of a solve, with its error estimates."""
     printing = console(None)
     printing.print(Text(title, style="bold"))
     table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))

@@ -1,4 +1,4 @@
-"""What ``nonhertz verify`` prints for people."""
+"""What ``nonhertz verify`` prints."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from nonhertz.cli.printing import console, print_table
 from nonhertz.verify.claim import Section
 from nonhertz.verify.page import COLUMNS, row
 
-_WIDTHS = {"claim": 3, "source": 2}  # shares of what the numbers leave
+_WIDTHS = {"claim": 3, "source": 2}  # shares of the width that the numbers leave
 _COLOURS = {"pass": "green", "FAIL": "bold red", "shown": "cyan"}
 
 
@@ -33,12 +33,12 @@ def print_section(name: str, section: Section) -> None:
 
 
 class Progress:
-    """One line on a terminal that says what is being done, wiped out before anything else is printed.
+    """A progress line on a terminal, wiped before anything else is printed.
 
     Parameters
     ----------
     steps : int
-        How many there will be.
+        Total number of steps.
     """
 
     def __init__(self, steps: int) -> None:

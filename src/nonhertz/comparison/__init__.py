@@ -1,7 +1,7 @@
-"""Strips and plane grid on one case: how far they differ, what each costs, and why they differ where they do.
+"""Strips and plane grid on one case: how much they differ, what each costs, and why they differ where they do.
 
-The strips take the pressure across the contact for a semi-ellipse or a parabola; the plane grid takes it for nothing
-at all. Where both agree, the shape was right; where they do not, the solutions themselves say what is behind it.
+The strips assume a semi-ellipse or a parabola for the pressure across the contact; the plane grid assumes nothing.
+Where both agree, the shape was right; where they do not, the reason is sought in the solutions themselves.
 """
 
 from nonhertz.comparison.methods import compare as compare

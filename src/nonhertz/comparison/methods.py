@@ -1,4 +1,4 @@
-"""The verb: one case, solved three times."""
+"""`compare`: one case, solved three times."""
 
 from __future__ import annotations
 
@@ -58,14 +58,14 @@ def compare(
     Returns
     -------
     Comparison
-        With the solutions, whose warnings stay with them: none is raised here.
+        With the solutions, which carry their warnings; none are issued here.
 
     Raises
     ------
     InputError
-        If the input cannot be solved as it stands, by any of the methods, or nothing touches.
+        If one of the methods rejects the input, or nothing touches.
     ConvergenceError
-        If one of the methods fails; the sentence says which.
+        If one of the methods fails; the message says which.
 
     Examples
     --------
@@ -78,7 +78,7 @@ def compare(
     True
     """
     callback("announce", announce)
-    if cells is not None:  # before anything is solved on strips
+    if cells is not None:  # checked before the strips are solved
         checked_cells(cells)
     if threads is not None:
         thread_count(threads)
@@ -97,7 +97,7 @@ def compare(
         (semi, of_semi), (parabola, of_parabola) = on_strips(SEMI_ELLIPTIC), on_strips(PARABOLIC)
         patch, of_patch = _timed("plane grid", on_grid, 0, announce)
     if not patch.footprint.any():
-        # An approach so small that strips touch and no middle of a cell does.
+        # An approach so small that strips touch but no cell centre does.
         raise InputError("approach", approach, "bring the bodies into contact", "give a larger one, or a load")
     return Comparison(
         semi_elliptic=semi,
@@ -113,9 +113,9 @@ def compare(
 def _timed(
     name: str, run: Callable[[], Outcome], again: int, announce: Callable[[str], object] | None
 ) -> tuple[Outcome, float]:
-    """Return an outcome and the median time of so many further runs, or that of the one run if there are none.
+    """Return an outcome and the median time of ``again`` further runs, or the time of the first if there are none.
 
-    The first solve on strips may compile them; the plane grid shares what it has compiled with them.
+    The first solve on strips may include compilation; the plane grid uses the same compiled code.
     """
     if announce is not None:
         announce(name)

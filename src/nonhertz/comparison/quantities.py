@@ -15,8 +15,8 @@ from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]
 
-ROUNDING = 1e-5  # of the load times the farthest strip: less is a moment that symmetry makes zero
-SAME = 1e-3  # of a pressure: neither strips nor cells lie as a mirror has them
+ROUNDING = 1e-5  # of the load times the farthest strip: a smaller moment counts as zero by symmetry
+SAME = 1e-3  # of a pressure: equal up to this, since neither strips nor cells lie symmetrically
 NEAREST = 4  # values that a cubic goes through
 
 
@@ -48,7 +48,7 @@ def quantities(semi: Solution, parabola: Solution, patch: PatchSolution) -> tupl
 
 
 def centre(semi: Solution) -> float:
-    """Return y = 0 if that is in contact, else the middle of the contact, else where the line load is largest [mm]."""
+    """Return y = 0 if in contact, else the middle of the contact if that is, else where the line load peaks [mm]."""
     low, high = semi.contact_y[0][0], semi.contact_y[-1][1]
     for y in (0.0, 0.5 * (low + high)):
         if any(start < y < end for start, end in semi.contact_y):
@@ -75,7 +75,7 @@ def _moment(semi: Solution, parabola: Solution, patch: PatchSolution) -> Quantit
 
 
 def _largest(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Quantity, Quantity]:
-    """Return the largest pressure and where it is, of what is away from ends at which there is no limit."""
+    """Return the largest pressure and its position, away from ends at which it has no limit."""
     p, y = _peak(semi, patch.y, patch.centre_pressure, semi.contact_y[-1][1])
     (p_semi, y_semi), (p_parabola, y_parabola) = (
         _peak(semi, one.y, one.centre_pressure, y) for one in (semi, parabola)
@@ -92,9 +92,9 @@ def _largest(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[
 
 
 def _peak(semi: Solution, y: Array, pressure: Array, near: float) -> tuple[float, float]:
-    """Return the largest pressure, and of all places that have it the one next to ``near``; none without contact.
+    """Return the largest pressure, and of all positions that have it the one nearest to ``near``; NaN without contact.
 
-    All leave out what is within a half-width of semi-elliptic strips from their singular ends.
+    For all methods, the half-width next to singular ends, as found by semi-elliptic strips, is left out.
     """
     half_width = np.where(pressure > 0.0, np.interp(y, semi.y, semi.half_width), 0.0)
     places, found = counted(y, pressure, half_width, singular_y(semi))

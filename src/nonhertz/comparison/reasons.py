@@ -1,13 +1,13 @@
-"""Where along the line strips and plane grid differ by more than 1 %, and what the solutions tell of why.
+"""Where along the line strips and plane grid differ by more than 1 %, and the reasons found in the solutions.
 
-Nothing is known beforehand of a case. Each possible reason is a question put to the solutions: is an end at which the
-pressure has no limit, or at which the contact runs out, within a half-width; are semi-elliptic strips of another
-half-width where parabolic ones are; is the pressure steep against strips and cells; is the pressure across no
-semi-ellipse; do the methods doubt themselves.
+Nothing about a case is known beforehand. Each possible reason is a question put to the solutions: is an end at which
+the pressure has no limit, or at which the contact runs out, within a half-width; do semi-elliptic and parabolic strips
+have different half-widths there; does the pressure vary steeply compared with strips and cells; is the pressure across
+not a semi-ellipse; are the methods' own error estimates large.
 
-A reason explains no more than its size: the difference that it can make at a strip, relative to the plane grid, as far
-as can be estimated without the difference itself. Sizes of several reasons are bounds and not independent errors, so
-they add up plainly. A stretch is explained where at every one of its strips the sum is at least the difference.
+A reason explains no more than its size: the difference that it can make at a strip, relative to the plane grid,
+estimated without using the difference itself. Sizes of several reasons are bounds and not independent errors, so they
+are simply added. A stretch is explained if at every one of its strips the sum is at least the difference.
 """
 
 from __future__ import annotations
@@ -35,23 +35,23 @@ from nonhertz.result.solution import EdgeKind, Solution
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
-TOLD = 0.01
-LEAST = 1e-3  # of the pressure: a smaller reason is not told
-UNLIKE = 0.005  # of the fourth moment: cells leave 0.001 of a semi-ellipse
-# How far apart along y strips and cells may place the same pressure: of a strip, and of a cell. Over 20 cases the
+NOTABLE = 0.01
+LEAST = 1e-3  # of the pressure: smaller reasons are not given
+UNLIKE = 0.005  # of the fourth moment: discretisation by cells alone changes that of a semi-ellipse by 0.001
+# How far apart along y strips and cells may place the same pressure, in strips and in cells. Over 20 cases the
 # largest shifts at run-outs were 0.04 strips with fine cells, and 0.38 cells with fine strips.
 OF_STRIP, OF_CELL = 0.05, 0.4
-# Of a parabola's bias in the half-width, to which that of the pressure is proportional (p0 = b / (2 K rho)) but where
-# the contact runs out.
+# Of a parabola's bias in the half-width, to which that of the pressure is proportional (p0 = b / (2 K rho)) except
+# where the contact runs out.
 OF_WIDTH = 1.25
-# Of its pressure: by so much the last cell at an end without a limit misses its mean, those behind it by less.
+# Relative error of the pressure in the last cell at a singular end; cells further inside have less.
 OF_LAST_CELL = 0.1
-AT_CORNER = 0.5  # exponent where a contact ends at a corner: that of a sharp end, which bends away too
+AT_CORNER = 0.5  # exponent where a contact ends at a corner: that of a sharp end, where the surface also bends away
 
 
 @dataclass(frozen=True)
 class _Cause:
-    """A reason with its sizes, one for each strip of a place."""
+    """A reason with its size at each strip of a place."""
 
     sentence: str
     sizes: Array
@@ -75,7 +75,7 @@ class _Limitless:
 
 @dataclass(frozen=True)
 class _Place:
-    """A group of strips that differ, and everything there is to ask."""
+    """A group of strips that differ, and everything needed to find the reasons."""
 
     solution: Solution
     semi: Solution
@@ -105,19 +105,19 @@ class _Place:
 
     @property
     def shift(self) -> Array:
-        """How far apart along y both methods may place the same pressure [mm]."""
+        """Distance along y by which the methods may shift the same pressure [mm]."""
         return OF_STRIP * self.strip_width + OF_CELL * self.patch.dy
 
     @property
     def cells(self) -> Indices:
-        """The rows of the plane grid that hold the middles of these strips."""
+        """The rows of the plane grid that contain the middles of these strips."""
         cell = np.floor((self.y - self.patch.y[0]) / self.patch.dy + 0.5).astype(np.intp)
         within: Indices = np.clip(cell, 0, self.patch.y.size - 1)
         return within
 
 
 def stretches(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Stretch, ...]:
-    """Return every stretch of the line on which strips differ by more than 1 %, semi-elliptic ones first.
+    """Return every stretch of the line on which strips differ by more than 1 %, those of semi-elliptic strips first.
 
     Parameters
     ----------
@@ -135,11 +135,11 @@ def stretches(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple
 
 
 def _groups(solution: Solution, relative: Array) -> list[Indices]:
-    """Return the strips that differ, those together between which there is less than a half-width.
+    """Return the strips that differ, grouped where less than a half-width apart.
 
-    What is within a half-width of a sharp end is kept apart.
+    Strips within a half-width of a sharp end form separate groups.
     """
-    found = np.flatnonzero(np.abs(np.nan_to_num(relative, nan=0.0)) > TOLD)
+    found = np.flatnonzero(np.abs(np.nan_to_num(relative, nan=0.0)) > NOTABLE)
     if found.size == 0:
         return []
     apart = solution.edges[found[1:]] - solution.edges[found[:-1] + 1] > solution.max_half_width
@@ -169,12 +169,12 @@ def _stretch(place: _Place) -> Stretch:
 
 
 def carried(solution: Solution, semi: Solution, patch: PatchSolution, strips: Indices) -> Array:
-    """Return the sum of the sizes of all reasons at some strips next to each other, relative to the plane grid.
+    """Return the sum of the sizes of all reasons at adjacent strips, relative to the plane grid.
 
     Parameters
     ----------
     solution, semi : Solution
-        The strips, and semi-elliptic ones, which may be the same.
+        The strips, and the semi-elliptic ones, which may be the same.
     patch : PatchSolution
         On the plane grid.
     strips : ndarray of int, shape (n,)
@@ -198,7 +198,7 @@ def _together(causes: list[_Cause], place: _Place) -> Array:
 
 
 def _limitless_end(place: _Place) -> Iterator[_Cause]:
-    """Ask what strips and cells make of a pressure that grows as a power of the distance from an end."""
+    """Yield how differently strips and cells represent a pressure that grows as a power of the distance from an end."""
     for end in _limitless_ends(place.solution):
         inwards = math.copysign(1.0, float(np.mean(place.solution.edges)) - end.y)
         distance = inwards * (place.y - end.y)
@@ -220,7 +220,7 @@ def _limitless_end(place: _Place) -> Iterator[_Cause]:
 
 
 def _limitless_ends(solution: Solution) -> list[_Limitless]:
-    """Return the sharp ends, and the corners of the profile at which the contact ends with a rising pressure."""
+    """Return the sharp ends, and the corners of the profile at which the contact ends with rising pressure."""
     found = [
         _Limitless(edge.y, edge.exponent, edge.correction or 0.0, width, f"the sharp end at y = {edge.y:.5g} mm")
         for edge, width in zip(solution.edge_pressure, solution.half_width[[0, -1]].tolist(), strict=True)
@@ -243,7 +243,7 @@ def _bend_beside(solution: Solution, strip: int) -> float | None:
 
 
 def _mean_of_power(distance: Array, width: Array | float, exponent: float) -> Array:
-    """Return the mean of a power of the distance over a width about each; nothing lies beyond the end."""
+    """Return the mean of a power of the distance over a width around each; beyond the end it is zero."""
     rise = 1.0 + exponent
     low, high = np.maximum(distance - 0.5 * width, 0.0), np.maximum(distance + 0.5 * width, 0.0)
     mean: Array = (high**rise - low**rise) / (rise * width)
@@ -251,7 +251,7 @@ def _mean_of_power(distance: Array, width: Array | float, exponent: float) -> Ar
 
 
 def _own_bias(place: _Place) -> Iterator[_Cause]:
-    """Ask how far a parabola's half-width is from that of semi-elliptic strips: so far is its pressure."""
+    """Yield how far a parabola's half-width is from that of semi-elliptic strips; its pressure is off in proportion."""
     if place.solution is place.semi:
         return
     of_semi = np.interp(place.y, place.semi.y, place.semi.half_width)
@@ -266,14 +266,14 @@ def _own_bias(place: _Place) -> Iterator[_Cause]:
 
 
 def _end_of_contact(place: _Place) -> Iterator[_Cause]:
-    """Ask what comes of placing a run-out a little differently: pressure falls as the root of the distance from it."""
+    """Yield the effect of a slightly shifted run-out: the pressure falls as the square root of the distance from it."""
     solution = place.solution
     near, distance, nearest = _run_out(place)
     if not near.any():
         return
     inside = np.maximum(distance - place.shift, 0.0)
     root = np.sqrt(np.divide(distance, inside, out=np.full(inside.shape, np.inf), where=inside > 0.0)) - 1.0
-    # Close to it a curve through few strips or cells is a poor one, farther away the pressure may have stopped rising.
+    # Close to it a curve through few strips or cells is inaccurate; farther away the pressure may have stopped rising.
     poorer, better = _shifted(place)
     sizes = np.minimum(root, np.where(distance > 2.0 * place.shift, better, poorer))
     away = float(distance[place.worst]) / solution.max_half_width
@@ -285,7 +285,7 @@ def _end_of_contact(place: _Place) -> Iterator[_Cause]:
 
 
 def _run_out(place: _Place) -> tuple[Flags, Array, float]:
-    """Return which strips are within a half-width of a run-out, how far inside it all are, and the one next to them."""
+    """Return which strips are within a half-width of the nearest run-out, how far inside it all are, and its y."""
     solution = place.solution
     limitless = [end.y for end in _limitless_ends(solution)]
     kinds = {edge.y: edge.kind for edge in solution.edge_pressure}
@@ -305,7 +305,7 @@ def _run_out(place: _Place) -> tuple[Flags, Array, float]:
 
 
 def _steep(place: _Place) -> Iterator[_Cause]:
-    """Ask how far the pressure is from a straight line over strips and cells, where no end has been asked about."""
+    """Yield how far the pressure is from a straight line over strips and cells, away from all ends."""
     free = ~_run_out(place)[0] & away_from_ends(place.solution, place.y)
     if free.any():
         yield _Cause(
@@ -316,9 +316,9 @@ def _steep(place: _Place) -> Iterator[_Cause]:
 
 
 def _bent(place: _Place) -> Array:
-    """Return what a straight line over a strip and a cell misses of the pressure, by the straightest of all curves.
+    """Return the deviation of the pressure from a straight line over a strip and a cell, by the straightest curve.
 
-    That is an eighth of the second difference over the step of a curve; two methods may miss so much either way.
+    That is an eighth of the second difference of a curve over the step; two methods may miss that much either way.
     """
     reach = 0.5 * place.strip_width + place.patch.dy
     bends = [
@@ -335,16 +335,16 @@ def _bent(place: _Place) -> Array:
 def _curves(place: _Place) -> list[tuple[Array, Array]]:
     """Return the pressures along y of all solutions.
 
-    A step in one of them alone is no steep pressure but what has to be explained.
+    A step in only one of them is not a steep pressure but the very thing to be explained.
     """
     strips = [(one.y, one.centre_pressure) for one in (place.solution, place.semi)]
     return [(place.patch.y, place.patch.centre_pressure), *strips]
 
 
 def _shifted(place: _Place) -> tuple[Array, Array]:
-    """Return what a shift along y makes of the pressure, by the steepest and by the least steep of the solutions.
+    """Return the change of the pressure by a shift along y, by the steepest and the least steep of the solutions.
 
-    Where either has no contact it is everything.
+    Where either method has no contact, the first is infinite and the second zero.
     """
     ways = -place.shift, place.shift
     changes = [
@@ -360,7 +360,7 @@ def _shifted(place: _Place) -> tuple[Array, Array]:
 
 
 def _shape(place: _Place) -> Iterator[_Cause]:
-    """Ask how high the pressure across is against a semi-ellipse of the same load and second moment."""
+    """Yield how much the pressure across differs from a semi-ellipse with the same load and second moment."""
     fourth, peak = (each[place.cells] for each in excess_of_moments(place.patch))
     unlike = np.isfinite(fourth) & (np.abs(np.nan_to_num(fourth)) > UNLIKE)
     if unlike.any():

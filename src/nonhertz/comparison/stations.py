@@ -1,4 +1,4 @@
-"""Three places at which to look across the contact."""
+"""Three stations at which to look across the contact."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ NEAR = 0.25  # of a half-width
 
 
 def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, Station]:
-    """Return the middle, where the pressures along the line differ most, and a place near the more loaded end.
+    """Return the middle, where the pressures along the line differ most, and a station near the more loaded end.
 
     The middle is y = 0, or the middle of the contact if that is not in contact, or where the line load is largest if
-    neither is. The more loaded end is the one with the larger line load a half-width inside it; the place is a quarter
-    of the largest half-width from it, and two cells at least. The difference is that of pressures in MPa of
+    neither is. The more loaded end is the one with the larger line load a half-width inside it; the station is a
+    quarter of the largest half-width from it, and at least two cells. The difference is that of the pressures in MPa of
     semi-elliptic strips, more than a half-width from ends at which the pressure has no limit, a strip and two cells
-    from where the contact ends, and a half-width (or an eighth of a short contact) from the other two places.
+    from where the contact ends, and a half-width (or an eighth of a short contact) from the other two stations.
     """
     middle, end = centre(semi), _near_end(semi, patch)
     low, high = semi.contact_y[0][0], semi.contact_y[-1][1]
@@ -29,7 +29,7 @@ def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, St
     free = (semi.line_load > 0.0) & away_from_ends(semi, semi.y)
     free &= (np.abs(semi.y - middle) > apart) & (np.abs(semi.y - end) > apart)
     for edge in np.ravel(semi.contact_y):
-        # There the contact is as short as they are, and neither resolves it.
+        # Neither strips nor cells resolve the end of the contact.
         free &= np.abs(semi.y - edge) > np.maximum(semi.strip_width, 2.0 * patch.dy)
     between = 0.5 * (middle + end)
     if np.any(free):
@@ -47,5 +47,5 @@ def _near_end(semi: Solution, patch: PatchSolution) -> float:
     inwards = min(widest, 0.25 * (high - low))
     at_low, at_high = np.interp([low + inwards, high - inwards], semi.y, semi.line_load)
     step = min(max(NEAR * widest, 2.0 * patch.dy), 0.125 * (high - low))
-    # Symmetry leaves either larger by rounding.
+    # In a symmetric case rounding decides which is larger.
     return float(low + step if at_low > (1.0 + 1e-6) * at_high else high - step)

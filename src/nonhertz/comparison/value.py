@@ -1,4 +1,4 @@
-"""What a comparison returns: the three solutions and everything that was found of them."""
+"""The result of a comparison: the three solutions and how they differ."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ FEWEST_ACROSS, MOST_CHANGE = 12, 0.1
 
 @dataclass(frozen=True)
 class Quantity:
-    """One result of all three methods.
+    """One result by all three methods.
 
     Attributes
     ----------
@@ -30,11 +30,11 @@ class Quantity:
     unit : str
         Its unit.
     patch, semi_elliptic, parabolic : float
-        What the plane grid and the strips of either element say; not a number where there is none.
+        Values by the plane grid and by strips of either element; NaN where there is none.
     absolute : bool
         Whether differences are in ``unit``, as for positions; else relative to ``patch``.
     remark : str
-        What has to be known of it; empty if nothing has.
+        What to know about it; may be empty.
     """
 
     name: str
@@ -47,14 +47,14 @@ class Quantity:
 
     @property
     def differences(self) -> tuple[float, float]:
-        """Semi-elliptic and parabolic strips less the plane grid; not a number relative to zero."""
+        """Semi-elliptic and parabolic strips less the plane grid; NaN if relative to zero."""
         scale = 1.0 if self.absolute else abs(self.patch) or math.nan
         return (self.semi_elliptic - self.patch) / scale, (self.parabolic - self.patch) / scale
 
 
 @dataclass(frozen=True)
 class Seconds:
-    """Wall-clock times [s], compilation not counted.
+    """Wall-clock times [s], excluding compilation.
 
     Attributes
     ----------
@@ -63,7 +63,7 @@ class Seconds:
     patch : float
         One solve on the plane grid.
     runs : int
-        How many solves on strips.
+        Number of solves on strips.
     """
 
     semi_elliptic: float
@@ -74,14 +74,14 @@ class Seconds:
 
 @dataclass(frozen=True)
 class Reason:
-    """Why strips and plane grid differ, and by how much that can make them differ.
+    """Why strips and plane grid differ, and how large a difference that can explain.
 
     Attributes
     ----------
     sentence : str
-        What the solutions tell, without a full stop.
+        The reason, without a full stop.
     size : float
-        The largest difference that comes of it, relative to the plane grid; infinite where it can be all of it.
+        The largest difference it can cause, relative to the plane grid; infinite if it can be any difference.
     """
 
     sentence: str
@@ -93,7 +93,7 @@ class Reason:
 
 
 def percent(relative: float) -> str:
-    """Return a share in per cent, two digits or a whole number."""
+    """Return a fraction in per cent, to two digits or as a whole number."""
     return f"{100.0 * relative:.0f} %" if relative >= 0.995 else f"{100.0 * relative:.2g} %"
 
 
@@ -108,15 +108,15 @@ class Stretch:
     low, high : float
         Outer edges of its strips [mm].
     largest : float
-        The largest difference there, relative to the plane grid; infinite where that has no contact.
+        The largest difference there, relative to the plane grid; infinite where the plane grid has no contact.
     at : float
         Centre of the strip that has it [mm].
     reasons : tuple of Reason
-        What the solutions tell of why, with sizes at ``at``, or at ``unexplained_at`` where something is left.
+        The reasons found, with sizes at ``at``, or at ``unexplained_at`` if something is left unexplained.
     unexplained : float
-        The most by which a difference exceeds the sum of its reasons' sizes at the same strip; zero where none does.
+        The most by which a difference exceeds the sum of its reasons' sizes at the same strip; zero if none does.
     unexplained_at : float
-        Centre of the strip where that is [mm], or ``at``.
+        Centre of that strip [mm], or ``at``.
     """
 
     element: str
@@ -130,20 +130,20 @@ class Stretch:
 
     @property
     def explained(self) -> bool:
-        """Whether the reasons together are as large as the difference, at every strip."""
+        """Whether the reasons together are at least as large as the difference, at every strip."""
         return self.unexplained == 0.0
 
 
 @dataclass(frozen=True)
 class Station:
-    """A place to look across the contact.
+    """A station at which to look across the contact.
 
     Attributes
     ----------
     y : float
         Position [mm].
     reason : str
-        Why there.
+        Why it was chosen.
     """
 
     y: float
@@ -161,13 +161,13 @@ class Comparison:
     patch : PatchSolution
         The plane grid.
     seconds : Seconds
-        What each took.
+        Run time of each.
     quantities : tuple of Quantity
         Results side by side.
     stretches : tuple of Stretch
-        Where along the line they differ by more than 1 %, and why; of semi-elliptic strips first.
+        Where along the line they differ by more than 1 %, and why; those of semi-elliptic strips first.
     stations : tuple of three Station
-        Where to look across.
+        Where to look across the contact.
     """
 
     semi_elliptic: Solution
@@ -180,7 +180,7 @@ class Comparison:
 
     @property
     def contact(self) -> Contact:
-        """What was solved."""
+        """The contact that was solved."""
         return self.patch.contact
 
     @property
@@ -190,11 +190,11 @@ class Comparison:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What strains the models, as semi-elliptic strips and the plane grid say it."""
+        """Warnings of the semi-elliptic strips and of the plane grid."""
         return (*self.semi_elliptic.warnings, *(f"On the plane grid: {each}" for each in self.patch.warnings))
 
     def quantity(self, name: str) -> Quantity:
-        """Return the quantity whose name begins so.
+        """Return the first quantity whose name starts with ``name``.
 
         Raises
         ------
@@ -207,7 +207,7 @@ class Comparison:
         raise KeyError(name)
 
     def along(self, solution: Solution) -> Array:
-        """Return how far each strip is from the plane grid; see `differences`."""
+        """Return the difference of each strip from the plane grid; see `differences`."""
         if not isinstance(solution, Solution):
             raise InputError("solution", solution, "be a solution on strips", "give one of those compared")
         return differences(solution, self.patch)
@@ -226,8 +226,8 @@ def differences(solution: Solution, patch: PatchSolution) -> Array:
     Returns
     -------
     ndarray, shape (strips,)
-        Not a number where neither has contact, infinite where only the strip has, and -1 where only the plane grid
-        has it, in the cell there and in both beside it: the last cell of a contact may end it up to a cell late.
+        NaN where neither has contact, infinite where only the strip has, and -1 where only the plane grid has it, in
+        the cell there and in both adjacent ones: on the grid a contact may end up to a cell too late.
     """
     expected = np.interp(solution.y, patch.y, patch.centre_pressure)
     found = solution.centre_pressure
@@ -266,10 +266,10 @@ def excess_of_moments(patch: PatchSolution) -> tuple[Array, Array]:
     Returns
     -------
     tuple of ndarray, shape (ny,)
-        <x^4> / (2 <x^2>^2) - 1 about the middle, and the pressure on x = 0 over that of the semi-ellipse, less 1; not a
-        number with fewer than `FEWEST_ACROSS` cells in contact, or where the half-width changes by more than
-        `MOST_CHANGE` of itself from cell to cell: a cell along then holds semi-ellipses of unlike widths, whose mean is
-        none.
+        <x^4> / (2 <x^2>^2) - 1 about the middle, and the pressure on x = 0 over that of the semi-ellipse, less 1; NaN
+        with fewer than `FEWEST_ACROSS` cells in contact, or where the half-width changes by more than `MOST_CHANGE` of
+        itself from cell to cell: a cell then averages over semi-ellipses of different widths, which does not give a
+        semi-ellipse.
     """
     pressure, load, width = patch.pressure, patch.pressure.sum(axis=0), patch.half_width
     fourth_excess, peak_excess = np.full(patch.y.size, np.nan), np.full(patch.y.size, np.nan)
@@ -278,7 +278,7 @@ def excess_of_moments(patch: PatchSolution) -> tuple[Array, Array]:
     wide = (patch.footprint.sum(axis=0) >= FEWEST_ACROSS) & (change < MOST_CHANGE * width)
     share = pressure[:, wide] / load[wide]
     away = patch.x[:, None] - patch.x @ share
-    # Each cell's pressure is uniform: its own moments about its middle belong to it.
+    # Each cell's pressure is uniform, so its moments about its own middle are included.
     cell = patch.dx**2 / 12.0
     second = np.sum(share * away**2, axis=0) + cell
     fourth = np.sum(share * (away**4 + 6.0 * cell * away**2), axis=0) + patch.dx**4 / 80.0

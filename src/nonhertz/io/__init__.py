@@ -1,1 +1,1 @@
-"""Files in and out: case files, units, and results on disk."""
+"""Reading and writing files: case files, quantities with units, and results."""

@@ -1,6 +1,6 @@
-"""How much a case file may hold, so that whatever is in one is answered at once.
+"""Limits on the content of a case file, so that any file is answered promptly.
 
-Far more than any case needs: a bound is met by a wrong path or a broken generator, not by a person.
+They are far above what any case needs: a wrong path or a broken generator hits them, a person does not.
 """
 
 from __future__ import annotations
@@ -12,15 +12,15 @@ from typing import Any, Final
 LARGEST_CASE: Final = 1_000_000
 """Bytes; some 50,000 points."""
 NESTING: Final = 16
-"""Tables and lists within one another; a case has six at most."""
+"""Levels of nested tables and lists; a case has six at most."""
 KEYS: Final = 5000
 """In the whole file; a thousand loads have three each."""
 PROFILES: Final = 100
-"""Of a body."""
+"""Per body."""
 LOADS: Final = 1000
-"""Of a spectrum."""
+"""Per spectrum."""
 MISTAKES: Final = 20
-"""That are told one by one."""
+"""Listed individually; the rest are only counted."""
 
 TOO_DEEP: Final = "lists or tables are nested too deeply"
 _KEY_PART = r"""(?:[\w-]+|"(?:[^"\\\n]|\\.)*"|'[^'\n]*')"""
@@ -28,15 +28,15 @@ _LONG_KEY = re.compile(rf"(?:^|[\[{{,])[ \t]*(?:{_KEY_PART}[ \t]*\.[ \t]*){{{NES
 
 
 def has_long_key(text: str) -> bool:
-    """Return whether a key in the text of a case file has more parts than tables may be nested.
+    """Return whether a dotted key in the text of a case file has more parts than the nesting limit.
 
-    To be asked before the text is parsed, which takes the square of their number.
+    Check this before parsing: the parser's time grows with the square of the number of parts.
     """
     return _LONG_KEY.search(text) is not None
 
 
 def excess(document: dict[str, Any]) -> str:
-    """Return what there is too much of in a document, as a clause; empty if there is not.
+    """Return which limit a document exceeds, as a clause; empty if none.
 
     Examples
     --------
@@ -53,7 +53,7 @@ def excess(document: dict[str, Any]) -> str:
 
 
 def deeper(value: Any, most: int) -> bool:
-    """Return whether there are more than so many tables and lists within one another."""
+    """Return whether tables and lists are nested more than ``most`` levels deep."""
     level: Iterable[Any] = (value,)
     for _ in range(most):
         level = [inner for outer in level for inner in _entries(outer)]
@@ -63,7 +63,7 @@ def deeper(value: Any, most: int) -> bool:
 
 
 def _tables(value: Any) -> Iterator[dict[str, Any]]:
-    """Yield all tables in a value, and itself if it is one."""
+    """Yield all tables in a value, including the value itself if it is a table."""
     if isinstance(value, dict):
         yield value
     for entry in _entries(value):

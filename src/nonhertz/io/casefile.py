@@ -1,6 +1,6 @@
-"""Case files: a TOML file to a `Contact` and what to solve it for.
+"""Case files: from TOML to a `Contact` and what to solve it for.
 
-All mistakes of a file are found at once and raised together, in the words that the Python classes use.
+All mistakes in a file are found at once and raised together, in the wording of the Python classes.
 """
 
 from __future__ import annotations
@@ -46,11 +46,11 @@ class LifeCase:
     rollers : int or None
         Number of rollers in the bearing.
     names : tuple of str
-        The models that are wanted; empty for all of them.
+        Names of the models to apply; empty for all of them.
     parameters : dict
-        Parameters of models that the file gives, whichever models have them.
+        Model parameters given in the file, whichever models take them.
     spectrum : tuple of LoadCase
-        Loads in place of the one to solve for; empty if there is none.
+        Loads that replace the single load; empty if there is no spectrum.
     """
 
     rollers: int | None = None
@@ -59,17 +59,17 @@ class LifeCase:
     spectrum: tuple[LoadCase, ...] = ()
 
     def models(self, names: Iterable[str] = ()) -> tuple[Model, ...]:
-        """Return models by name, each with those parameters of the file that it has.
+        """Return models by name, each with the parameters from the file that it takes.
 
         Parameters
         ----------
         names : iterable of str
-            In place of those of the file.
+            Names that override those in the file.
 
         Raises
         ------
         InputError
-            If there is no such model.
+            If a name is not that of a model.
         """
         from nonhertz.life import MODELS, model
 
@@ -95,11 +95,11 @@ class Case:
     life : LifeCase
         How long the bodies last: models and a spectrum of loads.
     title : str
-        What it is called; of a file without a title the file's name.
+        The case's title; the file's name if the file has none.
     path : Path
-        The file that it was read from, which names of other files are relative to.
+        The file it was read from; other file names are relative to it.
     origin : Origin or None
-        What the file held; None of a case that was made in Python.
+        What the file held; None for a case made in Python.
 
     Examples
     --------
@@ -133,6 +133,11 @@ class Case:
         ):
             if not isinstance(value, kind):
                 raise InputError(name, value, f"be a {kind.__name__}", "make the case with one")
+        if self.origin is not None:
+            from nonhertz.io.origin import Origin
+
+            if not isinstance(self.origin, Origin):
+                raise InputError("origin", self.origin, "be an Origin", "leave it out, or use nonhertz.read_case")
         one_line("title", self.title, "give a short name")
         for name, given, section in (("prescribed", self.prescribed, "load"), ("solver", self.solver, "solver")):
             known = _SECTIONS[section]
@@ -145,7 +150,7 @@ class Case:
 
     @property
     def file_name(self) -> str:
-        """What its file is called, without the folder."""
+        """The name of its file, without the directory."""
         return legible(self.path.name)
 
     @property
@@ -175,12 +180,12 @@ class Case:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What was warned of when its file was read, such as gaps in a measured profile."""
+        """Warnings raised when its file was read, such as gaps in a measured profile."""
         return () if self.origin is None else self.origin.notes
 
     @property
     def attachments(self) -> Mapping[str, bytes]:
-        """What is in the files that its file names, by these names, as far as they are there and not too large."""
+        """Contents of the files that its file names, by name; missing and too large ones are left out."""
         return {} if self.origin is None else self.origin.attachments
 
     def solve(self) -> Solution:
@@ -189,7 +194,7 @@ class Case:
         Raises
         ------
         CaseError
-            If the solver refuses the case; the sentence names the key of the file.
+            If the solver rejects the case; the sentence names the key in the file.
         ConvergenceError
             If it stops short of a solution.
 
@@ -206,16 +211,16 @@ class Case:
             raise placed(error) from None
 
     def write(self, path: str | Path) -> None:
-        """Write the case to a file, which `read_case` reads back as this case.
+        """Write the case to a file that `read_case` reads back as the same case.
 
-        Values are in mm, N, MPa and rad. Points of measured and tabulated profiles stand in the file, so that it needs
-        no other one. A file of that name is replaced.
+        Values are in mm, N, MPa and rad. The points of measured and tabulated profiles are written into the file, so it
+        needs no other file. An existing file is overwritten.
 
         Raises
         ------
         InputError
-            If the file cannot be written, or holds what no case file can: a profile or diameter of a class of your own,
-            edges of strips.
+            If the file cannot be written, or the case has something no case file can hold: a profile or diameter of a
+            user-defined class, or strips given by their edges.
         """
         from nonhertz.io.folder import write_files
         from nonhertz.io.written import document
@@ -224,7 +229,7 @@ class Case:
             raise InputError("path", path, "be the name of a file to write", "give a string or a Path")
         text, path = as_toml(document(self)), Path(path)
         if len(text) > LARGEST_CASE:
-            condition = f"make a file of {LARGEST_CASE / 1e6:g} MB at most, which is what is read"
+            condition = f"fit into a case file of at most {LARGEST_CASE / 1e6:g} MB"
             raise InputError("profile", f"{len(text) / 1e6:.1f} MB", condition, "smooth it or take every tenth point")
         try:
             write_files(path.parent, {path.name: text})
@@ -260,12 +265,12 @@ def read_case(path: str | Path) -> Case:
 
 
 def case_text(path: Path) -> str:
-    """Return the text of a case file, which is read once: a pipe gives it only once.
+    """Return the text of a case file. It is read only once, since it may be a pipe.
 
     Raises
     ------
     CaseError
-        If it cannot be read, is no text, or is larger than any case.
+        If it cannot be read, is not text, or is larger than any case.
     """
     try:
         return content(path, LARGEST_CASE).decode("utf-8-sig")
@@ -286,25 +291,25 @@ def case_text(path: Path) -> str:
 
 
 def case_in(document: dict[str, Any], path: Path, text: str | None = None, *, files: bool = True) -> Case:
-    """Return the case in a document that is parsed already.
+    """Return the case in a document that has already been parsed.
 
     Parameters
     ----------
     document : dict
         What a TOML file holds.
     path : Path
-        Where it came from; files that it names are relative to it.
+        Where it came from; the names of other files are relative to it.
     text : str, optional
         What it was parsed from.
     files : bool
-        Whether it may name files. One that comes from elsewhere must not have them read.
+        Whether it may name files; False for an untrusted document, which must not make us read any.
 
     Raises
     ------
     CaseError
         With every mistake in the document, one sentence each.
     """
-    # Here and not above: pydantic and its schemas take a tenth of a second.
+    # Imported here: pydantic and its schemas take a tenth of a second.
     from pydantic import ValidationError
 
     from nonhertz.io.document import CaseTable
@@ -329,14 +334,14 @@ def case_in(document: dict[str, Any], path: Path, text: str | None = None, *, fi
 
 
 def parsed(text: str, name: str) -> dict[str, Any]:
-    """Return the document in the text of a case file; ``name`` is what to call it in a complaint.
+    """Return the document in the text of a case file; ``name`` is what error messages call it.
 
     Raises
     ------
     CaseError
-        If the text is no TOML, or holds more than a case can.
+        If the text is not TOML, or holds more than a case may.
     """
-    # Before the parser, which takes the square of the number of a key's parts.
+    # Before parsing: the parser's time grows with the square of the number of parts in a key.
     if has_long_key(text):
         raise CaseError([f"{name} must be a case file: {TOO_DEEP}."])
     document = _tables(text, name)
@@ -378,7 +383,7 @@ def write_starting_case(path: str | Path) -> None:
     Raises
     ------
     InputError
-        If there is such a file already, or it cannot be written.
+        If the file already exists or cannot be written.
     """
     path = Path(path)
     try:
@@ -403,7 +408,7 @@ def _taken_away_unless_whole(path: Path) -> Iterator[None]:
 
 
 def placed(error: InputError) -> CaseError:
-    """Return a complaint that `nonhertz.solve` made as one about the case file, with the field as the file names it."""
+    """Return an error from `nonhertz.solve` as one about the case file, with the field named as in the file."""
     from nonhertz.io.document import of_both
     from nonhertz.io.mistakes import Mistake, case_error
 
@@ -415,7 +420,7 @@ def placed(error: InputError) -> CaseError:
 
 @contextlib.contextmanager
 def named(path: str | Path) -> Iterator[None]:
-    """Name the file in front of every mistake that is found in the body of a ``with`` statement, unless it is named."""
+    """Put the file's name in front of every mistake raised in a ``with`` block, unless it is there already."""
     try:
         yield
     except CaseError as error:
@@ -433,8 +438,8 @@ def _life(table: LifeTable) -> LifeCase:
 
 
 def _in_order(mistakes: Iterable[Mistake], document: dict[str, Any]) -> list[Mistake]:
-    """Return mistakes in the order in which the file has their places; what is missing comes after what is there."""
-    # Each table is numbered once: to look each key up would take the square of their number.
+    """Return mistakes in the order of their places in the file; missing keys come after those present."""
+    # Each table is numbered once: searching it for every key would take quadratic time.
     numbered: dict[int, dict[str, int]] = {}
 
     def position(mistake: Mistake) -> tuple[int, ...]:

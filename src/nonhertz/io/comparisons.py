@@ -1,4 +1,4 @@
-"""A comparison of strips and plane grid as text and on disk."""
+"""A comparison of strips and plane grid as text and as files."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from nonhertz.comparison import Comparison, Quantity, Stretch
 from nonhertz.io.results import key_by_key, plain
 from nonhertz.result.solution import Solution
 
-#: Units of the numbers in a comparison; quantities have their own, and what has none is left out.
+#: Units of the numbers in a comparison; quantities carry their own, and dimensionless numbers are left out.
 UNITS: dict[str, Any] = {
     "seconds": "s",
     "stretches": {"low": "mm", "high": "mm", "at": "mm", "unexplained_at": "mm"},
@@ -48,12 +48,12 @@ def as_object(found: Comparison, title: str) -> dict[str, Any]:
 
 
 def as_json(found: Comparison, title: str) -> str:
-    """Return `as_object` as JSON text, one key to a line."""
+    """Return `as_object` as JSON text, one key per line."""
     return key_by_key(as_object(found, title))
 
 
 def as_table(found: Comparison) -> str:
-    """Return all strips and the plane grid at their centres as comma-separated values, names and units first."""
+    """Return all strips, and the plane grid at their centres, as CSV with a header of names and units."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(_COLUMNS)
@@ -66,7 +66,7 @@ def as_table(found: Comparison) -> str:
 
 
 def files(found: Comparison, title: str) -> dict[str, str]:
-    """Return the texts of comparison.json and comparison.csv, by their names."""
+    """Return the texts of comparison.json and comparison.csv, by file name."""
     return {"comparison.json": as_json(found, title) + "\n", "comparison.csv": as_table(found)}
 
 

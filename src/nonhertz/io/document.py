@@ -1,9 +1,9 @@
 """The tables of a case file, one class each, and what each key means.
 
-These classes are the border: pydantic finds unknown, missing and misplaced keys, and every value is put to
-the model's own check at once, key by key, so that one mistake does not hide the next. Keys that depend on
-others come after them. What a key means is written here once, for the JSON schema, the messages and the
-reference.
+These classes validate what comes in: pydantic finds unknown, missing and misplaced keys, and each value goes
+through the model's own check straight away, key by key, so that one mistake does not hide the next. Keys that
+depend on others come after them. The meaning of a key is written here once, for the JSON schema, the messages
+and the reference.
 """
 
 from __future__ import annotations
@@ -48,10 +48,10 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.material import MATERIALS, STEEL, Material
 from nonhertz.model.profile import Profile, straight
 
-_FAR_AWAY = 1e3  # mm; how far an unbounded contact is looked at before it is solved
+_FAR_AWAY = 1e3  # mm; how far out an unbounded contact is checked before it is solved
 
 _KINDS: dict[str, type[Body]] = {"roller": Roller, "ring": Ring, "plate": Plate, "body": Body}
-# What a refused key might have been, so that keys which depend on it are not refused on its account.
+# Harmless values in place of rejected keys, so that keys which depend on them are not rejected too.
 _STAND_INS: dict[str, Any] = {"diameter": 1.0, "length": MOST, "side_faces": "none", "depth": 1.0}
 
 _FACE_SCHEMA: list[dict[str, Any]] = [
@@ -73,7 +73,7 @@ _DEPTH_SCHEMA = {
 
 
 def _choices(named: Iterable[SideFace | Depth], number: type[SideFace | Depth]) -> str:
-    """Return what words mean, and what a number in their place does."""
+    """Return what each word means, and what a number in its place means."""
     return ", ".join([*(f"{each.word!r} ({each.meaning})" for each in named), f"or {number.meaning}"])
 
 
@@ -124,7 +124,7 @@ Stress = Annotated[float, _quantity("MPa"), WithJsonSchema(quantity_schema("MPa"
 Force = Annotated[float, _quantity("N"), WithJsonSchema(quantity_schema("N"))]
 Angle = Annotated[float, _quantity("rad"), WithJsonSchema(quantity_schema("rad"))]
 Moment = Annotated[float, _quantity("N mm"), WithJsonSchema(quantity_schema("N mm"))]
-# For the body's own checks to refuse.
+# Left to the body's own checks.
 Word = Annotated[str, PlainValidator(lambda value: value), WithJsonSchema({"type": "string"})]
 
 
@@ -171,7 +171,7 @@ def _read_diameter(value: Any) -> Any:
 
 
 def _read_profile(value: Any, info: ValidationInfo) -> Profile:
-    # A key that was refused is not among the data.
+    # A rejected key is absent from the data.
     body = {name: info.data.get(name, BROKEN) for name in ("length", "diameter")}
     # None where no file may be read.
     folder: Path | None = (info.context or {}).get("folder", Path())
@@ -185,7 +185,7 @@ def _read_kind(value: Any) -> type[Body]:
 
 
 def _word_or_quantity(field: str, value: Any, unit: str) -> Any:
-    """Return a word for the model to judge, and the number that anything else stands for."""
+    """Return a word unchanged, for the model to check, and anything else as a number."""
     is_word = isinstance(value, str) and not begins_with_digits(value)
     return value if is_word else in_unit(field, value, unit)
 
@@ -219,8 +219,8 @@ def _read_depth(value: Any) -> Any:
 class BodyTable(Table):
     """One of the two bodies."""
 
-    # A key stands after those that its own check depends on. The defaults are for the schema: what a file leaves
-    # out is left to the body's class.
+    # A key comes after those that its own check depends on. The defaults are for the schema only: whatever a file
+    # leaves out gets the default of the body's class.
     kind: Annotated[type[Body] | None, PlainValidator(_read_kind), WithJsonSchema({"enum": list(_KINDS)})] = Field(
         default=None,
         description="'roller', 'ring' or 'plate': what the diameter must be, and the default of the depth; 'body' for "
@@ -267,7 +267,7 @@ class BodyTable(Table):
     @classmethod
     def _check(cls, value: Any, info: ValidationInfo) -> Any:
         name = str(info.field_name)
-        # Without a kind nobody knows what the other keys ask for.
+        # Without a valid kind there is no telling what the other keys must satisfy.
         read = info.data if "kind" in info.data else {}
         kind = read.get("kind") or Body
         body = {other: read.get(other, stand_in) for other, stand_in in _STAND_INS.items()} | {name: value}
@@ -284,7 +284,7 @@ class BodyTable(Table):
         return (self.kind or self._likely_kind())(**{name: getattr(self, name) for name in given})
 
     def _likely_kind(self) -> type[Body]:
-        """Return what a body is that does not say it: a roller if it is convex and ends, else any body."""
+        """Return the class of a body without a kind: a roller if it is convex and has a length, else `Body`."""
         return Roller if self.length is not None and convex(self.diameter) else Body
 
 
@@ -309,7 +309,7 @@ class BodiesTable(Table):
 
 
 def of_both(error: InputError) -> Mistake:
-    """Return a complaint about both bodies with its place among their tables: one body's key has to change."""
+    """Return an error about both bodies as a mistake in the key of the body that has to change."""
     if error.field != "diameter" or not isinstance(error.value, tuple):
         return Mistake(("a" if error.field == "length" else "b", error.field), error, absent=error.value is None)
     diameters = dict(zip("ab", error.value, strict=True))
@@ -325,12 +325,12 @@ def of_both(error: InputError) -> Mistake:
 
 
 def _sampled(interval: tuple[float, float]) -> NDArray[np.float64]:
-    """Return positions to try a contact at; the solver tries its own strips again."""
+    """Return positions at which to check a contact; the solver checks again at its own strips."""
     low, high = (min(max(end, -_FAR_AWAY), _FAR_AWAY) for end in interval)
     return np.linspace(low, high, 1001)
 
 
-# In the words of `nonhertz.solve`, which refuses the same values.
+# Worded as in `nonhertz.solve`, which rejects the same values.
 _LOAD_CHECKS: dict[str, tuple[Callable[[str, float, str], None], str]] = {
     "load": (above_zero, "give the force in N that presses the bodies together"),
     "approach": (finite, "give the approach in mm"),
@@ -375,17 +375,17 @@ class LoadTable(Table):
         return table
 
     def prescribed(self) -> dict[str, float]:
-        """Return the quantities that are given."""
+        """Return the prescribed quantities."""
         return {name: value for name, value in self if value is not None}
 
 
 def _pair_mistakes(given: dict[str, Any]) -> list[Mistake]:
     mistakes = [
-        Mistake((second,), InputError(second, given[second], f"not stand beside {first}", "leave one of them out"))
+        Mistake((second,), InputError(second, given[second], f"not be given together with {first}", "leave one out"))
         for first, second in (("load", "approach"), ("tilt", "moment"))
         if first in given and second in given
     ]
-    # An unknown key that looks like one of them is complained of already.
+    # An unknown key that looks like one of them has already been reported.
     meant = {nearest(key, LoadTable.model_fields) for key in given}
     if not meant & {"load", "approach"}:
         mistakes.append(missing(("load",), "give the load in N, or an approach in mm"))
@@ -393,7 +393,7 @@ def _pair_mistakes(given: dict[str, Any]) -> list[Mistake]:
 
 
 def _read_element(value: Any) -> str:
-    # Here and not above: the elements bring the compiler along, which takes a third of a second.
+    # Imported here: the elements pull in the compiler, which takes a third of a second.
     from nonhertz.strip.element import ELEMENTS
 
     if not isinstance(value, str) or value not in ELEMENTS:
@@ -428,7 +428,7 @@ _SPECTRUM_REMEDY = "write each load under a heading [[life.spectrum]]"
 
 
 class LoadCaseTable(Table):
-    """A load that is borne for a share of the revolutions."""
+    """A load carried for a share of the revolutions."""
 
     load: Force = Field(description="the load that presses the bodies together [N]")
     share: Number = Field(description="its share of the revolutions, above 0 and at most 1")
@@ -485,7 +485,7 @@ def _read_models(value: Any) -> tuple[str, ...]:
 
 
 def _read_rollers(value: Any) -> int:
-    # In the words of `nonhertz.life.assess`, which refuses the same values.
+    # Worded as in `nonhertz.life.assess`, which rejects the same values.
     remedy = "give the number of rollers in the bearing"
     positive("rollers", value, remedy)
     if value != int(value):
@@ -496,7 +496,7 @@ def _read_rollers(value: Any) -> int:
 Laminae = Annotated[
     Any, PlainValidator(lambda value: value), WithJsonSchema({"type": "integer", "minimum": 30, "maximum": 2000})
 ]
-# The model that refuses a key of its own.
+# The model that checks each key.
 _MODEL_WITH = {
     "slope": "lundberg-palmgren",
     "fatigue_limit": "ioannides-harris",
@@ -542,14 +542,14 @@ class LifeTable(Table):
         return value
 
     def parameters(self) -> dict[str, Any]:
-        """Return the parameters of models that are given."""
+        """Return the model parameters that the file gives."""
         return {name: getattr(self, name) for name in _MODEL_WITH if getattr(self, name) is not None}
 
 
 def _read_format(value: Any) -> int:
     if value != FORMAT or isinstance(value, bool):
         remedy = "use the release of nonhertz that wrote it, or a later one"
-        raise InputError("format", value, f"be {FORMAT}, the newest that is known here", remedy)
+        raise InputError("format", value, f"be {FORMAT}, the newest format this release reads", remedy)
     return FORMAT
 
 
@@ -557,7 +557,7 @@ class CaseTable(Table):
     """A case file."""
 
     format: Annotated[int, PlainValidator(_read_format), WithJsonSchema({"const": FORMAT})] = Field(
-        default=FORMAT, description="of the file; older files that leave it out are read"
+        default=FORMAT, description="format of the file; older files that leave it out are read"
     )
     title: str = Field(default="", description="what the case is called in tables and figures")
     body: BodiesTable = Field(description="the two bodies")

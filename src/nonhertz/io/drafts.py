@@ -1,8 +1,8 @@
-"""Folders in which files are written before they are moved into place, and the removal of what killed processes left.
+"""Temporary folders in which files are written before they are moved into place, and cleanup after killed processes.
 
-A folder is locked for as long as it is used. The system releases the lock when the process ends, however it ends, so a
-folder that can be locked belongs to nobody. The number of the process would not do: after a while it is another's, and
-it means nothing to other machines and containers that share the directory.
+A folder is locked for as long as it is in use. The system releases the lock when the process ends, however it ends, so
+a folder that can be locked is abandoned. A process ID would not do: it is reused after a while, and it means nothing to
+other machines and containers that share the directory.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _NAME = re.compile(re.escape(PREFIX) + r"\w{8}")
 
 @contextlib.contextmanager
 def drafts_in(directory: Path) -> Iterator[Path]:
-    """Make an empty folder for the body of a ``with`` statement, after removing those that killed processes have left.
+    """Make an empty folder for the body of a ``with`` statement, after removing those left behind by killed processes.
 
     Raises
     ------
@@ -46,8 +46,8 @@ def drafts_in(directory: Path) -> Iterator[Path]:
 
 
 def _locked_folder(directory: Path, held: contextlib.ExitStack) -> Path | None:
-    """Make and lock a folder; return None if another process took it for an abandoned one in between."""
-    # Inside the directory and not beside it: moving is only atomic within one file system.
+    """Make and lock a folder; return None if another process took it for an abandoned one in the meantime."""
+    # Inside the directory, not beside it: a move is only atomic within one file system.
     folder = Path(tempfile.mkdtemp(prefix=PREFIX, dir=directory))
     if fcntl is None:
         return folder
@@ -62,7 +62,7 @@ def _locked_folder(directory: Path, held: contextlib.ExitStack) -> Path | None:
 def _sweep(directory: Path) -> None:
     if fcntl is None:
         return
-    # A directory may be written to and not listed.
+    # A directory may be writable but not readable.
     with contextlib.suppress(OSError):
         for folder in directory.iterdir():
             if _NAME.fullmatch(folder.name):
@@ -72,7 +72,7 @@ def _sweep(directory: Path) -> None:
 def _remove_abandoned(folder: Path) -> None:
     try:
         descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
-    except OSError:  # another process was first, or it is no folder of ours
+    except OSError:  # another process was faster, or it is not one of our folders
         return
     try:
         if _lock(descriptor):
@@ -82,7 +82,7 @@ def _remove_abandoned(folder: Path) -> None:
 
 
 def _lock(descriptor: int) -> bool | None:
-    """Return whether a folder could be locked: False if a process has it, None if its file system has no locks."""
+    """Return whether a folder could be locked: False if a process holds it, None if the file system has no locks."""
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:

@@ -21,17 +21,16 @@ def write_files(
     Parameters
     ----------
     directory : str or Path
-        Where to; made if it does not exist. Files of the same names are replaced.
+        Target directory; created if it does not exist. Files of the same names are overwritten.
     texts : mapping of str to str
-        By the names of their files.
+        Texts by file name.
     draw : callable or None
-        Writes further files, figures that is, into the directory that it is given, where they are drafts until it
-        returns.
+        Writes further files (figures) into the directory passed to it; they are moved into place after it returns.
 
     Returns
     -------
     tuple of Path
-        The files.
+        Paths of the files.
 
     Raises
     ------
@@ -48,9 +47,9 @@ def write_files(
 
 
 def refuse_unwritable(directory: Path) -> None:
-    """Refuse what is no directory to write to: `write_files` would, but only when all the work is done.
+    """Refuse a directory that cannot be written to before the work starts; `write_files` would do so only at the end.
 
-    The directory is tried and left as it was.
+    A test write leaves the directory as it was.
 
     Raises
     ------
@@ -65,7 +64,7 @@ def refuse_unwritable(directory: Path) -> None:
 
 @contextlib.contextmanager
 def _drafts(directory: Path) -> Iterator[Path]:
-    """Make a folder for drafts in a directory that is made if need be, or refuse one that cannot be written to."""
+    """Make a folder for drafts in a directory, created if need be; refuse a directory that cannot be written to."""
     try:
         with _directory(directory), drafts_in(directory) as drafts:
             yield drafts
@@ -77,7 +76,7 @@ def _drafts(directory: Path) -> Iterator[Path]:
 
 @contextlib.contextmanager
 def _directory(directory: Path) -> Iterator[None]:
-    """Make a directory, and take it away again if what follows fails."""
+    """Create a directory, and remove it again if what follows fails."""
     if directory.exists() and not directory.is_dir():
         raise InputError("--out", str(directory), "be a directory, not a file", _OUT_REMEDY)
     made = _missing(directory)
@@ -90,7 +89,7 @@ def _directory(directory: Path) -> Iterator[None]:
 
 
 def _missing(directory: Path) -> list[Path]:
-    """Return what has to be made for a directory to be there, the innermost first."""
+    """Return the directories that have to be created for a directory to exist, innermost first."""
     return [path for path in (directory, *directory.parents) if not path.exists()]
 
 

@@ -1,4 +1,4 @@
-"""How long both bodies of a case last, as text and on disk."""
+"""How long both bodies of a case last, as text and as files."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from nonhertz.life import Life
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.solution import Solution
 
-#: Units of the numbers; what has none is left out.
+#: Units of the numbers; dimensionless ones are left out.
 UNITS: dict[str, Any] = {
     "models": {
         "parameters": {"fatigue_limit": "MPa"},
@@ -34,15 +34,15 @@ class Assessment:
     Attributes
     ----------
     title : str
-        The case's.
+        Title of the case.
     rollers : int or None
         Number of rollers in the bearing.
     spectrum : tuple of pairs
         Solutions and their shares of the revolutions.
     lives : mapping of str to tuple of Life
-        One for each model, by the body: ``"a"`` and ``"b"``.
+        One life per model for each body, ``"a"`` and ``"b"``.
     notes : tuple of str
-        What is to be known beside the warnings of the lives.
+        Remarks in addition to the warnings of the lives.
     """
 
     title: str
@@ -53,7 +53,7 @@ class Assessment:
 
     @property
     def raceway(self) -> BodyName | None:
-        """The body that a roller rolls on, whose life is told in revolutions; None if there is no such."""
+        """The body that a roller rolls on, whose life is given in revolutions; None if there is none."""
         ring = self.lives["b"][0].raceway
         return None if ring is None else ring.body
 
@@ -66,16 +66,16 @@ class Assessment:
         return tuple(dict.fromkeys(found))
 
     def million_revolutions(self, number: int) -> float | None:
-        """Return the life of the raceway by one of the models [10^6 revolutions], None where there is none."""
+        """Return the life of the raceway by one of the models [10^6 revolutions], or None."""
         return self.lives[self.raceway or "b"][number].million_revolutions
 
     def over(self, other: Assessment, body: BodyName, number: int) -> float:
-        """Return the life of a body by one of the models over that in another case [-]."""
+        """Return the ratio of a body's life by one of the models to that in another case [-]."""
         return self.lives[body][number].over(other.lives[body][number])
 
 
 def as_object(found: Assessment, other: Assessment | None = None) -> dict[str, Any]:
-    """Return lives, and those that they are compared with, as plain numbers, text, lists and dictionaries.
+    """Return lives, and those they are compared with, as plain numbers, text, lists and dictionaries.
 
     A number that is not finite is None.
     """
@@ -90,12 +90,12 @@ def as_object(found: Assessment, other: Assessment | None = None) -> dict[str, A
 
 
 def as_json(found: Assessment, other: Assessment | None = None) -> str:
-    """Return `as_object` as JSON text, one key to a line."""
+    """Return `as_object` as JSON text, one key per line."""
     return key_by_key(as_object(found, other))
 
 
 def as_table(found: Assessment) -> str:
-    """Return the density of damage along both bodies as comma-separated values, names and units first."""
+    """Return the damage density along both bodies as CSV with a header of names and units."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(_COLUMNS)
@@ -107,7 +107,7 @@ def as_table(found: Assessment) -> str:
 
 
 def files(found: Assessment, other: Assessment | None) -> dict[str, str]:
-    """Return the texts of life.json and life.csv, and of compared.csv with what is compared, by their names."""
+    """Return the texts of life.json and life.csv, and of compared.csv if there is another case, by file name."""
     texts = {"life.json": as_json(found, other) + "\n", "life.csv": as_table(found)}
     return texts if other is None else texts | {"compared.csv": as_table(other)}
 
@@ -147,7 +147,7 @@ def _tail(found: Assessment) -> dict[str, Any]:
             "load": plain(solution.load),
             "tilt": plain(solution.tilt),
             "share": plain(share),
-            # Towards a sharp end it has no limit.
+            # Unbounded at a sharp end, and then None.
             "max_pressure": plain(solution.max_pressure),
         }
         for solution, share in found.spectrum

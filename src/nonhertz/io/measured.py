@@ -1,6 +1,6 @@
 """A measured profile in a case file: ``{ kind = "measured", file = "roller.txt", height_unit = "um" }``.
 
-The file stays as the machine wrote it; what is done to it stands in the table, key by key, and is done anew each time.
+The file stays as the machine wrote it; the table says, key by key, how to process it, which is done afresh each time.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from nonhertz.model.profile import Profile
 
 #: The kind's name.
 KIND = "measured"
-#: What is said about the columns of the file.
+#: Keys that describe the columns of the file.
 READING = ("position_unit", "height_unit", "position_column", "height_column", "sense")
-#: What is done to the points.
+#: Keys that say how to process the points.
 PREPARING = ("level", "align", "trim", "outliers", "smooth", "cutoff", "slope", "points")
 
 _UPLOAD_REMEDY = "give y and relief, or upload the measured profile"
@@ -86,7 +86,7 @@ def read_measured(table: Mapping[str, Any], folder: Path | None) -> Profile:
     table : mapping
         What the case file holds.
     folder : Path or None
-        What file names are relative to; None where no file may be read.
+        Directory that file names are relative to; None where no file may be read.
 
     Returns
     -------
@@ -96,12 +96,12 @@ def read_measured(table: Mapping[str, Any], folder: Path | None) -> Profile:
     Raises
     ------
     TableError
-        Everything that is wrong, placed relative to the table.
+        All mistakes, with places relative to the table.
 
     Warns
     -----
     AccuracyWarning
-        What has to be known before solving with the profile, such as roughness that strips cannot carry.
+        Limitations to know before solving with the profile, such as roughness that strips cannot resolve.
     """
     mistakes: list[Mistake] = []
     values = {}
@@ -132,7 +132,7 @@ def checked(name: str, value: Any) -> Any:
     Raises
     ------
     InputError
-        If the key is not known or its value is of the wrong kind.
+        If the key is unknown or its value has the wrong type.
     """
     if name not in KEYS:
         raise unknown(name, value, f"parameter of '{KIND}'", name, KEYS)
@@ -143,14 +143,14 @@ def checked(name: str, value: Any) -> Any:
     if isinstance(value, str):
         return _checked_text(name, value)
     if not isinstance(value, int | float) or not _takes_numbers(name):
-        raise InputError(name, value, f"be {_wanted(name)}", _meaning(name))
-    # An integer beyond every float is infinite, for the steps to refuse.
+        raise InputError(name, value, f"be {_expected(name)}", _meaning(name))
+    # An integer too large for a float becomes infinite, which the steps reject.
     number = in_unit(name, value, "mm")
     return number if name in _LENGTHS or math.isinf(number) else value
 
 
 def measured_from(trace: Trace, values: Mapping[str, Any]) -> Measured:
-    """Return a trace with the steps that checked values ask for.
+    """Return a trace processed by the steps that the checked values specify.
 
     Raises
     ------
@@ -161,7 +161,7 @@ def measured_from(trace: Trace, values: Mapping[str, Any]) -> Measured:
 
 
 def trace_from(source: Path | bytes, values: Mapping[str, Any], name: str | None = None) -> Trace:
-    """Return the trace in a file, with its columns read as checked values say.
+    """Return the trace in a file, with its columns read as the checked values specify.
 
     Raises
     ------
@@ -190,8 +190,8 @@ def _choices(name: str) -> list[dict[str, Any]]:
     ]
 
 
-def _wanted(name: str) -> str:
-    """Return in words what a key takes."""
+def _expected(name: str) -> str:
+    """Return in words which values a key takes."""
     words: list[str] = []
     for choice in _choices(name):
         if "enum" in choice or "const" in choice:
@@ -216,9 +216,9 @@ def _checked_text(name: str, value: str) -> Any:
     if _TEXT in _choices(name):
         return value
     if words:
-        condition = f"be {_wanted(name)}" if _takes_numbers(name) else "be one of " + ", ".join(map(repr, words))
+        condition = f"be {_expected(name)}" if _takes_numbers(name) else "be one of " + ", ".join(map(repr, words))
         raise InputError(name, value, condition, _meaning(name))
-    raise InputError(name, value, "be a number" if _takes_numbers(name) else "be true or false", "take the quotes away")
+    raise InputError(name, value, "be a number" if _takes_numbers(name) else "be true or false", "remove the quotes")
 
 
 def _meaning(name: str) -> str:
@@ -243,9 +243,9 @@ def _made(values: Mapping[str, Any], folder: Path) -> Profile:
 
 
 def _placed(error: InputError, table: Mapping[str, Any]) -> Mistake:
-    """Return a complaint at its key, with what the user wrote there."""
+    """Return an error as a mistake at its key, with the value the user wrote there."""
     field = error.field if error.field in KEYS else "file"
     if field not in table:
-        # A default that does not go with this file, such as a cutoff longer than the line.
+        # A default that does not suit this file, such as a cutoff longer than the line.
         return Mistake((field,), InputError(field, error.value, error.condition, error.remedy))
     return Mistake((field,), InputError(field, table[field], error.condition, error.remedy))

@@ -1,7 +1,7 @@
-"""What is wrong in a case file, gathered with its place and told in the package's own words.
+"""Mistakes in a case file, each with its place, in the package's own wording.
 
-pydantic walks a file's tables and collects what its validators refuse; here its findings become sentences of
-the one shape that all complaints have, `InputError`, so that a file and a Python call are answered alike.
+pydantic walks a file's tables and collects what its validators reject; here its findings become sentences in
+the form of `InputError`, so that a file and a Python call get the same messages.
 """
 
 from __future__ import annotations
@@ -37,9 +37,9 @@ class Mistake:
     Parameters
     ----------
     place : tuple of str and int
-        Keys from the outside in; positions in lists count from 1, as people do.
+        Keys from the outside in; positions in lists count from 1.
     error : InputError
-        The complaint. Its own field name is replaced by the place.
+        The error. Its field name is replaced by the place.
     absent : bool
         Whether there is no value to show, because the key is missing.
     """
@@ -62,19 +62,19 @@ class Mistake:
 
 
 class TableError(ValueError):
-    """Several mistakes in one part of a file; what a validator raises that found more than one."""
+    """Several mistakes in one part of a file, raised by a validator that found more than one."""
 
     def __init__(self, mistakes: Iterable[Mistake]) -> None:
         self.mistakes = tuple(mistakes)
         super().__init__(self.mistakes)
 
     def __str__(self) -> str:
-        # pydantic asks at every level of the file, and shows it to nobody: values are not written out for that.
+        # pydantic calls this at every level of the file but never shows it, so the values are not formatted.
         return f"{len(self.mistakes)} mistakes"
 
 
 def case_error(mistakes: Iterable[Mistake]) -> CaseError:
-    """Return one error of several mistakes, each with the key that it is about; of too many the rest are counted."""
+    """Return one error for several mistakes, each with its key; beyond the limit they are only counted."""
     found = tuple(mistakes)
     listed, rest = found[:MISTAKES], len(found) - MISTAKES
     sentences, places = [mistake.sentence for mistake in listed], [path_of(mistake.place) for mistake in listed]
@@ -85,7 +85,7 @@ def case_error(mistakes: Iterable[Mistake]) -> CaseError:
 
 
 def path_of(place: Place) -> str:
-    """Return a place as people read it.
+    """Return a place as a readable path.
 
     Examples
     --------
@@ -105,7 +105,7 @@ def path_of(place: Place) -> str:
 
 
 def nearest(word: str, known: Iterable[str]) -> str | None:
-    """Return the known word that looks most like ``word``, None if none does."""
+    """Return the known word closest to ``word``, None if none is close."""
     spelled = {name.lower(): name for name in known}
     begun = [name for name in spelled if len(word) > 2 and name.startswith(word.lower())]
     matches = difflib.get_close_matches(word.lower(), spelled, n=1) or (begun if len(begun) == 1 else [])
@@ -113,33 +113,30 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
 
 
 def unknown(field: str, value: object, what: str, word: object, known: Iterable[str]) -> InputError:
-    """Return the complaint about a word, or what stands in place of one, that is not among the known ones.
-
-    It suggests the nearest.
-    """
+    """Return the error for a word, or another value in its place, that is not known; it suggests the closest match."""
     known = tuple(known)
     match = nearest(word, known) if isinstance(word, str) else None
-    remedy = f"the nearest is '{match}'" if match else "known are " + ", ".join(f"'{name}'" for name in known)
+    remedy = f"the nearest is '{match}'" if match else "choose from " + ", ".join(f"'{name}'" for name in known)
     return InputError(field, value, f"be a known {what}", remedy)
 
 
 def missing(place: Place, remedy: str) -> Mistake:
-    """Return the complaint about a key that is not there."""
+    """Return the mistake of leaving out a required key."""
     return Mistake(place, InputError("", None, "be given", remedy), absent=True)
 
 
 def mistake_in(field: str, error: InputError, value: object) -> Mistake:
-    """Return the mistake that a field's own check found, showing text as the user wrote it."""
+    """Return the mistake found by a field's own check, with text shown as the user wrote it."""
     shown = value if isinstance(value, str) else error.value
     place = (field,) if error.field == field else (field, error.field)
-    # No file can write None: the key is not there.
+    # TOML has no null, so None means that the key is missing.
     return Mistake(place, InputError(error.field, shown, error.condition, error.remedy), absent=shown is None)
 
 
 def mistakes_in(error: ValidationError, table: type[BaseModel]) -> list[Mistake]:
-    """Return what pydantic found wrong with a table, in the package's words.
+    """Return what pydantic found wrong with a table, in the package's wording.
 
-    A missing key is not mentioned where an unknown one looks like it: that is one mistake, not two.
+    A missing key is not reported where an unknown one looks like it: that is one mistake, not two.
     """
     found: list[Mistake] = []
     misspelled: set[Place] = set()
@@ -153,11 +150,11 @@ def mistakes_in(error: ValidationError, table: type[BaseModel]) -> list[Mistake]
             found.append(Mistake(place, unknown(word, item["input"], "key", word, known)))
             misspelled.add((*place[:-1], nearest(word, known) or word))
         else:
-            found.extend(_told(item, place))
+            found.extend(_from_pydantic(item, place))
     return [mistake for mistake in found if not (mistake.absent and mistake.place in misspelled)]
 
 
-def _told(item: Any, place: Place) -> list[Mistake]:
+def _from_pydantic(item: Any, place: Place) -> list[Mistake]:
     value = item["input"]
     match item["type"]:
         case "model_type" | "model_attributes_type" | "dict_type":

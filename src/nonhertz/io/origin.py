@@ -1,4 +1,4 @@
-"""What a case was read from: its text, and the files that the text names."""
+"""What a case was read from: its text, and the files named in it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 from nonhertz.errors import AccuracyWarning
 from nonhertz.io.profiles import profile_tables
 
-MOST_ATTACHED = 10_000_000  # bytes of a file that is carried along
+MOST_ATTACHED = 10_000_000  # bytes; larger files are not attached
 
 Read = TypeVar("Read")
 
@@ -25,13 +25,13 @@ class Origin:
     Attributes
     ----------
     document : dict
-        What the text holds.
+        The parsed text.
     text : str or None
-        The text; None of a case that came from elsewhere, as from the page.
+        The text; None for a case that came from elsewhere, such as the page.
     notes : tuple of str
-        What was warned of when it was read, such as gaps in a measured profile.
+        Warnings raised when it was read, such as gaps in a measured profile.
     folder : Path or None
-        What names of other files are relative to; None where none may be read.
+        Directory that file names are relative to; None where no file may be read.
     """
 
     document: dict[str, Any]
@@ -41,12 +41,12 @@ class Origin:
 
     @property
     def files(self) -> tuple[str, ...]:
-        """The names of the files that the text names, each once."""
+        """The names of the files that the text refers to, without repeats."""
         return tuple(dict.fromkeys(_files_in(self.document)))
 
     @cached_property
     def attachments(self) -> Mapping[str, bytes]:
-        """What is in these files by their names, as far as they are still there and not too large."""
+        """Contents of these files by name; missing and too large ones are left out."""
         found: dict[str, bytes] = {}
         for name in self.files if self.folder is not None else ():
             with contextlib.suppress(OSError):
@@ -57,7 +57,7 @@ class Origin:
 
 
 def with_notes(read: Callable[[], Read]) -> tuple[Read, tuple[str, ...]]:
-    """Return what a function reads, and each sentence that it warned of once; the warnings are given too."""
+    """Return what a function reads, and its warnings without repeats; the warnings are also issued."""
     with warnings.catch_warnings(record=True, action="always", category=AccuracyWarning) as caught:
         value = read()
     for each in caught:

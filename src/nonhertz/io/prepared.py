@@ -1,4 +1,4 @@
-"""A prepared measured profile as text and on disk: numbers, a table to solve with, and a piece of a case file."""
+"""A prepared measured profile as text and as files: numbers, a table to solve with, and a fragment of a case file."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from nonhertz.io.measured import KIND
 from nonhertz.io.results import key_by_key, plain
 from nonhertz.measured import Fit, Measured, Roughness
 
-#: Units of the numbers; what has none is left out. Parameters of fits have those of the catalogue.
+#: Units of the numbers; dimensionless ones are left out. Fitted parameters have the units of the catalogue.
 UNITS: dict[str, Any] = {
     "steps": {"tilt": "rad", "shift": "mm", "low": "mm", "high": "mm", "limit": "mm", "cutoff": "mm", "rms": "mm"},
     "roughness": {"ra": "mm", "rq": "mm", "rz": "mm", "cutoff": "mm", "bands": {"from": "mm", "to": "mm", "rms": "mm"}},
@@ -33,12 +33,12 @@ def as_object(measured: Measured, fits: Sequence[Fit] = ()) -> dict[str, Any]:
     measured : Measured
         The trace and its steps.
     fits : sequence of Fit
-        Fitted profiles, the best first.
+        Fitted profiles, best first.
 
     Returns
     -------
     dict
-        A number that is not finite is None.
+        Non-finite numbers are None.
     """
     return {
         "name": measured.trace.name,
@@ -58,34 +58,34 @@ def as_object(measured: Measured, fits: Sequence[Fit] = ()) -> dict[str, Any]:
 
 
 def as_json(measured: Measured, fits: Sequence[Fit] = ()) -> str:
-    """Return `as_object` as JSON text, one key to a line."""
+    """Return `as_object` as JSON text, one key per line."""
     return key_by_key(as_object(measured, fits))
 
 
 def as_table(measured: Measured) -> str:
-    """Return positions and relief as comma-separated values, which ``kind = "tabulated"`` reads."""
+    """Return positions and relief as CSV, which ``kind = "tabulated"`` reads."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(["y [mm]", "relief [mm]"])
-    # A picometre is less than any machine resolves.
+    # A picometre is finer than any machine resolves.
     rows = zip(measured.points.y.tolist(), measured.relief.tolist(), strict=True)
     writer.writerows([f"{y:.9g}", f"{relief:.9f}"] for y, relief in rows)
     return text.getvalue()
 
 
 def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[Fit] = ()) -> str:
-    """Return the line of a case file that makes this profile, with others that come near it as comments.
+    """Return the line of a case file that makes this profile, with alternatives that come close as comments.
 
     Parameters
     ----------
     file : Path
-        The measured file, as the case file shall call it.
+        The measured file, as the case file should refer to it.
     values : mapping
-        What else the table of kind ``"measured"`` holds.
+        The other keys of the table of kind ``"measured"``.
     measured : Measured
-        What came of it.
+        The prepared profile.
     fits : sequence of Fit
-        Fitted profiles, the best first.
+        Fitted profiles, best first.
 
     Returns
     -------
@@ -96,14 +96,14 @@ def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Seq
     lines = [
         f"# Profile measured in {measured.trace.name}; for [body.a] or [body.b] of a case file beside this one.",
         f"profile = [{_table({'kind': KIND, 'file': file.as_posix(), **values})}]",
-        "# Or the points that came of it:",
+        "# Or the resulting points:",
         "# profile = ["
         + _table({"kind": "tabulated", "file": TABLE, "interpolation": "cubic" if smooth else "pchip"})
         + "]",
     ]
     if fits:
         best = fits[0]
-        lines.append(f"# Or what fits best of the catalogue, within {1e3 * best.rms:.2g} um root mean square:")
+        lines.append(f"# Or the best fit from the catalogue, within {1e3 * best.rms:.2g} um root mean square:")
         lines.append(f"# profile = [{_table({'kind': best.kind, **best.parameters, 'shift': best.shift})}]")
     return "\n".join(lines) + "\n"
 
@@ -111,20 +111,20 @@ def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Seq
 def files(
     directory: Path, file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[Fit]
 ) -> dict[str, str]:
-    """Return the texts of profile.json, profile.csv and profile.toml, by their names.
+    """Return the texts of profile.json, profile.csv and profile.toml, by file name.
 
     Parameters
     ----------
     directory : Path
-        Where they will be: the case file names the measured one from there.
+        Where they will be: the case file's path to the measured file is relative to it.
     file : Path
         The measured file.
     values : mapping
-        What else the table of kind ``"measured"`` holds.
+        The other keys of the table of kind ``"measured"``.
     measured : Measured
         The trace and its steps.
     fits : sequence of Fit
-        Fitted profiles, the best first.
+        Fitted profiles, best first.
     """
     return {
         "profile.json": as_json(measured, fits) + "\n",
@@ -141,7 +141,7 @@ def _seen_from(directory: Path, file: Path) -> Path:
 
 
 def _table(entries: Mapping[str, Any]) -> str:
-    # JSON's numbers, words and strings are TOML's too; keys are bare words.
+    # Numbers, booleans and strings are written alike in JSON and TOML; the keys need no quotes.
     return "{ " + ", ".join(f"{key} = {json.dumps(value, ensure_ascii=False)}" for key, value in entries.items()) + " }"
 
 

@@ -1,7 +1,7 @@
-"""Profile tables of a case file: ``{ kind = "crown", radius = 4000.0 }`` to a `Profile`.
+"""Profile tables of a case file: from ``{ kind = "crown", radius = 4000.0 }`` to a `Profile`.
 
-The catalogue's functions say which parameters a kind takes, their defaults and their meaning; nothing of that
-is repeated here, so that a profile added to the catalogue can be written in a case file at once.
+The catalogue's functions define which parameters a kind takes, their defaults and their meaning; none of that
+is repeated here, so that a profile added to the catalogue works in case files at once.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from nonhertz.io.mistakes import InFile, Mistake, TableError, missing, mistake_i
 from nonhertz.io.units import in_unit
 from nonhertz.model.profile import CATALOGUE, PARAMETER_UNITS, Profile, from_file
 
-#: Stands for a value of the body that is itself mistaken.
+#: Stands for a value of the body that is itself invalid.
 BROKEN = object()
 
 _LIST_REMEDY = "write a list of tables such as [{ kind = 'crown', radius = 4000.0 }]"
-# What every table may carry beside its kind's own parameters.
+# Keys that every table may have in addition to the parameters of its kind.
 _COMMON_UNITS = {"shift": "mm", "scale": ""}
 _COMMON_MEANINGS = {
     "shift": "How far to move the profile towards positive y [mm].",
@@ -32,9 +32,9 @@ _COMMON_MEANINGS = {
 _FEWER_REMEDY = "add them up in one of kind 'tabulated'"
 _UPLOAD_REMEDY = "give y and relief, or upload the measured profile"
 _FILE_MEANING = "Text file of two columns, y and relief [mm]; its path is relative to the case file."
-# Parameters that say how large the body is; left out of a table, they are taken from the body.
+# Dimensions of the body; if a table leaves them out, they are taken from the body.
 _OF_THE_BODY = ("length", "diameter")
-# Harmless values for parameters that are missing or mistaken, tried to learn whether the others are sound.
+# Harmless values in place of missing or invalid parameters, to find out whether the others are valid.
 _STAND_INS = (0.5, 1e-3, 7.0, 1e4)
 
 
@@ -48,7 +48,7 @@ def read_profile(value: Any, body: Mapping[str, Any], folder: Path | None) -> Pr
     body : mapping
         The body's own ``length`` and ``diameter``: a number, None where it has none, or `BROKEN`.
     folder : Path or None
-        What file names are relative to; None where no file may be read.
+        Directory that file names are relative to; None where no file may be read.
 
     Returns
     -------
@@ -58,7 +58,7 @@ def read_profile(value: Any, body: Mapping[str, Any], folder: Path | None) -> Pr
     Raises
     ------
     TableError
-        Everything that is wrong, placed relative to ``value``.
+        All mistakes, with places relative to ``value``.
     """
     if isinstance(value, dict):
         return _read_table(value, body, folder)
@@ -79,13 +79,13 @@ def read_profile(value: Any, body: Mapping[str, Any], folder: Path | None) -> Pr
 
 
 def profile_tables(body: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Return the profiles of a body's table as a list, which a file may leave out or write as one table."""
+    """Return the profiles of a body's table as a list, even where the file gives none or a single table."""
     value = body.get("profile", [])
     return [value] if isinstance(value, dict) else list(value)
 
 
 def profile_schema() -> dict[str, Any]:
-    """Return the JSON schema of what `read_profile` takes."""
+    """Return the JSON schema of what `read_profile` accepts."""
     tables = {"anyOf": [*(_kind_schema(kind) for kind in CATALOGUE), measured_schema()]}
     return {"anyOf": [tables, {"type": "array", "items": tables}]}
 
@@ -111,7 +111,7 @@ def _read_table(table: Any, body: Mapping[str, Any], folder: Path | None) -> Pro
 
 
 class _Reader:
-    """Reads one table, going on after a mistake as far as it can see."""
+    """Reads one table, continuing after a mistake as far as possible."""
 
     def __init__(self, kind: str, table: Mapping[str, Any], body: Mapping[str, Any], folder: Path | None) -> None:
         self.kind = kind
@@ -159,7 +159,7 @@ class _Reader:
             if name not in known:
                 error = unknown(name, value, f"parameter of '{self.kind}'", name, known)
                 self.mistakes.append(Mistake((name,), error))
-                # Whoever writes "radus" has not forgotten the radius.
+                # Someone who writes "radus" has not forgotten the radius.
                 self.mistaken |= {nearest(name, known) or name}
                 continue
             try:
@@ -183,7 +183,7 @@ class _Reader:
     def _refuse_points_beside_file(self) -> None:
         for name in ("y", "relief"):
             if name in self.values:
-                self._note(name, InputError(name, self.table[name], "not stand beside file", "keep one of them"))
+                self._note(name, InputError(name, self.table[name], "not be given together with file", "keep one"))
 
     def _take_from_body(self) -> None:
         for name, parameter in self.parameters.items():
@@ -193,7 +193,7 @@ class _Reader:
             if own is BROKEN:
                 self.mistaken.add(name)
             elif isinstance(own, float):
-                # The curved part of a logarithmic profile is what its straight middle leaves of the body.
+                # The curved part of a logarithmic profile is the body's length less the straight middle.
                 straight = self.values.get("straight") if name == "length" else 0.0
                 fits = isinstance(straight, float) and 0.0 <= straight < own
                 self.values[name] = own - float(straight or 0.0) if fits else own
@@ -226,13 +226,13 @@ class _Reader:
                 self._note(error.field, error)
             else:
                 self.mistakes.append(Mistake(("file", InFile(error.field)), error))
-        except ValueError:  # what no file can be called, such as a name with a null character
+        except ValueError:  # not a valid file name, such as one with a null character
             self._note("file", InputError("file", name, "be the name of a file", "correct it"))
         return CATALOGUE["straight"]()
 
     def _made(self) -> Profile:
         make = CATALOGUE[self.kind]
-        # Each round finds one more mistaken parameter; its value is not used in the next.
+        # Each round finds one more invalid parameter, whose value is not used in the next.
         for _ in range(len(self.parameters) + 1):
             made = self._attempt(make)
             if isinstance(made, Profile):
@@ -243,10 +243,10 @@ class _Reader:
         return CATALOGUE["straight"]()
 
     def _attempt(self, make: Callable[..., Profile]) -> Profile | InputError | None:
-        """Return the profile, or a complaint about a parameter not complained of so far; None if neither.
+        """Return the profile, or an error about a parameter not yet reported; None if neither.
 
-        With mistaken parameters replaced by stand-ins, a complaint counts only if it comes whatever they are:
-        it is then about a value that the user gave, and not about how that value goes with a stand-in.
+        With invalid parameters replaced by stand-ins, an error counts only if it occurs with every stand-in:
+        it is then about a value that the user gave, not about how that value goes with a stand-in.
         """
         open_names = [
             name
@@ -302,7 +302,7 @@ def _parameter_schema(name: str, parameter: inspect.Parameter) -> dict[str, Any]
 
 
 def _meanings(function: Callable[..., Any]) -> dict[str, str]:
-    """Return what a function's docstring says of each parameter."""
+    """Return what a function's docstring says about each parameter."""
     section = re.search(r"^Parameters\n-+\n(.*?)(?:\n\n|\Z)", inspect.getdoc(function) or "", re.DOTALL | re.MULTILINE)
     entries = re.findall(r"^(\w+) : .*\n((?:    .*\n?)+)", section[1] if section else "", re.MULTILINE)
     return {name: " ".join(text.split()) for name, text in entries}

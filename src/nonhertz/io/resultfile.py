@@ -1,4 +1,4 @@
-"""Result files: ``result.json``, as `nonhertz.io.results` writes it, back to the case and its solution."""
+"""Result files: from ``result.json``, as `nonhertz.io.results` writes it, back to the case and its solution."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Result:
     case : Case
         What was solved; ``case.solve()`` solves it again.
     solution : Solution
-        The solution, with the digits that it was written with.
+        The solution, to the digits it was written with.
     """
 
     case: Case
@@ -50,12 +50,12 @@ def read_result(path: str | Path) -> Result:
     Returns
     -------
     Result
-        Nothing is solved.
+        Case and solution as stored; nothing is solved again.
 
     Raises
     ------
     InputError
-        If the file cannot be read, is no such file, or comes from a later release.
+        If the file cannot be read, is not a result file, or comes from a later release.
 
     Examples
     --------
@@ -88,7 +88,7 @@ def read_result(path: str | Path) -> Result:
         raise InputError("path", str(path), f"hold a case ({error.mistakes[0]})", _WAY_OUT) from None
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         reason = f"{type(error).__name__}: {error}"[:80]
-        raise InputError("path", str(path), f"hold all of a solution ({reason})", _WAY_OUT) from None
+        raise InputError("path", str(path), f"hold a complete solution ({reason})", _WAY_OUT) from None
 
 
 def _object(path: Path) -> dict[str, Any]:
@@ -96,7 +96,7 @@ def _object(path: Path) -> dict[str, Any]:
         found = json.loads(content(path, LARGEST_RESULT))
     except (OSError, ValueError, RecursionError) as error:
         too_large = getattr(error, "errno", None) == errno.EFBIG
-        reason = getattr(error, "strerror", None) or ("larger than any result" if too_large else "no JSON")
+        reason = getattr(error, "strerror", None) or ("larger than any result" if too_large else "not JSON")
         raise InputError("path", str(path), f"be a result file ({reason.lower()})", _WAY_OUT) from None
     if not isinstance(found, dict):
         raise InputError("path", str(path), "hold one JSON object", _WAY_OUT)
@@ -104,7 +104,7 @@ def _object(path: Path) -> dict[str, Any]:
 
 
 def _solution(found: dict[str, Any], case: Case) -> Solution:
-    # Here and not above: they bring the compiler along.
+    # Imported here: they pull in the compiler.
     from nonhertz.result.solution import EdgeKind, ErrorEstimate, SingularEnd, Solution, Status
     from nonhertz.strip.element import ELEMENTS
 
@@ -144,7 +144,7 @@ def _member(label: str) -> str:
 
 
 def _number(value: float | None) -> float:
-    """Return what was written as null: JSON has no infinity."""
+    """Return a number, infinite where null was written: JSON has no infinity."""
     return math.inf if value is None else float(value)
 
 

@@ -1,4 +1,4 @@
-"""A solution as text and on disk: one JSON object, one table, and whatever figures the caller draws."""
+"""A solution as text and as files: one JSON object, one table, and whatever figures the caller draws."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from nonhertz.result.solution import EdgePressure, Solution
 if TYPE_CHECKING:
     from nonhertz.io.casefile import Case
 
-# The stiffness is written as the matrix that it is.
+# The stiffness is written as a matrix.
 _NUMBERS = tuple(name for name in QUANTITIES if "_by_" not in name)
 
-#: Units of the numbers in a result; what has no unit is left out.
+#: Units of the numbers in a result; dimensionless ones are left out.
 UNITS: dict[str, Any] = {
     **{name: QUANTITIES[name].unit for name in _NUMBERS},
     "contact_y": "mm",
@@ -40,12 +40,12 @@ UNITS: dict[str, Any] = {
 
 
 def as_object(solution: Solution, case: Case) -> dict[str, Any]:
-    """Return a solution as plain numbers, text, lists and dictionaries, with the case that it is of.
+    """Return a solution as plain numbers, text, lists and dictionaries, with the case it belongs to.
 
     `nonhertz.io.resultfile.read_result` reads it back.
 
-    Numbers are as the solver has them; one that is not finite is None, since JSON has no infinity. Such is the error
-    estimate of a maximum pressure at a corner of the profile.
+    Numbers are unrounded; a non-finite one, such as the error estimate of a maximum pressure at a corner of the
+    profile, is None, since JSON has no infinity.
     """
     return {
         "format": FORMAT,
@@ -71,7 +71,7 @@ def as_object(solution: Solution, case: Case) -> dict[str, Any]:
 
 
 def plain(value: Any) -> Any:
-    """Return a number, or numbers nested in arrays, lists and tuples, as JSON has them.
+    """Return a number, or numbers nested in arrays, lists and tuples, in a form that JSON can represent.
 
     Examples
     --------
@@ -89,12 +89,12 @@ def plain(value: Any) -> Any:
 
 
 def as_json(solution: Solution, case: Case) -> str:
-    """Return `as_object` as JSON text, one key to a line."""
+    """Return `as_object` as JSON text, one key per line."""
     return key_by_key(as_object(solution, case))
 
 
 def key_by_key(entries: dict[str, Any]) -> str:
-    """Return an object as JSON text, one of its keys to a line.
+    """Return an object as JSON text, one of its keys per line.
 
     Examples
     --------
@@ -109,7 +109,7 @@ def key_by_key(entries: dict[str, Any]) -> str:
 
 
 def as_table(solution: Solution) -> str:
-    """Return the strips as comma-separated values, a line of names and units first."""
+    """Return the strips as CSV with a header of names and units."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(f"{name} [{unit}]" for name, unit in ALONG.items())
@@ -118,7 +118,7 @@ def as_table(solution: Solution) -> str:
 
 
 def files(solution: Solution, case: Case) -> dict[str, str]:
-    """Return the texts of result.json and table.csv, by their names."""
+    """Return the texts of result.json and table.csv, by file name."""
     return {"result.json": as_json(solution, case) + "\n", "table.csv": as_table(solution)}
 
 

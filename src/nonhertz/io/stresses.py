@@ -1,4 +1,4 @@
-"""The largest stresses below a contact, and planes of stress, as text and on disk."""
+"""The largest stresses below a contact, and planes of stress, as text and as files."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _EXTREME = {"max": "MPa", "x": "mm", "y": "mm", "z": "mm"}
 _QUANTITIES = ("von_mises", "shear", "orthogonal_shear")
 _UNITS_OF_ALL = dict.fromkeys(_QUANTITIES, _EXTREME)
 
-#: Units of the numbers; what has none is left out.
+#: Units of the numbers; dimensionless ones are left out.
 UNITS: dict[str, Any] = {
     "max_pressure": "MPa",
     "overall": _UNITS_OF_ALL,
@@ -32,7 +32,7 @@ _STRESSES = ("sigma_x", "sigma_y", "sigma_z", "tau_yz", "tau_xz", "tau_xy", "von
 def as_object(solution: Solution, overall: Extremes, section: Extremes, title: str) -> dict[str, Any]:
     """Return the largest stresses as plain numbers, text, lists and dictionaries.
 
-    A number that is not finite is None.
+    Non-finite numbers are None.
     """
     y = section.von_mises.y
     return {
@@ -54,18 +54,18 @@ def as_object(solution: Solution, overall: Extremes, section: Extremes, title: s
 
 
 def as_json(solution: Solution, overall: Extremes, section: Extremes, title: str) -> str:
-    """Return `as_object` as JSON text, one key to a line."""
+    """Return `as_object` as JSON text, one key per line."""
     return key_by_key(as_object(solution, overall, section, title))
 
 
 def there(solution: Solution, values: NDArray[np.float64], y: float) -> float:
-    """Return what strips have at a station, zero off contact."""
+    """Return a quantity of the strips interpolated at a station, zero outside the contact."""
     touching = any(low <= y <= high for low, high in solution.contact_y)
     return float(np.interp(y, solution.y, values)) if touching else 0.0
 
 
 def as_table(field: Field) -> str:
-    """Return the points of a field and the stress there as comma-separated values, names and units first."""
+    """Return the points of a field and the stress there as CSV with a header of names and units."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([*(f"{name} [mm]" for name in _COORDINATES), *(f"{name} [MPa]" for name in _STRESSES)])
@@ -76,7 +76,7 @@ def as_table(field: Field) -> str:
 
 
 def files(text: str, planes: Mapping[str, Field]) -> dict[str, str]:
-    """Return the texts of stress.json, which `as_json` made, and of a table for each plane, by their names."""
+    """Return the texts of stress.json, as `as_json` made it, and of a table for each plane, by file name."""
     return {"stress.json": text + "\n", **{f"{name}.csv": as_table(field) for name, field in planes.items()}}
 
 
@@ -86,7 +86,7 @@ def poisson(solution: Solution, body: BodyName) -> float:
 
 
 def all_warnings(solution: Solution, *found: Extremes) -> tuple[str, ...]:
-    """Return the warnings of a solution and of all that was found in it, each once."""
+    """Return the warnings of a solution and of the stresses found in it, without repeats."""
     sentences = [*solution.warnings, *(sentence for each in found for sentence in each.warnings)]
     return tuple(dict.fromkeys(sentences))
 

@@ -1,8 +1,8 @@
-"""Quantities as people write them: a number, or text such as ``"0.5 mrad"``, to a number in the base units.
+"""Quantities as people write them: from a number, or text such as ``"0.5 mrad"``, to a number in the base units.
 
-Everything inside the package is in mm, N, MPa and rad. This module alone knows other units, and alone imports
-pint, which takes a quarter of a second: not before a text with a unit comes along.
-Text is taken apart here and pint sees the unit alone, because its own reader evaluates arithmetic and would
+Everything inside the package is in mm, N, MPa and rad. Only this module knows other units, and only it imports
+pint, which takes a quarter of a second and so waits until a text with a unit comes along.
+Text is parsed here and pint sees only the unit, because pint's own parser evaluates arithmetic and would
 happily work for hours on ``"9**9**9 mm"``.
 """
 
@@ -31,7 +31,7 @@ _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\
 _FACTOR = r"(?:[A-Za-zµμ°%]+(?:(?:\^|\*\*)?-?[1-9]|[²³])?)"
 _UNIT = re.compile(rf"(?:1\s*/\s*|/\s*)?{_FACTOR}(?:(?:\s*[*·/]\s*|\s+){_FACTOR})*")
 _LONGEST = 40
-# pint knows "Nm" as a measure of yarn and "Nmm" not at all; on drawings both are moments.
+# To pint "Nm" is a measure of yarn and "Nmm" is unknown; on drawings both are moments.
 _RUN_TOGETHER = re.compile(r"\b([kM]?N)(m|cm|mm)\b")
 _BARE_EXPONENT = re.compile(r"(?<=[A-Za-zµμ])(-?\d)")
 
@@ -44,21 +44,21 @@ def in_unit(field: str, value: Any, unit: str) -> Any:
     field : str
         Name of the input, for the message.
     value : object
-        A number, already in ``unit``, or text of a number and a unit. Anything else is returned unchanged,
-        for the model to refuse in its own words.
+        A number, already in ``unit``, or text with a number and a unit. Anything else is returned unchanged,
+        for the model to reject in its own wording.
     unit : str
         ``"mm"``, ``"N"``, ``"MPa"``, ``"1/MPa"``, ``"rad"``, ``"N mm"``, or ``""`` for a plain number.
 
     Returns
     -------
     object
-        A float, where ``value`` is a number or text.
+        A float if ``value`` is a number or text.
 
     Raises
     ------
     InputError
-        If the text is no quantity, has no unit or one of another kind. A number in quotes without a unit is
-        refused too: whoever writes a text means a unit, and guessing a wrong one goes unnoticed.
+        If the text is not a quantity, or has no unit or one of another dimension. A number in quotes without a unit
+        is refused too: quotes suggest that a unit was meant, and a wrong guess would go unnoticed.
 
     Examples
     --------
@@ -84,7 +84,7 @@ def in_unit(field: str, value: Any, unit: str) -> Any:
 
 
 def begins_with_digits(text: str) -> bool:
-    """Return whether a text is meant for a number, with a unit or without, and not for a word.
+    """Return whether a text is meant as a number, with or without a unit, rather than as a word.
 
     Examples
     --------
@@ -107,15 +107,14 @@ def _converted(field: str, text: str, unit: str) -> float:
         factor = _factor(written, unit)
     except ValueError as error:
         raise InputError(field, text, str(error), remedy) from None
-    # A division where the factor is below one keeps "12 um" at 0.012, which 12 * 0.001 is too, and "0.1 um"
-    # at 0.0001, which the product is not.
+    # Dividing where the factor is below one gives exactly 0.0001 for "0.1 um", which multiplying does not.
     inverse = 1.0 / factor
     return number / round(inverse) if factor < 1.0 and round(inverse) * factor == 1.0 else number * factor
 
 
 @functools.lru_cache(maxsize=256)
 def _factor(written: str, unit: str) -> float:
-    """Return how many of ``unit`` one of ``written`` is; ValueError says what the quantity must do."""
+    """Return how many ``unit`` make one ``written``; the text of a ValueError says what the quantity must do."""
     if len(written) > _LONGEST or _UNIT.fullmatch(written) is None:
         raise ValueError("be a number with a unit")
     import pint

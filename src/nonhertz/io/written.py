@@ -1,7 +1,7 @@
-"""A case as the document of a case file: every value in the units of Python, nothing left to a default.
+"""A case as the document of a case file: every value in base units, nothing left to a default.
 
-What comes out is read back by `nonhertz.io.casefile.case_in` as the same case. Points of measured and tabulated
-profiles stand in it, so that it needs no other file.
+`nonhertz.io.casefile.case_in` reads it back as the same case. It contains the points of measured and tabulated
+profiles, so it needs no other file.
 """
 
 from __future__ import annotations
@@ -18,17 +18,17 @@ if TYPE_CHECKING:
     from nonhertz.io.casefile import Case, LifeCase
     from nonhertz.model.contact import Contact
 
-#: Of case files and results; what a later release cannot read as it stands has a higher one.
+#: Format number of case files and results; incremented when a later release can no longer read old files unchanged.
 FORMAT = 1
 
 
 def document(case: Case) -> dict[str, Any]:
-    """Return a case as a case file holds it.
+    """Return a case as the document of a case file.
 
     Raises
     ------
     InputError
-        If a profile or diameter is a class of your own, or strips are edges, which no case file has.
+        If no case file can hold it: a profile or diameter of a user-defined class, or strips given by their edges.
     """
     found: dict[str, Any] = {"format": FORMAT} | ({"title": case.title} if case.title else {})
     found["body"] = bodies(case.contact)
@@ -56,7 +56,7 @@ def _body(body: Body) -> dict[str, Any]:
     elif body.diameter is not None:
         if not isinstance(body.diameter, float | int):
             remedy = "give a TabulatedDiameter of its values"
-            raise InputError("diameter", body.diameter, "be a number or a table to be written", remedy)
+            raise InputError("diameter", body.diameter, "be a number or a table to go into a case file", remedy)
         table["diameter"] = float(body.diameter)
     for name in ("length", "effective_length", "position"):
         value = getattr(body, name)
@@ -92,13 +92,13 @@ def _profiles(profile: Profile) -> list[dict[str, Any]]:
     if isinstance(profile, Scaled):
         return [table | {"scale": table.get("scale", 1.0) * profile.by} for table in _profiles(profile.profile)]
     remedy = "tabulate it: nonhertz.profile.tabulated(y, profile.relief(y))"
-    raise InputError("profile", type(profile).__name__, "be of the catalogue to be written", remedy)
+    raise InputError("profile", type(profile).__name__, "be from the catalogue to go into a case file", remedy)
 
 
 def _solver(options: Mapping[str, Any]) -> dict[str, Any]:
     strips = options.get("strips")
     if not (strips is None or isinstance(strips, str | int)):
-        raise InputError("strips", "edges", "be 'auto' or a number to be written", "give the number of strips")
+        raise InputError("strips", "edges", "be 'auto' or a number to go into a case file", "give the number of strips")
     element = options.get("element")
     name = "semi-elliptic" if element is None else element.name
     return {"element": name, "strips": "auto" if strips is None else strips}
@@ -113,7 +113,7 @@ def _life(life: LifeCase) -> dict[str, Any]:
 
 
 def _plain(value: Any) -> Any:
-    """Return words, flags and numbers as TOML and JSON have them, and sequences of them as lists."""
+    """Return strings, booleans and numbers as plain TOML and JSON values, and sequences of them as lists."""
     if isinstance(value, str | bool):
         return value
     if isinstance(value, int):

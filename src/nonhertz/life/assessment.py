@@ -1,9 +1,9 @@
-"""The verb: solved contacts in, lives of all wanted models out.
+"""From solved contacts to lives by the chosen models.
 
-Lives are relative: to that of the same bodies under an ideal pressure, Hertz's line contact with the same load per unit
-length from end to end. Absolute ones are told where a standard has a capacity: for rollers in cylindrical rings.
+Lives are relative to that of the same bodies under an ideal pressure, Hertz's line contact with the same load per unit
+length from end to end. Absolute lives are given where a standard has a capacity: for rollers in cylindrical rings.
 
-Under a spectrum, with the share u_i of the revolutions under the load i, damage adds up as Palmgren and Miner have it,
+Under a spectrum, with the share u_i of the revolutions under the load i, damage accumulates by the Palmgren-Miner rule,
 1 / L = sum u_i / L_i.
 """
 
@@ -52,24 +52,24 @@ class Life(ReadOnly):
         Which body.
     damage : float
         The integral of the model over a cross-section of the stressed volume [MPa^k mm^(2-h)], or the sum over laminae
-        of (f q / q_c)^(9/2) [-] for one roller; under a spectrum, that of the even load with the same life. Lives of
-        two contacts are to each other as their damages to the power -1/e, for raceways of one length and one number of
-        rollers.
+        of (f q / q_c)^(9/2) [-] for one roller; under a spectrum, that of the constant load with the same life. The
+        ratio of the lives of two contacts is that of their damages to the power -1/e, for raceways of the same length
+        and number of rollers.
     reference : float
-        That under the ideal pressure; not a number where the bodies can touch on an unlimited length.
+        The same under the ideal pressure; NaN where the bodies can touch over an unlimited length.
     million_revolutions : float or None
         L_10 [10^6 revolutions of the ring, all rollers passing under this load], with 90 % reliability. None for the
-        roller, without a number of rollers, or where no standard has a capacity.
+        roller, without a number of rollers, or where no standard gives a capacity.
     no_revolutions : str
-        Why there is no absolute life, in words; empty if there is.
+        Why there is no absolute life; empty if there is one.
     raceway : Raceway or None
-        The ring under the roller, if the contact is of such.
+        The ring under the roller, if the contact is of a ring and a roller.
     y : ndarray, shape (stations,)
         Stations [mm].
     density : ndarray, shape (stations,)
-        Damage per length at each of them over the mean of the reference [-]; 1 under the ideal pressure.
+        Damage per length at each station over the mean of the reference [-]; 1 under the ideal pressure.
     warnings : tuple of str
-        What strains or limits the result.
+        What limits the validity of the result.
     """
 
     model: Model
@@ -87,14 +87,14 @@ class Life(ReadOnly):
     def relative(self) -> float:
         """Life over that under the ideal pressure [-].
 
-        Infinite without damage; not a number without a reference, or where neither pressure does any damage.
+        Infinite without damage; NaN without a reference, or where neither pressure does any damage.
         """
         return ratio(self.reference, self.damage, self.model.slope)
 
     def over(self, other: Life) -> float:
         """Return this life over another by the same model [-].
 
-        Not a number for laminae where one contact alone has a raceway: the damages are then told in other capacities.
+        NaN for laminae where only one of the contacts has a raceway: the damages then refer to different capacities.
 
         Raises
         ------
@@ -133,9 +133,9 @@ def assess(
         A solved contact, or a spectrum: pairs of a solution and its share of the revolutions; see
         `nonhertz.life.solve_spectrum`.
     models : model or name, or several
-        See `nonhertz.life.MODELS`; all of them, with their usual parameters, if left out.
+        See `nonhertz.life.MODELS`; all of them, with default parameters, if left out.
     body : {"a", "b"}
-        The body that fatigues. The capacity of ISO 281, and with it a life in revolutions, is that of the ring.
+        The body that fatigues. The capacity of ISO 281, and with it a life in revolutions, refers to the ring.
     rollers : int, optional
         Number of rollers in the bearing, for absolute lives.
     **options
@@ -153,9 +153,9 @@ def assess(
 
     Notes
     -----
-    Against grids four times as fine, relative lives are within 0.5 % where the pressure is smooth. Towards a sharp end,
-    or a corner of the profile where the contact ends, none of the models has a limit; the volume nearer than a tenth of
-    the largest half-width is then left out, and a warning says so.
+    Compared with grids four times as fine, relative lives are within 0.5 % where the pressure is smooth. Towards a
+    sharp end, or a corner of the profile where the contact ends, the damage is unbounded by every model; the volume
+    nearer than a tenth of the largest half-width is then left out, and a warning says so.
 
     Examples
     --------
@@ -235,7 +235,7 @@ def _by_volume(
     ring, why = raceway(spectrum[0][0].contact)
     absolute, why = None, why or _why_unrated(chosen, ring, body, rollers)
     if not why and ring is not None and rollers is not None:
-        # Of every load by itself: (Q_c / Q)^4 for the ideal pressure, and what this one makes of it.
+        # For each load by itself: (Q_c / Q)^4 for the ideal pressure, times the relative life.
         of_loads = [
             (ring.capacity(rollers) / each.load) ** 4 * ratio(*pair, chosen.slope)
             for (each, _), pair in zip(spectrum, zip(references, damages, strict=True), strict=True)
@@ -249,7 +249,7 @@ def _by_laminae(chosen: LaminaModel, spectrum: Spectrum, shares: Array, body: Bo
     cut = [laminae_of(each, chosen) for each, _ in spectrum]
     edges = cut[0].edges
     ring, why = raceway(spectrum[0][0].contact)
-    # Without a ring the capacity goes with the length alone.
+    # Without a ring the capacity depends on the length alone.
     capacity = ring.capacity(1) if ring is not None else float(edges[-1] - edges[0]) ** (7.0 / 9.0)
     of_laminae = [each.damage(capacity) for each in cut]
     damages = np.array([each.sum() for each in of_laminae])
@@ -259,7 +259,7 @@ def _by_laminae(chosen: LaminaModel, spectrum: Spectrum, shares: Array, body: Bo
     _, density = _density([y] * len(cut), of_laminae, damages, shares, chosen)
     absolute, why = None, why or _why_unrated(chosen, ring, body, rollers)
     if not why and rollers is not None:
-        # Every roller is a pass: a quarter power of Z in the capacity.
+        # Each roller passes once per revolution: the capacity falls as Z^(-1/4), and the life as 1 / Z.
         absolute = damage ** (-1.0 / chosen.slope) / rollers
     warnings = _warnings(spectrum, {end for each in cut for end in each.sharp})
     return Life(
@@ -268,7 +268,7 @@ def _by_laminae(chosen: LaminaModel, spectrum: Spectrum, shares: Array, body: Bo
 
 
 def _warnings(spectrum: Spectrum, sharp: set[float]) -> tuple[str, ...]:
-    """Return what the solutions warn of, each sentence once, and what ends without a limit do to a damage."""
+    """Return the warnings of the solutions without repeats, and what singular ends do to the damage."""
     sentences = dict.fromkeys(sentence for each, _ in spectrum for sentence in each.warnings)
     if not sharp:
         return tuple(sentences)
@@ -295,13 +295,13 @@ def _is_coarse(solution: Solved, end: SingularEnd) -> bool:
 
 
 def _over(density: Array, mean: float) -> Array:
-    """Return densities over a mean; not a number where there is none, infinite where it is zero."""
+    """Return densities over a mean; NaN where there is none, infinite where it is zero."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return density / mean
 
 
 def _why_unrated(chosen: Model, ring: Raceway | None, body: BodyName, rollers: int | None) -> str:
-    """Return why a model has no life in revolutions for a body, nothing if it has."""
+    """Return why a model gives no life in revolutions for a body; empty if it does."""
     if chosen.name not in RATED:
         return f"{chosen.name} has no capacity of its own"
     if isinstance(chosen, VolumeModel) and chosen != lundberg_palmgren():
@@ -312,14 +312,14 @@ def _why_unrated(chosen: Model, ring: Raceway | None, body: BodyName, rollers: i
 
 
 def _together(damages: Array, shares: Array, slope: float) -> float:
-    """Return the damage under an even load with the life of a spectrum."""
+    """Return the damage under a constant load with the same life as the spectrum."""
     return float((shares @ damages ** (1.0 / slope)) ** slope)
 
 
 def _density(
     y: list[Array], densities: list[Array], damages: Array, shares: Array, model: Model
 ) -> tuple[Array, Array]:
-    """Return stations and the damage per length whose integral is that of the spectrum, on the stations of all."""
+    """Return the union of all stations, and the damage per length there whose integral is the spectrum's damage."""
     slope = model.slope
     together = _together(damages, shares, slope)
     stations = y[0] if len(y) == 1 else np.unique(np.concatenate(y))

@@ -1,14 +1,14 @@
-"""The load that a raceway bears for a million revolutions, after Lundberg and Palmgren as ISO 281 has it.
+"""The load that a raceway carries for a million revolutions, after Lundberg and Palmgren as in ISO 281.
 
-Of a radial bearing with Z rollers of diameter D and effective length L on the pitch diameter D_pw, with gamma =
-D / D_pw and the contact angle zero,
+For a radial bearing with Z rollers of diameter D and effective length L on the pitch diameter D_pw, with gamma =
+D / D_pw and zero contact angle,
 
     C_r = 1.1 f_c L^(7/9) Z^(3/4) D^(29/27)     f_c = 551.13373 * 0.377 * 0.83 * gamma^(2/9) (1 - gamma)^(29/27)
                                                       / (1 + gamma)^(1/4) * {1 + [1.04 g]^(9/2)}^(-2/9)
     Q_ci = C_r / (0.83 * 0.378 Z) {1 + [1.038 g]^(9/2)}^(2/9)              g = ((1 - gamma) / (1 + gamma))^(143/108)
     Q_ce = C_r / (0.83 * 0.364 Z) {1 + [1.038 g]^(-9/2)}^(2/9)
 
-Both standards are quoted from public programs that agree with each other; their own text was not seen.
+Both standards are quoted from public programs that agree with each other; their text itself was not available.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
 
 MATERIAL_FACTOR = 1.1  # b_m of cylindrical and tapered roller bearings
-REDUCTION = 0.83  # lambda nu: of the load rating for uneven line loads, absent in a capacity of laminae
+REDUCTION = 0.83  # lambda nu: reduces the load rating for uneven line loads; not part of the capacity of laminae
 SAME = 1e-9
 STEEL_MODULUS = 195e3, 220e3  # MPa
 _DIAMETER_EXPONENT, _LENGTH_EXPONENT = 29.0 / 27.0, 7.0 / 9.0
@@ -106,15 +106,15 @@ class Raceway:
         return float(self.load_rating(rollers) / (REDUCTION * share * rollers))
 
     def _checked(self, rollers: int) -> int:
-        """Return a number of rollers, or refuse what does not fit side by side on the pitch circle."""
+        """Return a number of rollers, or reject one that does not fit side by side on the pitch circle."""
         return whole("rollers", rollers, 1, self.most_rollers, "give the number of rollers in the bearing")
 
 
 def raceway(contact: Contact) -> tuple[Raceway | None, str]:
-    """Return the ring of a contact under its roller, or None and why there is no such.
+    """Return the ring of a contact under its roller, or None and why there is none.
 
-    The ring is the one that is a `Ring`; of two bodies that are neither a ring nor a roller by name, the concave or
-    larger one.
+    The ring is the body that is a `Ring`; if neither or both are, the concave or larger of those that are not a
+    `Roller`.
     """
     if not isinstance(contact, Contact):
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")

@@ -1,12 +1,12 @@
 """The fatigue models that are integrals over the stressed volume, by name.
 
-All of them say how likely a volume V survives N passes of the load, e the slope of Weibull's distribution:
+All of them give the probability S that a volume V survives N passes of the load, e the Weibull slope:
 
     ln(1/S) ~ N^e int <s - s_u>^k / z^h dV
 
-s is what a place at depth z suffers over a pass, s_u a limit below which it suffers nothing. At a fixed probability the
-life is the integral to the power -1/e, so that lives are compared without the constant in front, which nobody knows.
-The models differ in s, k, h and s_u.
+s is the stress at a point at depth z over a pass, s_u a limit below which it does no damage. At a fixed probability the
+life is proportional to the integral to the power -1/e, so that lives are compared without the constant in front, which
+is unknown. The models differ in s, k, h and s_u.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from nonhertz.inputs.checks import not_negative, one_of, positive, text
 from nonhertz.life.lamina import LaminaModel, iso_16281
 
 LINE_CONTACT_SLOPE = 9.0 / 8.0
-SLOPES = 0.2, 5.0  # far beyond what has been found; the powers stay within double precision
+SLOPES = 0.2, 5.0  # far beyond any measured value; the powers stay within double precision
 MOST_EXPONENT = 60.0
 STRESSES = ("orthogonal_shear", "shear", "von_mises")
 
@@ -37,8 +37,8 @@ class VolumeModel:
     name : str
         The name that files and commands use.
     stress : str
-        ``"orthogonal_shear"`` (half of its range over a pass where the field is symmetric), ``"shear"`` (maximum
-        shear) or ``"von_mises"``, the largest over a pass.
+        ``"orthogonal_shear"`` (half its range over a pass where the field is symmetric), ``"shear"`` (maximum shear) or
+        ``"von_mises"``, the largest over a pass.
     exponent : float
         k [-] of the stress.
     depth_exponent : float
@@ -48,7 +48,7 @@ class VolumeModel:
     fatigue_limit : float
         s_u [MPa].
     source : str
-        Where it has been published.
+        Where it was published.
     """
 
     name: str
@@ -73,14 +73,14 @@ class VolumeModel:
             condition = "be 'orthogonal_shear' where depth_exponent is 1 or more"
             remedy = "other stresses do not vanish on the surface, and the integral has no limit there"
             raise InputError("stress", self.stress, condition, remedy)
-        # Right below the surface orthogonal shear goes with the root of the depth at worst.
+        # Just below the surface orthogonal shear vanishes at least as fast as the square root of the depth.
         if self.depth_exponent >= 1.0 and 0.5 * self.exponent <= self.depth_exponent - 1.0:
             condition = f"be less than {1.0 + 0.5 * self.exponent:g}, or the integral has no limit at the surface"
             raise InputError("depth_exponent", self.depth_exponent, condition, "give 7/3, or a larger stress exponent")
 
 
 def check_slope(slope: float) -> None:
-    """Refuse a slope of Weibull's distribution that no bearing has."""
+    """Reject a Weibull slope that no bearing has."""
     remedy = "give Weibull's slope, 9/8 for line contacts"
     positive("slope", slope, remedy)
     if not SLOPES[0] <= slope <= SLOPES[1]:
@@ -90,7 +90,7 @@ def check_slope(slope: float) -> None:
 def lundberg_palmgren(
     *, slope: float = LINE_CONTACT_SLOPE, exponent: float = 31.0 / 3.0, depth_exponent: float = 7.0 / 3.0
 ) -> VolumeModel:
-    """Return the model of Lundberg and Palmgren: orthogonal shear, and the deeper the better.
+    """Return the model of Lundberg and Palmgren: orthogonal shear, and depth is beneficial.
 
     Parameters
     ----------
@@ -102,8 +102,8 @@ def lundberg_palmgren(
     Notes
     -----
     Lundberg and Palmgren took the largest stress and its depth for the whole volume; here, as with Ioannides and
-    Harris, every place counts by its own. The exponents of load and length are the same: in a uniform line contact
-    life goes with the load to the power -(c - h + 1) / (2 e), which is -4.
+    Harris, every point counts with its own. The exponents of load and length are the same: in a uniform line contact
+    life is proportional to the load to the power -(c - h + 1) / (2 e), which is -4.
 
     References
     ----------
@@ -122,17 +122,17 @@ def ioannides_harris(
     depth_exponent: float = 7.0 / 3.0,
     stress: str = "orthogonal_shear",
 ) -> VolumeModel:
-    """Return the model of Ioannides and Harris: as Lundberg and Palmgren's, less a fatigue limit.
+    """Return the model of Ioannides and Harris: that of Lundberg and Palmgren with a fatigue limit.
 
     Parameters
     ----------
     fatigue_limit : float
-        s_u [MPa], of the amplitude of the orthogonal shear stress unless ``stress`` is another: 360 is used for bearing
-        steel, and belongs to about 1500 MPa of Hertz pressure. Some hold that there is none.
+        s_u [MPa], for the amplitude of the orthogonal shear stress unless ``stress`` is another: 360 is used for
+        bearing steel, and corresponds to a Hertz pressure of about 1500 MPa. Some hold that there is no such limit.
     slope, exponent, depth_exponent : float
         e, c and h [-].
     stress : str
-        What makes the material fatigue; another than orthogonal shear needs a ``depth_exponent`` below 1.
+        What makes the material fatigue; any other than orthogonal shear needs a ``depth_exponent`` below 1.
 
     References
     ----------
@@ -147,14 +147,14 @@ def ioannides_harris(
 def zaretsky(
     *, slope: float = LINE_CONTACT_SLOPE, stress_life_exponent: float = 9.0, stress: str = "shear"
 ) -> VolumeModel:
-    """Return the model of Zaretsky: maximum shear, no influence of depth, a stress exponent that ignores the slope.
+    """Return the model of Zaretsky: maximum shear, no influence of depth, a stress-life exponent independent of slope.
 
     Parameters
     ----------
     slope : float
         e [-].
     stress_life_exponent : float
-        c [-]; the integrand goes with the stress to the power c e, life with c whatever the slope.
+        c [-]; the integrand is the stress to the power c e, so that life varies with the power c whatever the slope.
     stress : str
         What makes the material fatigue.
 
@@ -204,12 +204,12 @@ MODELS: dict[str, Callable[..., Model]] = {
 
 
 def model(name: str, **parameters: Any) -> Model:
-    """Return a model by name, with parameters of its own.
+    """Return a model by name, with given parameters.
 
     Raises
     ------
     InputError
-        If there is no such model, it has no such parameter, or one is out of range.
+        If there is no such model, it has no such parameter, or a parameter is out of range.
 
     Examples
     --------

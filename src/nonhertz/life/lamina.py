@@ -1,17 +1,17 @@
-"""The lamina life of ISO/TS 16281 for one contact: every slice fatigues by its own line load.
+"""The lamina life of ISO/TS 16281 for one contact: every slice fatigues under its own line load.
 
 The contact is cut into n_s laminae of equal length. Lamina k with the load q_k has the capacity q_c = Q_c n_s^(-7/9),
-and the contact lives
+and the life of the contact is
 
     L_10 = { sum_k (f_k q_k / q_c)^(9/2) }^(-8/9)
 
-million revolutions. f_k tells how much more the edge of a roller suffers than its line load says. From real pressures
-it is the line load that would have such a pressure in Hertz's line contact, over that of the lamina; what the standard
-offers where they are not known,
+million revolutions. f_k expresses how much more severely the edge of a roller is stressed than its line load suggests.
+From actual pressures it is the line load that would have such a pressure in Hertz's line contact, over that of the
+lamina; what the standard offers where they are unknown,
 
     f_k = 1 - 0.01 / ln(1.985 |(2 k - n_s - 1) / (2 n_s - 2)|),
 
-holds for its own profile, medium loads and a tilt up to 1.16 mrad.
+holds for the standard's profile, medium loads and a tilt up to 1.16 mrad.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ SLOPE, EXPONENT = 9.0 / 8.0, 4.5
 EDGE_STRESS = ("pressure", "standard", "none")
 LINE_LOADS = ("solution", "standard")
 LEFT_OUT = 0.1  # around an end where the pressure has no limit, of the largest half-width
-# Load of a lamina of length L / n_s: c_s delta^(10/9), c_s = STIFFNESS L^(8/9) / n_s, for roller and two raceways.
+# Load of a lamina of length L / n_s: c_s delta^(10/9), c_s = STIFFNESS L^(8/9) / n_s, for a roller and two raceways.
 STIFFNESS, STIFFENING = 35948.0, 10.0 / 9.0
 
 
@@ -69,7 +69,7 @@ def iso_16281(*, laminae: int = 60, edge_stress: str = "pressure", line_loads: s
     Parameters
     ----------
     laminae : int
-        n_s, 30 at least.
+        n_s, at least 30.
     edge_stress : str
         ``"pressure"``: from the pressures solved for. ``"standard"``: the standard's function of k. ``"none"``: f = 1.
     line_loads : str
@@ -91,7 +91,7 @@ class Laminae:
     Attributes
     ----------
     edges : ndarray, shape (laminae + 1,)
-        Their edges [mm], from end to end of where the bodies can touch.
+        Their edges [mm], from end to end of the interval in which the bodies can touch.
     load : ndarray, shape (laminae,)
         q_k [N].
     factor : ndarray, shape (laminae,)
@@ -142,7 +142,7 @@ def laminae_of(solution: Solved, model: LaminaModel) -> Laminae:
     Raises
     ------
     InputError
-        If the bodies can touch on an unlimited length, which cannot be cut.
+        If the bodies can touch over an unlimited length, which cannot be cut.
     """
     low, high = solution.contact.interval
     if not math.isfinite(high - low):
@@ -162,16 +162,16 @@ def _line_load(solution: Solved) -> tuple[Array, Array]:
 
 
 def _shares(edges: Array, fine: Array, density: Array) -> Array:
-    """Return the integral between ``edges`` of a density that is even between ``fine`` ones."""
+    """Return the integral between ``edges`` of a density that is constant between ``fine`` ones."""
     total = np.concatenate([[0.0], np.cumsum(density * np.diff(fine))])
     return np.diff(np.interp(edges, fine, total))
 
 
 def _factors(solution: Solved, edges: Array, load: Array, sharp: tuple[float, ...]) -> Array:
-    """Return f_k from the pressures: what Hertz's line contact bears under them, over the lamina's load.
+    """Return f_k from the pressures: the load of Hertz's line contact under these pressures, over the lamina's load.
 
-    A lamina's pressure counts by the power that its load counts by, and not at all right at an end where it has no
-    limit.
+    The mean over a lamina is taken with the power that its load enters the damage with, leaving out the vicinity of an
+    end where the pressure has no limit.
     """
     fine, density = _line_load(solution)
     pressure = solution.largest_across
@@ -194,7 +194,7 @@ def _slices(solution: Solved, edges: Array) -> Array:
     contact: Contact = solution.contact
     y = 0.5 * (edges[1:] + edges[:-1])
     gap = contact.separation(y) - solution.tilt * y
-    # Both contacts of a roller yield together in the standard; one of two equal ones yields half as much.
+    # In the standard, both contacts of a roller deform in series; one of two equal contacts deforms half as much.
     stiffness = STIFFNESS * (edges[-1] - edges[0]) ** (8.0 / 9.0) / y.size * 2.0**STIFFENING
 
     def loads(approach: float) -> Array:

@@ -1,4 +1,4 @@
-"""Load spectra: the loads that a contact bears, each for a share of the revolutions."""
+"""Load spectra: the loads that a contact carries, each for a share of the revolutions."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from nonhertz.solver.many import solve_many
 from nonhertz.solver.one import Strips
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 
-WHOLE = 1e-3  # how far shares may be from adding up to 1, for three of 0.333 say
+WHOLE = 1e-3  # tolerance for the sum of shares, so that three of 0.333, for example, are accepted
 
 _SHARE_REMEDY = "give the share of the revolutions, above 0 and at most 1"
 
 
 @dataclass(frozen=True, kw_only=True)
 class LoadCase:
-    """A load that is borne for a share of the revolutions.
+    """A load carried for a share of the revolutions.
 
     Parameters
     ----------

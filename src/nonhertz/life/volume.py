@@ -1,13 +1,13 @@
-"""What every place below a contact suffers while the load rolls over it: the part that all volume models share.
+"""The stresses at every point below a contact while the load rolls over it, which all volume models share.
 
 The stresses over a pass are evaluated at one or two Gauss points along every strip, and beyond both ends of the
-contact, at equal steps of the root of the depth, in which the amplitude of the orthogonal shear stress is smooth up to
-the surface. A spline through them gives the stress at many more depths, so that powers of ten and fatigue limits are
-integrated as well as the stress is.
+contact, at equal steps of the square root of the depth, in which the amplitude of the orthogonal shear stress is smooth
+up to the surface. A spline through them gives the stress at many more depths, so that tenth powers and fatigue limits
+are integrated as accurately as the stress itself.
 
 Towards a sharp end, or a corner of the profile where the contact ends, the stress grows without bound, and so fast that
-its tenth power has no integral. The volume around such an end is left out, to a tenth of the largest half-width: the
-strip model, too, says nothing about it.
+its tenth power is not integrable. The volume around such an end is left out, to a tenth of the largest half-width: the
+strip model says nothing about it either.
 """
 
 from __future__ import annotations
@@ -36,33 +36,33 @@ from nonhertz.subsurface.rolling import QUANTITIES, passage, plane_strain_passag
 Array = NDArray[np.float64]
 
 LEVELS = 32
-# Between these depths, in half-widths, ten Gauss points each; what is below counts less than 1e-4.
+# Between these depths, in half-widths, ten Gauss points each; the volume below contributes less than 1e-4.
 PANELS = np.array([0.0, 0.05, 0.15, 0.3, 0.45, 0.6, 0.8, 1.0, 1.25, 1.6, 2.2, 3.0, 4.0])
-SHALLOWEST = 1e-6  # half-widths: on the surface itself quadrature across has nothing to hold on to
+SHALLOWEST = 1e-6  # half-widths: on the surface itself quadrature across breaks down
 NARROW = 0.25  # half-widths
-BEYOND = np.array([0.0, 0.1, 0.25, 0.5, 1.0, 2.0])  # the contact's ends, in half-widths
+BEYOND = np.array([0.0, 0.1, 0.25, 0.5, 1.0, 2.0])  # distances beyond the contact's ends, in half-widths
 MOST_ROWS = 128  # of a plane grid
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Exposure(ReadOnly):
-    """The largest stresses over a pass of the load, on all of the volume under a contact.
+    """The largest stresses over a pass of the load, throughout the volume under a contact.
 
     Attributes
     ----------
     body : {"a", "b"}
         Which body.
     y, width : ndarray, shape (stations,)
-        Stations [mm], and what each stands for in an integral along y [mm].
+        Stations [mm], and their weights in an integral along y [mm].
     half_width : ndarray, shape (stations,)
-        Half-width by which depths are measured [mm].
+        Half-width that scales the depths [mm].
     orthogonal_shear, shear, von_mises : ndarray, shape (stations, depths)
         Largest values over a pass [MPa] at the depths ``half_width * depth``.
     counted : ndarray of bool, shape (stations, depths)
         False within a tenth of the largest half-width of an end in ``sharp``.
     reference : Exposure or None
         That of the same contact under an ideal pressure: Hertz's line contact everywhere, the load per unit length the
-        same from end to end. None where the bodies can touch on an unlimited length.
+        same from end to end. None where the bodies can touch over an unlimited length.
     sharp : tuple of float
         Where the contact has an end towards which the stress has no limit [mm]: a sharp end of a body, or a corner of
         the profile.
@@ -100,7 +100,7 @@ class Exposure(ReadOnly):
 
 @cache
 def depths() -> tuple[Array, Array]:
-    """Return depths over the half-width and their weights in an integral."""
+    """Return depths over the half-width, and their weights in an integral."""
     nodes, weights = np.polynomial.legendre.leggauss(10)
     half = 0.5 * np.diff(PANELS)[:, None]
     middle = PANELS[:-1, None] + half
@@ -115,7 +115,7 @@ def _levels() -> tuple[Array, Array]:
 
 
 def exposure(solution: Solved, body: BodyName = "a", **options: Unpack[Running]) -> Exposure:
-    """Return what the volume of one body suffers under a solved contact.
+    """Return the stresses throughout the volume of one body over a pass of a solved contact.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def exposure(solution: Solved, body: BodyName = "a", **options: Unpack[Running])
     Raises
     ------
     InputError
-        If nothing is in contact, or there is no such body.
+        If nothing is in contact, or ``body`` is neither.
     """
     refuse_options("exposure", options, Running)
     inside = Inside.of(solution, body)
@@ -159,7 +159,7 @@ def _stations(solution: Solved, faces: tuple[float, float]) -> tuple[Array, Arra
     above = np.minimum(edges[-1] + half_width[-1] * BEYOND[1:], faces[1])
     edges = np.unique(np.concatenate([below, edges, above]))
     middle, half = 0.5 * (edges[1:] + edges[:-1]), 0.5 * np.diff(edges)
-    # One Gauss point will do where the depth evens out more than a strip.
+    # One Gauss point suffices for a strip that is narrow compared with the half-width.
     wide = 2.0 * half > NARROW * across_at(solution, middle)[1]
     apart = half[wide] / np.sqrt(3.0)
     y = np.concatenate([middle[~wide], middle[wide] - apart, middle[wide] + apart])
@@ -169,7 +169,7 @@ def _stations(solution: Solved, faces: tuple[float, float]) -> tuple[Array, Arra
 
 
 def _edges_in_contact(solution: Solved) -> Array:
-    """Return the edges of what is in contact along y, strip by strip, those of a plane grid in fewer pieces."""
+    """Return the edges along y of the strips in contact, or of groups of rows of a plane grid."""
     first, last = np.flatnonzero(solution.line_load > 0.0)[[0, -1]]
     edges: Array = solution.edges[first : last + 2]
     if not isinstance(solution, PatchSolution):
@@ -179,7 +179,7 @@ def _edges_in_contact(solution: Solved) -> Array:
 
 
 def _ideal(solution: Solved, body: BodyName) -> Exposure | None:
-    """Return the exposure under Hertz's line contact, the load spread evenly over where the bodies can touch."""
+    """Return the exposure under Hertz's line contact, the load spread evenly over the length of possible contact."""
     contact = solution.contact
     low, high = contact.interval
     if not np.isfinite(high - low):
@@ -202,7 +202,7 @@ def _ideal(solution: Solved, body: BodyName) -> Exposure | None:
 
 
 def _even(solution: Solved) -> bool:
-    """Return whether the curvature is the same all along."""
+    """Return whether the curvature is constant along y."""
     low, high = solution.contact.interval
     curvature = solution.contact.curvature(np.linspace(low, high, 65))
     return bool(np.ptp(curvature) == 0.0)

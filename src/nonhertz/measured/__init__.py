@@ -1,9 +1,9 @@
-"""Measured profiles: from what a measuring machine wrote to a profile to solve with.
+"""Measured profiles: from a measuring machine's output to a profile to solve with.
 
-A `Trace` is what was measured. `prepare` returns it with the usual steps, `Measured` is any trace with any steps, and
-each step (`Level`, `Align`, `Trim`, `Outliers`, `Smooth`, `Thin`) can be seen, changed or left out; the raw trace stays
-what it is. `Measured.profile()` is a profile as any other, `Measured.fit` the nearest one of the catalogue,
-`Measured.warnings` what has to be known before solving with it. Files are read by `nonhertz.io.traces.read_trace`.
+A `Trace` is a raw measurement. `prepare` returns it with the usual steps, `Measured` is any trace with any steps, and
+each step (`Level`, `Align`, `Trim`, `Outliers`, `Smooth`, `Thin`) can be inspected, changed or left out; the raw trace
+is never modified. `Measured.profile()` is a profile like any other, `Measured.fit` the best fit from the catalogue,
+`Measured.warnings` what to know before solving with it. `nonhertz.io.traces.read_trace` reads files.
 """
 
 from nonhertz.measured.chain import Measured as Measured

@@ -1,4 +1,4 @@
-"""A trace and the steps that make a profile of it; any of them can be taken back."""
+"""A trace and the steps that turn it into a profile; any of them can be undone."""
 
 from __future__ import annotations
 
@@ -44,26 +44,26 @@ if TYPE_CHECKING:
 
     from nonhertz.measured.fit import Fit
 
-# Share of robust outliers that no surface has, but a wrong threshold or a scratched one.
+# Fraction of outliers that no sound surface has: beyond it the threshold is wrong or the surface scratched.
 _MANY_OUTLIERS = 0.02
 _MANY_GAPS = 5
-# Share of the line whose points may lie too far apart for the filter before it is said.
+# Fraction of the line whose points may lie too far apart for the filter before a warning is given.
 _COARSE = 0.01
 
 
 @dataclass(frozen=True, eq=False)
 class Measured:
-    """A raw trace and an ordered list of steps that make a profile of it.
+    """A raw trace and an ordered list of steps that turn it into a profile.
 
-    Methods return changed copies; the raw trace is never touched. A step that is there already is replaced in its
-    place, another one is added at the end.
+    Methods return changed copies; the raw trace is never modified. A step that already exists is replaced in place; a
+    new one is added at the end.
 
     Parameters
     ----------
     trace : Trace
         The raw measurement.
     steps : tuple of Step
-        What is done to it, in this order, each kind once.
+        The steps, in order of application, each kind at most once.
 
     Examples
     --------
@@ -92,10 +92,10 @@ class Measured:
         names = [step.name for step in self.steps]
         twice = [name for name in names if names.count(name) > 1]
         if twice:
-            raise InputError("steps", twice[0], "be there once", "replace the step")
+            raise InputError("steps", twice[0], "occur only once", "replace the step")
 
     def levelled(self, slope: float | None = None) -> Measured:
-        """Return a copy with the tilt taken off; see `Level`."""
+        """Return a copy with the tilt removed; see `Level`."""
         return self._with(Level() if slope is None else Level(slope))
 
     def aligned(self, by: Middle = "ends") -> Measured:
@@ -115,7 +115,7 @@ class Measured:
         return self._with(Smooth(cutoff, method))
 
     def thinned(self, points: int | None = None) -> Measured:
-        """Return a copy of fewer points; None keeps eight for each cutoff. See `Thin`."""
+        """Return a copy with fewer points; None keeps eight per cutoff. See `Thin`."""
         if points is None:
             cutoffs = [step.cutoff for step in self.steps if isinstance(step, Smooth)]
             points = enough_points(self.points.span, cutoffs[0] if cutoffs else CUTOFF)
@@ -139,7 +139,7 @@ class Measured:
 
     @cached_property
     def states(self) -> tuple[State, ...]:
-        """The raw points, and the points after every step with what the step did."""
+        """The raw points, and the points after each step with what the step did."""
         words = f"{len(self.trace)} points from {self.trace.y[0]:.5g} to {self.trace.y[-1]:.5g} mm."
         states = [State("raw", self.trace, words, {"points": float(len(self.trace))})]
         for step in self.steps:
@@ -153,7 +153,7 @@ class Measured:
 
     @property
     def relief(self) -> Array:
-        """Relief [mm] at the points after the last step: highest minus height."""
+        """Relief [mm] at the points after the last step: greatest height minus height."""
         return np.asarray(self.points.height.max() - self.points.height)
 
     def profile(self, interpolation: Interpolation | None = None) -> Profile:
@@ -163,7 +163,7 @@ class Measured:
         ----------
         interpolation : str or None
             The curve through the points, as in `nonhertz.profile.tabulated`. None takes ``"cubic"`` for a smoothed
-            line, which is dense enough to leave it nothing to overshoot, and ``"pchip"`` for any other.
+            line, which is dense and smooth enough not to overshoot, and ``"pchip"`` for any other.
 
         Returns
         -------
@@ -176,18 +176,18 @@ class Measured:
 
     @property
     def roughness(self) -> Roughness:
-        """Roughness of what the filter took off, or of what it would take off at the default cutoff."""
+        """Roughness that the filter removed, or would remove at the default cutoff."""
         return roughness_in(self._before("smooth", "thin"), self._cutoff)
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What has to be known before solving with the profile, judged for a usual bearing contact of steel."""
+        """What to know before solving with the profile, judged for a typical bearing contact of steel."""
         return self.warnings_for()
 
     def warnings_for(
         self, half_width: float = HALF_WIDTH, pressure: float = PRESSURE, compliance: float = STEEL_COMPLIANCE
     ) -> tuple[str, ...]:
-        """Return what has to be known before solving with the profile.
+        """Return what to know before solving with the profile.
 
         Parameters
         ----------
@@ -201,7 +201,7 @@ class Measured:
         Returns
         -------
         tuple of str
-            A sentence each; empty if nothing has to be said.
+            One sentence each; empty if there are no warnings.
         """
         sentences = list(strain_on_strips(self.points, half_width, pressure, compliance, self._has("smooth")))
         sentences += [*_bridged(self.points.gaps), *self._coarse(), *self._stepped()]
@@ -209,13 +209,13 @@ class Measured:
             count = state.numbers.get("removed", 0.0)
             if state.name == "outliers" and count > _MANY_OUTLIERS * (len(state.points) + count):
                 sentences.append(
-                    f"{count:.0f} points were taken out as outliers, more than {100 * _MANY_OUTLIERS:.0f} % of all; "
-                    "look whether they are a part of the surface."
+                    f"{count:.0f} points were removed as outliers, more than {100 * _MANY_OUTLIERS:.0f} % of all; "
+                    "check whether they are part of the surface."
                 )
         return tuple(sentences)
 
     def fit(self, kind: str, *, shift: bool = True, tilt: bool = False, **fixed: float) -> Fit:
-        """Return the profile of a kind of the catalogue that comes nearest; see `nonhertz.measured.fit.fit`."""
+        """Return the best-fitting profile of one kind from the catalogue; see `nonhertz.measured.fit.fit`."""
         from nonhertz.measured.fit import fit
 
         highest = float(self.points.height.max())
@@ -224,25 +224,25 @@ class Measured:
     def fit_best(
         self, kinds: Iterable[str] | None = None, *, shift: bool = True, tilt: bool = False
     ) -> tuple[Fit, ...]:
-        """Return fits of several kinds, the best first; see `nonhertz.measured.fit.fit_best`."""
+        """Return fits of several kinds, best first; see `nonhertz.measured.fit.fit_best`."""
         from nonhertz.measured.fit import fit_best
 
         highest = float(self.points.height.max())
         return fit_best(self._before("smooth", "thin"), kinds, shift=shift, tilt=tilt, highest=highest)
 
     def _before(self, *names: str) -> Points:
-        """Return the points before the first of some steps, or after the last one if there is none of them."""
+        """Return the points before the first of the named steps, or after the last step if none occurs."""
         for state, step in zip(self.states, self.steps, strict=False):
             if step.name in names:
                 return state.points
         return self.points
 
     def _stepped(self) -> list[str]:
-        """Return a sentence for each step of the surface that whoever looks for the land comes upon."""
+        """Return a sentence for each step of the surface found in the search for the land."""
         slopes = {step.name: step.slope for step in self.steps if isinstance(step, Level | Align | Trim)}
         if not slopes:
             return []
-        return [_told(step) for step in steps_in(self._before(*slopes), next(iter(slopes.values())))]
+        return [_in_words(step) for step in steps_in(self._before(*slopes), next(iter(slopes.values())))]
 
     def _coarse(self) -> list[str]:
         """Return a sentence if the points that were smoothed do not resolve the cutoff everywhere."""
@@ -254,7 +254,7 @@ class Measured:
             return []
         return [
             f"On {length:.3g} of {points.span:.4g} mm points lie further apart than a fifth of the cutoff, "
-            f"{cutoff:.3g} mm; there the filter lets more or less than half of a wave of that length through."
+            f"{cutoff:.3g} mm; there the filter transmits more or less than half of a wave of that length."
         ]
 
     @property
@@ -292,13 +292,13 @@ def prepare(
     trace : Trace
         The raw measurement.
     level : bool
-        Whether to take the tilt off.
+        Whether to remove the tilt.
     align : bool or str
         How to find the middle of the body: ``"ends"`` (or True), ``"symmetry"``; False leaves y alone.
     trim : str, float or False
         ``"auto"`` finds the chamfers, a length [mm] is kept about y = 0, False keeps all.
     outliers : bool or float
-        Robust standard deviations beyond which points are taken out, True for five; False keeps all.
+        Robust standard deviations beyond which points are removed, True for five; False keeps all.
     smooth : str or False
         ``"gaussian"``, ``"spline"``, or False to keep the roughness.
     cutoff : float
@@ -336,17 +336,15 @@ def prepare(
     return _thinned(measured, points, smooth is not False)
 
 
-def _told(step: SurfaceStep) -> str:
+def _in_words(step: SurfaceStep) -> str:
     where = f"The surface steps by {1e3 * abs(step.height):.3g} um at {step.y:.5g} mm in the file"
     if step.within:
-        return f"{where}; both sides were taken for one body: look whether they are."
-    return (
-        f"{where}; what is behind it was not taken for the same body: if it is, leave align out and trim to a length."
-    )
+        return f"{where}; both sides were taken to be one body: check that they are."
+    return f"{where}; what lies beyond it was not taken to be the same body: if it is, omit align and trim to a length."
 
 
 def _bridged(gaps: tuple[tuple[float, float], ...]) -> list[str]:
-    """Return a sentence for each gap, or one for all of them where nobody would read so many."""
+    """Return a sentence for each gap, or a single one if there are many."""
     if len(gaps) <= _MANY_GAPS:
         return [
             f"Nothing was measured between y = {low:.5g} and {high:.5g} mm; the profile bridges it with a curve."

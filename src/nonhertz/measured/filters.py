@@ -1,18 +1,18 @@
-"""Two filters that part the shape of a profile from its roughness at a wavelength, the cutoff.
+"""Two filters that separate the form of a profile from its roughness at a wavelength, the cutoff c.
 
-Both let half of a wave of that length through. The Gaussian filter (ISO 16610-21) is a running mean with the weight
+Both transmit 50 % of a wave of that length. The Gaussian filter (ISO 16610-21) is a running mean with the weight
 
     s(x) = exp(-pi (x / (alpha c))^2) / (alpha c),    alpha = sqrt(ln 2 / pi),
 
-and lets through exp(-pi (alpha c / l)^2) of a wave of length l. It is a sum over the points as they are, each weighted
-with the length that it stands for: to interpolate first would take a part of the wave away where points are few, of
-twenty to a cutoff a hundredth and of five a sixth. Where a line ends or has a gap the weight has no points
-on one side. There the mean is replaced by the straight line that fits best under the same weight (moments of order zero
-and one are kept, as ISO 16610-28 asks): inside, where the weight is symmetric, that is the same filter, and a line that
-ends on a slope keeps it. A running mean alone would lift the end of a crown.
+and transmits exp(-pi (alpha c / l)^2) of a wave of length l. It is a sum over the original points, each weighted by the
+length that it represents: interpolating first would attenuate the wave where points are few, by a hundredth at twenty
+points per cutoff and by a sixth at five. Where a line ends or has a gap, the weight has no points on one side. There
+the mean is replaced by the straight line that fits best under the same weight (moments of order zero and one are kept,
+as ISO 16610-28 requires): inside, where the weight is symmetric, that is the same filter, and a line that ends on a
+slope keeps it. A running mean alone would lift the end of a crown.
 
 The spline filter (ISO 16610-22) is the natural cubic smoothing spline. It minimises the squared distance plus
-(c / 2 pi)^4 times the squared second derivative, lets through 1 / (1 + (c / l)^4), and ends on a straight line too.
+(c / 2 pi)^4 times the squared second derivative, transmits 1 / (1 + (c / l)^4), and also ends on a straight line.
 """
 
 from __future__ import annotations
@@ -30,28 +30,28 @@ from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
 ALPHA = math.sqrt(math.log(2.0) / math.pi)
 # The weight is cut where it has fallen to exp(-pi / ALPHA^2), 7e-7 of its peak.
 _REACH = 1.0
-# At four points in a cutoff the sum over points lets 0.502 of it through, at five 0.50002.
+# With four points per cutoff the sum over points transmits 0.502 of it, with five 0.50002.
 _FEWEST_PER_CUTOFF = 5
-_ROUNDING = 1e-6  # of positions, so that five points are five
+_ROUNDING = 1e-6  # tolerance for positions, so that five points count as five
 _PER_CUTOFF_OF_GRID = 64
-_BLOCK = 1000  # cutoffs that are filtered at once, which bounds the memory
+_BLOCK = 1000  # cutoffs filtered at a time, to limit memory
 _PER_CUTOFF = 40  # points that the spline is fitted to
 
 
 def gaussian(points: Points, cutoff: float) -> Array:
-    """Return the heights [mm] that the Gaussian filter leaves at the same positions.
+    """Return the heights [mm] after the Gaussian filter, at the same positions.
 
     Parameters
     ----------
     points : Points
         The measured line, evenly spaced or not.
     cutoff : float
-        Wavelength [mm] of which half gets through.
+        Wavelength [mm] at which the filter transmits 50 %.
 
     Raises
     ------
     InputError
-        If the cutoff is shorter than five points, over half of the line, or longer than the line.
+        If the cutoff is shorter than five points on half of the line, or longer than the line.
 
     References
     ----------
@@ -59,10 +59,10 @@ def gaussian(points: Points, cutoff: float) -> Array:
     for weight and transmission; ISO 16610-28:2016 for ends.
     """
     check_cutoff(points, cutoff)
-    # About the mean, so that no digits are lost where a line lies far from zero.
+    # Relative to the mean, so that no digits are lost if the line lies far from zero.
     mean = float(np.average(points.height, weights=points.weights))
     y, height = points.y, points.height - mean
-    # A point between two gaps stands for no length, and is the only one there is.
+    # A point between two gaps represents no length, yet it is the only one there.
     weight = np.where(points.weights > 0.0, points.weights, np.min(points.weights[points.weights > 0.0]))
     smooth = np.empty(len(y))
     begin = 0
@@ -76,19 +76,19 @@ def gaussian(points: Points, cutoff: float) -> Array:
 
 
 def spline(points: Points, cutoff: float) -> Array:
-    """Return the heights [mm] that the spline filter leaves at the same positions.
+    """Return the heights [mm] after the spline filter, at the same positions.
 
     Parameters
     ----------
     points : Points
         The measured line, evenly spaced or not; the spline bridges gaps.
     cutoff : float
-        Wavelength [mm] of which half gets through.
+        Wavelength [mm] at which the filter transmits 50 %.
 
     Raises
     ------
     InputError
-        If the cutoff is shorter than five points, over half of the line, or longer than the line.
+        If the cutoff is shorter than five points on half of the line, or longer than the line.
 
     References
     ----------
@@ -99,15 +99,15 @@ def spline(points: Points, cutoff: float) -> Array:
     check_cutoff(points, cutoff)
     y, height, weight = _gathered(points, cutoff / _PER_CUTOFF)
     if len(y) < FEWEST_POINTS:
-        condition = f"part the points into {FEWEST_POINTS} groups at least, each a fortieth of it wide"
+        condition = f"divide the points into at least {FEWEST_POINTS} groups, each a fortieth of it wide"
         raise InputError("cutoff", cutoff, condition, "give a shorter one, or use the gaussian filter")
-    # In cutoffs: the equations of a spline in millimetres are a million times worse conditioned.
+    # In units of the cutoff: the equations of a spline in millimetres are a million times worse conditioned.
     curve = make_smoothing_spline(y / cutoff, height, weight / cutoff, lam=(0.5 / math.pi) ** 4)
     return np.asarray(curve(points.y / cutoff))
 
 
 def check_cutoff(points: Points, cutoff: float) -> None:
-    """Refuse a cutoff that half of the line cannot resolve, or that it is too short for."""
+    """Reject a cutoff that half of the line cannot resolve, or that is longer than the line."""
     shortest = shortest_cutoff(points)
     if not shortest <= cutoff * (1.0 + _ROUNDING) or cutoff > points.span:
         condition = f"lie between five points, {shortest:.3g} mm, and the length of the line, {points.span:.4g} mm"
@@ -120,23 +120,23 @@ def shortest_cutoff(points: Points) -> float:
 
 
 def unresolved(points: Points, cutoff: float) -> float:
-    """Return on what length [mm], gaps left out, the points lie further apart than five to a cutoff."""
+    """Return the length [mm], without gaps, on which there are fewer than five points per cutoff."""
     steps, length = _measured_steps(points)
     return float(np.sum(length[_FEWEST_PER_CUTOFF * steps > cutoff * (1.0 + _ROUNDING)]))
 
 
 def _measured_steps(points: Points) -> tuple[Array, Array]:
-    """Return the steps between points, and the length of each that was measured: none of it in a gap."""
+    """Return the steps between points, and the measured length of each: zero in a gap."""
     steps = np.diff(points.y)
     return steps, np.where(points.in_gap, 0.0, steps)
 
 
 def _regressed(y: Array, height: Array, weight: Array, at: Array, cutoff: float) -> Array:
-    """Return the height at places [mm] of the straight line that fits best about each, under the filter's weight.
+    """Return the height at given positions [mm] of the straight line that fits best around each, under the weight.
 
-    Sums over points are made at nodes of a fine grid. What a point gives to the four nodes about it is the weight
-    interpolated by a cubic, and so is what a place takes from them: a 64th of the cutoff apart that is exact to 2e-6.
-    Distances are counted to the points themselves and not to the nodes, so that straight lines are kept exactly.
+    Sums over points are evaluated at the nodes of a fine grid. Points are spread to their four nearest nodes, and
+    results interpolated from them, by cubics: at a spacing of a 64th of the cutoff that is exact to 2e-6. Distances are
+    measured to the points themselves and not to the nodes, so that straight lines are kept exactly.
     """
     step = cutoff / _PER_CUTOFF_OF_GRID
     origin = y[0] - 2.0 * step
@@ -153,17 +153,17 @@ def _regressed(y: Array, height: Array, weight: Array, at: Array, cutoff: float)
     k1, k2 = k0 * offset, k0 * offset**2
     m0, m1, m2 = _sums(w0, k0), _sums(w0, k1) + _sums(w1, k0), _sums(w0, k2) + 2.0 * _sums(w1, k1) + _sums(w2, k0)
     n0, n1 = _sums(h0, k0), _sums(h0, k1) + _sums(h1, k0)
-    # Further from all points than the weight reaches, there is nothing, and nobody asks for it.
+    # Nodes out of reach of all points have no weight and are never used.
     m0 = np.where(m0 > 0.0, m0, 1.0)
     spread = m0 * m2 - m1**2
-    # A point that is alone under its weight has a mean but no line.
+    # A single point under the weight has a mean but no line.
     alone = ~(spread > 1e-9 * (cutoff * m0) ** 2)
     line = np.where(alone, n0 / m0, (m2 * n0 - m1 * n1) / np.where(alone, 1.0, spread))
     return np.asarray(sum(share * line[node] for node, share in _nodes(at, origin, step)))
 
 
 def _nodes(y: Array, origin: float, step: float) -> Iterator[tuple[NDArray[np.intp], Array]]:
-    """Yield the four nodes about each place, and their shares in a cubic through them (Lagrange)."""
+    """Yield the four nodes around each position, and their weights in a Lagrange cubic through them."""
     place = (y - origin) / step
     node = np.floor(place).astype(np.intp)
     u = place - node
@@ -174,7 +174,7 @@ def _nodes(y: Array, origin: float, step: float) -> Iterator[tuple[NDArray[np.in
 
 
 def _sums(values: Array, kernel: Array) -> Array:
-    """Return at each node the sum of the values around it times the kernel, that of their offsets from the node."""
+    """Return the correlation of the values with the kernel, at every node."""
     if len(values) >= len(kernel):
         return np.correlate(values, kernel, mode="same")
     padded = np.pad(values, len(kernel) // 2)
@@ -182,14 +182,14 @@ def _sums(values: Array, kernel: Array) -> Array:
 
 
 def _gathered(points: Points, width: float) -> tuple[Array, Array, Array]:
-    """Return means of the points in bins of a width [mm], and the length that each stands for.
+    """Return means of the points in bins of a width [mm], and the length that each represents.
 
-    A spline through eight thousand points says nothing about wavelengths of a thousand of them that their means do not.
+    At wavelengths of very many points, a spline through the points gives no more than one through their means.
     """
     bins = np.floor((points.y - points.y[0]) / width).astype(np.int64)
     _, bins = np.unique(bins, return_inverse=True)
     weight = np.bincount(bins, points.weights)
-    # All weights are positive but beside gaps, where a point may stand for nothing.
+    # All weights are positive except beside gaps, where a point may represent no length.
     own = np.maximum(points.weights, 1e-12)
     weight = np.maximum(weight, np.bincount(bins, own))
     y, height = (np.bincount(bins, own * of) / np.bincount(bins, own) for of in (points.y, points.height))

@@ -1,13 +1,13 @@
-"""Least squares: which profile of the catalogue is nearest to a measured line, and how surely.
+"""Least-squares fits: which profile of the catalogue is closest to a measured line, and with what uncertainty.
 
 The line is relief = profile(y - shift) + offset + tilt y. Starting values come from a grid over the lengths in a kind
 (where its straight middle ends, where its logarithm has its pole): with those given, all kinds are linear in the
-reciprocal radius, the amplitude or the taper, which one linear least-squares problem finds. The best of the grid is
-where `scipy.optimize.least_squares` begins.
+reciprocal radius, the amplitude or the taper, which one linear least-squares problem finds. The best point of the grid
+is the start for `scipy.optimize.least_squares`.
 
-Neighbouring points of a measured line err together: waviness and what a kind cannot follow stretch over many. So the
-number of points that counts is n / tau, with tau the sum of the autocorrelation of the residual up to where it first
-vanishes. Standard errors and the comparison of kinds go by it.
+Errors of neighbouring points on a measured line are correlated: waviness and misfit extend over many points. So the
+effective number of points is n / tau, with tau the sum of the autocorrelation of the residual up to its first zero.
+Standard errors and the comparison of kinds are based on it.
 """
 
 from __future__ import annotations
@@ -27,15 +27,15 @@ from nonhertz.model.profile import CATALOGUE, Profile
 
 _MOST_POINTS = 2000
 _FAR = 1.0  # mm, in place of the infinite relief beyond a pole
-# Between which positive parameters are looked for, in their units; at a bound, a parameter means nothing any more.
+# Search ranges of positive parameters, in their units; at a bound, a parameter has lost its meaning.
 _BOUNDS = {"radius": (1.0, 1e7), "end_radius": (1.0, 1e7), "amplitude": (1e-7, 10.0), "angle": (1e-7, 1.0)}
 _LENGTH_BOUNDS = (1e-3, 1e4)
-_DERIVATIVES = 1e-7  # of the largest: what differences say of derivatives
+_DERIVATIVES = 1e-7  # of the largest: accuracy of finite-difference derivatives
 
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """The nearest profile of a kind.
+    """The best-fitting profile of a kind.
 
     Attributes
     ----------
@@ -44,16 +44,16 @@ class Fit:
     parameters : dict
         Its parameters by name, in the units of the catalogue.
     standard_errors : dict
-        Standard error of every parameter that was free, and of ``offset``, ``shift`` and ``tilt`` as far as they were;
-        infinite where a parameter went to the end of what it is looked for in, and the line says nothing about it.
+        Standard error of every free parameter, and of ``offset``, ``shift`` and ``tilt`` if they were free; infinite
+        where a parameter reached the end of its search range, so that the line does not determine it.
     offset, shift, tilt : float
-        What was added to the profile: a height [mm], a way along y [mm], a slope [rad].
+        Added to the profile: a height [mm], a shift along y [mm], a slope [rad].
     rms, largest : float
-        Root mean square and largest of what is left [mm].
+        Root mean square and largest absolute residual [mm].
     points : float
-        How many points that err independently the line amounts to.
+        Effective number of independent points.
     penalised : float
-        Bayes' information criterion, by which kinds are ranked: the lower the better.
+        Bayesian information criterion (BIC), by which kinds are ranked: lower is better.
     """
 
     kind: str
@@ -80,9 +80,9 @@ class Fit:
 
 @dataclass(frozen=True)
 class _Kind:
-    """How a kind is fitted: bases that it is linear in once its lengths are given, and back to its parameters."""
+    """How a kind is fitted: basis functions, linear once its lengths are given, and the way back to its parameters."""
 
-    lengths: Callable[[float], Iterable[tuple[float, ...]]]  # from the half-length to what is tried
+    lengths: Callable[[float], Iterable[tuple[float, ...]]]  # from the half-length to the lengths to try
     bases: Callable[[Array, tuple[float, ...]], list[Array]]
     parameters: Callable[[tuple[float, ...], Array], dict[str, float]]
     signed: tuple[str, ...] = ()  # parameters that may be negative
@@ -91,7 +91,7 @@ class _Kind:
 def fit(
     points: Points, kind: str, *, shift: bool = True, tilt: bool = False, highest: float | None = None, **fixed: float
 ) -> Fit:
-    """Return the profile of a kind that is nearest to a measured line.
+    """Return the profile of a kind that best fits a measured line.
 
     Parameters
     ----------
@@ -101,22 +101,22 @@ def fit(
         ``"crown"``, ``"partial-crown"``, ``"two-radius"``, ``"logarithmic"``, ``"tapered-ends"``, ``"conical"`` or
         ``"straight"``.
     shift, tilt : bool
-        Whether the profile may be moved along y and turned. The offset is always free.
+        Whether the profile may be shifted along y and tilted. The offset is always free.
     highest : float or None
-        Height [mm] that has no relief; that of the highest point if None.
+        Height [mm] of zero relief; that of the highest point if None.
     **fixed : float
-        Parameters of the kind that are known.
+        Parameters of the kind whose values are known.
 
     Returns
     -------
     Fit
-        Parameters, standard errors and what is left.
+        Parameters, standard errors and residuals.
 
     Raises
     ------
     InputError
-        If the kind or a parameter is not known, or if what is free cannot be told apart: the tilt and the shift of a
-        crown, the tilt and the angle of a cone.
+        If the kind or a parameter is unknown, or if free parameters cannot be distinguished: the tilt and the shift of
+        a crown, the tilt and the angle of a cone.
 
     Examples
     --------
@@ -145,22 +145,22 @@ def fit_best(
     tilt: bool = False,
     highest: float | None = None,
 ) -> tuple[Fit, ...]:
-    """Return fits of several kinds, the best first.
+    """Return fits of several kinds, best first.
 
-    Kinds are ranked by Bayes' information criterion, n ln(mean square) + p ln(n): one parameter more must lower the
-    mean square by more than chance would. n is the number of points that err independently, by the residual of the
-    nearest kind, and the same for all.
+    Kinds are ranked by the Bayesian information criterion (BIC), n ln(mean square) + p ln(n): an extra parameter must
+    lower the mean square by more than chance would. n is the effective number of independent points, from the residual
+    of the closest kind, and the same for all.
 
     Parameters
     ----------
     points : Points
         The line.
     kinds : iterable of str or None
-        Which kinds to try; None tries all, but with a free tilt neither ``"crown"`` nor ``"conical"``.
+        Which kinds to try; None tries all, except ``"crown"`` and ``"conical"`` if the tilt is free.
     shift, tilt : bool
-        Whether the profile may be moved along y and turned.
+        Whether the profile may be shifted along y and tilted.
     highest : float or None
-        As of `fit`.
+        As in `fit`.
 
     Returns
     -------
@@ -170,7 +170,7 @@ def fit_best(
     Raises
     ------
     InputError
-        As `fit`.
+        As in `fit`.
     """
     remedy = "give names of kinds, or leave them out"
     kinds = (
@@ -179,7 +179,7 @@ def fit_best(
         else tuple(k for k in KINDS if not (tilt and k in _TURNED))
     )
     if not kinds:
-        raise InputError("kinds", kinds, "hold one kind at least", remedy)
+        raise InputError("kinds", kinds, "hold at least one kind", remedy)
     fits = [fit(points, kind, shift=shift, tilt=tilt, highest=highest) for kind in kinds]
     nearest = min(fits, key=lambda each: each.rms)
     judged = [_penalised(each, nearest.points) for each in fits]
@@ -188,18 +188,18 @@ def fit_best(
 
 def _check(kind: str, shift: bool, tilt: bool, fixed: Mapping[str, float]) -> None:
     one_of("kind", kind, KINDS, "name a kind that can be fitted")
-    flag("shift", shift, "write True if the profile may be moved along y")
-    flag("tilt", tilt, "write True if the profile may be turned")
+    flag("shift", shift, "write True if the profile may be shifted along y")
+    flag("tilt", tilt, "write True if the profile may be tilted")
     known = _known(kind)
     for name in fixed:
         one_of("fixed", name, known, f"name a parameter of '{kind}'")
     if tilt and (kind == "conical" or (kind == "crown" and shift)):
         other = "angle" if kind == "conical" else "shift"
-        raise InputError("tilt", tilt, f"not be free beside the {other} of a {kind}", "no fit can tell them apart")
+        raise InputError("tilt", tilt, f"not be free together with the {other} of a {kind}", "no fit separates them")
 
 
 def _gathered(points: Points, highest: float | None) -> tuple[Array, Array]:
-    """Return means over equal numbers of neighbouring points, of which a fit needs no more than two thousand."""
+    """Return means over equal numbers of neighbouring points, at most two thousand, which is enough for a fit."""
     y, relief = points.y, (points.height.max() if highest is None else highest) - points.height
     share = -(-len(y) // _MOST_POINTS)
     count = len(y) // share * share
@@ -211,7 +211,7 @@ def _means(values: Array, share: int) -> Array:
 
 
 def _start(kind: str, y: Array, relief: Array, fixed: Mapping[str, float]) -> dict[str, float]:
-    """Return the parameters of the best of a grid."""
+    """Return the parameters of the best grid point."""
     middle = 0.5 * float(y[0] + y[-1])
     how, best, found = _HOW[kind], np.inf, {}
     for lengths in how.lengths(0.5 * float(y[-1] - y[0])):
@@ -234,7 +234,7 @@ def _solved(
 
     names = [*free, "offset", *(["shift"] if shift else []), *(["tilt"] if tilt else [])]
     if len(y) <= len(names):
-        condition = f"be more than the {len(names)} parameters of '{kind}' with what it is moved by"
+        condition = f"exceed the {len(names)} free parameters of '{kind}', offset, shift and tilt included"
         raise InputError("points", len(y), condition, "measure more points, or fit a simpler kind")
     logs = np.array([name in free and name not in _HOW[kind].signed for name in names])
     make = CATALOGUE[kind]
@@ -248,7 +248,7 @@ def _solved(
         nuisance = {name: found.pop(name, 0.0) for name in ("offset", "shift", "tilt")}
         try:
             profile = make(**found, **fixed)
-        except InputError:  # outside of what the kind allows, such as a middle longer than its circle
+        except InputError:  # not a valid profile of the kind, such as a middle longer than its circle
             return np.full(len(y), _FAR / scale)
         drop = np.minimum(profile.relief(y - nuisance["shift"]), _FAR)
         return np.asarray((drop + nuisance["offset"] + nuisance["tilt"] * y - relief) / scale)
@@ -261,12 +261,12 @@ def _solved(
     x0[names.index("offset")] = -scale * float(np.mean(left(x0)))
     sizes = {"offset": scale, "shift": 0.01 * float(np.ptp(y)), "radius": 0.1 * abs(free.get("radius", 1.0))}
     steps = np.where(logs, 0.1, [sizes.get(n, 1e-4) for n in names])
-    # Parameters that move nothing make for divisions by zero on the way, and are told by their standard errors.
+    # Parameters without effect cause divisions by zero on the way, and show in their standard errors.
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         solution = least_squares(
             left, x0, bounds=(low, high), x_scale=steps, xtol=1e-10, ftol=1e-10, gtol=1e-10, max_nfev=200
         )
-    return _told(kind, values(solution.x), fixed, solution, logs, scale)
+    return _fitted(kind, values(solution.x), fixed, solution, logs, scale)
 
 
 def _limits(names: list[str], logs: NDArray[np.bool_]) -> tuple[Array, Array]:
@@ -274,18 +274,18 @@ def _limits(names: list[str], logs: NDArray[np.bool_]) -> tuple[Array, Array]:
     bounds = np.array(pairs)
     low = np.where(logs, np.log(np.where(logs, bounds[:, 0], 1.0)), -np.inf)
     high = np.where(logs, np.log(np.where(logs, bounds[:, 1], 1.0)), np.inf)
-    # A starting value on a bound has no way to go.
+    # A starting value on a bound could not move.
     return low - 1e-9, high + 1e-9
 
 
-def _told(
+def _fitted(
     kind: str, found: dict[str, float], fixed: Mapping[str, float], solution: Any, logs: NDArray[np.bool_], scale: float
 ) -> Fit:
     residual = scale * solution.fun
     count = len(residual) / _correlation_length(residual)
     square = float(residual @ residual)
     freedom = max(count - len(solution.x), 1.0)
-    # The mean square, over the points that count less the parameters; the normal matrix has so much less weight too.
+    # Mean square over the effective number of points less the parameters; the normal matrix is scaled accordingly.
     sigma = np.sqrt(square / freedom) * _sensitivity(scale * solution.jac)
     sigma[solution.active_mask != 0] = np.inf
     names = list(found)
@@ -302,16 +302,16 @@ def _told(
 
 
 def _sensitivity(jacobian: Array) -> Array:
-    """Return the roots of the diagonal of (J^T J)^-1, infinite for parameters that the line does not tell apart.
+    """Return the square roots of the diagonal of (J^T J)^-1, infinite for parameters that the line does not determine.
 
-    The columns of J are scaled first: a radius of a hundred metres moves heights so little for each of its millimetres
-    that beside an offset its column would pass for zero.
+    The columns of J are scaled first: a radius of a hundred metres changes heights so little per millimetre that, next
+    to an offset, its column would pass for zero.
     """
     lengths = np.linalg.norm(jacobian, axis=0)
     resolved = lengths > 0.0
     sensitivity = np.full(len(lengths), np.inf)
     _, singular, turned = np.linalg.svd(jacobian[:, resolved] / lengths[resolved], full_matrices=False)
-    # The derivatives are differences over 1e-8 of a parameter and good to about as much.
+    # The derivatives are differences over 1e-8 of a parameter, and about as accurate.
     known = singular > _DERIVATIVES * singular[0]
     unknown = np.any(np.abs(turned[~known]) > np.sqrt(_DERIVATIVES), axis=0)
     found = np.sqrt(np.sum((turned[known] / singular[known, None]) ** 2, axis=0)) / lengths[resolved]
@@ -320,14 +320,14 @@ def _sensitivity(jacobian: Array) -> Array:
 
 
 def _penalised(fitted: Fit, points: float) -> Fit:
-    # Nothing is measured better than a tenth of a nanometre; a perfect fit has a finite value too.
+    # No measurement is better than a tenth of a nanometre; this also keeps the value of a perfect fit finite.
     mean_square = fitted.rms**2 + 1e-14
     value = points * np.log(mean_square) + len(fitted.standard_errors) * np.log(points)
     return replace(fitted, penalised=float(value))
 
 
 def _correlation_length(residual: Array) -> float:
-    """Return over how many points a residual errs together: 1 for noise, all of them for one long wave."""
+    """Return over how many points a residual is correlated: 1 for noise, many for a long wave."""
     size = 2 * len(residual)
     power = np.abs(np.fft.rfft(residual, size)) ** 2
     covariance = np.fft.irfft(power, size)[: len(residual)]
@@ -405,6 +405,6 @@ _POSITIVE = frozenset({"tapered-ends", "partial-crown", "two-radius", "logarithm
 
 
 def _radius(curvature: float) -> float:
-    # A line as flat as a radius of 1000 km is one of infinite radius to any machine.
+    # To any machine a radius of 1000 km is infinite.
     size = max(abs(curvature), 1e-9)
     return float(np.copysign(1.0 / size, curvature))

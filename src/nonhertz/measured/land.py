@@ -1,11 +1,11 @@
-"""Where the land of a body ends and its chamfers begin, and how a trace lies in the machine.
+"""Where the land of a body ends and its chamfers begin, and how a trace is tilted in the machine.
 
-A chamfer is steep, a profile is not: the steepest profiles of rollers fall by some hundredths of a millimetre in a
-millimetre, a chamfer by tenths. So the land is the longest stretch whose slope stays within a limit of the slope that
-the whole trace has in the machine. Slopes are those of short chords of heights that a running median of five points
-has rid of single spikes; a scratch does not end the land, because the surface goes on behind it at the same height.
-Nor does a step of some micrometres, behind which it goes on at the same slope: no chamfer is as narrow and as low. What
-steps there are, `steps_in` tells, also those that are too high to be taken for one land.
+A chamfer is steep, a profile is not: the steepest roller profiles drop by a few hundredths of a millimetre per
+millimetre, a chamfer by tenths. So the land is the longest stretch whose slope stays within a limit of the slope of the
+whole trace. Slopes are those of short chords, after a running median of five points has removed single spikes. A
+scratch does not end the land, because the surface continues beyond it at the same height. Nor does a step of some
+micrometres beyond which it continues at the same slope: no chamfer is so narrow and low. `steps_in` returns all steps,
+including those too high to be part of one land.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError
 from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
 
-#: Slope that no profile has and every chamfer, 3 degrees.
+#: Slope exceeded by every chamfer and by no profile, 3 degrees.
 CHAMFER_SLOPE = 0.05
-# Half of a chord, over the length of the trace. At an edge, so much of the land is lost at most.
+# Half-length of a chord over the length of the trace. At most this much of the land is lost at an edge.
 _CHORD = 0.0025
 _SPIKE = 5  # points
-# A step: no wider than this share of the trace, of which chords of its surface take a half, with so much of the trace
-# at least on either side of it. Up to the first height [mm] the land goes on behind it; beyond the second it is a rib
-# or another body, which nobody takes for a part of the land.
+# A step: its greatest width (half of which is due to the chords) and the least length of surface on either side, both
+# over the length of the trace. Up to the first height [mm] the land continues beyond it; above the second it is a rib
+# or another body, which is never part of the land.
 _STEP_WIDTH, _BESIDE_STEP = 0.01, 0.02
 _LOW_STEP, _HIGH_STEP = 0.02, 0.2
 
@@ -42,7 +42,7 @@ class SurfaceStep:
     height : float
         By how much the surface rises towards positive y [mm].
     within : bool
-        Whether both sides of it are of the land.
+        Whether both sides of it belong to the land.
     """
 
     y: float
@@ -56,14 +56,14 @@ def land(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, float]:
     Parameters
     ----------
     points : Points
-        The measured line, tilted as it may be.
+        The measured line, which may be tilted.
     slope : float
         How much steeper than the whole line the land may be.
 
     Returns
     -------
     tuple of float
-        From where to where; the outermost points if nothing is steeper.
+        Both ends; the outermost points if nothing is steeper.
 
     Raises
     ------
@@ -79,12 +79,12 @@ def land(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, float]:
 
 
 def steps_in(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[SurfaceStep, ...]:
-    """Return the steps of up to 0.2 mm in a line, those that the land goes on behind and those that end it.
+    """Return the steps of up to 0.2 mm in a line, both those within the land and those that end it.
 
     Parameters
     ----------
     points : Points
-        The measured line, tilted as it may be.
+        The measured line, which may be tilted.
     slope : float
         How much steeper than the whole line the land may be.
 
@@ -106,7 +106,7 @@ def steps_in(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[SurfaceStep,
 
 
 def chord_slopes(points: Points) -> Array:
-    """Return the slope of a short chord around every point, from one side at the outermost ones."""
+    """Return the slope of a short chord around every point, one-sided at the outermost ones."""
     from scipy.ndimage import median_filter
 
     height = median_filter(points.height, _SPIKE, mode="nearest")
@@ -118,16 +118,16 @@ def chord_slopes(points: Points) -> Array:
 
 
 def tilt(points: Points, slope: float = CHAMFER_SLOPE) -> float:
-    """Return the slope at which a line lies in the machine, blind to the shape that the land has.
+    """Return the tilt of a line in the machine, irrespective of the shape of the land.
 
-    About the middle of the land the heights are taken apart into an even and an odd part. All of a symmetric shape,
-    crown or straight, is even; tilt is a straight line in the odd part. The line is that of least absolute, not
-    squared, deviations, a median of odd part over distance weighted by distance: what one end has lost more than the
-    other does not turn it, as long as it is less than half.
+    About the middle of the land the heights are split into an even and an odd part. A symmetric shape, crown or
+    straight, is entirely even; tilt is a straight line in the odd part. The line is that of least absolute, not
+    squared, deviations, a median of odd part over distance weighted by distance: material lost at one end only does not
+    rotate it, as long as that is less than half.
 
-    A circular arc that is tilted is the same arc moved sideways. What is tilt and what is a crown off the middle of
-    the land cannot be told apart by anyone; all of it counts as tilt. Steps within the land are not part of it: the two
-    sides of a step lie in the machine alike.
+    A tilted circular arc is the same arc moved sideways. Tilt and a crown off the middle of the land are therefore
+    indistinguishable; both count as tilt. Steps within the land are not part of it: both sides of a step have the same
+    tilt.
     """
     low, high = land(points, slope)
     middle = 0.5 * (low + high)
@@ -140,10 +140,10 @@ def tilt(points: Points, slope: float = CHAMFER_SLOPE) -> float:
 
 
 def symmetry(points: Points, slope: float = CHAMFER_SLOPE) -> float | None:
-    """Return the place [mm] about which the land is its own mirror image but for a tilt, or None if there is none.
+    """Return the position [mm] about which the land is its own mirror image except for a tilt, or None.
 
-    Places up to a tenth of the land's length from its middle are tried on a grid. None is for a land that is as
-    symmetric at the end of the search as anywhere, such as an arc of one circle.
+    Positions up to a tenth of the land's length from its middle are tried on a grid. None is returned for a land that
+    is no less symmetric at the ends of the search, such as a single circular arc.
     """
     low, high = land(points, slope)
     middle, reach = 0.5 * (low + high), 0.1 * (high - low)
@@ -160,14 +160,14 @@ def symmetry(points: Points, slope: float = CHAMFER_SLOPE) -> float | None:
 
 
 def weighted_median(values: Array, weights: Array) -> float:
-    """Return the value that has half of the weight on either side."""
+    """Return the value with half the weight on either side."""
     order = np.argsort(values, kind="stable")
     heaped = np.cumsum(weights[order])
     return float(values[order][int(np.searchsorted(heaped, 0.5 * heaped[-1]))])
 
 
 def _oddness(points: Points, place: float, distance: Array) -> float:
-    """Return the mean square of the odd part about a place, less its best straight line."""
+    """Return the mean square of the odd part about a position, less its best straight line."""
     left, right = (np.interp(place + side * distance, points.y, points.height) for side in (-1.0, 1.0))
     odd = 0.5 * (right - left)
     slope = float(odd @ distance / (distance @ distance))
@@ -175,7 +175,7 @@ def _oddness(points: Points, place: float, distance: Array) -> float:
 
 
 def _gentle(points: Points, slope: float) -> tuple[float, list[tuple[int, int]]]:
-    """Return the slope of the whole line, and first and last index of every stretch that is hardly steeper."""
+    """Return the slope of the whole line, and first and last index of every stretch within the limit of it."""
     steepness = chord_slopes(points)
     level = weighted_median(steepness, points.weights)
     return level, _runs(np.abs(steepness - level) <= slope)
@@ -188,7 +188,7 @@ def _runs(inside: NDArray[np.bool_]) -> list[tuple[int, int]]:
 
 
 def _extended(points: Points, runs: list[tuple[int, int]], level: float, slope: float) -> tuple[int, int]:
-    """Return the longest stretch with those beside it at which the surface is back at its height."""
+    """Return the longest stretch extended by neighbouring ones at which the surface is back at its height."""
     longest = max(runs, key=lambda run: points.y[run[1]] - points.y[run[0]])
     first, last = longest
     for run in runs[runs.index(longest) + 1 :]:
@@ -201,7 +201,7 @@ def _extended(points: Points, runs: list[tuple[int, int]], level: float, slope: 
 
 
 def _step(points: Points, before: tuple[int, int], behind: tuple[int, int], level: float) -> float | None:
-    """Return by how much the surface steps up between two stretches; None if no step is between them."""
+    """Return the height of the step between two stretches; None if there is no step between them."""
     way = float(points.y[behind[0]] - points.y[before[1]])
     if way > _STEP_WIDTH * points.span or not (_is_long(points, before) and _is_long(points, behind)):
         return None

@@ -1,14 +1,14 @@
 """Which points of a measured line do not belong to the surface.
 
-Dust, a scratch or a lost stylus moves few neighbouring points, and the surface goes on behind them as it came. So a
-point is suspected if it lies off three lines, to the same side of all: that through the surface on its left, carried on
-to it, that through the surface on its right, and the chord between the two. Medians of neighbouring points stand for
-the surface, at several distances. Beside a scratch, at the wall of a dent and at an edge one of the two sides still is
+Dust, a scratch or lost stylus contact displaces a few neighbouring points, and beyond them the surface continues as
+before. So a point is suspect if it lies off three lines, on the same side of all: the line through the surface on its
+left, extrapolated to it, the same on its right, and the chord between the two. Medians of neighbouring points represent
+the surface, at several distances. Beside a scratch, at the wall of a dent and at an edge, one of the two sides is still
 the surface that the point belongs to; on a curve the chord errs to one side and the two lines to the other.
 
-Suspected neighbours are then looked at together. The line between the surface on their two sides, suspected points left
-out, is their base. All neighbours that lie off it are taken with them, and what comes out so is a grain or a scratch if
-it is narrow. If it is wider than that it is shape, and none of its points is touched.
+Suspect neighbours are then examined together. Their base is the line between the surface on both sides, ignoring
+suspect points. All neighbours off that base are added, and the result is a grain or a scratch if it is narrow. If it is
+wider, it is form, and none of its points is removed.
 """
 
 from __future__ import annotations
@@ -21,17 +21,17 @@ from numpy.typing import NDArray
 
 from nonhertz.measured.trace import Array, Points
 
-#: Share of the line, and length [mm], beyond which a dent or a bump is shape.
+#: Fraction of the line, and length [mm], beyond which a dent or a bump counts as form.
 WIDEST_SHARE, WIDEST = 0.01, 0.2
-# Distances at which the surface is looked for, from the nearest neighbours to what finds the widest grain.
+# Number of distances at which the surface is sampled, from the nearest neighbours to what finds the widest grain.
 _DISTANCES = 7
-# Points on either side that a base is drawn between, at least and at most.
+# Least and greatest number of points on either side that define a base.
 _FEWEST_BESIDE, _MOST_BESIDE = 5, 50
 _ROUNDS = 8
-# Share of the limit at which a grain ends: two standard deviations of the five that make an outlier.
+# Fraction of the limit at which a grain ends: two of the five standard deviations that make an outlier.
 _FOOT = 0.4
-# Where the surface beside is rougher than the rest of the line, five standard deviations of it, from the median of the
-# distances, are the limit.
+# Where the adjacent surface is rougher than the rest of the line, the limit is five of its standard deviations,
+# expressed by the median of the distances.
 _SCATTERS = 7.4
 
 
@@ -43,7 +43,7 @@ def outlying(points: Points, height: Array, limit: float) -> NDArray[np.bool_]:
     points : Points
         The measured line.
     height : array, shape (n + 2 m,)
-        Its heights [mm], carried on by any m points beyond either end.
+        Its heights [mm], extended by any m points beyond either end.
     limit : float
         How far a point may lie off [mm].
     """
@@ -63,18 +63,18 @@ def widest(points: Points) -> float:
 
 
 def carried_on(points: Points) -> int:
-    """Return by how many points the heights should be carried on for `outlying` to see all up to the ends."""
+    """Return by how many points the heights should be extended so that `outlying` covers the line up to its ends."""
     return 6 * _farthest(points) + 3
 
 
 def _farthest(points: Points) -> int:
-    """Return the largest radius, in points, of the medians that stand for the surface."""
+    """Return the largest radius, in points, of the medians that represent the surface."""
     usual = float(np.median(np.diff(points.y)))
     return max(min(int(widest(points) / usual / 3.0) + 1, (len(points) - 4) // 6), 0)
 
 
 def _suspected(points: Points, height: Array, limit: float) -> NDArray[np.int8]:
-    """Return 1 for points that lie above what is on both of their sides, -1 for those below, 0 for all others."""
+    """Return 1 for points above the surface on both sides, -1 for those below, 0 for all others."""
     from scipy.ndimage import median_filter
 
     count, more = len(points), (len(height) - len(points)) // 2
@@ -93,7 +93,7 @@ def _suspected(points: Points, height: Array, limit: float) -> NDArray[np.int8]:
 
 
 def _offsets(radius: int) -> tuple[int, int, int, int]:
-    """Return where the middles of four stretches of 2 radius + 1 points lie, two on either side, none of them near."""
+    """Return the offsets of the middles of four stretches of 2 radius + 1 points, two on either side, none adjacent."""
     near, far = 3 * radius + 2, 5 * radius + 3
     return -far, -near, near, far
 
@@ -107,7 +107,7 @@ def _distances(points: Points, y: list[Array], surface: list[Array]) -> Array:
 
 
 def _runs(side: NDArray[np.int8]) -> Iterator[tuple[int, int]]:
-    """Yield first and last index of neighbours that are suspected to lie on the same side."""
+    """Yield first and last index of neighbouring points suspected of lying off on the same side."""
     turns = np.flatnonzero(np.diff(side, prepend=0, append=0))
     for first, after in pairwise(turns):
         if side[first]:
@@ -115,9 +115,9 @@ def _runs(side: NDArray[np.int8]) -> Iterator[tuple[int, int]]:
 
 
 def _off_base(points: Points, clean: NDArray[np.intp], first: int, last: int, limit: float) -> NDArray[np.intp] | None:
-    """Return the points about a run that lie off their base, above it if the limit is positive; None if it is shape.
+    """Return the points around a run that lie off their base, above it if the limit is positive; None if it is form.
 
-    How wide it is counts at its foot, where it is lost in the roughness: of a shallow dent only the bottom is beyond
+    Its width is measured at its foot, where it merges into the roughness: of a shallow dent only the bottom is beyond
     the limit.
     """
     for _ in range(_ROUNDS):
@@ -138,9 +138,9 @@ def _off_base(points: Points, clean: NDArray[np.intp], first: int, last: int, li
 
 
 def _begins_at_once(points: Points, first: int, last: int, most: float) -> bool:
-    """Return whether a run lies inside the line or, at an end of it, half of what it is off begins with one step.
+    """Return whether a run lies inside the line or, at an end, whether half its deviation occurs in one step.
 
-    An edge that is rounded falls off gradually, and nothing behind it says that the surface goes on.
+    A rounded edge falls off gradually, and there is nothing beyond it to show that the surface continues.
     """
     if first > 0 and last < len(points) - 1:
         return True
@@ -151,7 +151,7 @@ def _begins_at_once(points: Points, first: int, last: int, most: float) -> bool:
 def _from_base(
     points: Points, clean: NDArray[np.intp], first: int, last: int, at: NDArray[np.intp]
 ) -> tuple[Array, float]:
-    """Return how far points lie above the line between the surface on the two sides of a run, and its scatter there."""
+    """Return how far points lie above the base line of a run, and the scatter of the surface beside the run."""
     beside = min(max(last - first + 1, _FEWEST_BESIDE), _MOST_BESIDE)
     left = clean[: np.searchsorted(clean, first)]
     right = clean[np.searchsorted(clean, last, side="right") :]
@@ -171,14 +171,14 @@ def _from_base(
 
 
 def _stretch(off: NDArray[np.bool_], first: int, last: int) -> NDArray[np.intp]:
-    """Return first and last index of the neighbours of a run that lie off, with the run itself."""
+    """Return first and last index of a run together with its neighbours that lie off."""
     on = np.flatnonzero(~off)
     before, behind = on[on < first], on[on > last]
     return np.array([before[-1] + 1 if len(before) else 0, behind[0] - 1 if len(behind) else len(off) - 1])
 
 
 def _width(points: Points, first: int, last: int) -> float:
-    """Return the length [mm] that neighbours stand for, half of the way to the points beside them."""
+    """Return the length [mm] that a run of points represents, half-way to the points beside it."""
     y = points.y
     low, high = y[max(first - 1, 0)], y[min(last + 1, len(y) - 1)]
     return float(0.5 * (y[last] + high - y[first] - low))

@@ -1,16 +1,16 @@
-"""Roughness of a measured line, and what of it a strip can carry.
+"""Roughness of a measured line, and how much of it strips can represent.
 
-A strip takes the pressure across the contact for one semi-ellipse of half-width b and lets it change along y from strip
-to strip. A wave of length l along y is felt as far as l / (2 pi) to the side and below. As long as that is more than b,
-the whole width of the contact feels the wave alike and one semi-ellipse bears it; a shorter wave, l < 2 pi b, changes
-the pressure where it is and not beside it, the contact falls apart into patches, and strips say nothing about it.
+A strip assumes one semi-ellipse of half-width b for the pressure across the contact, which varies along y from strip to
+strip. The effect of a wave of length l along y extends as far as l / (2 pi) to the side and below. As long as that is
+more than b, the wave affects the whole width of the contact alike and one semi-ellipse represents it; a shorter wave,
+l < 2 pi b, acts only locally, the contact breaks up into patches, and strips cannot describe it.
 
-What such waves would do if they were pressed flat is known. A wave of amplitude A on a half-space needs the pressure
+The pressure that presses such waves flat is known. A wave of amplitude A on a half-space needs the pressure
 
     p = pi E* A / l = E* / 2 times the amplitude of its slope
 
 (Westergaard 1939; Johnson 1985, section 13.2), so the root mean square of the pressure is E* / 2 times that of the
-slope of all short waves together, whatever their lengths. Where that is no longer small beside the pressure of the
+slope of all short waves together, whatever their lengths. Where that is not small compared with the pressure of the
 contact, solving with these waves gives a picture of the roughness and not of the contact: smooth first.
 """
 
@@ -25,31 +25,31 @@ from nonhertz.measured.filters import gaussian, shortest_cutoff
 from nonhertz.measured.trace import Array, Points
 from nonhertz.model.material import MATERIALS
 
-#: Of a usual roller bearing under load: half-width [mm] and pressure [MPa].
+#: For a typical roller bearing under load: half-width [mm] and pressure [MPa].
 HALF_WIDTH, PRESSURE = 0.1, 1500.0
-#: Of two bodies of steel [1/MPa].
+#: For two steel bodies [1/MPa].
 STEEL_COMPLIANCE = 2.0 * MATERIALS["steel"].compliance
-# Share of the contact's pressure that short waves may need.
+# Fraction of the contact's pressure that short waves may need.
 _RIPPLE = 0.1
 _OCTAVES = 6
 
 
 @dataclass(frozen=True)
 class Roughness:
-    """Height parameters of what a Gaussian filter takes off, ISO 21920-2.
+    """Height parameters of what a Gaussian filter removes, ISO 21920-2.
 
     Attributes
     ----------
     ra, rq : float
         Mean of the absolute values and root mean square [mm].
     rz : float
-        Height from lowest to highest [mm], the mean over sections of the length of the cutoff.
+        Height from lowest to highest [mm], averaged over sections as long as the cutoff.
     sections : int
-        How many sections that were; the standard has five.
+        Number of sections; the standard has five.
     cutoff : float
         Cutoff of the filter [mm].
     bands : tuple of (float, float, float)
-        Octaves of wavelengths, from and to [mm], and the root mean square of the waves in each [mm]; the first goes
+        Octaves of wavelengths, from and to [mm], and the root mean square of the waves in each [mm]; the first extends
         down to the shortest waves.
     """
 
@@ -72,9 +72,9 @@ def roughness_in(points: Points, cutoff: float) -> Roughness:
     Parameters
     ----------
     points : Points
-        The line, chamfers cut off.
+        The line without chamfers.
     cutoff : float
-        Wavelength [mm] where roughness ends.
+        Wavelength [mm] up to which waves are roughness.
 
     Returns
     -------
@@ -117,12 +117,12 @@ def short_wave_slope(points: Points, wavelength: float) -> float:
 def strain_on_strips(
     points: Points, half_width: float, pressure: float, compliance: float, smoothed: bool
 ) -> tuple[str, ...]:
-    """Return a sentence if a line holds waves that strips cannot carry.
+    """Return a sentence if a line has waves that strips cannot represent.
 
     Parameters
     ----------
     points : Points
-        The line that is to be solved with.
+        The line to solve with.
     half_width : float
         Half-width of the contact [mm].
     pressure : float
@@ -130,7 +130,7 @@ def strain_on_strips(
     compliance : float
         Compliance of both bodies together [1/MPa], that of a body being (1 - nu^2) / (pi E).
     smoothed : bool
-        Whether there was a filter, to say what to do.
+        Whether a filter was applied, which decides the remedy.
 
     References
     ----------
@@ -146,8 +146,8 @@ def strain_on_strips(
     remedy = "smooth with a longer cutoff" if smoothed else "smooth it first"
     return (
         f"Waves shorter than {shortest:.2g} mm, 2 pi half-widths of {half_width:.3g} mm, are left in the profile with "
-        f"a root mean square slope of {1e3 * slope:.3g} mrad: pressing them flat takes {ripple:.3g} MPa beside "
-        f"{pressure:.4g} MPa of the contact, and strips cannot carry what changes within the width of the contact; "
+        f"a root mean square slope of {1e3 * slope:.3g} mrad: pressing them flat takes {ripple:.3g} MPa compared with "
+        f"{pressure:.4g} MPa in the contact, and strips cannot resolve changes within the width of the contact; "
         f"{remedy}.",
     )
 

@@ -1,8 +1,7 @@
 """The steps from a raw trace to a profile: each a value with its parameters, applied to points.
 
-A step takes points and returns `State`: the points after it, what it took away and a sentence on what it did. It
-changes nothing, so that a step can be left out or repeated with other parameters, and the raw points stay what they
-were.
+A step takes points and returns a `State`: the points after it, what it removed and a sentence on what it did. It
+modifies nothing, so that a step can be left out or repeated with other parameters, and the raw points are kept.
 """
 
 from __future__ import annotations
@@ -21,25 +20,24 @@ from nonhertz.measured.land import CHAMFER_SLOPE, land, symmetry, tilt
 from nonhertz.measured.outlying import carried_on, outlying
 from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
 
-#: Wavelength [mm] above which roughness ends and form begins, of the standard values of ISO 21920-3 and ISO 4288 that
-#: for finely ground surfaces.
+#: Wavelength [mm] that separates roughness from form: the value of ISO 21920-3 and ISO 4288 for finely ground surfaces.
 CUTOFF = 0.8
 #: Robust standard deviations beyond which a point does not belong to the surface. Of ten thousand points of pure
-#: Gaussian roughness not one lies beyond.
+#: Gaussian roughness none exceeds it.
 THRESHOLD = 5.0
 
-# Chords reach so far to either side, over the number of points, and over nine points at least.
+# Reach of chords to either side, over the number of points, and the least window and number of chords.
 _MEDIAN_SHARE, _FEWEST_IN_MEDIAN, _CHORDS = 0.01, 9, 9
 # The median of absolute deviations, and what nine in ten of them do not exceed, in standard deviations of a normal
 # distribution: 1 / (sqrt(2) erfinv(1/2)) and 1 / (sqrt(2) erfinv(9/10)).
 _MAD_TO_SIGMA, _NINE_TENTHS_TO_SIGMA = 1.482602218505602, 0.6079568319117692
-# Machines resolve nanometres: deviations below one are no outliers, however smooth the rest is.
+# Machines resolve nanometres: smaller deviations are not outliers, however smooth the rest is.
 _RESOLUTION = 1e-6  # mm
 _POINTS_PER_CUTOFF = 8
 _FEWEST_THINNED, _MOST_THINNED = 51, 1001
-#: What the middle of a body is found by.
+#: How the middle of a body is found.
 Middle = Literal["ends", "symmetry"]
-#: What takes roughness off.
+#: How roughness is removed.
 Filter = Literal["gaussian", "spline"]
 
 
@@ -52,15 +50,15 @@ class State:
     name : str
         The step's name; ``"raw"`` before all steps.
     points : Points
-        What is left.
+        The remaining points.
     words : str
         A sentence on what was done, with its numbers.
     numbers : mapping of str to float
         The numbers: ``tilt`` [rad], ``shift``, ``low``, ``high`` [mm], ``removed`` (a count) and so on.
     removed : tuple of array or None
-        Positions and heights [mm] of points that were taken away.
+        Positions and heights [mm] of the points removed.
     removed_height : array or None
-        What was taken off the heights of the points that are left [mm].
+        What was subtracted from the heights of the remaining points [mm].
     """
 
     name: str
@@ -72,12 +70,12 @@ class State:
 
     @property
     def y(self) -> Array:
-        """Positions [mm] of the points that are left."""
+        """Positions [mm] of the remaining points."""
         return self.points.y
 
     @property
     def height(self) -> Array:
-        """Heights [mm] of the points that are left."""
+        """Heights [mm] of the remaining points."""
         return self.points.height
 
     @property
@@ -87,7 +85,7 @@ class State:
 
 
 class Step(Protocol):
-    """What all steps have: a name to undo them by, and what they do to points."""
+    """What all steps have: a name by which to undo them, and their action on points."""
 
     name: ClassVar[str]
 
@@ -97,17 +95,17 @@ class Step(Protocol):
 
 @dataclass(frozen=True)
 class Level:
-    """Take off the tilt at which the body lay in the machine.
+    """Remove the tilt at which the body lay in the machine.
 
-    Chamfers are left out. About the middle of the land between them the heights have an even part, in which all of a
-    symmetric shape is, and an odd part, in which a tilt is a straight line. The line of least absolute deviations
-    through the odd part is taken off: a crown does not turn it, whatever its drop, and one end that has lost more than
-    the other hardly does.
+    Chamfers are left out. About the middle of the land between them the heights have an even part, which contains any
+    symmetric shape, and an odd part, in which a tilt is a straight line. The line of least absolute deviations through
+    the odd part is subtracted: a crown does not affect it, whatever its drop, and one end that has lost more material
+    than the other hardly does.
 
     Parameters
     ----------
     slope : float
-        Slope beyond which the land has ended and a chamfer begun.
+        Slope at which the land ends and a chamfer begins.
     """
 
     name: ClassVar[str] = "level"
@@ -121,7 +119,7 @@ class Level:
         low, high = land(points, self.slope)
         lean = tilt(points, self.slope)
         line = lean * (points.y - 0.5 * (low + high))
-        words = f"A tilt of {1e3 * lean:.4g} mrad was taken off, that of the land from {low:.4g} to {high:.4g} mm."
+        words = f"A tilt of {1e3 * lean:.4g} mrad was removed, that of the land from {low:.4g} to {high:.4g} mm."
         after = Points(points.y, points.height - line, points.gaps)
         return State(self.name, after, words, {"tilt": lean, "low": low, "high": high}, removed_height=line)
 
@@ -133,15 +131,15 @@ class Align:
     Parameters
     ----------
     by : str
-        How the middle is found: ``"ends"``, half-way between the places where the land ends and the chamfers begin (or
-        the trace, where there are none); ``"symmetry"``, where the land is most like its own mirror image.
+        How the middle is found: ``"ends"``, half-way between the ends of the land, where the chamfers begin (or of the
+        trace, if there are none); ``"symmetry"``, where the land is most like its own mirror image.
     slope : float
-        Slope beyond which the land has ended and a chamfer begun.
+        Slope at which the land ends and a chamfer begins.
 
     Raises
     ------
     InputError
-        On applying ``"symmetry"`` to a land without a place of symmetry, such as an arc of one circle.
+        When ``"symmetry"`` is applied to a land without a centre of symmetry, such as a single circular arc.
     """
 
     name: ClassVar[str] = "align"
@@ -149,7 +147,7 @@ class Align:
     slope: float = CHAMFER_SLOPE
 
     def __post_init__(self) -> None:
-        one_of("align", self.by, get_args(Middle), "choose what the middle is found by")
+        one_of("align", self.by, get_args(Middle), "choose how to find the middle")
         _check_slope(self.slope)
 
     def apply(self, points: Points) -> State:
@@ -180,12 +178,12 @@ class Trim:
     length : float or None
         Length [mm] to keep, half of it on either side of y = 0; None finds the ends of the land.
     slope : float
-        Slope beyond which the land has ended and a chamfer begun.
+        Slope at which the land ends and a chamfer begins.
 
     Raises
     ------
     InputError
-        On applying a length that the points do not cover.
+        When a length is applied that the points do not cover.
     """
 
     name: ClassVar[str] = "trim"
@@ -215,23 +213,23 @@ class Trim:
 
 @dataclass(frozen=True)
 class Outliers:
-    """Take out points that do not belong to the surface: dust, scratches, lost contact of the stylus.
+    """Remove points that do not belong to the surface: dust, scratches, lost contact of the stylus.
 
-    A point is taken out if it lies further than a limit off the surface on its left, carried on to it, off that on its
-    right, and off the chord between the two, to the same side of all; and if all of its neighbours that do so make no
-    more than a scratch or a grain, up to a hundredth of the line wide and 0.2 mm at most. What is wider, a dent, is
-    shape and stays as it was measured. Beside a scratch, at a wall and at an edge a point still has a side that it
-    belongs to, and stays as well. See `nonhertz.measured.outlying`.
+    A point is removed if it lies further than a limit off the surface on its left, extrapolated to it, off that on its
+    right, and off the chord between the two, on the same side of all; and if it and its neighbours that do so amount to
+    no more than a scratch or a grain, up to a hundredth of the line wide and at most 0.2 mm. Anything wider, a dent, is
+    form and stays as measured. Beside a scratch, at a wall and at an edge a point still has a side that it belongs to,
+    and stays as well. See `nonhertz.measured.outlying`.
 
-    The limit is so many robust standard deviations of the distances from chords: 1.4826 times their median, or 0.608
-    times what nine in ten of them do not exceed, if that is more. Heights that were rounded off, or chatter on a part
-    of the line, have a median of nearly nothing, and what one point in ten does is the surface. Neither heeds what
-    fewer points do, which is the idea of the robust filter of ISO 16610-31. Nothing is put in place of a point.
+    The limit is a number of robust standard deviations of the distances from chords: 1.4826 times their median, or
+    0.608 times their 90 % quantile if that is more. Rounded heights, or chatter on a part of the line, have a median of
+    nearly zero, and what one point in ten does is still the surface. Neither measure is affected by fewer points, which
+    is the idea of the robust filter of ISO 16610-31. Removed points are not replaced.
 
     Parameters
     ----------
     threshold : float
-        Robust standard deviations beyond which a point is taken out, positive.
+        Robust standard deviations beyond which a point is removed, positive.
     """
 
     name: ClassVar[str] = "outliers"
@@ -241,20 +239,18 @@ class Outliers:
         positive("outliers", self.threshold, "give a number of robust standard deviations, such as 5, or true")
 
     def apply(self, points: Points) -> State:
-        """Return the points that are left."""
+        """Return the remaining points."""
         distance = np.abs(_from_chords(points))
         median, most = np.quantile(distance, (0.5, 0.9))
         sigma = max(_MAD_TO_SIGMA * float(median), _NINE_TENTHS_TO_SIGMA * float(most), _RESOLUTION / self.threshold)
         out = outlying(points, _carried_on(points, carried_on(points))[1], self.threshold * sigma)
         count = int(np.sum(out))
         if len(points) - count < FEWEST_POINTS:
-            condition = f"leave {FEWEST_POINTS} points at least"
+            condition = f"leave at least {FEWEST_POINTS} points"
             raise InputError("outliers", self.threshold, condition, "raise the number of standard deviations")
         share = 100.0 * count / len(points)
-        words = (
-            f"{count} of {len(points)} points ({share:.2g} %) lay further than {1e3 * self.threshold * sigma:.3g} um "
-        )
-        words += "off the surface on both of their sides and were taken out."
+        words = f"{count} of {len(points)} points ({share:.2g} %) lay more than {1e3 * self.threshold * sigma:.3g} um "
+        words += "off the surface on both sides and were removed."
         after = points.kept(~out)
         numbers = {"removed": float(count), "limit": self.threshold * sigma}
         return State(self.name, after, words, numbers, (points.y[out], points.height[out]))
@@ -262,20 +258,20 @@ class Outliers:
 
 @dataclass(frozen=True)
 class Smooth:
-    """Take off roughness, all waves shorter than a cutoff.
+    """Remove roughness: waves shorter than a cutoff.
 
     Parameters
     ----------
     cutoff : float
-        Wavelength [mm] of which half is let through.
+        Wavelength [mm] at which the filter transmits 50 %.
     method : str
-        ``"gaussian"``, the filter of ISO 16610-21, or ``"spline"``, that of ISO 16610-22, which lets less of shorter
-        and more of longer waves through. See `nonhertz.measured.filters` for what both do at the ends.
+        ``"gaussian"``, the filter of ISO 16610-21, or ``"spline"``, that of ISO 16610-22, which transmits less of
+        shorter and more of longer waves. See `nonhertz.measured.filters` for their behaviour at the ends.
 
     Raises
     ------
     InputError
-        On applying a cutoff below five points or above the length of the line.
+        When a cutoff shorter than five points or longer than the line is applied.
     """
 
     name: ClassVar[str] = "smooth"
@@ -292,7 +288,7 @@ class Smooth:
         height = (gaussian if self.method == "gaussian" else spline)(points, self.cutoff)
         rough = points.height - height
         rms = float(np.sqrt(np.mean(rough**2)))
-        words = f"Waves shorter than {self.cutoff:.4g} mm were taken off by the {self.method} filter: "
+        words = f"Waves shorter than {self.cutoff:.4g} mm were removed by the {self.method} filter: "
         words += f"{1e3 * rms:.3g} um root mean square."
         after = Points(points.y, height, points.gaps)
         return State(self.name, after, words, {"cutoff": self.cutoff, "rms": rms}, removed_height=rough)
@@ -300,15 +296,15 @@ class Smooth:
 
 @dataclass(frozen=True)
 class Thin:
-    """Keep as many points as a smooth line needs: the solver has some hundred strips, a machine takes ten thousand.
+    """Keep only as many points as a smooth line needs: the solver has a few hundred strips, a trace 10,000 points.
 
-    Heights at evenly spaced positions are read off straight lines between neighbouring points. Gaps narrower than the
-    new spacing are bridged by these lines and are gaps no longer.
+    Heights at evenly spaced positions are interpolated linearly between neighbouring points. Gaps narrower than the new
+    spacing are bridged and no longer count as gaps.
 
     Parameters
     ----------
     count : int
-        How many points to keep, five at least. A line with fewer is left alone.
+        How many points to keep, at least five. A line with fewer is left unchanged.
     """
 
     name: ClassVar[str] = "thin"
@@ -317,11 +313,11 @@ class Thin:
     def __post_init__(self) -> None:
         finite("points", self.count, "give a whole number of points to keep, or 'auto'")
         if self.count != int(self.count) or self.count < FEWEST_POINTS:
-            condition = f"be a whole number of {FEWEST_POINTS} at least"
+            condition = f"be a whole number, at least {FEWEST_POINTS}"
             raise InputError("points", self.count, condition, "give a number of points to keep, or 'auto'")
 
     def apply(self, points: Points) -> State:
-        """Return the points that are kept."""
+        """Return the points kept."""
         if len(points) <= self.count:
             return State(self.name, points, f"All {len(points)} points were kept.", {"points": float(len(points))})
         y = np.linspace(points.y[0], points.y[-1], int(self.count))
@@ -338,13 +334,13 @@ class Thin:
 
 
 def enough_points(length: float, cutoff: float) -> int:
-    """Return how many points a line smoothed at a cutoff [mm] needs: eight for each wave that is left."""
+    """Return how many points a line smoothed at a cutoff [mm] needs: eight per cutoff."""
     enough = math.ceil(_POINTS_PER_CUTOFF * length / cutoff) + 1
     return min(max(enough, _FEWEST_THINNED), _MOST_THINNED)
 
 
 def _from_chords(points: Points) -> Array:
-    """Return how far each point lies from chords over it, less the bend of the surface there."""
+    """Return how far each point lies from chords around it, less the curvature of the surface there."""
     from scipy.ndimage import median_filter
 
     half = min(max(int(_MEDIAN_SHARE * len(points)), _FEWEST_IN_MEDIAN // 2), (len(points) - 1) // 2)
@@ -360,7 +356,7 @@ def _from_chords(points: Points) -> Array:
 
 
 def _carried_on(points: Points, count: int) -> tuple[Array, Array]:
-    """Return the line with more points beyond its ends: its own image turned by half a turn, which keeps its slope."""
+    """Return the line extended beyond its ends by its point reflection, which keeps its slope."""
     y, height = (np.pad(of, count, mode="reflect", reflect_type="odd") for of in (points.y, points.height))
     height[:count] += 2.0 * _dust_at_end(points.y[::-1], points.height[::-1])
     height[len(height) - count :] += 2.0 * _dust_at_end(points.y, points.height)
@@ -368,9 +364,9 @@ def _carried_on(points: Points, count: int) -> tuple[Array, Array]:
 
 
 def _dust_at_end(y: Array, height: Array) -> float:
-    """Return how much the last point must be raised to lie on the line of those before it; 0 if it may be one of them.
+    """Return how much the last point must be raised to lie on the line of those before it; 0 if it may belong to them.
 
-    A grain on the last point would turn the image of the line about itself, and have the good points beside it go.
+    A grain on the last point would be the centre of the reflection, and cause the good points beside it to be removed.
     """
     count = _FEWEST_IN_MEDIAN
     if len(y) < 2 * count:

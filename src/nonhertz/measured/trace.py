@@ -15,10 +15,10 @@ from nonhertz.inputs.checks import listed, numbers, text
 Array = NDArray[np.float64]
 
 FEWEST_POINTS = 5
-# In usual steps: where the line is evenly spaced, a longer one has a hole in it; where the file says that a point was
-# not measured, one of more than a step and a half has. A shorter one is as well measured as the rest of the line.
+# In usual steps: in an evenly spaced line a longer step contains a hole; where the file marks a point as not measured,
+# a step longer than one and a half does. A shorter step is as well measured as the rest of the line.
 _HOLE, _DROPOUT = 2.5, 1.5
-# A line is evenly spaced if many of its steps are the usual one within a tenth, and few between that and a hole.
+# A line is evenly spaced if many of its steps equal the usual one within a tenth, and few lie between that and a hole.
 _EVEN, _UNEVEN, _TENTH = 0.25, 0.02, 0.1
 FARTHEST = 1e6  # mm; no machine measures a kilometre
 
@@ -39,7 +39,7 @@ class Points:
     Raises
     ------
     InputError
-        If there are fewer than five points, their numbers are not finite or positions do not ascend.
+        If there are fewer than five points, they are not finite or positions do not ascend.
     """
 
     y: Array
@@ -51,7 +51,7 @@ class Points:
         if len(y) != len(height):
             raise InputError("height", f"{len(height)} numbers", f"be as many as y, {len(y)}", "give one per position")
         if len(y) < FEWEST_POINTS:
-            condition = f"be {FEWEST_POINTS} at least"
+            condition = f"be at least {FEWEST_POINTS}"
             raise InputError("points", len(y), condition, "measure more of the line or cut less away")
         if np.any(np.diff(y) <= 0.0):
             place = float(y[int(np.argmax(np.diff(y) <= 0.0)) + 1])
@@ -73,7 +73,7 @@ class Points:
 
     @cached_property
     def weights(self) -> Array:
-        """Length [mm] that each point stands for, half of the way to its neighbours; gaps belong to nobody."""
+        """Length [mm] that each point represents, half-way to its neighbours; gaps belong to no point."""
         steps = np.where(self.in_gap, 0.0, np.diff(self.y))
         weights = np.zeros(len(self.y))
         weights[:-1] += 0.5 * steps
@@ -83,7 +83,7 @@ class Points:
 
     @cached_property
     def in_gap(self) -> NDArray[np.bool_]:
-        """Whether the way from each point but the last to the next one is in a gap, or has one in it."""
+        """Whether the interval from each point but the last to the next lies in a gap or contains one."""
         inside = np.zeros(len(self.y) - 1, dtype=bool)
         for low, high in self.gaps:
             first, after = np.searchsorted(self.y[1:], low, side="right"), np.searchsorted(self.y[:-1], high)
@@ -92,7 +92,7 @@ class Points:
         return inside
 
     def kept(self, inside: NDArray[np.bool_]) -> Points:
-        """Return the points that a mask selects, with the gaps that still lie between them."""
+        """Return the points selected by a mask, with the gaps that still lie between them."""
         y = self.y[inside]
         gaps = tuple(gap for gap in self.gaps if len(y) and y[0] < gap[1] and y[-1] > gap[0])
         return Points(y, self.height[inside], gaps)
@@ -100,21 +100,21 @@ class Points:
 
 @dataclass(frozen=True, eq=False)
 class Trace(Points):
-    """A raw measurement, as the machine left it but for units, sign and order.
+    """A raw measurement, as the machine left it except for units, sign and order.
 
     Parameters
     ----------
     y, height, gaps
-        As of `Points`.
+        As in `Points`.
     name : str
-        What it is called, such as the file that it came from.
+        Its name, such as that of the file it came from.
     notes : tuple of str
-        What was done to have it in this form, a sentence each.
+        How it was brought into this form, a sentence each.
 
     Raises
     ------
     InputError
-        As `Points`.
+        As in `Points`.
 
     Examples
     --------
@@ -135,10 +135,10 @@ class Trace(Points):
 
 
 def usual_step(y: Array) -> float:
-    """Return the step [mm] of ascending positions that nine in ten do not exceed; several may share a position.
+    """Return the 90 % quantile of the steps [mm] of ascending positions; several points may share a position.
 
-    Where two strokes overlap, their points lie nearer to each other than either's own, by chance. What a stroke was
-    meant to have is among the longest steps, and what it lacks is beyond them.
+    Where two strokes overlap, their points lie arbitrarily close to each other. The nominal step of a stroke is among
+    the longest steps, and steps over missing points are longer still.
     """
     steps = np.diff(y)
     steps = steps[steps > 0.0]
@@ -146,7 +146,7 @@ def usual_step(y: Array) -> float:
 
 
 def holes(y: Array) -> tuple[tuple[float, float], ...]:
-    """Return the gaps [mm] of a line that is evenly spaced elsewhere; none of one that is not evenly spaced.
+    """Return the gaps [mm] of a line that is evenly spaced elsewhere; empty for a line that is not.
 
     Parameters
     ----------
@@ -161,17 +161,17 @@ def holes(y: Array) -> tuple[tuple[float, float], ...]:
 
 
 def dropouts(y: Array, places: Array, pairs: Array) -> tuple[tuple[float, float], ...]:
-    """Return the gaps [mm] about positions at which a measurement failed.
+    """Return the gaps [mm] around positions at which a measurement failed.
 
-    Only what was measured decides: where another stroke, or a later line of the file, has points there, there is no
-    gap, and elsewhere it goes from one true neighbour to the other.
+    Only measured points decide: where another stroke, or a later line of the file, has points there, there is no gap;
+    elsewhere it extends from one measured neighbour to the other.
 
     Parameters
     ----------
     y : array, shape (n,)
-        Positions [mm] that were measured, strictly ascending.
+        Measured positions [mm], strictly ascending.
     places : array, shape (m,)
-        Positions [mm] that were not, in any order.
+        Positions [mm] that were not measured, in any order.
     pairs : array, shape (k, 2)
         Two measured positions each, with a failed one somewhere between them.
     """

@@ -3,8 +3,8 @@
 Three functions take a solution and matplotlib axes, draw, and return the axes: `pressure` (pressure and
 half-width along the contact), `footprint` (the contact area) and `profile` (the surfaces before and after
 loading). Two more take what `nonhertz.subsurface` found below the surface as well: `axial_stress` (a plane along the
-contact) and `section_stress` (a plane across it). `figures` makes one finished figure of each of the three,
-`stress_figures` of the two, `comparison` one of strips beside a plane grid, `life_figure` one of where the bodies
+contact) and `section_stress` (a plane across it). `figures` makes one finished figure of each of the first three,
+`stress_figures` of the other two, `comparison` one of strips beside a plane grid, `life_figure` one of where the bodies
 fatigue (which `life_density` draws), `measured_figure` one of the steps of a measured profile, and `save` writes a
 figure to SVG and PNG. Nothing here uses pyplot or leaves a setting changed, and matplotlib is imported only when
 something is drawn.

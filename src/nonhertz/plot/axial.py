@@ -1,4 +1,4 @@
-"""What every drawing along the axis shares: the range of y, the bodies' ends, the heading and the numbers."""
+"""What all drawings along the axis share: the range of y, the bodies' ends, the heading and number formatting."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ LETTER = 0.55 * SMALL_SIZE / 72.0
 """Mean width of a small letter [inch]."""
 
 MARGIN = 0.06
-"""Share of the drawn range left free at each side; the names of the bodies' ends stand there."""
+"""Fraction of the drawn range left free at each side, for the names of the bodies' ends."""
 
 
 def axial_range(solution: Solution) -> tuple[float, float]:
     """Return the range of y [mm] to draw.
 
-    It is that of the strips, with the bodies' ends if these are near. Where the contact is a small part of
-    the strips it is the contact's neighbourhood, so that the contact can be read.
+    It is that of the strips, including the bodies' ends if these are near. Where the contact is a small part of
+    the strips it is the contact's neighbourhood, so that the contact is legible.
     """
     edges = strip_edges(solution)
     low, high = float(edges[0]), float(edges[-1])
@@ -66,7 +66,7 @@ def body_ends(solution: Solution) -> list[tuple[float, str]]:
         faces = () if body.length is None else tuple(body.position + s * body.length for s in (-0.5, 0.5))
         for end in body.interval:
             if np.isfinite(end):
-                # An effective length, or a profile defined no further, ends the contact before the face.
+                # An effective length, or the end of a profile's definition, ends the contact before the face.
                 is_face = any(np.isclose(end, face) for face in faces)
                 ends.append((float(end), f"end of {name}" if is_face else f"usable end of {name}"))
     return sorted(ends)
@@ -99,7 +99,7 @@ def draw_body_ends(solution: Solution, ax: Axes, *, named: bool = True) -> None:
 
 
 def _merged(ends: list[tuple[float, str]], side: float, near: float) -> list[tuple[float, str]]:
-    """Return one name for ends so near to one another that two would be written over each other."""
+    """Return one combined name for ends so close together that two names would overlap."""
     if len(ends) == 2 and ends[1][0] - ends[0][0] < near:
         (low, first), (high, second) = ends
         return [(low if side < 0.0 else high, f"{first}, {second}")]
@@ -117,7 +117,7 @@ def conditions(solution: Solution) -> str:
 
 
 def head(solution: Solution, ax: Axes, handles: Sequence[Artist], labels: Sequence[str], *, remark: str = "") -> None:
-    """Write the conditions above the axes and below them, outside too, the key: neither can cover a curve."""
+    """Write the conditions and, below them, the legend above the axes, where neither can cover a curve."""
     ax.legend(
         handles,
         labels,
@@ -136,7 +136,7 @@ def head(solution: Solution, ax: Axes, handles: Sequence[Artist], labels: Sequen
 
 
 def number(value: float, digits: int = 4) -> str:
-    """Return ``value`` to so many significant digits as a reader expects it, with a true minus sign.
+    """Return ``value`` to a number of significant digits in plain notation, with a true minus sign.
 
     Examples
     --------
@@ -166,7 +166,7 @@ def place(y: float, span: tuple[float, float]) -> str:
 
 def alignment(ax: Axes, y: float, span: tuple[float, float], words: str) -> Alignment:
     """Return how to align small ``words`` at ``y`` so that they stay inside the axes."""
-    # Measuring a text needs a renderer, which axes have not before they are drawn; an average letter will do.
+    # Measuring a text needs a renderer, which axes lack before they are drawn; an average letter width will do.
     width = ax.bbox.width / ax.figure.dpi
     half = 0.5 * len(words) * LETTER / width
     share = (y - span[0]) / (span[1] - span[0])

@@ -37,16 +37,16 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.transforms import Transform
 
-# The largest pressure and half-width stand at these shares of the axes' height: far enough apart to be told
-# from each other (in a line contact both curves have one shape), with room above for the words.
+# The largest pressure and half-width are drawn at these fractions of the axes' height: far enough apart to be
+# distinguished (in a line contact both curves have the same shape), with room above for the text.
 PRESSURE_SHARE, HALF_WIDTH_SHARE = 0.76, 0.52
 CONTACT_SHARE = 0.9
 
-# Where the pressure is singular the frame ends so many times above the largest pressure away from there, and the
-# spike leaves it. The half-width takes less, and the words on the ends stand above what is counted.
+# Where the pressure is singular, the frame ends at BEYOND times the largest pressure away from there, and the spike
+# leaves it. The half-width is drawn lower, and the text on the ends is above the largest pressure.
 BEYOND, CUT_HALF_WIDTH_SHARE, SINGULAR_SHARE = 1.6, 0.44, 0.77
 
-# Farther than this share of the range from its middle, words at a largest pressure stand on the middle's side.
+# Further than this fraction of the range from its middle, the text at a largest pressure is on the side of the middle.
 SIDE = 0.2
 
 
@@ -55,9 +55,9 @@ def pressure(solution: Solution, ax: Axes) -> Axes:
 
     Both lines run through the centres of the strips; the pale steps are the strips themselves. The largest
     pressure, the ends of the contact and the ends of the bodies are marked. Where a sharp end makes the
-    pressure singular there is no largest: the left axis is cut, exponent and strength stand at that end, and
-    the largest pressure more than a half-width away from such ends is marked. The right axis belongs to a twin
-    of ``ax`` in the same figure.
+    pressure singular there is no largest value: the left axis is cut, exponent and strength are given at that
+    end, and the largest pressure more than a half-width away from such ends is marked. The right axis belongs to
+    a twin of ``ax`` in the same figure.
 
     Parameters
     ----------
@@ -124,20 +124,20 @@ def _mark_maximum(solution: Solution, ax: Axes, span: tuple[float, float]) -> No
     y = sum(marked) / len(marked)
     side = alignment(ax, y, span, words)
     if solution.singular_ends and abs(y - 0.5 * sum(span)) > SIDE * (span[1] - span[0]):
-        # Outwards from there the curve climbs through where the words would stand.
+        # Further out the climbing curve would run through the text.
         side = "left" if y < 0.5 * sum(span) else "right"
     _write(ax, words, (y, largest), side, 3.0, 6.0, ax.transData)
 
 
 def _mark_singular(solution: Solution, ax: Axes, edge: EdgePressure) -> None:
-    """Draw an arrow where the pressure has no limit and write how it grows."""
+    """Draw an arrow where the pressure has no limit, and write how it grows."""
     across = ax.get_xaxis_transform()
     ax.plot([edge.y], [0.975], transform=across, marker="^", markersize=4.5, color=FIRST)
     power = number(edge.exponent, 3)
     words = f"singular: $p$ ∼ $K$ / $s^{{{power}}}$"
     if edge.strength is not None:
         words += f"\n$K$ = {number(edge.strength)} MPa mm$^{{{power}}}$"
-    # The words keep clear of the curve, which climbs to the arrow from where it is as high as they are.
+    # The text keeps clear of the curve, which climbs to the arrow: start where the curve reaches the text's height.
     below = solution.y[solution.centre_pressure < SINGULAR_SHARE * ax.get_ylim()[1]]
     foot = float(below[np.abs(below - edge.y).argmin()]) if below.size else edge.y
     side: Alignment = "left" if edge is solution.edge_pressure[0] else "right"
@@ -153,7 +153,7 @@ def _write(
     above: float,
     coordinates: Transform,
 ) -> None:
-    """Write small words ``aside`` and ``above`` [points] of a place, on a ground that hides thin lines."""
+    """Write small text ``aside`` and ``above`` [points] of a point, on a background that hides thin lines."""
     ax.annotate(
         words,
         at,
@@ -169,7 +169,7 @@ def _write(
 
 
 def _mark_contact(solution: Solution, ax: Axes, span: tuple[float, float]) -> None:
-    """Draw a dimension line over every interval in contact and write all of them once."""
+    """Draw a dimension line over every interval in contact, and label them all in one text."""
     if not solution.contact_y:
         return
     across = ax.get_xaxis_transform()

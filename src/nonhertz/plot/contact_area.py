@@ -31,15 +31,15 @@ def footprint(solution: Solution, ax: Axes, *, stretch: float = 1.0, colour_bar:
     The outline is the half-width at the strips' centres. In x the pressure is the strip element's own,
     ``p0 sqrt(1 - x^2/b^2)`` for the semi-elliptic one. The parabolic one, ``p(0) (1 - x^2/c^2)``, is wider
     than the Hertz contact of equal load: the area drawn is its own and the dotted line is the half-width b.
-    Where a sharp end makes the pressure singular, the strips there have the last colour and the colour bar is
-    pointed.
+    Where a sharp end makes the pressure singular, the strips there have the last colour and the colour bar ends
+    in an arrow.
 
     Parameters
     ----------
     solution : Solution
         A solved contact.
     ax : matplotlib.axes.Axes
-        Where to draw; the limits are widened to its shape.
+        Where to draw; the limits are widened to fit its shape.
     stretch : float
         Factor by which x is drawn larger than y; the axes say so unless it is 1.
     colour_bar : bool
@@ -55,7 +55,7 @@ def footprint(solution: Solution, ax: Axes, *, stretch: float = 1.0, colour_bar:
     highest = colour_limit(solution)
     draw_body_ends(solution, ax, named=False)
     for piece in pieces:
-        # Thousands of small polygons in an SVG file would show seams; the pressure becomes an image there.
+        # Thousands of small polygons in an SVG file would show seams, so the pressure is rasterised.
         ax.pcolormesh(
             *_field(solution, piece),
             shading="gouraud",
@@ -71,7 +71,7 @@ def footprint(solution: Solution, ax: Axes, *, stretch: float = 1.0, colour_bar:
                 hertz = sign * PARABOLIC.hertz_ratio * piece.half_width
                 ax.plot(piece.y, hertz, color="white", linewidth=THIN, linestyle=HINT_DASHES)
     ax.locator_params(steps=[1, 2, 5, 10])
-    # Automatic limits stay on, or matplotlib would complain when it widens these to the shape of the axes.
+    # Automatic limits stay on, or matplotlib would warn when it widens these to fit the shape of the axes.
     ax.set_xlim(axial_range(solution), auto=True)
     ax.set_ylim(-reach, reach, auto=True)
     ax.set_aspect(stretch, adjustable="datalim")
@@ -84,13 +84,13 @@ def footprint(solution: Solution, ax: Axes, *, stretch: float = 1.0, colour_bar:
 
 
 def colour_limit(solution: Solution) -> float:
-    """Return the pressure [MPa] of the last colour: the largest, as the element has it in its middle."""
+    """Return the pressure [MPa] of the last colour: the largest, in the middle of the element's own shape."""
     of_equivalent = 0.5 * np.pi * solution.element.hertz_ratio * solution.element.centre_factor
     return of_equivalent * solution.max_pressure or 1.0
 
 
 def draw_colour_bar(solution: Solution, area: Axes, **where: Any) -> None:
-    """Draw the colour bar of an ``area`` in its figure, pointed if pressures go on beyond the last colour."""
+    """Draw the colour bar of an ``area`` in its figure, ending in an arrow if pressures exceed the last colour."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
@@ -128,9 +128,9 @@ class Outline:
 def outlines(solution: Solution) -> list[Outline]:
     """Return the pieces of the contact area, ascending in y.
 
-    Between the centres of its first and last strips a piece is what the strips say. Beyond, it comes to a
-    point at the strip's outer edge where the surfaces part, and is cut off square where the strips, and so a
-    body, end.
+    Between the centres of its first and last strips a piece follows the strips. Beyond, it tapers to a point at
+    the strip's outer edge if the surfaces separate there, and is cut off square if the strips, and so a body,
+    end.
     """
     touching = np.flatnonzero(solution.line_load > 0.0)
     if touching.size == 0:
@@ -168,7 +168,7 @@ def _field(solution: Solution, piece: Outline) -> tuple[Array, Array, Array]:
 
 
 def _parabolic(solution: Solution) -> bool:
-    # By name: a solution that came from another process brings an element of its own.
+    # By name: a solution from another process has a copy of the element.
     return solution.element.name == PARABOLIC.name
 
 

@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Spectrum = Sequence[tuple[Solution, float]]
 
-# Inches: what was solved above all panels, and above each of them its name and rows of the key.
+# Inches: the conditions above all panels, and above each panel its name and rows of the legend.
 HEAD, NAME, ROW, HIGH, HIGH_OF_TWO, BETWEEN, MARGIN = 0.3, 0.22, 0.17, 2.6, 2.0, 0.35, 0.15
-COLUMNS, COLUMNS_COMPARED = 3, 2  # of the key
+COLUMNS, COLUMNS_COMPARED = 3, 2  # of the legend
 LINES: dict[str, tuple[str, Any]] = {
     "lundberg-palmgren": (FIRST, "-"),
     "ioannides-harris": (SECOND, (0, (5, 1.5))),
@@ -34,29 +34,29 @@ LINES: dict[str, tuple[str, Any]] = {
     "iso-16281": (INK, "-"),
 }
 OTHER_COLOUR, OTHER_WIDTH = "#9A9A9A", 1.8
-PEAKED = 6.0  # times the ideal: beyond, the axis is logarithmic
-FAINTEST = 1e-2  # of the ideal is where such an axis begins
+PEAKED = 6.0  # times the ideal: above this the axis is logarithmic
+FAINTEST = 1e-2  # of the ideal: lower end of a logarithmic axis
 ROOM = 1.1
-ALIKE = 0.05  # of the life: where the bodies differ less, one of them is drawn
+ALIKE = 0.05  # of the life: if the bodies differ by less, only one is drawn
 
 
 def life_density(spectrum: Spectrum, lives: Sequence[Life], ax: Axes, *, compared: Sequence[Life] = ()) -> Axes:
     """Draw where a body fatigues: damage per length against y, over its mean under the ideal pressure.
 
-    1, the thin line, is Hertz's line pressure with the load spread evenly. The laminae of ISO/TS 16281 are steps. Where
-    a model has the damage at some place six times the ideal, the axis is logarithmic, from a hundredth. The key tells
-    the lives.
+    1, the thin line, is Hertz's line pressure with the load spread evenly. The laminae of ISO/TS 16281 are steps. If
+    the damage by any model exceeds six times the ideal somewhere, the axis is logarithmic, from a hundredth. The legend
+    gives the lives.
 
     Parameters
     ----------
     spectrum : sequence of pairs
         Solutions and their shares of the revolutions.
     lives : sequence of Life
-        Of one body, by models.
+        Lives of one body by several models.
     ax : matplotlib.axes.Axes
         Where to draw.
     compared : sequence of Life
-        Of that body in another case; the first of them is drawn, as a broad grey line.
+        Lives of that body in another case; only the first is drawn, as a broad grey line.
 
     Returns
     -------
@@ -78,7 +78,7 @@ def life_density(spectrum: Spectrum, lives: Sequence[Life], ax: Axes, *, compare
     for side in ("top", "right"):
         ax.spines[side].set_visible(False)
     if any(np.isnan(life.reference) for life in lives):
-        words = "The bodies can touch on an unlimited length:\nthere is no ideal pressure to compare with."
+        words = "The bodies can touch over an unlimited length:\nthere is no ideal pressure to compare with."
         ax.text(0.5, 0.6, words, transform=ax.transAxes, ha="center", va="center")
     elif any(solution.singular_ends for solution, _ in spectrum):
         words = "no limit at a sharp end"
@@ -94,14 +94,14 @@ def life_figure(
     title: str = "",
     compared: Mapping[BodyName, Sequence[Life]] | None = None,
 ) -> Figure:
-    """Return a finished figure of `life_density`, a panel for each body, or for b alone if their lives are within 5 %.
+    """Return a finished figure of `life_density`, a panel per body, or only for b if their lives are within 5 %.
 
     Parameters
     ----------
     spectrum : sequence of pairs
         Solutions and their shares of the revolutions.
     lives : mapping of str to sequence of Life
-        One for each model, by the body: ``"a"`` and ``"b"``.
+        One life per model for each body, ``"a"`` and ``"b"``.
     title : str
         Heading; none if empty.
     compared : mapping of str to sequence of Life, optional
@@ -163,7 +163,7 @@ def _life(life: Life) -> str:
 
 
 def _scale(lives: Sequence[Life], ax: Axes) -> None:
-    """Choose the axis: linear from zero, or logarithmic where the damage peaks."""
+    """Choose the axis: linear from zero, or logarithmic if the damage peaks."""
     finite = np.concatenate([life.density[np.isfinite(life.density)] for life in lives])
     highest = max(1.0, float(finite.max(initial=0.0)))
     if highest <= PEAKED:
@@ -180,7 +180,7 @@ def _name_of_one(lives: Sequence[Life]) -> str:
 
 
 def _key(entries: Sequence[tuple[Artist, str]], columns: int, ax: Axes) -> None:
-    """Write above the axes what is what, and the lives."""
+    """Put the legend, with the lives, above the axes."""
     handles, labels = zip(*entries, strict=True)
     ax.legend(
         handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns, borderaxespad=0.2, borderpad=0.2,
@@ -189,7 +189,7 @@ def _key(entries: Sequence[tuple[Artist, str]], columns: int, ax: Axes) -> None:
 
 
 def _columns(compared: bool) -> int:
-    # Words of a line that is compared are longer.
+    # The labels of compared lines are longer.
     return COLUMNS_COMPARED if compared else COLUMNS
 
 
@@ -202,7 +202,7 @@ def _key_points(rows: int) -> float:
 
 
 def _alike(lives: Mapping[BodyName, Sequence[Life]]) -> bool:
-    """Return whether both bodies live as long by all models."""
+    """Return whether both bodies last equally long by all models."""
     a, b = ([life.relative for life in lives.get(body, ())] for body in BODIES)
     return bool(np.allclose(a, b, rtol=ALIKE, atol=0.0, equal_nan=True))
 

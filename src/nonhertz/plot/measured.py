@@ -1,4 +1,4 @@
-"""A measured profile on one sheet: a panel for every step, and the relief that comes of them."""
+"""A measured profile on one sheet: a panel for every step, and the resulting relief."""
 
 from __future__ import annotations
 
@@ -20,24 +20,24 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-MILLIMETRES_FROM = 0.5  # mm: beyond, heights are drawn in mm
+MILLIMETRES_FROM = 0.5  # mm: a greater range of heights is drawn in mm
 # Inches.
 TALL, SLIM, HEAD, LAST_HEAD, GAP, FOOT, MARGIN = 1.05, 0.5, 0.3, 0.45, 0.1, 0.27, 0.15
-LABEL = -0.52  # inches from the axes to the middle of the names of the vertical ones
+LABEL = -0.52  # inches from the axes to the middle of the vertical axis labels
 GREY = "#BBBBBB"
 LETTERS = 108  # in a line of a heading
-COLUMNS = 900  # into which a line of more points is gathered: a sheet has no more dots of ink across
+COLUMNS = 900  # into which a line with more points is reduced: print resolves no more across a sheet
 ROOM = 0.12
-CUT = 4.0  # times the range of what is left: beyond, the heights of what was cut off are not drawn
+CUT = 4.0  # times the range of the remaining heights: cut-off material deeper than this is not drawn
 
 
 def measured_figure(measured: Measured, title: str = "", fit: Fit | None = None) -> Figure:
     """Return a sheet of the steps of a measured profile, from the raw trace to the relief.
 
-    Each step has a panel with its sentence: heights before in grey, after in ink, and what was taken away in colour
-    (points as dots, the line of the tilt dashed, roughness in a panel of its own). The last panel is the relief, with
-    a fitted profile and what that leaves if there is one. Of a line of more than 900 points the lowest and highest in
-    each 900th are drawn.
+    Each step has a panel with its sentence: heights before in grey, after in black, and what was removed in colour
+    (points as dots, the line of the tilt dashed, roughness in a separate panel). The last panel is the relief, with a
+    fitted profile and its residual if there is one. If a line has too many points, the lowest and highest in each of
+    900 columns are drawn.
 
     Parameters
     ----------
@@ -68,13 +68,13 @@ def measured_figure(measured: Measured, title: str = "", fit: Fit | None = None)
 
 @dataclass(frozen=True)
 class _Ruler:
-    """The unit that heights in a panel are drawn in."""
+    """The unit for heights in a panel."""
 
     factor: float = 1e3
     unit: str = "µm"
 
     def line(self, y: Array, height: Array) -> tuple[Array, Array]:
-        """Return a line, or the lowest and highest point in each of many columns if it has more points than those."""
+        """Return a line, or the lowest and highest point in each of many columns if it has too many points."""
         if len(y) <= 2 * COLUMNS:
             return y, self.factor * height
         share = -(-len(y) // COLUMNS)
@@ -117,7 +117,7 @@ def _draw_step(figure: Figure, top: float, count: int, before: State, after: Sta
 
 
 def _draw_taken(axes: Axes, after: State, ruler: _Ruler) -> None:
-    """Draw what a step took away, or where it put y = 0."""
+    """Draw what a step removed, or where it put y = 0."""
     if after.name == "level" and after.removed_height is not None:
         line = ruler.factor * (after.removed_height + float(np.max(after.height)))
         axes.plot(after.y[[0, -1]], line[[0, -1]], color=SECOND, linewidth=THIN, linestyle="--")
@@ -161,7 +161,7 @@ def _draw_fit(axes: Axes, y: Array, fit: Fit, ruler: _Ruler) -> str:
     axes.plot(y, ruler.factor * fit.relief(y), color=FIRST, linewidth=LINE, linestyle=(0, (4, 2)), zorder=1.5)
     named = ", ".join(f"{name} {value:.5g}" for name, value in fit.parameters.items())
     name = f"{fit.kind}, {named}" if named else fit.kind
-    return f"Dashed: {name}. Left between it and the rough points: {1e3 * fit.rms:.2g} µm root mean square."
+    return f"Dashed: {name}. Residual to the rough points: {1e3 * fit.rms:.2g} µm root mean square."
 
 
 def _head(axes: Axes, words: str) -> None:
@@ -172,7 +172,7 @@ def _head(axes: Axes, words: str) -> None:
 
 
 def _frame(axes: Axes, before: State, after: State, ruler: _Ruler) -> None:
-    """Set the range of heights: of all, unless what was cut off is so deep that it would flatten what is left."""
+    """Set the range of heights: all, unless what was cut off is so deep that it would flatten the rest."""
     low, high = (ruler.factor * float(bound) for bound in (after.height.min(), after.height.max()))
     deepest = ruler.factor * float(before.height.min())
     room = max(high - low, 1e-3)
@@ -184,7 +184,7 @@ def _frame(axes: Axes, before: State, after: State, ruler: _Ruler) -> None:
         style: dict[str, Any] = {"fontsize": SMALL_SIZE, "color": FAINT_INK, "bbox": BACKING, "ha": "center"}
         axes.text(0.5, 0.06, note, transform=axes.transAxes, **style)
         low -= 0.5 * room
-    # A line without any relief has a range of its own.
+    # A perfectly flat line still needs a range.
     above = max(ROOM * (high - low), 1e-3, 1e-6 * abs(high))
     axes.set_ylim(low - above, high + above)
     _tidy(axes, f"Height [{ruler.unit}]")

@@ -1,4 +1,4 @@
-"""Finished figures, laid out for the width of a page, and how they are written to disk."""
+"""Finished figures, laid out for the width of a page, and writing them to disk."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-# All lengths in inches; the width is that of a journal's page, 170 mm.
+# All lengths in inches; the width is that of a journal page, 170 mm.
 WIDTH, HEIGHT = 6.7, 3.7
 LEFT, RIGHT, BOTTOM = 0.75, 0.75, 0.55
 HEAD, FOOTPRINT_HEAD, TITLE = 0.43, 0.48, 0.22
@@ -43,7 +43,7 @@ def figures(solution: Solution, title: str = "") -> dict[str, Figure]:
     Returns
     -------
     dict of str to matplotlib.figure.Figure
-        By the names ``"pressure"``, ``"footprint"`` and ``"profile"``; `save` writes them.
+        Keys ``"pressure"``, ``"footprint"`` and ``"profile"``; `save` writes them.
     """
     with sheet_style():
         return {
@@ -56,14 +56,14 @@ def figures(solution: Solution, title: str = "") -> dict[str, Figure]:
 def save(figure: Figure, stem: str | Path) -> tuple[Path, Path]:
     """Write a figure as ``stem``.svg and ``stem``.png and return both paths.
 
-    The same figure gives the same SVG file every time: it holds no date and no random identifiers.
+    The same figure gives the same SVG file every time: it contains no date and no random identifiers.
 
     Parameters
     ----------
     figure : matplotlib.figure.Figure
         One of `figures`, or any other.
     stem : str or Path
-        Path of the files without their ending; a full stop in it is kept.
+        Path of the files without extension; a full stop in it is kept.
     """
     stem = Path(stem)
     svg, png = (stem.with_name(stem.name + ending) for ending in (".svg", ".png"))
@@ -82,9 +82,9 @@ def _sheet(solution: Solution, title: str, draw: Callable[[Solution, Axes], Axes
 
 
 def _footprint_sheet(solution: Solution, title: str) -> Figure:
-    """Return the contact area in true proportions and, where that is a thin band, stretched below it.
+    """Return the contact area in true proportions and, if that is a thin band, stretched below it.
 
-    A roller's contact is 50 times as long as wide. The panels' shapes are worked out here, so that the axes'
+    A roller's contact may be 50 times as long as wide. The panels' shapes are computed here, so that the axes'
     limits need not be widened to fit them.
     """
     low, high = axial_range(solution)
@@ -112,7 +112,7 @@ def _footprint_sheet(solution: Solution, title: str) -> Figure:
 
 
 def blank(height: float) -> Figure:
-    """Return an empty sheet of a page's width and so high [inch]."""
+    """Return an empty sheet of page width and a given height [inch]."""
     from matplotlib.figure import Figure
 
     return Figure(figsize=(WIDTH, height))
@@ -122,17 +122,17 @@ def panel(figure: Figure, left: float, bottom: float, width: float, height: floa
     """Return axes on a sheet, all lengths in inches."""
     whole = figure.get_figheight()
     axes = figure.add_axes((left / WIDTH, bottom / whole, width / WIDTH, height / whole))
-    # Ticks are chosen when the figure is drawn, by then perhaps under other settings.
+    # Ticks are laid out when the figure is drawn, by then perhaps under other settings.
     axes.tick_params(labelsize=SIZE)
     return axes
 
 
 def write_title(figure: Figure, title: str, conditions: str = "") -> None:
-    """Write the title on top of a sheet and, below it, what was solved."""
+    """Write the title at the top of a sheet and, below it, the conditions."""
     whole = figure.get_figheight()
     line = whole - 0.08
     if title:
-        # The user's own words: a dollar sign in them is a dollar sign.
+        # User text: a dollar sign must not start mathtext.
         place = (LEFT / WIDTH, line / whole)
         figure.text(*place, title, va="top", weight="bold", fontsize=TITLE_SIZE, parse_math=False)
         line -= TITLE

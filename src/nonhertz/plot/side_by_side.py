@@ -35,11 +35,11 @@ Array = NDArray[np.float64]
 
 # Inches, from the top.
 HEAD, TALL, GAP, SLIM, BETWEEN, LOW, BOTTOM, MARGIN, APART = 0.52, 2.0, 0.22, 0.95, 0.92, 1.55, 0.5, 0.15, 0.42
-BEYOND = 1.6  # times the largest pressure away from singular ends is where the frame ends
+BEYOND = 1.6  # upper end of the axis over the largest pressure away from singular ends
 ROOM = 1.12
-TOLD = 1.0  # per cent: beyond, the page has to say why
-FAINTEST, LARGEST = 0.1, 100.0  # per cent, between which the differences' axis is logarithmic
-CROWDED = 0.025  # of the drawn range: stations nearer to one another have their letters on either side
+NOTABLE = 1.0  # per cent: greater differences need a reason
+FAINTEST, LARGEST = 0.1, 100.0  # per cent, between which the axis of differences is logarithmic
+CROWDED = 0.025  # of the drawn range: stations closer together have their letters on opposite sides
 MARKS: dict[str, tuple[str, str, Any]] = {
     "semi-elliptic": ("o", FIRST, "-"),
     "parabolic": ("x", SECOND, (0, (3, 1.2))),
@@ -50,9 +50,9 @@ ACROSS = 201  # points of a strip's own shape
 def comparison(found: Comparison, title: str = "") -> Figure:
     """Return a sheet of strips and plane grid: pressure along the contact, its differences, and three cuts across.
 
-    The plane grid is the line, strips of both elements are marks, one for each; differences are relative to the plane
-    grid, on an axis that is linear up to 0.1 % and logarithmic beyond. Across, each cell is a dot and each strip is
-    the shape that it assumes. Where a sharp end makes the pressure singular the pressure's axis is cut.
+    The plane grid is a line, and each strip of either element a marker; differences are relative to the plane grid, on
+    an axis that is linear up to 0.1 % and logarithmic beyond. Across, each cell is a dot and the strips are drawn with
+    the shape they assume. Where a sharp end makes the pressure singular, the pressure axis is cut.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def _draw_along(found: Comparison, axes: Axes) -> None:
 
 
 def _draw_key(found: Comparison, axes: Axes) -> None:
-    """Write above the axes what is what, there and in the cuts across: marks along are lines across."""
+    """Put the legend above the axes; it also applies to the cuts, where the markers become lines."""
     from matplotlib.lines import Line2D
 
     marks: Any = {"markersize": 3.2, "markeredgewidth": THIN, "markerfacecolor": "none", "linewidth": LINE}
@@ -131,7 +131,7 @@ def _draw_key(found: Comparison, axes: Axes) -> None:
 
 
 def _top(found: Comparison) -> float:
-    """Return where the frame ends: all of the pressure is in it but what has no limit."""
+    """Return the upper end of the axis: above all pressures except singular ones."""
     semi = found.semi_elliptic
     if semi.singular_ends:
         return BEYOND * semi.max_pressure
@@ -139,9 +139,9 @@ def _top(found: Comparison) -> float:
 
 
 def draw_differences(found: Comparison, axes: Axes) -> None:
-    """Draw how far each strip is from the plane grid [%], and shade where that is less than 1 %."""
+    """Draw the difference of each strip from the plane grid [%], and shade the band below 1 %."""
     axes.set_yscale("symlog", linthresh=FAINTEST, linscale=0.6)
-    axes.axhspan(-TOLD, TOLD, facecolor=PALE, edgecolor="none", zorder=0.5)
+    axes.axhspan(-NOTABLE, NOTABLE, facecolor=PALE, edgecolor="none", zorder=0.5)
     axes.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
     for solution in found.strips:
         marker, colour, _ = MARKS[solution.element.name]
@@ -214,7 +214,7 @@ def _own_shape(solution: Solution, y: float) -> tuple[Array, Array]:
     share = np.linspace(-1.0, 1.0, ACROSS)
     if width == 0.0:
         return 0.0 * share, 0.0 * share
-    # By name: a solution that came from another process brings an element of its own.
+    # By name: a solution from another process has a copy of the element.
     if solution.element.name == PARABOLIC.name:
         return width * share, 0.75 * load / width * (1.0 - share**2)
     return width * share, 2.0 * load / (np.pi * width) * np.sqrt(1.0 - share**2)

@@ -1,7 +1,7 @@
 """The look that all figures share: colours, line widths and the settings of the finished sheets.
 
-The colours are told apart with any colour vision (Okabe and Ito's blue and vermilion, and the cividis map),
-and every pair of lines differs in dash pattern as well, for print in grey.
+The colours are distinguishable with any colour vision (Okabe and Ito's blue and vermilion, and the cividis map),
+and every pair of lines also differs in dash pattern, for printing in grey.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ INK, FAINT_INK, PALE = "#222222", "#777777", "#E9EEF2"
 COLOUR_MAP = "cividis"
 
 LINE, THIN, HAIR = 1.3, 0.7, 0.4
-END_DASHES = (0, (7, 2, 1.5, 2))  # the draughtsman's dash-dot
+END_DASHES = (0, (7, 2, 1.5, 2))  # the dash-dot line of engineering drawings
 HINT_DASHES = (0, (1, 2))
 
-# Behind words that may stand on a thin line.
+# Background of text that may lie on a thin line.
 BACKING: dict[str, Any] = {"facecolor": "white", "alpha": 0.85, "edgecolor": "none", "pad": 1.0}
 
 SIZE, SMALL_SIZE, TITLE_SIZE = 8.5, 7.5, 10.0

@@ -1,4 +1,4 @@
-"""Stress below the surface: von Mises stress along the contact and across it, and where the largest stresses are."""
+"""Stress below the surface: von Mises stress along and across the contact, with the largest stresses marked."""
 
 from __future__ import annotations
 
@@ -49,12 +49,12 @@ MARKS = {
 
 BANDS = 10  # of colour, at most
 BEYOND = 0.02  # of the drawn range, left white beyond a side face
-HEAD, HEAD_POINTS = 0.82, 45.0  # inches above the axes: what is drawn, three rows of the key; below the first, points
-# Points of the planes: close to one another near the surface and near both ends, where lines would have kinks.
+HEAD, HEAD_POINTS = 0.82, 45.0  # room above the axes for heading and legend [inch], and for the legend alone [points]
+# Points of the planes: denser near the surface and near both ends, where lines would have kinks.
 ALONG, ACROSS, LEVELS, CROWDING = 201, 121, 81, 1.5
 ACROSS_WIDTH = 4.25  # inch
-APART = 0.17  # inches that a number on a contour line keeps from the next, and from landmarks
-SHARES = (0.5, 0.35, 0.65, 0.22, 0.78)  # of the contact, where the numbers along it may stand
+APART = 0.17  # inches: least distance of a contour label from the next, and from markers
+SHARES = (0.5, 0.35, 0.65, 0.22, 0.78)  # of the contact: candidate positions for the column of contour labels
 
 
 def axial_stress(
@@ -69,9 +69,9 @@ def axial_stress(
 ) -> Axes:
     """Draw the von Mises stress in a plane along the contact, y to the right and z downwards.
 
-    The places of the largest stresses are marked; one that lies beside the plane is projected into it, as the key
+    The positions of the largest stresses are marked; one that lies off the plane is projected onto it, as the legend
     says. The thick line on the surface is the contact. Where a sharp end makes the stress singular it has the last
-    colour, which is that of the largest stress away from there, and the colour bar is pointed.
+    colour, which is that of the largest stress away from there, and the colour bar ends in an arrow.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def axial_stress(
     stretch : float
         Factor by which depth is drawn larger than y; the heading says so unless it is 1.
     bar : matplotlib.axes.Axes, optional
-        Where to draw the colour bar; beside ``ax``, which gives it room, if left out.
+        Where to draw the colour bar; if left out, beside ``ax``, which shrinks to make room.
 
     Returns
     -------
@@ -119,7 +119,7 @@ def section_stress(
 ) -> Axes:
     """Draw the von Mises stress in a cross-section in true proportions, x to the right and z downwards.
 
-    The places of the largest stresses in it are marked, on either side of the middle. The thick line on the surface
+    The positions of the largest stresses in it are marked, on either side of the middle. The thick line on the surface
     is the contact.
 
     Parameters
@@ -133,7 +133,7 @@ def section_stress(
     ax : matplotlib.axes.Axes
         Where to draw; made smaller to fit the shape of the plane.
     bar : matplotlib.axes.Axes, optional
-        Where to draw the colour bar; beside ``ax``, which gives it room, if left out.
+        Where to draw the colour bar; if left out, beside ``ax``, which shrinks to make room.
 
     Returns
     -------
@@ -155,7 +155,7 @@ def section_stress(
 
 
 def stress_planes(solution: Solution, section: Extremes) -> dict[str, Field]:
-    """Return the stress in both planes that `stress_figures` draws, at points close enough for smooth lines.
+    """Return the stress in both planes that `stress_figures` draws, at points dense enough for smooth lines.
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ def stress_planes(solution: Solution, section: Extremes) -> dict[str, Field]:
     Returns
     -------
     dict of str to Field
-        By the names ``"axial-plane"``, of shape (201, 81), and ``"cross-section"``, of shape (121, 81).
+        Keys ``"axial-plane"``, of shape (201, 81), and ``"cross-section"``, of shape (121, 81).
     """
     body, y = section.body, section.von_mises.y
     low, high = axial_range(solution, body)[[0, -1]]
@@ -204,7 +204,7 @@ def stress_figures(
     Returns
     -------
     dict of str to matplotlib.figure.Figure
-        By the names ``"axial-plane"`` and ``"cross-section"``; `save` writes them.
+        Keys ``"axial-plane"`` and ``"cross-section"``; `save` writes them.
     """
     planes = stress_planes(solution, section) if planes is None else planes
     along, across = planes["axial-plane"], planes["cross-section"]
@@ -222,7 +222,7 @@ def stress_figures(
 
 
 def _stretch(natural: float) -> float:
-    """Return by how much to stretch a panel of that height [inch]; less than 1 where that would be too high."""
+    """Return the stretch factor for a panel of that height [inch]; less than 1 if it would be too high."""
     if natural > HIGHEST_PANEL:
         return 1.0 / min((step for step in STRETCHES if natural / step <= HIGHEST_PANEL), default=STRETCHES[-1])
     return max((step for step in STRETCHES if step * natural <= HIGHEST_STRETCHED), default=1.0)
@@ -246,7 +246,7 @@ def _sheet(title: str, width: float, height: float) -> tuple[Figure, Axes, Axes]
 
 
 def _framed(solution: Solution, field: Field) -> tuple[float, float]:
-    """Return the range of y [mm] to draw: that of the field, and a little beyond where the body ends with it."""
+    """Return the range of y [mm] to draw: that of the field, and a little more where it reaches the end of the body."""
     low, high = float(field.y[0, 0]), float(field.y[-1, 0])
     room = BEYOND * (high - low)
     faces = {"a": solution.contact.a, "b": solution.contact.b}[field.body].faces
@@ -263,7 +263,7 @@ def _frame(ax: Axes, span: tuple[float, float], depth: float, stretch: float) ->
 
 
 def _last_colour(solution: Solution, found: Extremes) -> float:
-    """Return the stress [MPa] of the last colour: the largest, unless a step between strips has made that up."""
+    """Return the stress [MPa] of the last colour: the largest, unless that is an artefact of a step between strips."""
     return min(found.von_mises.max, colour_limit(solution))
 
 
@@ -273,11 +273,11 @@ def _draw_contours(field: Field, along: Array, limit: float, ax: Axes, bar: Axes
 
     levels = MaxNLocator(BANDS, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, limit or 1.0)
     stress, depths = np.ma.masked_invalid(field.von_mises.T), field.z[0]
-    # On the surface itself a step of the pressure from strip to strip has no limit either.
+    # On the surface itself the stress is also unbounded at a step of the pressure from strip to strip.
     extend = "max" if float(stress[depths > 0.0].max()) > levels[-1] else "neither"
     shown = stress if extend == "max" else np.minimum(stress, levels[-1])
     bands = ax.contourf(along, depths, shown, levels, cmap=COLOUR_MAP, extend=extend, zorder=0.5)
-    # The map goes from dark to bright.
+    # The colour map goes from dark to bright.
     colours = ["white" if level < 0.5 * levels[-1] else INK for level in levels[1:]]
     lines = ax.contour(along, depths, stress, levels[1:], colors=colours, linewidths=HAIR, zorder=0.8)
     where: dict[str, Any] = {"ax": ax} if bar is None else {"cax": bar}
@@ -286,7 +286,7 @@ def _draw_contours(field: Field, along: Array, limit: float, ax: Axes, bar: Axes
 
 
 def _label(lines: ContourSet, field: Field, along: Array, column: int, found: Extremes, ax: Axes) -> None:
-    """Write their stress on contour lines where these cross a column below the largest stress, far enough apart."""
+    """Label contour lines where they cross a column below the largest stress, far enough apart."""
     ax.apply_aspect()
     low, high = ax.get_ylim()[1], ax.get_ylim()[0]
     apart = APART * (high - low) * ax.figure.dpi / ax.bbox.height
@@ -307,7 +307,7 @@ def _label(lines: ContourSet, field: Field, along: Array, column: int, found: Ex
 def _crossing(stress: Array, depths: Array, level: float, apart: float) -> float | None:
     """Return the greatest depth at which the stress falls below a level; None if nowhere, or just below its rise."""
     above = np.flatnonzero(stress >= level)
-    # At the tip of a contour the number would stand across it.
+    # At the tip of a contour the label would lie across it.
     if above.size == 0 or above[-1] == stress.size - 1 or depths[above[-1]] - depths[above[0]] < apart:
         return None
     k = above[-1]
@@ -315,19 +315,19 @@ def _crossing(stress: Array, depths: Array, level: float, apart: float) -> float
 
 
 def _calm_column(solution: Solution, y: Array, overall: Extremes, station: float | None) -> int:
-    """Return the column of the plane where numbers stand farthest from landmarks and from the cross-section."""
+    """Return the column of the plane where labels are farthest from markers and from the cross-section."""
     taken = [getattr(overall, name).y for name in MARKS] + ([] if station is None else [station])
     low, high = solution.contact_y[0][0], solution.contact_y[-1][1]
     places = [low + share * (high - low) for share in SHARES]
-    # Of places as good as one another the first, nearest to the middle.
+    # Among equally good positions the first, which is nearest to the middle.
     best = max(places, key=lambda y: min(round(min(abs(y - other) for other in taken), 9), 0.2 * (high - low)))
     return int(np.abs(y - best).argmin())
 
 
 def _mark(name: str, found: Extreme, span: tuple[float, float] | None, ax: Axes) -> Entry:
-    """Mark where a stress is largest, along the ``span`` or across, and return what the key says of it."""
+    """Mark where a stress is largest, along the ``span`` or across, and return its legend entry."""
     marker, size, words = MARKS[name]
-    # The field of strips is symmetric about x = 0.
+    # The stress field of the strips is symmetric about x = 0.
     sideways = [found.y] if span else [-found.x, found.x] if found.x > 0.0 else [0.0]
     (mark,) = ax.plot(
         sideways, [found.z] * len(sideways), marker, markersize=size, color=INK, markerfacecolor="white",
@@ -359,7 +359,7 @@ def _station(y: float, span: tuple[float, float]) -> str:
 
 
 def _draw_ends(solution: Solution, span: tuple[float, float], ax: Axes) -> list[Entry]:
-    """Draw a line where a body ends and return one entry of the key for each body that does."""
+    """Draw a line where a body ends, and return a legend entry that names the bodies."""
     entries: dict[str, Line2D] = {}
     for end, name in body_ends(solution):
         if span[0] < end < span[1]:
@@ -368,10 +368,10 @@ def _draw_ends(solution: Solution, span: tuple[float, float], ax: Axes) -> list[
 
 
 def _head(solution: Solution, plane: str, landmarks: list[Entry], others: list[Entry], ax: Axes) -> None:
-    """Write above the axes what was solved and what is drawn, and the key: landmarks, and beside them the rest."""
+    """Write conditions, plane and legend above the axes: markers in the first column, the rest in the second."""
     from matplotlib.lines import Line2D
 
-    # A key is filled column by column, and the shorter column would be filled up from the other.
+    # A legend is filled column by column, so blanks must fill up the second one.
     blank_entry = (Line2D([], [], linestyle="none"), "")
     entries = [*landmarks, *others, *[blank_entry] * (len(landmarks) - len(others))]
     handles, labels = zip(*entries, strict=True)

@@ -19,17 +19,17 @@ Array = NDArray[np.float64]
 MICROMETRES = 1e3
 
 LARGEST_CLEARANCE, CUT_CLEARANCE = 2.0, 1.0
-"""Clearance, as a multiple of the deepest interference, up to which all is drawn; where the axis is cut if
-there is more, so that what yields fills half of the axes."""
+"""Clearance, as a multiple of the deepest interference: up to the first all of it is drawn; if there is more, the axis
+is cut at the second, so that the interference fills half of the axes."""
 
 
 def profile(solution: Solution, ax: Axes) -> Axes:
     """Draw the surfaces' distance on the centre line, undeformed and deformed, in micrometres against y.
 
     The undeformed distance is ``h - (delta + gamma y)``, negative where the bodies would overlap if they did
-    not yield; the deformed one is the gap, zero in contact (shaded). What lies between them is the elastic
+    not deform; the deformed one is the gap, zero in contact (shaded). The area between them is the elastic
     displacement of both surfaces. Where the relief is far larger than the interference the axis is cut, and
-    the heading says how far the distance goes on.
+    the heading gives the largest distance.
 
     Parameters
     ----------
@@ -83,8 +83,8 @@ def _cut(largest: float) -> str:
 def distances(solution: Solution) -> tuple[Array, Array]:
     """Return the surfaces' distance on the centre line [micrometre], undeformed and deformed, at each strip.
 
-    The undeformed one is negative where the bodies would overlap. An infinite relief has no place on paper: both are
-    not a number there, and a line is left out.
+    The undeformed one is negative where the bodies would overlap. An infinite relief cannot be drawn: both are NaN
+    there, and the line is interrupted.
     """
     before = -MICROMETRES * solution.interference
     after = MICROMETRES * solution.gap
@@ -93,12 +93,12 @@ def distances(solution: Solution) -> tuple[Array, Array]:
 
 
 def drawn_range(before: Array, after: Array) -> tuple[float, float]:
-    """Return the range of distances [micrometre] to draw, so that what happens in contact fills it."""
+    """Return the range of distances [micrometre] to draw, chosen so that the contact fills it."""
     depth = max(-float(np.nanmin(before)), 0.0)
     clearance = float(np.nanmax(np.maximum(before, after)))
     if depth == 0.0:
         return (-0.1 * clearance, 1.1 * clearance)
     if clearance > LARGEST_CLEARANCE * depth:
         return (-1.12 * depth, CUT_CLEARANCE * depth)
-    # A little above zero even where nothing stands clear, so that the line of the gap is not the axes' edge.
+    # A little above zero even if there is no clearance, so that the line of the gap is not the axes' edge.
     return (-1.12 * depth, 1.08 * max(clearance, 0.15 * depth))

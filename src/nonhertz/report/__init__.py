@@ -1,12 +1,12 @@
-"""One HTML file that tells everything of a case, or of several side by side, to people who run nothing.
+"""One self-contained HTML file with everything about a case, or several side by side, for readers without the program.
 
-`compose` makes it of cases. In steps: `settled` solves them, `examined` adds stress below the
-surface and life, `rendered` writes the page. The file loads nothing from elsewhere and holds no script and no date: the
-same cases on the same machine give the same bytes.
+`compose` makes it from cases. In steps: `settled` solves them, `examined` adds stress below the surface and life,
+`rendered` writes the page. The file loads nothing from elsewhere and contains no script and no date: the same cases on
+the same machine give the same bytes.
 
 How it is made: modules here turn results into rows and sentences (`inputs`, `assumptions`, `method`, `differences`),
-figures into SVG that can stand in a page (`drawing`), files into links that hold them (`downloads`). The templates and
-their style sheet lay them out and know no numbers.
+figures into inline SVG (`drawing`), and files into links that contain them (`downloads`). The templates and their style
+sheet only lay them out.
 """
 
 from nonhertz.report.page import MARK as MARK

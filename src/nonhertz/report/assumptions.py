@@ -1,7 +1,7 @@
 """What the result rests on: each assumption with its criterion, this case's number, and whether it holds.
 
-Limits are those that the solver warns by, and for errors the difference from which on a comparison of methods tells
-why. Where no input tells whether an assumption holds, that is said.
+The limits are those at which the solver warns, and for errors the difference above which a comparison of methods gives
+reasons. Where no input shows whether an assumption holds, it is marked as not judged.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies.ends import ends
-from nonhertz.comparison.reasons import TOLD
+from nonhertz.comparison.reasons import NOTABLE
 from nonhertz.report.results import CaseResults
 from nonhertz.result.checks import LEAST_DEPTH, checks
 from nonhertz.result.numerals import digits, given
@@ -24,8 +24,8 @@ from nonhertz.strip.element import SEMI_ELLIPTIC
 
 Array = NDArray[np.float64]
 
-# Of the yield strength, the pressure p0 of a line contact at which flow begins below the surface, by Tresca's
-# criterion: K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, section 6.1.
+# Pressure p0 of a line contact over the yield strength at the onset of yield below the surface, by Tresca's criterion:
+# K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, section 6.1.
 FLOW_BEGINS = 1.67
 
 
@@ -47,13 +47,13 @@ class Assumption:
     name : str
         What is assumed.
     criterion : str
-        When that can be.
+        When it holds.
     number : str
-        What this case has.
+        The value for this case.
     verdict : Verdict
         Whether it holds.
     remark : str
-        What follows from that; may be empty.
+        The consequence; may be empty.
     """
 
     name: str
@@ -71,14 +71,14 @@ def assumptions(found: CaseResults) -> list[Assumption]:
         rows += [*_valid(solution), *_ends(solution)]
         rows += [_smooth(solution), *_fine(solution), _shape(solution), *_elastic(found)]
     rows.append(
-        Assumption("Surfaces", "dry, smooth, without friction", "no such input", Verdict.OPEN, "Roughness is left out.")
+        Assumption("Surfaces", "dry, smooth, without friction", "not an input", Verdict.OPEN, "Roughness is neglected.")
     )
     return rows
 
 
 def _converged(solution: Solution) -> Assumption:
     fine = solution.status is Status.CONVERGED
-    remark = "" if fine else "The numbers are those at which the solver stopped. They mean nothing."
+    remark = "" if fine else "The numbers are those at which the solver stopped. They are meaningless."
     return Assumption(
         "Solved",
         "every contact condition is met",
@@ -89,13 +89,13 @@ def _converged(solution: Solution) -> Assumption:
 
 
 def _valid(solution: Solution) -> Iterator[Assumption]:
-    """Yield the checks that the solver warns by, and of bodies without a depth that there is none."""
+    """Yield the checks behind the solver's warnings, and a note for each body without a depth."""
     for check in checks(solution, ends(solution.contact)):
         number = digits(check.value, 3)
         yield Assumption(check.assumption, check.criterion, number, _strained_if(not check.holds), check.remark)
     for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
         if body.behind.below(body, solution.element) is None:
-            remark = "A half-space of endless depth: approach counts from a point far away."
+            remark = "A half-space of infinite depth: the approach is measured against a distant point."
             criterion = f"depth of at least {LEAST_DEPTH:g} half-widths"
             yield Assumption(f"Body {name} is thick", criterion, "no depth given", Verdict.OPEN, remark)
 
@@ -108,7 +108,7 @@ _ENDS = {
         "The pressure has no limit there; trust it from a quarter of a half-width inwards.",
     ),
     EdgeKind.CORNER: (Verdict.NOT_MET, "The pressure has no limit at a corner of the profile: give it a radius."),
-    EdgeKind.CUT_OFF: (Verdict.NOT_MET, "The pressure there is that of bodies cut off: give more strips."),
+    EdgeKind.CUT_OFF: (Verdict.NOT_MET, "The strips end before the contact does: give more strips."),
 }
 
 
@@ -136,8 +136,8 @@ def _smooth(solution: Solution) -> Assumption:
 
 def _fine(solution: Solution) -> Iterator[Assumption]:
     estimate = solution.error_estimate
-    criterion = f"the solve's own estimate of its error is up to {100.0 * TOLD:g} %"
-    # Whichever of the two is prescribed has no error.
+    criterion = f"the solver's own error estimate is at most {100.0 * NOTABLE:g} %"
+    # The prescribed one of the two has no error.
     name, error = max((("approach", estimate.approach), ("load", estimate.load)), key=lambda each: each[1])
     yield Assumption(f"Grid fine enough for the {name}", criterion, _percent(error), _known(error))
     corner = solution.peaks_at_corner
@@ -162,10 +162,10 @@ def _elastic(found: CaseResults) -> Iterator[Assumption]:
     where = " away from singular ends" if solution.singular_ends else ""
     yield Assumption(
         "Linear elastic bodies",
-        f"p0 below {FLOW_BEGINS:g} yield strengths (line contact, Tresca; Johnson 1985, section 6.1)",
+        f"p0 below {FLOW_BEGINS:g} times the yield strength (line contact, Tresca; Johnson 1985, section 6.1)",
         f"p0 = {digits(pressure)} MPa{where}",
         Verdict.OPEN,
-        f"No input says when the material flows: it must bear {digits(pressure / FLOW_BEGINS, 4)} MPa before it does.",
+        f"The yield strength is not an input: it must be above {digits(pressure / FLOW_BEGINS, 4)} MPa.",
     )
     if found.stress:
         largest = found.stress[0]
@@ -182,10 +182,10 @@ def _strained_if(strained: bool) -> Verdict:
 
 
 def _known(error: float) -> Verdict:
-    return _strained_if(error > TOLD) if math.isfinite(error) else Verdict.OPEN
+    return _strained_if(error > NOTABLE) if math.isfinite(error) else Verdict.OPEN
 
 
 def _percent(error: float) -> str:
     if not math.isfinite(error):
-        return "not known"
+        return "unknown"
     return f"about {given(100.0 * error, 1)} %" if error > 1e-12 else "none"

@@ -1,4 +1,4 @@
-"""Several cases side by side: in which inputs they differ, and what that changes."""
+"""Several cases side by side: which inputs differ, and how the results change."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ ABSENT = "–"
 
 @dataclass(frozen=True)
 class Row:
-    """One quantity of all cases.
+    """One quantity for all cases.
 
     Attributes
     ----------
@@ -29,7 +29,7 @@ class Row:
     values : tuple of str
         One for each case.
     remarks : tuple of str
-        What is to be said of each beside, mostly its difference to the first in per cent; may be empty.
+        A remark on each, usually its difference from the first in per cent; may be empty.
     """
 
     name: str
@@ -38,7 +38,7 @@ class Row:
 
 
 def differing_inputs(cases: Sequence[Case]) -> list[Row]:
-    """Return the inputs in which cases differ, by their keys."""
+    """Return the inputs in which cases differ, by key."""
     tables = [_by_place(case) for case in cases]
     places = dict.fromkeys(place for table in tables for place in table)
     rows = []
@@ -50,7 +50,7 @@ def differing_inputs(cases: Sequence[Case]) -> list[Row]:
 
 
 def results(found: Sequence[CaseResults]) -> list[Row]:
-    """Return the results of all cases, with differences to the first."""
+    """Return the results of all cases, with differences from the first."""
     solutions = [each.solution for each in found]
     rows = [_compared(QUANTITIES[name], solutions) for name in _COMPARED]
     rows[1:1] = [_ends(solutions, at, name) for at, name in ((0, "low"), (1, "high"))]
@@ -62,7 +62,7 @@ def results(found: Sequence[CaseResults]) -> list[Row]:
 
 
 def lives(found: Sequence[CaseResults]) -> list[Row]:
-    """Return the lives of all cases that have any, over that of the first; none if the first has none."""
+    """Return the lives of all cases that have any, with ratios to the first case; empty if the first has none."""
     first = found[0].lives
     if first is None or sum(each.lives is not None for each in found) < 2:
         return []
@@ -90,10 +90,10 @@ def _by_place(case: Case) -> dict[str, str]:
     groups = inputs(case)
     entries = [entry for group in groups for entry in group.entries]
     entries += [entry for group in groups for profile in group.profiles for entry in profile.entries]
-    return {entry.place: _told(entry) for entry in entries}
+    return {entry.place: _in_words(entry) for entry in entries}
 
 
-def _told(entry: Entry) -> str:
+def _in_words(entry: Entry) -> str:
     return f"{entry.value} {entry.unit}".strip()
 
 
@@ -112,7 +112,7 @@ def _end(edge: EdgePressure) -> tuple[str, str]:
     return "no limit", edge.law
 
 
-# The largest pressure first; the place of it and what is the same as its mirror image are left out.
+# The largest pressure comes first; its position and the coupling stiffnesses are left out.
 _LEFT_OUT = {"max_pressure_y", "load_by_tilt", "moment_by_approach"}
 _COMPARED = sorted(set(QUANTITIES) - _LEFT_OUT, key=["max_pressure", *QUANTITIES].index)
 _STRESSES = {"von Mises stress": "von_mises", "shear stress": "shear", "orthogonal shear stress": "orthogonal_shear"}

@@ -1,4 +1,4 @@
-"""Files that the page carries inside itself, as links that save them."""
+"""Files embedded in the page, as links that save them."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ _KINDS = {".toml": "application/toml", ".json": "application/json", ".csv": "tex
 
 @dataclass(frozen=True)
 class Download:
-    """A file inside the page.
+    """A file embedded in the page.
 
     Attributes
     ----------
     name : str
-        What it is saved as.
+        The name it is saved under.
     what : str
         What it holds, in words.
     size : int
         Its length [bytes].
     address : str
-        The file itself, as a ``data:`` address.
+        The file itself, as a ``data:`` URL.
     """
 
     name: str
@@ -37,7 +37,7 @@ class Download:
 
 
 def downloads(found: CaseResults) -> list[Download]:
-    """Return the case file, the files that it names, and everything that was found."""
+    """Return the case file, the files that it names, and all results."""
     case, title = found.case, found.case.title
     files = [_download(case.file_name, "the case file, as it was solved", case.text.encode())]
     files += [

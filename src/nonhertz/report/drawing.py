@@ -1,7 +1,7 @@
-"""Figures as SVG that stands inside a page, beside other figures.
+"""Figures as inline SVG, several to a page.
 
-What matplotlib writes is a file of its own. Inside a page its identifiers would meet those of the next figure, its
-style sheet would apply to all of the page, and its numbers have more digits than can be seen.
+matplotlib writes standalone SVG files. In a page, the identifiers of several figures would clash, their style sheets
+would apply to the whole page, and their numbers have more digits than can be seen.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _SVG, _LINK = "{http://www.w3.org/2000/svg}", "{http://www.w3.org/1999/xlink}hre
 _NO_METADATA = dict.fromkeys(("Date", "Creator", "Format", "Type"))
 _LONG_FRACTION = re.compile(r"(\.\d\d)\d+")  # a hundredth of a point is less than a printer's dot
 _REFERENCE = re.compile(r"url\(#([^)]+)\)")
-_DPI = 150.0  # of the coloured areas, which are images
+_DPI = 150.0  # of coloured areas, which are bitmaps
 
 
 def inline_svg(figure: Figure, prefix: str, title: str, description: str) -> str:
@@ -32,9 +32,9 @@ def inline_svg(figure: Figure, prefix: str, title: str, description: str) -> str
     figure : matplotlib.figure.Figure
         The figure.
     prefix : str
-        Of its identifiers, another one for every figure of a page; letters, digits and hyphens.
+        Prefix of its identifiers, unique within the page; letters, digits and hyphens.
     title, description : str
-        What a screen reader tells of it.
+        What a screen reader says about it.
     """
     root = ET.fromstring(_written(figure))
     for parent in list(root.iter()):
@@ -45,7 +45,7 @@ def inline_svg(figure: Figure, prefix: str, title: str, description: str) -> str
         path.set("d", _LONG_FRACTION.sub(r"\1", path.get("d", "")).replace("\n", ""))
     view = root.get("viewBox", "")
     root.attrib.clear()
-    # What matplotlib's style sheet says.
+    # As in matplotlib's style sheet, which was removed.
     root.set("style", "stroke-linejoin: round; stroke-linecap: butt")
     root.set("viewBox", view)
     _named(root, prefix, title, description)
@@ -55,7 +55,7 @@ def inline_svg(figure: Figure, prefix: str, title: str, description: str) -> str
 def _written(figure: Figure) -> str:
     text = io.StringIO()
     with sheet_style(), warnings.catch_warnings():
-        # A file's name may be in letters that the font has not; the number beside it tells which it is.
+        # A file's name may have letters that the font lacks; the number beside it identifies it anyway.
         warnings.filterwarnings("ignore", "Glyph .* missing")
         figure.savefig(text, format="svg", dpi=_DPI, metadata=_NO_METADATA)
     return text.getvalue()
@@ -68,7 +68,7 @@ def _without_styles(root: ET.Element) -> None:
 
 
 def _made_distinct(root: ET.Element, prefix: str) -> None:
-    """Put the prefix before identifiers that something refers to, and leave out all others."""
+    """Put the prefix in front of identifiers that something refers to, and remove all others."""
     referred = set()
     for element in root.iter():
         for name, value in list(element.attrib.items()):

@@ -1,4 +1,4 @@
-"""The figures of a report with their captions, each in the words that its drawing needs."""
+"""The figures of a report with their captions."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Picture:
     svg : str
         An ``svg`` element.
     caption : str
-        What stands below it.
+        The text below it.
     """
 
     number: int
@@ -62,7 +62,7 @@ class Gallery:
         }
 
     def of_stress(self, found: CaseResults) -> dict[str, Picture]:
-        """Return both planes below the surface, none where stress was not asked for."""
+        """Return both planes below the surface; empty if stress was not requested."""
         if found.stress is None:
             return {}
         overall, section = found.stress
@@ -81,7 +81,7 @@ class Gallery:
         }
 
     def of_lives(self, found: CaseResults) -> Picture | None:
-        """Return where the bodies fatigue, if lives were asked for."""
+        """Return the damage along the bodies, if lives were requested."""
         if found.lives is None:
             return None
         drawn = life_figure(found.lives.spectrum, found.lives.lives)
@@ -98,7 +98,7 @@ class Gallery:
         return self._picture(measured_figure(measurement.measured), caption, " ".join(dict(measurement.rows).values()))
 
     def of_all(self, found: Sequence[CaseResults]) -> Iterator[Picture]:
-        """Yield pressures with half-widths, and separations, of all cases."""
+        """Yield pressures with half-widths, and separations, for all cases."""
         names = ", ".join(each.label for each in found)
         yield self._picture(pressures(found), "Pressure on the centre line and half-width of all cases.", names)
         caption = "Separation of the bodies before loading (the reliefs of both) of all cases, as far as they touch."

@@ -1,6 +1,6 @@
 """Every input of a case with value, unit and meaning, and whether it is a default.
 
-Meanings and units are those of the case file's schema, values those of the bodies that were made of it.
+Meanings and units come from the case file's schema, values from the bodies made from it.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from nonhertz.model.profile import CATALOGUE
 from nonhertz.report.method import formula, source
 from nonhertz.result.numerals import given
 
-LONGEST_LIST = 8  # entries that are told one by one
-_ABSENT = {"diameter": "flat", "length": "unbounded", "effective_length": "all of the length"}
-_OF_THE_BODY = "of the body"
+LONGEST_LIST = 8  # entries; a longer list is summarised
+_ABSENT = {"diameter": "flat", "length": "unbounded", "effective_length": "the whole length"}
+_OF_THE_BODY = "from the body"
 
 
 @dataclass(frozen=True)
@@ -35,13 +35,13 @@ class Entry:
     place : str
         The key as the case file has it, such as ``"body.a.length"``.
     value, unit : str
-        Number or word, and the unit that the number is in.
+        Number or word, and the unit of the number.
     meaning : str
         What it is.
     default : bool
         Whether the case file leaves it out.
     written : str
-        As the case file has it, where that is in another unit.
+        The value as written in the case file, if that is in another unit.
     """
 
     place: str
@@ -59,7 +59,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class ProfileInput:
-    """One profile of a body: what it is, its parameters, its formula and where that comes from."""
+    """One profile of a body: what it is, its formula with its source, and its parameters."""
 
     title: str
     formula: str
@@ -69,7 +69,7 @@ class ProfileInput:
 
 @dataclass(frozen=True)
 class Group:
-    """The inputs under one heading of the case file."""
+    """The inputs under one heading in the case file."""
 
     title: str
     entries: tuple[Entry, ...]
@@ -77,7 +77,7 @@ class Group:
 
 
 def inputs(case: Case) -> list[Group]:
-    """Return all inputs of a case by the headings of its file."""
+    """Return all inputs of a case, grouped by the headings of its file."""
     document, contact = case.document, case.contact
     groups = [
         _body_group(f"Body {name}", f"body.{name}", document["body"][name], body)
@@ -151,7 +151,7 @@ def _profile_input(place: str, table: Mapping[str, Any], *, default: bool = Fals
         value, is_default = _parameter(name, table, function)
         if name != "kind" and value is not None:
             meaning = property_.get("description", "").replace("`", "").rstrip(".")
-            # Text has its unit in itself, and a word such as "auto" has none.
+            # Text includes its unit, and a word such as "auto" has none.
             unit = _unit(property_) if _has_digit(value) and not isinstance(table.get(name), str) else ""
             entries.append(Entry(f"{place}.{name}", value, unit, meaning, is_default))
     what = described.get("description", kind).rstrip(".")
@@ -159,7 +159,7 @@ def _profile_input(place: str, table: Mapping[str, Any], *, default: bool = Fals
 
 
 def _parameter(name: str, table: Mapping[str, Any], function: Callable[..., Any] | None) -> tuple[str | None, bool]:
-    """Return the value of a profile's parameter in words, None where it has none, and whether it is a default."""
+    """Return the value of a profile's parameter as text, None if it has none, and whether it is a default."""
     if name in table:
         return _shown(table[name]), False
     known = inspect.signature(function).parameters.get(name) if function else None
@@ -171,7 +171,7 @@ def _parameter(name: str, table: Mapping[str, Any], function: Callable[..., Any]
 
 
 def _shown(value: Any) -> str:
-    """Return a value as people read it."""
+    """Return a value as readable text."""
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float | int):
@@ -198,7 +198,7 @@ def _material(material: Material) -> str:
 
 
 def _written(table: Mapping[str, Any], name: str) -> str:
-    """Return a quantity as the case file has it if that is text with a unit, which begins with a digit."""
+    """Return a quantity as written in the case file if it is text with a unit, recognised by its digits."""
     value = table.get(name)
     return value if isinstance(value, str) and _has_digit(value) else ""
 
@@ -208,7 +208,7 @@ def _has_digit(text: str) -> bool:
 
 
 def _unit(property_: Mapping[str, Any]) -> str:
-    """Return the unit in a key's schema, wherever it stands there."""
+    """Return the unit in a key's schema, wherever it is given."""
     choices = [property_, *property_.get("anyOf", ()), property_.get("items", {})]
     return next((str(each["unit"]) for each in choices if each.get("unit")), "")
 

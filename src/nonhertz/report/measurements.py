@@ -1,4 +1,4 @@
-"""Measured profiles of a case: what each step did to the points, and what is left of roughness."""
+"""Measured profiles of a case: what each step did to the points."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Measurement:
     file : str
         The name of the measured file.
     measured : Measured
-        Its points, and the steps from them to the profile.
+        The points, and the steps from them to the profile.
     """
 
     place: str
@@ -36,7 +36,7 @@ class Measurement:
 
 
 def measurements(case: Case) -> Iterator[Measurement]:
-    """Yield the measured profiles of a case whose files are there."""
+    """Yield the measured profiles of a case whose files are available."""
     for name, body in case.document["body"].items():
         for number, table in enumerate(profile_tables(body), start=1):
             content = case.attachments.get(str(table.get("file")))

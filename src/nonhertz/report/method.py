@@ -1,6 +1,6 @@
-"""How a case was solved, in sentences, and what has been published on it.
+"""How a case was solved, in sentences, and the publications behind it.
 
-Only what the case makes use of is told. Formulas and references are those of the docstrings of the functions at work.
+Only what applies to the case is mentioned. Formulas and references come from the docstrings of the functions used.
 """
 
 from __future__ import annotations
@@ -20,7 +20,6 @@ from nonhertz.subsurface import stress
 
 _REFERENCES = re.compile(r"^References\n-+\n(.*?)(?=\n\n\w+\n---|\Z)", re.DOTALL | re.MULTILINE)
 _NO_SOURCE = re.compile(r"^(Geometry|See |ISO[^;]*; see )")
-_HALF_SPACES = "J. Boussinesq, Application des potentiels, Gauthier-Villars, Paris 1885."
 _SHARP_ENDS = (
     "M. Comninou, Stress singularity at a sharp edge in contact problems with friction, Zeitschrift für angewandte "
     "Mathematik und Physik 27 (1976), doi:10.1007/BF01594906; here the case without friction."
@@ -28,7 +27,7 @@ _SHARP_ENDS = (
 
 
 def formula(function: Callable[..., Any] | None) -> str:
-    """Return what the docstring of a profile says between its first line and its parameters."""
+    """Return the text of a profile's docstring between its first line and its parameters."""
     words = (inspect.getdoc(function) or "") if function else ""
     body = words.partition("\n\n")[2].partition("Parameters\n")[0].partition("Returns\n")[0]
     return _flowing(body)
@@ -55,19 +54,19 @@ def paragraphs(found: CaseResults) -> list[str]:
     if found.stress:
         parts.append(
             "Stress below the surface is integrated from the pressure of the strips, which follows it between their "
-            "centres, with the same images behind side faces. The largest values are searched in all of body "
+            "centres, with the same images behind side faces. The largest values are searched for throughout body "
             f"{found.stress[0].body} below the contact."
         )
     if found.lives:
         parts.append(
-            "Life follows from the stresses that every place of both bodies suffers over a pass of the load. It is "
-            "told relative to the life under Hertz's line pressure with the load spread evenly."
+            "Life follows from the stresses that every point of both bodies undergoes during a pass of the load. It is "
+            "given relative to the life under Hertz's line pressure with the load spread evenly."
         )
     return parts
 
 
 def references(found: CaseResults) -> list[str]:
-    """Return the publications that this case draws on, each once."""
+    """Return the publications that this case draws on, without repeats."""
     parts = [
         source(Element),
         "J. Boussinesq, Application des potentiels, Gauthier-Villars, Paris 1885.",
@@ -98,11 +97,11 @@ def _body_words(name: str, body: Body) -> Iterator[str]:
         parts = " and ".join(f"{weight:.3g}" for weight in dict.fromkeys(weights))
         yield (
             f"Side faces of body {name} are freed of shear by mirror images of the pressure with the weight {parts}. A "
-            "normal stress is left on them, so that the true pressure at an end is lower."
+            "normal stress remains on them, so the true pressure at an end is lower."
         )
     yield f"Displacement of body {name} is measured against {body.behind.place}."
 
 
 def _flowing(text: str) -> str:
-    """Return a docstring's lines as one paragraph, without marks of code."""
+    """Return a docstring's lines as one paragraph, without code markup."""
     return " ".join(text.replace("`", "").split())

@@ -16,13 +16,13 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-# Colours that are told apart with any colour vision (Okabe and Ito), each with dashes of its own for print in grey.
+# Colours distinguishable with any colour vision (Okabe and Ito), each with its own dashes for printing in grey.
 LINES = (
     (FIRST, "-"), (SECOND, (0, (5, 1.5))), ("#009E73", (0, (6, 1.5, 1.2, 1.5))), ("#CC79A7", (0, (1.2, 1.2))),
     (INK, (0, (8, 2))), ("#B08A00", (0, (3, 1, 1, 1, 1, 1))),
 )  # fmt: skip
-HIGH, LOW, BETWEEN, MARGIN, ROW = 2.3, 1.5, 0.25, 0.15, 0.17  # inches; the last is a line of the key
-ROOM, BEYOND = 1.08, 1.6  # times the largest: above all, and where a pressure has no limit
+HIGH, LOW, BETWEEN, MARGIN, ROW = 2.3, 1.5, 0.25, 0.15, 0.17  # inches; the last is a line of the legend
+ROOM, BEYOND = 1.08, 1.6  # axis limit over the largest value: usually, and where a pressure has no limit
 MICROMETRES = 1e3
 
 
@@ -52,7 +52,7 @@ def pressures(found: Sequence[CaseResults]) -> Figure:
 
 
 def reliefs(found: Sequence[CaseResults]) -> Figure:
-    """Return a sheet with the separation of both bodies before loading, both reliefs together, of all cases."""
+    """Return a sheet with the separation before loading (the sum of both reliefs) of all cases."""
     with sheet_style():
         key = _key_height(found)
         figure = blank(key + HIGH + BOTTOM)
@@ -93,13 +93,13 @@ def _key_height(found: Sequence[CaseResults]) -> float:
 
 
 def _key(axes: Axes, found: Sequence[CaseResults]) -> None:
-    """Write the key above the axes, a line for each case: it cannot cover a curve, and names may be long."""
+    """Put the legend above the axes, one line per case: it must not cover a curve, and names may be long."""
     numbers = [str(number) for number in range(1, len(found) + 1)]
     legend = axes.legend(
         axes.lines[: len(found)], numbers, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=1, borderaxespad=0.2,
         borderpad=0.2, labelspacing=0.25, handlelength=3.2, frameon=False, fontsize=SMALL_SIZE,
     )  # fmt: skip
     for text, number, each in zip(legend.get_texts(), numbers, found, strict=True):
-        # A file's name: a dollar sign in it is a dollar sign, and one that begins with a dash below is no secret.
+        # A file's name: a dollar sign must not start mathtext, nor a leading underscore hide the entry.
         text.set_parse_math(False)
         text.set_text(f"{number}  {each.label}")

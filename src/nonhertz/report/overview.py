@@ -1,4 +1,4 @@
-"""What a solution says first: what was solved, the few numbers that matter, the geometry, and the ends, in words."""
+"""The overview of a solution: what was solved, the key numbers, the geometry, and the ends, in words."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from nonhertz.result.brief import where_largest
 from nonhertz.result.numerals import digits, given
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 
-SAMPLES = 401  # of the interval on which both bodies can touch
-FARTHEST = 1e3  # mm, where it has no end
+SAMPLES = 401  # points on the interval in which both bodies can touch
+FARTHEST = 1e3  # mm; cuts an unbounded interval
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ def opening(found: CaseResults) -> str:
 
 
 def keys(found: CaseResults) -> list[Key]:
-    """Return the few numbers that stand first."""
+    """Return the key numbers."""
     solution = found.solution
     if not solution.contact_y:
         return [Key("contact", "none", "")]
@@ -72,7 +72,7 @@ def keys(found: CaseResults) -> list[Key]:
 
 
 def geometry(solution: Solution) -> list[tuple[str, str, str]]:
-    """Return name, value and unit of what follows from the inputs before anything is solved."""
+    """Return name, value and unit of quantities derived from the inputs alone."""
     contact = solution.contact
     low, high = contact.interval
     y = np.linspace(max(low, -FARTHEST), min(high, FARTHEST), SAMPLES)
@@ -95,7 +95,7 @@ def geometry(solution: Solution) -> list[tuple[str, str, str]]:
 
 
 def ends_in_words(solution: Solution) -> list[str]:
-    """Return for both ends of the contact what kind of number the pressure there is."""
+    """Return, for both ends of the contact, what kind of number the pressure is there."""
     return [_end_in_words(edge) for edge in solution.edge_pressure] if solution.contact_y else []
 
 
@@ -105,7 +105,7 @@ def _end_in_words(edge: EdgePressure) -> str:
         case EdgeKind.RUN_OUT | EdgeKind.CORNER:
             return shown
         case EdgeKind.SINGULAR:
-            return f"{shown} With the distance s it goes like {edge.law} ({edge.convention})."
+            return f"{shown} With the distance s it varies as {edge.law} ({edge.convention})."
         case _:
             return f"{shown} It is {digits(edge.pressure)} MPa ({edge.convention})."
 
@@ -140,7 +140,7 @@ def _body(body: Body, letter: str) -> str:
 
 
 def _by_approach(approach: float) -> str:
-    return f"until they have come {given(1e3 * approach)} µm nearer"
+    return f"until they have approached by {given(1e3 * approach)} µm"
 
 
 def _at(y: float) -> str:

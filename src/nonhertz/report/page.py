@@ -1,4 +1,4 @@
-"""From the results of cases to the text of one HTML file."""
+"""From the results of cases to the text of an HTML file."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from jinja2 import Environment
     from markupsafe import Markup
 
-#: What tells a report from any other file: it stands near its beginning.
+#: Identifies a report; it is near the beginning of the file.
 MARK = '<meta name="generator" content="nonhertz report">'
 
 _PACKAGES = ("numpy", "scipy", "numba", "matplotlib")
@@ -45,34 +45,34 @@ def compose(
     stress: bool = True,
     announce: Announce = in_silence,
 ) -> str:
-    """Return a report of one case, or of several with a comparison first, as the text of an HTML file.
+    """Return a report on one case, or on several with a comparison first, as the text of an HTML file.
 
     Parameters
     ----------
     cases : sequence of Case
         At least one; others are compared with the first.
     life : bool or None
-        Whether to assess lives, which takes seconds; None for those of cases that say anything of life.
+        Whether to assess lives, which takes seconds; None for only those cases that mention life.
     stress : bool
-        Whether to look below the surface.
+        Whether to search for the largest stresses below the surface.
     announce : callable
-        Is told what is begun.
+        Called with the name of each step as it begins.
 
     Returns
     -------
     str
-        The file. Cases that have not converged are told of without stress and life.
+        The file. Cases that have not converged are reported without stress and life.
 
     Raises
     ------
     CaseError
-        If the solver refuses cases.
+        If the solver rejects a case.
     """
     return rendered(examined(settled(cases), life=life, stress=stress, announce=announce))
 
 
 def rendered(found: Sequence[CaseResults]) -> str:
-    """Return the text of the file that tells of these cases."""
+    """Return the text of the report on these cases."""
     gallery = Gallery()
     several = len(found) > 1
     comparison = _comparison(found, gallery) if several else None
@@ -94,7 +94,7 @@ def rendered(found: Sequence[CaseResults]) -> str:
 
 
 def _part(found: CaseResults, number: int, several: bool, gallery: Gallery) -> dict[str, Any]:
-    """Return what the template tells of one case."""
+    """Return what the template shows of one case."""
     solution = found.solution
     return {
         "anchor": f"case-{number}",
@@ -113,7 +113,7 @@ def _part(found: CaseResults, number: int, several: bool, gallery: Gallery) -> d
         "ends": ends_in_words(solution),
         "stress": _stress(found, gallery),
         "life": _life(found, gallery),
-        # Figures are numbered as they are drawn, in the order of the page.
+        # Figures are numbered as they are drawn, so they must be drawn in the order of the page.
         "measured": [_measured(each, gallery) for each in measurements(found.case)],
         "method": paragraphs(found),
         "references": references(found),
@@ -124,7 +124,7 @@ def _part(found: CaseResults, number: int, several: bool, gallery: Gallery) -> d
 
 
 def _left_out(case: Case) -> list[str]:
-    """Return the files that a case names and the page does not carry."""
+    """Return the files that a case names but the page does not include."""
     return [] if case.origin is None else [name for name in case.origin.files if name not in case.attachments]
 
 
@@ -164,7 +164,7 @@ def _life(found: CaseResults, gallery: Gallery) -> dict[str, Any] | None:
     if found.lives is None:
         return None
     rows = life_rows(found.lives)
-    # Not a column where all is blank, as revolutions are without a raceway.
+    # Drop columns that are blank throughout, as revolutions are without a raceway.
     kept = [column for column in range(len(LIFE_COLUMNS)) if any(row[column] for row in rows)]
     picture = gallery.of_lives(found)
     return {
@@ -178,7 +178,7 @@ def _life(found: CaseResults, gallery: Gallery) -> dict[str, Any] | None:
 
 
 def _merged(rows: Sequence[tuple[str, str, str]]) -> list[tuple[str, list[tuple[str, str]]]]:
-    """Return names with their values and remarks; a row without a name goes on with the one before."""
+    """Return names with their values and remarks; a row without a name continues the one before."""
     merged: list[tuple[str, list[tuple[str, str]]]] = []
     for name, value, remark in rows:
         if name or not merged:
@@ -212,7 +212,7 @@ def _environment() -> Environment:
 
 
 def _linked(text: str) -> Markup:
-    """Return a reference with its DOIs and addresses as links."""
+    """Return a reference with its DOIs and URLs as links."""
     from markupsafe import Markup, escape
 
     shown, at = Markup(), 0
@@ -225,7 +225,7 @@ def _linked(text: str) -> Markup:
 
 
 def _safe(text: str) -> Markup:
-    """Return text of our own making as HTML that is not escaped."""
+    """Return trusted text as HTML that is not escaped."""
     from markupsafe import Markup
 
     return Markup(text)

@@ -1,4 +1,4 @@
-"""What is found out about the cases of a report: solutions, and then stress below the surface and life."""
+"""Results of the cases in a report: solutions, then stress below the surface and life."""
 
 from __future__ import annotations
 
@@ -30,18 +30,18 @@ STRESS_STEPS = 2  # in the whole body and in a cross-section
 
 @dataclass(frozen=True, eq=False)
 class CaseResults:
-    """What is known of one case.
+    """The results of one case.
 
     Attributes
     ----------
     case : Case
-        What was asked.
+        The case.
     label : str
-        What to call it beside others.
+        Short name that distinguishes it from other cases.
     solution : Solution
-        The solution, or where the loop stopped.
+        The solution, or the state in which the solver stopped.
     complaint : str
-        Why it is none, or why there is no life; empty if nothing failed.
+        Why the solver stopped, or why there is no life; empty if nothing failed.
     stress : tuple of two Extremes or None
         The largest stresses in body a and in one cross-section of it.
     lives : Assessment or None
@@ -57,7 +57,7 @@ class CaseResults:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Everything that strains the numbers, each sentence once."""
+        """All warnings, without repeats."""
         of_lives = self.lives.warnings if self.lives else ()
         of_stress = all_warnings(self.solution, *(self.stress or ()))
         return tuple(dict.fromkeys((*self.case.notes, *of_stress, *of_lives)))
@@ -69,7 +69,7 @@ def settled(cases: Sequence[Case]) -> tuple[CaseResults, ...]:
     Raises
     ------
     CaseError
-        If the solver refuses cases, with every mistake; of several cases each has the name of its file in front.
+        If the solver rejects any case, with every mistake; with several cases each is prefixed by its file's name.
     """
     found: list[CaseResults] = []
     mistakes: list[str] = []
@@ -89,18 +89,18 @@ def settled(cases: Sequence[Case]) -> tuple[CaseResults, ...]:
 def examined(
     found: Sequence[CaseResults], *, life: bool | None = None, stress: bool = True, announce: Announce = in_silence
 ) -> tuple[CaseResults, ...]:
-    """Return the results with stress below the surface and life, where these are wanted and the case has converged.
+    """Return the results with stress below the surface and life, where requested and the case has converged.
 
     Parameters
     ----------
     found : sequence of CaseResults
         What `settled` returned.
     life : bool or None
-        Whether to assess lives; None for that of cases that say anything of life.
+        Whether to assess lives; None for only those cases that mention life.
     stress : bool
         Whether to search for the largest stresses.
     announce : callable
-        Is told what is begun; `steps` says how often.
+        Called with the name of each step as it begins; `steps` returns how often.
     """
     found = [_stressed(each, announce) if stress else each for each in found]
     living = [each for each in found if _wants_life(each, life)]
@@ -109,7 +109,7 @@ def examined(
 
 
 def steps(found: Sequence[CaseResults], *, life: bool | None = None, stress: bool = True) -> int:
-    """Return how often `examined` will announce something."""
+    """Return how many steps `examined` will announce."""
     searches = sum(STRESS_STEPS for each in found if stress and not each.complaint)
     loads = sum(max(1, len(each.case.life.spectrum)) for each in found if _wants_life(each, life))
     return searches + len(BODIES) * loads
@@ -127,7 +127,7 @@ def _wants_life(found: CaseResults, life: bool | None) -> bool:
 
 
 def _assessed(found: Sequence[CaseResults], announce: Announce) -> list[CaseResults]:
-    """Return results with lives by the models of the first, so that lives can be compared."""
+    """Return results with lives, all by the models of the first case, so that they can be compared."""
     if not found:
         return []
     cases = [each.case for each in found]
@@ -144,7 +144,7 @@ def _assessed(found: Sequence[CaseResults], announce: Announce) -> list[CaseResu
 
 
 def labels(cases: Sequence[Case]) -> list[str]:
-    """Return what to call each case in tables and keys: its file's name, longer or numbered where two have one."""
+    """Return the label of each case in tables and legends: its file's name, with its path or a number if ambiguous."""
     names = [Path(case.file_name).stem for case in cases]
     if len(set(names)) < len(names):
         names = [legible(str(case.path.with_suffix(""))) for case in cases]

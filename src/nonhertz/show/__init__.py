@@ -1,1 +1,1 @@
-"""What was found, in rows and sentences as people read them: for the terminal, for reports and for the page."""
+"""Results as rows and sentences for people to read: on the terminal, in reports and on the page."""

@@ -1,7 +1,7 @@
-"""From a case file's problem to what is asked of it: solution, largest stresses, lives.
+"""From a case to its results: solution, largest stresses, lives.
 
-The same work for the command line, for reports and for the page, with complaints placed where the case file has the
-key. Warnings are left to the results, which carry them in words for people.
+Shared by the command line, reports and the page. Errors name the key of the case file. Python warnings are suppressed,
+since the results carry them as sentences.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def solved(case: Case) -> Solution:
     Raises
     ------
     CaseError
-        If the solver refuses the case.
+        If the solver rejects the case.
     ConvergenceError
         If it stops short of a solution.
     """
@@ -46,12 +46,12 @@ def solved(case: Case) -> Solution:
 
 
 def attempted(case: Case) -> tuple[Solution, str]:
-    """Return the solution of a case, or where the solver stopped short of one, and why; empty if it converged.
+    """Return the solution of a case, or the state in which the solver stopped, and why; empty if it converged.
 
     Raises
     ------
     CaseError
-        If the solver refuses the case.
+        If the solver rejects the case.
     """
     try:
         return solved(case), ""
@@ -60,12 +60,12 @@ def attempted(case: Case) -> tuple[Solution, str]:
 
 
 def spectrum_solved(case: Case) -> Spectrum:
-    """Return the solutions of all loads of a case with their shares of the revolutions.
+    """Return the solutions for all loads of a case with their shares of the revolutions.
 
     Raises
     ------
     CaseError
-        If the solver refuses the case.
+        If the solver rejects the case.
     ConvergenceError
         If it stops short of a solution.
     """
@@ -78,18 +78,18 @@ def spectrum_solved(case: Case) -> Spectrum:
 def largest_stresses(
     solution: Solution, station: float | None = None, body: BodyName = "a", announce: Announce = in_silence
 ) -> tuple[Extremes, Extremes]:
-    """Return the largest stresses in a body and in a cross-section of it, that of the largest von Mises stress.
+    """Return the largest stresses in a body and in the cross-section of its largest von Mises stress.
 
     Parameters
     ----------
     solution : Solution
         A solved contact.
     station : float or None
-        Another place of the cross-section [mm].
+        Another position of the cross-section [mm].
     body : {"a", "b"}
         Which body.
     announce : callable
-        Is told which search begins.
+        Called with the name of each search as it begins.
 
     Raises
     ------
@@ -118,9 +118,9 @@ def _near_sharp_ends(solution: Solution, y: float) -> list[str]:
 def models_for(
     case: Case, names: Sequence[str] = (), others: Iterable[Case] = ()
 ) -> tuple[tuple[Model, ...], tuple[str, ...]]:
-    """Return the models that are wanted, with the parameters of a case, and why there are fewer than all.
+    """Return the requested models with the parameters of a case, and notes on any left out.
 
-    Laminae are cut from a length: where a contact has none, and nobody asks for them, they are left out.
+    The lamina model needs a finite length: where a contact has none, it is left out unless requested by name.
     """
     models = case.life.models(dict.fromkeys(names))
     lengths = [np.ptp(each.contact.interval) for each in (case, *others)]
@@ -137,12 +137,12 @@ def assessed(
     notes: tuple[str, ...] = (),
     announce: Announce = in_silence,
 ) -> Assessment:
-    """Return the lives of both bodies of a case that is solved.
+    """Return the lives of both bodies of a solved case.
 
     Raises
     ------
     CaseError
-        If the case has no life by one of the models.
+        If one of the models cannot give a life.
     """
     lives = {}
     with _in_the_words_of_the_file():
@@ -154,7 +154,7 @@ def assessed(
 
 @contextlib.contextmanager
 def _in_the_words_of_the_file() -> Iterator[None]:
-    """Place complaints where the case file has the key, and leave warnings to the results."""
+    """Turn errors into ones that name the key of the case file, and suppress warnings, which the results carry."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", AccuracyWarning)
         try:
@@ -164,7 +164,7 @@ def _in_the_words_of_the_file() -> Iterator[None]:
 
 
 def _announcer(announce: Announce, body: BodyName, loads: int) -> Callable[[int, int], None]:
-    """Say that a body is begun, and return what says whenever another load is."""
+    """Announce a body, and return a callback that announces each further load."""
     words = (
         [f"body {body}"] if loads == 1 else [f"body {body}, load {number} of {loads}" for number in range(1, loads + 1)]
     )

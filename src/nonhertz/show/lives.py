@@ -1,4 +1,4 @@
-"""How long both bodies of a case last, in rows of name and numbers by each model."""
+"""Lives of both bodies of a case, one row of name and numbers per model."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _STRESSES = {"orthogonal_shear": "tau_xz", "shear": "tau_max", "von_mises": "sig
 
 
 def life_rows(found: Assessment) -> list[tuple[str, ...]]:
-    """Return name, life in both bodies, revolutions and the integrand of each model."""
+    """Return name, life in both bodies, revolutions and the damage integrand of each model."""
     return [
         (life.model.name, *_lives(found, number), _integrand(life.model))
         for number, life in enumerate(found.lives["a"])
@@ -33,7 +33,7 @@ def life_rows(found: Assessment) -> list[tuple[str, ...]]:
 
 
 def ratio_rows(found: Assessment, other: Assessment) -> list[tuple[str, ...]]:
-    """Return name, the other case's lives, and those of the first over them, for each model."""
+    """Return name, the other case's lives, and the ratios of the first case's lives to them, for each model."""
     return [
         (
             life.model.name,
@@ -45,13 +45,13 @@ def ratio_rows(found: Assessment, other: Assessment) -> list[tuple[str, ...]]:
 
 
 def sentences(found: Assessment) -> list[str]:
-    """Return what has to be known to read the numbers."""
+    """Return what the reader needs to know to interpret the numbers."""
     lines = [_IDEAL]
     lives = [life for body in BODIES for life in found.lives[body]]
     if any(math.isnan(life.reference) for life in lives):
-        lines.append("none: the bodies can touch on an unlimited length, along which no load can be spread evenly.")
+        lines.append("none: the bodies can touch over an unlimited length, along which no load can be spread evenly.")
     elif any(math.isnan(life.relative) for life in lives):
-        lines.append("none: there is no damage, under the ideal pressure neither.")
+        lines.append("none: there is no damage, not even under the ideal pressure.")
     if any(life.relative == 0.0 for life in lives):
         lines.append("0: under the ideal pressure there is no damage.")
     if any(found.million_revolutions(number) is not None for number in range(len(found.lives["a"]))):
@@ -66,7 +66,7 @@ def sentences(found: Assessment) -> list[str]:
 
 
 def without_ratio(found: Assessment, other: Assessment) -> list[str]:
-    """Return why lives by laminae cannot be compared, if they cannot."""
+    """Return why lives by the lamina model cannot be compared, if they cannot."""
     names = [life.model.name for life in found.lives["b"]]
     if "iso-16281" in names and math.isnan(found.over(other, "b", names.index("iso-16281"))):
         return ["none: laminae of a raceway are not compared with those of a contact without one."]
@@ -108,5 +108,5 @@ def _integrand(model: Model) -> str:
 
 
 def _pressure(solution: Solution) -> str:
-    """Return the largest pressure, and whether there are ends where it has no limit."""
+    """Return the largest pressure, noting any singular ends."""
     return digits(solution.max_pressure) + (", away from singular ends" if solution.singular_ends else "")

@@ -1,4 +1,4 @@
-"""The largest stresses below a contact, in rows of name, value and place."""
+"""The largest stresses below a contact, in rows of name, value and position."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes
 
 COLUMNS = ("", "largest [MPa]", "of p0 there", "x [mm]", "y [mm]", "z [mm]")
-#: Of the quantities, as tables have them.
+#: Names of the quantities in tables.
 NAMES = {"von_mises": "von Mises", "shear": "maximum shear", "orthogonal_shear": "orthogonal shear"}
 
 
 def stress_rows(solution: Solution, overall: Extremes, section: Extremes) -> list[tuple[str, ...]]:
-    """Return name, largest value, its share of the pressure p0 above it, and its place, for each quantity."""
+    """Return name, largest value, its ratio to the pressure p0 above it, and its position, for each quantity."""
     places = {f"in body {overall.body}": overall, f"at y = {section.von_mises.y:.5g} mm": section}
     rows = []
     for where, found in places.items():
@@ -23,7 +23,7 @@ def stress_rows(solution: Solution, overall: Extremes, section: Extremes) -> lis
 
 
 def sentences(solution: Solution, section: Extremes) -> list[str]:
-    """Return what has to be known of the body and of the cross-section to read the numbers."""
+    """Return what the reader needs to know about the body and the cross-section to interpret the numbers."""
     y, shear = section.von_mises.y, section.orthogonal_shear
     pressure, half_width = (there(solution, each, y) for each in (solution.centre_pressure, solution.half_width))
     contact = f"p0 = {digits(pressure)} MPa and the half-width is {digits(half_width)} mm"
@@ -38,6 +38,6 @@ def sentences(solution: Solution, section: Extremes) -> list[str]:
 def _row(solution: Solution, name: str, found: Extreme) -> tuple[str, ...]:
     pressure = there(solution, solution.centre_pressure, found.y)
     share = f"{found.max / pressure:.4f}" if pressure > 0.0 else ""
-    # The field of strips is symmetric about x = 0.
+    # The stress field of the strips is symmetric about x = 0.
     x = f"+-{digits(found.x, 4)}" if found.x > 0.0 else "0"
     return name, digits(found.max), share, x, digits(found.y, 4), digits(found.z, 4)

@@ -1,4 +1,4 @@
-"""What a solve found, in rows of name, value and remark."""
+"""The result of a solve, in rows of name, value and remark."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ Row = tuple[str, str, str]
 
 
 def summary_rows(solution: Solution) -> list[Row]:
-    """Return name, value and remark of everything in the summary: all quantities, and what they are numbers of."""
+    """Return name, value and remark of everything in the summary: status, all quantities, strips and Newton steps."""
     rows = [("status", solution.status.label, "")]
     for name in QUANTITIES:
-        rows += _TOLD[name](solution) if name in _TOLD else [_row(name, solution)]
+        rows += _ROWS[name](solution) if name in _ROWS else [_row(name, solution)]
     rows.append(("strips", f"{solution.strips}, {solution.element.name}", ""))
     rows.append(("Newton steps", str(solution.iterations), ""))
     return rows
@@ -34,7 +34,7 @@ def _load_rows(solution: Solution) -> list[Row]:
 
 
 def _contact_rows(solution: Solution) -> list[Row]:
-    """Return where the bodies touch, and how that ends."""
+    """Return where the bodies touch, and the pressure at the ends."""
     touching = "; ".join(f"{digits(low)} to {digits(high)}" for low, high in solution.contact_y)
     if not touching:
         return [("contact along y", "none", "")]
@@ -81,12 +81,12 @@ def _convention(edge: EdgePressure) -> tuple[str, str]:
 def _error(relative: float) -> str:
     if not math.isfinite(relative):
         return "error unknown"
-    # A load that is prescribed, say, is met to rounding.
+    # A prescribed load, for example, is met to rounding error.
     return f"error about {100.0 * relative:.1g} %" if relative > 1e-12 else ""
 
 
-# Quantities of which more is said than the number, or which another row has.
-_TOLD: dict[str, Callable[[Solution], list[Row]]] = {
+# Quantities that need more than their number, or that another row covers.
+_ROWS: dict[str, Callable[[Solution], list[Row]]] = {
     "approach": _approach_rows,
     "load": _load_rows,
     "max_pressure": _pressure_rows,

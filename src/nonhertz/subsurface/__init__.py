@@ -1,8 +1,9 @@
 """Stress below the surface of a solved contact.
 
-Take `stress` at any points, `axial_plane` and `cross_section` for planes, `volume` for grids, `passage` for what a
-place goes through while the load rolls over it, and `extremes` for the largest stresses and where they are. All of them
-take strips and plane grids alike, and say stress in MPa, compressive stress negative, with z pointing into the body.
+Use `stress` for any points, `axial_plane` and `cross_section` for planes, `volume` for grids, `passage` for what a
+point goes through while the load rolls over it, and `extremes` for the largest stresses and their positions. All of
+them accept both strips and plane grids, and give stress in MPa, compressive stress negative, with z pointing into the
+body.
 """
 
 from nonhertz.subsurface.evaluation import axial_plane as axial_plane

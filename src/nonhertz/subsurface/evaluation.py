@@ -1,7 +1,7 @@
-"""The verbs: stress at points, on planes and in volumes below a solved contact.
+"""The public functions: stress at points, on planes and in volumes below a solved contact.
 
-Points are taken in portions of fixed size, side by side on all cores, so that beside the result hardly any memory is
-needed and the result does not depend on the number of threads.
+Points are processed in chunks of fixed size, in parallel on all cores, so that hardly any memory is needed besides the
+result, and the result does not depend on the number of threads.
 """
 
 from __future__ import annotations
@@ -25,41 +25,41 @@ from nonhertz.subsurface.inside import Inside, checked_body, checked_solution
 Array = NDArray[np.float64]
 Announce = Callable[[int, int], object]
 
-PORTION = 2048  # points that a thread takes at a time
+PORTION = 2048  # points per chunk
 DOUBLE = 8
 FARTHEST = 1e6  # mm
-# What counts of a half-width at a distance along y, and the least that does anywhere, of the largest.
+# How fast a strip's half-width counts less with the distance along y, and the least that counts, of the largest.
 NARROWING, LEAST = 0.5, 0.05
-DEEPEST, WIDEST = 3.0, 2.0  # of planes whose extent is left to us, in half-widths
+DEEPEST, WIDEST = 3.0, 2.0  # default extents of planes, in half-widths
 STATIONS, LEVELS, ACROSS = 201, 61, 81
 
 
 class Running(TypedDict, total=False):
-    """How all verbs may be run; see `stress`."""
+    """Options of how to run all functions; see `stress`."""
 
     threads: int | None
     announce: Announce | None
 
 
 class Within(Running, total=False):
-    """The body too."""
+    """The same, and the body."""
 
     body: BodyName
 
 
 class Options(Within, total=False):
-    """All that `stress` takes beside the points."""
+    """All options of `stress`."""
 
     displacement: bool
 
 
 def refuse_options(verb: str, options: Mapping[str, Any], known: type) -> None:
-    """Refuse options that a verb does not know, and values that none of them can have, before anything is computed.
+    """Reject unknown options of a function, and invalid values, before anything is computed.
 
     Raises
     ------
     TypeError
-        If there is an option that is not a key of ``known``, a `TypedDict`, as Python says it of any function.
+        If an option is not a key of ``known``, a `TypedDict`; the message is Python's own.
     InputError
         If a value cannot be used.
     """
@@ -99,9 +99,9 @@ def stress(
     displacement : bool
         Whether to return displacements too.
     threads : int, optional
-        How many threads to use; all cores if left out. The result does not depend on it.
+        Number of threads; all cores if left out. The result does not depend on it.
     announce : callable, optional
-        Called now and then with the number of points done and of all points.
+        Called now and then with the number of points done and the total.
 
     Returns
     -------
@@ -115,18 +115,18 @@ def stress(
     Notes
     -----
     A half-space under the pressure of the solution, with the images of the body's side faces. The pressure of strips is
-    continued smoothly between their centres so that each keeps its load, that of a plane grid is uniform in each cell,
-    which shows near the surface. Parabolic strips count as the semi-ellipses of equal load, whose pressure the solution
-    reports: a parabola has a tenth less orthogonal shear than the contact that it stands for.
+    interpolated smoothly between their centres so that each keeps its load; that of a plane grid is uniform in each
+    cell, which shows near the surface. Parabolic strips count as the semi-ellipses of equal load, whose pressure the
+    solution reports: a parabola has a tenth less orthogonal shear than the contact it represents.
 
     The pressure of strips bears the solution's load; its moment is the solution's within 1e-3 of load times half the
     length of the contact. Against point loads summed by other code below 300 random contacts, on automatic and on few
     and uneven strips, from 0.13 to 2 half-widths deep, components are within 3e-6 of the largest pressure for half of
     the points, 5e-5 for 90 %, 4e-4 for 99 % and 1.3e-3 for all; pressures at centres are within 6e-4
-    (tests/campaign/test_stress_campaign.py). Nearer to the surface than 0.04 half-widths the field is within the steps
-    between pieces, half a per cent. What the solution's pressure itself errs, the field errs too: on the automatic grid
-    up to a per cent of the largest stress within a half-width of a run-out, and far more on few strips. Beside the
-    result about 10 MB are needed; see `memory`.
+    (tests/campaign/test_stress_campaign.py). Nearer to the surface than 0.04 half-widths the field is accurate to the
+    steps between pieces, half a per cent. Errors of the solution's pressure carry over to the field: on the automatic
+    grid up to a per cent of the largest stress within a half-width of a run-out, and far more on few strips. About
+    10 MB are needed besides the result; see `memory`.
 
     References
     ----------
@@ -182,7 +182,7 @@ def axial_plane(
     x: float = 0.0,
     **options: Unpack[Options],
 ) -> Field:
-    """Return the stress in a plane along the contact, under the centre line unless told otherwise.
+    """Return the stress in a plane along the contact, by default under the centre line.
 
     Parameters
     ----------
@@ -193,7 +193,7 @@ def axial_plane(
     z : array_like, shape (n,), optional
         Depths [mm]; 61 down to three half-widths if left out.
     x : float
-        Where the plane lies across [mm].
+        Position of the plane across the contact [mm].
     **options
         As in `stress`.
 
@@ -223,7 +223,7 @@ def cross_section(
     solution : Solution or PatchSolution
         A solved contact.
     station : float
-        Where along y [mm].
+        Position along y [mm].
     x : array_like, shape (m,), optional
         Positions across [mm]; 81 over two half-widths to either side if left out.
     z : array_like, shape (n,), optional
@@ -258,8 +258,7 @@ def volume(solution: Solved, x: ArrayLike, y: ArrayLike, z: ArrayLike, **options
     Returns
     -------
     Field
-        Of shape (l, m, n). Where that is more than memory holds, call it slice by slice: each point's stress is its
-        own.
+        Of shape (l, m, n). If that does not fit into memory, call it slice by slice: points are independent.
     """
     refuse_options("volume", options, Options)
     across, along, below = _row("x", x), _row("y", y), _row("z", z)
@@ -267,7 +266,7 @@ def volume(solution: Solved, x: ArrayLike, y: ArrayLike, z: ArrayLike, **options
 
 
 def memory(points: int, *, displacement: bool = False) -> int:
-    """Return the bytes that `stress` takes for so many points, derived quantities not counted.
+    """Return the bytes that `stress` needs for a number of points, not counting derived quantities.
 
     Examples
     --------
@@ -281,10 +280,10 @@ def memory(points: int, *, displacement: bool = False) -> int:
 
 
 def across_at(solution: Solved, y: Array) -> tuple[Array, Array]:
-    """Return the middle of the contact across and the half-width that counts [mm] at stations.
+    """Return the middle of the contact across and the effective half-width [mm] at stations.
 
-    Where a contact runs out or has ended it is its neighbours' half-width, less half of their distance: their field
-    reaches as deep and wide there.
+    Where a contact runs out or has ended, the half-width is that of neighbouring strips less half the distance to them,
+    since their field reaches that deep and wide there.
 
     Raises
     ------
@@ -309,13 +308,13 @@ def across_at(solution: Solved, y: Array) -> tuple[Array, Array]:
 
 
 def one_station(station: float) -> float:
-    """Return a station as a number, or refuse anything but a single number."""
+    """Return a station as a number, or reject anything but a single number."""
     finite("station", station, "give one place along the contact in mm")
     return float(station)
 
 
 def axial_range(solution: Solved, body: BodyName) -> Array:
-    """Return stations [mm] over the contact and what is stressed beyond its ends."""
+    """Return stations [mm] over the contact and the stressed region beyond its ends."""
     checked_solution(solution)
     beyond = WIDEST * float(across_at(solution, solution.y)[1].max())
     touching = solution.y[solution.line_load > 0.0]
@@ -328,7 +327,7 @@ def _depths(solution: Solved) -> Array:
 
 
 def finite_numbers(name: str, value: ArrayLike) -> Array:
-    """Return numbers as an array, or refuse what is not a finite number."""
+    """Return numbers as an array, or reject anything that is not finite."""
     return (
         numbers(name, value, POINTS_REMEDY, FARTHEST, "mm") + 0.0
     )  # a depth of -0 would be on the wrong side of a branch

@@ -1,4 +1,4 @@
-"""The stress at points below a contact: a read-only value with what engineers read from it."""
+"""The stress at points below a contact: a read-only value with the derived quantities engineers use."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SIGMA_X, SIGMA_Y, SIGMA_Z, TAU_YZ, TAU_XZ, TAU_XY = range(6)
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Field(ReadOnly):
-    """Stress, and displacement if asked for, at points inside one body of a solved contact.
+    """Stress, and displacement if requested, at points inside one body of a solved contact.
 
     Attributes
     ----------
@@ -29,8 +29,8 @@ class Field(ReadOnly):
     stress : ndarray, shape (..., 6)
         sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy [MPa]; compressive stress is negative.
     displacement : ndarray, shape (..., 3), or None
-        u_x, u_y, u_z [mm], u_z into the body. In z it is measured against the point that the approach is measured
-        against: the one at the body's depth under the same y, or one far away.
+        u_x, u_y, u_z [mm], u_z into the body. u_z is measured against the same reference as the approach: the point at
+        the body's depth under the same y, or one far away.
 
     Notes
     -----
@@ -97,7 +97,7 @@ class Field(ReadOnly):
 
     @cached_property
     def max_shear(self) -> Array:
-        """Maximum shear stress, half of the difference of the outermost principal stresses [MPa]."""
+        """Maximum shear stress, half the difference of the largest and smallest principal stress [MPa]."""
         return read_only(np.asarray(0.5 * (self.principal[..., 0] - self.principal[..., 2])))
 
 

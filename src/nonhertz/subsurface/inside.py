@@ -1,9 +1,9 @@
-"""One body below the pressure of a solution: the load, its mirror images, and what displacement is measured against.
+"""One body below the pressure of a solution: the load, its mirror images, and the reference of displacement.
 
-Strips and rectangles each know the field of their own pressure in a half-space. An image, the pressure sent to
-``sign * y + offset``, does at y what the pressure itself does at ``sign * (y - offset)``, with tau_yz, tau_xy and u_y
-turned round where the image is mirrored. Of a whole series of images those too far away to be told apart come as
-line loads that begin beyond the last image and go on for ever.
+Strips and rectangles each know the field of their own pressure in a half-space. The field at y of an image, the
+pressure mapped to ``sign * y + offset``, is that of the pressure itself at ``sign * (y - offset)``, with the signs of
+tau_yz, tau_xy and u_y reversed if the image is mirrored. In a complete series, images too far away to matter
+individually are lumped into line loads that begin beyond the last separate image and extend to infinity.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from nonhertz.subsurface.tails import TWO_PI, stress_tail
 
 Array = NDArray[np.float64]
 U_Y, U_Z = 1, 2
-ON_A_FACE = 1e-9  # of the body's length; nearer is on it
+ON_A_FACE = 1e-9  # of the body's length: tolerance for a point on a side face
 
 _BODY_REMEDY = "write 'a' or 'b'"
 
@@ -61,11 +61,11 @@ class Inside:
     terms : ndarray, shape (terms, 3)
         Rows (sign, offset, weight) of the pressure itself and its images in this body.
     reference : Reference or None
-        What displacement is measured against; None where that is far away.
+        The reference of displacement; None if it is far away.
     edges, pressed : ndarray, shape (stations + 1,) and (stations,)
         Edges along y [mm] and compliance times line load [mm] between them, for displacement at depth.
     afar : float
-        Line load [N/mm] of what lies beyond the last image on either side; zero without a whole series of them.
+        Line load [N/mm] beyond the last separate image on either side; zero without a complete series.
     """
 
     name: BodyName
@@ -84,7 +84,7 @@ class Inside:
         Raises
         ------
         InputError
-            If there is no such body, or ``solution`` is not a solution.
+            If ``name`` is neither body, or ``solution`` is not a solution.
         """
         checked_body(name)
         checked_solution(solution)
@@ -102,7 +102,7 @@ class Inside:
         return (self.body.faces[0], -1.0), (self.body.faces[1], 1.0)
 
     def refuse_outside(self, y: Array, z: Array) -> None:
-        """Refuse points that do not lie in the body.
+        """Reject points outside the body.
 
         Raises
         ------
@@ -146,7 +146,7 @@ class Inside:
 
 
 def checked_solution(solution: object) -> Solved:
-    """Return a solution that has a contact, or refuse what has none or is not a solution.
+    """Return a solution with something in contact, or reject anything else.
 
     Raises
     ------
@@ -160,7 +160,7 @@ def checked_solution(solution: object) -> Solved:
 
 
 def checked_body(name: object) -> BodyName:
-    """Return the name of a body, or refuse what is neither of them."""
+    """Return the name of a body, or reject anything but "a" and "b"."""
     if name == "a":
         return "a"
     if name == "b":
@@ -168,12 +168,12 @@ def checked_body(name: object) -> BodyName:
     raise InputError("body", name, "be one of the two bodies", _BODY_REMEDY)
 
 
-# Solutions never change, and a search asks for the field below one a hundred times.
+# Cached: solutions are immutable, and a search evaluates the field below one a hundred times.
 _LOADS: WeakKeyDictionary[Solved, Load] = WeakKeyDictionary()
 
 
 def _load(solution: Solved) -> Load:
-    """Return the pressure of a solution, made when it is first asked for."""
+    """Return the pressure of a solution, built on first use."""
     load = _LOADS.get(solution)
     if load is None:
         if isinstance(solution, Solution):
@@ -187,7 +187,7 @@ def _load(solution: Solved) -> Load:
 
 
 def _seen(points: Array, sign: float, offset: float) -> Array:
-    """Return where, seen from the pressure itself, points lie as they do to its image."""
+    """Return points mapped so that they lie to the pressure itself as they did to its image."""
     if sign == 1.0 and offset == 0.0:
         return points
     seen = points.copy()
@@ -197,7 +197,7 @@ def _seen(points: Array, sign: float, offset: float) -> Array:
 
 @compiled
 def _add_from_afar(points: Array, low: float, high: float, line_load: float, poisson: float, total: Array) -> None:
-    """Add what line loads do that begin at ``low`` and ``high`` and go away from the body."""
+    """Add the stress of line loads that begin at ``low`` and ``high`` and extend away from the body."""
     for i in range(points.shape[0]):
         x, y, z = points[i, 0], points[i, 1], points[i, 2]
         f_x, f_y, f_z, f_yz, f_xz, f_xy = stress_tail(x, high - y, z, poisson)

@@ -1,26 +1,26 @@
-"""Finer strips than a solution has, for the field right below them.
+"""Subdividing the strips of a solution, for the field close below them.
 
-The solution gives a load q and a half-width b at the centre of every strip. Between the strips they jump, which neither
-approach nor load depend on, but a point does that lies nearer to the surface than a strip is wide. What the solver
-solves for, m = b^2 and r = q / b^2, is smooth, also where a contact runs out: there m falls linearly to zero. So
-monotone cubics (PCHIP) through the centres give both at the edges between strips. At either end of a contact they are
-continued linearly from the last two centres to the edge of the last strip, m to between zero and twice, r to between
-half and twice the last value: near zero at a run-out, but not at a side face or at a corner of the profile. Within a
-strip, t from -1 to 1, load and m follow
+The solution gives a load q and a half-width b at the centre of every strip. Between strips they jump, which hardly
+affects approach or load, but does affect a point closer to the surface than a strip is wide. The unknowns of the
+solver, m = b^2 and r = q / b^2, are smooth even where a contact runs out: there m falls linearly to zero. So monotone
+cubics (PCHIP) through the centres give both at the edges between strips. At either end of a contact they are
+extrapolated linearly from the last two centres to the edge of the last strip, m limited to between zero and twice, r to
+between half and twice the last value: near zero at a run-out, but not at a side face or at a corner of the profile.
+Within a strip, t from -1 to 1, load and m follow
 
     q(t) / q = 1 + alpha t + epsilon t^2 (5 t^2 - 3) / 2
 
 with the values of the cubics at both edges, that of the solution at the centre, and the load of the strip: the last
-term has no mean. Where it would be negative, alpha and epsilon are lowered together until it is not.
+term has zero mean. Where it would be negative, alpha and epsilon are reduced together until it is not.
 
 Where a contact runs out, in the last strip or short of the centre of the next one, the load falls linearly through
-the last centre to zero there. Such a line bears another load than the strip, because the solver counts a strip as
-touching all along or not at all. It is followed as far as all ends together add no more than LOAD_SHARE of the load,
-and MOMENT_SHARE of the moment; all loads are then scaled to the sum of the strips'.
+the last centre to zero there. Such a line carries a different load from the strip, because to the solver a strip
+touches over its whole length or not at all. The line is followed only as far as all ends together add no more than
+LOAD_SHARE of the load and MOMENT_SHARE of the moment; all loads are then scaled to the sum over the strips.
 
-The moment about the centre of a strip that alpha adds is what finer strips would have, too. Where strips are so coarse
-that it comes to more than MOMENT_SHARE, all alphas are lowered. And no piece is under more pressure than the centre or
-the edges of its strip.
+The moment that alpha adds about the centre of a strip is one that finer strips would have, too. Where strips are so
+coarse that it exceeds MOMENT_SHARE, all alphas are reduced. And no piece is under more pressure than the centre or the
+edges of its strip.
 """
 
 from __future__ import annotations
@@ -38,16 +38,16 @@ Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Columns = tuple[Array, Array, Array, Array]  # low, high, line load, half-width
 
-# Pieces differ by so much, or are so narrow in half-widths, that the depth evens them out; at most so many a strip.
-# Odd, so that the centre of a strip is that of a piece.
+# Pieces are divided until they differ by no more than CHANGE, or are no longer than NARROW half-widths, so that their
+# steps are smoothed out with depth; at most MOST per strip. Odd, so that the centre of a strip is that of a piece.
 CHANGE, NARROW, MOST = 0.003, 0.06, 129
-STEEPER = 3.0  # than its change from the centre to the edge
-SAMPLES = 53  # along a strip, to see where its load would be negative
-HIGHEST, LOWEST_RATIO = 2.0, 0.5  # of the last value, for what m and r are continued to at an end of a contact
-LEAST_SQUARE = 1e-4  # of the m of a strip: what is narrower bears nothing that counts
+STEEPER = 3.0  # weight of the curved part, which is steeper at the edge than its change from the centre suggests
+SAMPLES = 53  # along a strip, to check where its load would be negative
+HIGHEST, LOWEST_RATIO = 2.0, 0.5  # of the last value: limits for extrapolating m and r to an end of the contact
+LEAST_SQUARE = 1e-4  # of the m of a strip: a narrower piece carries a negligible load
 BEYOND = 5  # pieces between the last strip and where the contact runs out
 LOAD_SHARE = 2e-4  # of the load
-# Of the load times half the length of the contact: what slopes may add, and what all may differ by.
+# Of the load times half the length of the contact: the moment that slopes may add, and the total error allowed.
 MOMENT_SHARE, MOMENT_TOLERANCE = 2.5e-4, 1e-3
 ROUNDING = 1e-9
 
@@ -59,7 +59,7 @@ class Lamination:
     Attributes
     ----------
     low, high : ndarray, shape (strips + pieces,)
-        Their ends [mm]. Where a contact runs out beyond its last strip, that ends with it.
+        Their ends [mm]. Where a contact runs out beyond its last strip, the strip extends to the run-out.
     line_load, half_width : ndarray, shape (strips + pieces,)
         q [N/mm], and the half-width b [mm] of the semi-ellipse of that load.
     first : ndarray of int, shape (strips + 1,)
@@ -75,7 +75,7 @@ class Lamination:
 
 @dataclass(frozen=True, eq=False)
 class Strips:
-    """Strips in contact, and what their neighbours say of their edges.
+    """Strips in contact, and the values at their edges interpolated from their neighbours.
 
     Attributes
     ----------
@@ -117,19 +117,19 @@ class Strips:
 
     @cached_property
     def added(self) -> Array:
-        """Load [N] by which the line to where the contact runs out exceeds that of the strip."""
+        """Load [N] by which the line to the run-out exceeds the load of the strip."""
         t = self.falling_to
         return self.load * np.nan_to_num((1.0 - t) ** 2 / (4.0 * t))
 
     @cached_property
     def turned(self) -> Array:
-        """Moment [N mm] about the centre of the strip that the line to where the contact runs out has."""
+        """Moment [N mm] about the centre of the strip of the line to the run-out."""
         t = self.falling_to
         return self.load * (self.high - self.low) * np.nan_to_num((1.0 + t) ** 2 * (2.0 - t) / (24.0 * t))
 
     @property
     def falling_to(self) -> Array:
-        """Distance from the centre to where the contact runs out, in half strips; not a number where it does not."""
+        """Distance from the centre to the run-out, in half strips; NaN where there is none."""
         return np.where(np.isfinite(self.run_out), np.abs(self.run_out), np.nan)
 
     @cached_property
@@ -144,7 +144,7 @@ class Strips:
 
 
 def laminated(solution: Solution) -> Lamination:
-    """Return the strips of a solution and their pieces, which together bear its load.
+    """Return the strips of a solution and their pieces, which together carry its load.
 
     Parameters
     ----------
@@ -160,19 +160,19 @@ def laminated(solution: Solution) -> Lamination:
         nothing = np.empty(0)
         return Lamination(nothing, nothing, nothing, nothing, np.zeros(1, dtype=np.int64))
     strips = Strips.of(solution)
-    with np.errstate(over="ignore", invalid="ignore"):  # what comes of it is looked at
+    with np.errstate(over="ignore", invalid="ignore"):  # the result is checked
         found = _pieces(strips)
     return found if bears(found, strips) else uncut(strips)
 
 
 def uncut(strips: Strips) -> Lamination:
-    """Return each strip as its own and only piece."""
+    """Return each strip as a single piece."""
     columns = (strips.low, strips.high, strips.line_load, strips.half_width)
     return _joined(columns, columns, np.arange(strips.low.size + 1))
 
 
 def bears(found: Lamination, strips: Strips) -> bool:
-    """Return whether pieces press, and bear the load of strips and, as good as, their moment."""
+    """Return whether the pieces are valid and carry the load of the strips and, within tolerance, their moment."""
     low, high, line_load, half_width = (
         each[found.first[0] :] for each in (found.low, found.high, found.line_load, found.half_width)
     )
@@ -188,7 +188,7 @@ def bears(found: Lamination, strips: Strips) -> bool:
 
 
 def _at_edges(solution: Solution, run: Integers, values: Array, least: float) -> Array:
-    """Return a quantity at the low and the high edges of neighbours in contact, over its values at their centres."""
+    """Return a quantity at the low and high edges of a run of strips in contact, over its values at their centres."""
     y, value, edges = solution.y[run], values[run], solution.edges[run[0] : run[-1] + 2]
     if run.size == 1:
         return np.ones((2, 1))
@@ -203,10 +203,10 @@ def _at_edges(solution: Solution, run: Integers, values: Array, least: float) ->
 
 
 def _run_outs(solution: Solution, run: Integers, ends: tuple[float, float]) -> Array:
-    """Return where, as t, neighbours in contact run out; infinite for those in the middle.
+    """Return where, as t, a run of strips in contact runs out; infinite for the strips in the middle.
 
-    An end at the edge of a strip is no run-out, nor is one at the centre of the next: m has not vanished there, but the
-    surfaces are apart.
+    An end at the edge of a strip is not a run-out, nor is one at the centre of the next: there the surfaces separate
+    without m having vanished.
     """
     found = np.full(run.size, np.inf)
     for at, end, outwards in ((0, ends[0], -1), (-1, ends[1], 1)):
@@ -231,7 +231,7 @@ def _pieces(strips: Strips) -> Lamination:
     first = np.append(np.flatnonzero(np.diff(strip, prepend=-1)), strip.size)
     total = float(strips.load.sum())
     borne = strips.line_load[strip] * load * (total / (total + followed * float(strips.added.sum())))
-    # A strip bears from afar what its pieces bear from near.
+    # Seen from afar a strip carries what its pieces carry seen from nearby.
     ends = low[first[:-1]], high[first[1:] - 1]
     whole = np.add.reduceat(borne * (high - low), first[:-1]) / (ends[1] - ends[0])
     of_strips, of_pieces = (
@@ -242,7 +242,7 @@ def _pieces(strips: Strips) -> Lamination:
 
 
 def _joined(of_strips: Columns, of_pieces: Columns, first: Integers) -> Lamination:
-    """Return strips, then pieces; ``first`` counts the pieces alone."""
+    """Return strips, then pieces; ``first`` counts only the pieces."""
     low, high, line_load, half_width = (np.concatenate(pair) for pair in zip(of_strips, of_pieces, strict=True))
     return Lamination(low, high, line_load, half_width, first + first.size - 1)
 
@@ -250,10 +250,10 @@ def _joined(of_strips: Columns, of_pieces: Columns, first: Integers) -> Laminati
 def _divided(strips: Strips) -> tuple[Integers, Array, Array]:
     """Return the strip of each piece, and the t at which it begins and ends."""
     edges = np.stack([strips.pressure_edges, strips.load_edges])
-    # A bend is steepest at the edges.
+    # The curved part is steepest at the edges.
     change = (np.abs(edges - 1.0).sum(axis=1) + STEEPER * np.abs(edges.sum(axis=1) - 2.0)).max(axis=0)
     required = np.minimum(change / CHANGE, (strips.high - strips.low) / (NARROW * strips.half_width))
-    # Where the contact runs out within the piece in the middle, that would not have the load of the centre.
+    # If the contact ran out within the middle piece, that piece would not have the load of the centre.
     required = np.maximum(required, np.nan_to_num(1.0 / strips.falling_to))
     count = np.clip(np.ceil(required), 1, MOST).astype(np.int64) | 1
     cuts = [np.linspace(-1.0, 1.0, n + 1) for n in count]
@@ -274,7 +274,7 @@ def _places(strips: Strips, strip: Integers, t: Array) -> Array:
 
 
 def _means(strips: Strips, strip: Integers, begin: Array, end: Array) -> tuple[Array, Array]:
-    """Return the means over pieces of load and m, over those of their strips, as the edges have it."""
+    """Return the means over pieces of load and m, over those of their strips, interpolated from the edges."""
     (slope, bend), (square_slope, square_bend) = (
         (0.5 * (high - low), 0.5 * (high + low) - 1.0) for low, high in (strips.load_edges, strips.square_edges)
     )
@@ -288,7 +288,7 @@ def _means(strips: Strips, strip: Integers, begin: Array, end: Array) -> tuple[A
     load = (slopes * slope)[strip] * along + (bends * bend)[strip] * curved
     square = (slopes * square_slope)[strip] * along + (bends * square_bend)[strip] * curved
     within = np.abs(along) <= 1.0
-    # Between the samples it may still be negative, by a little.
+    # Between the samples it may still be slightly negative.
     lowest = np.minimum.reduceat(np.where(within, load, 0.0), np.flatnonzero(np.diff(strip, prepend=-1)))
     share = (1.0 / np.maximum(1.0, -lowest))[strip]
     load, square = (np.where(within, np.maximum(1.0 + share * each, 0.0), 0.0) for each in (load, square))
@@ -296,9 +296,10 @@ def _means(strips: Strips, strip: Integers, begin: Array, end: Array) -> tuple[A
 
 
 def _curved(begin: Array, end: Array) -> Array:
-    """Return the means over pieces of t^2 (5 t^2 - 3) / 2, but nothing for the piece in the middle.
+    """Return the means over pieces of t^2 (5 t^2 - 3) / 2, but zero for the middle piece.
 
-    What it lacks the others have: none together, still, and the pressure at the centre is that of the solution.
+    The mean of the middle piece is spread over the others: the sum is still zero, and the pressure at the centre is
+    that of the solution.
     """
     count = np.maximum(np.round(2.0 / (end - begin)), 1.0)
     middle = np.abs(begin + end) < ROUNDING
@@ -308,14 +309,14 @@ def _curved(begin: Array, end: Array) -> Array:
 
 
 def _falling(run_out: Array, begin: Array, end: Array) -> Array:
-    """Return the means over pieces of lines from 1 at the centre to 0 where the contact runs out."""
+    """Return the means over pieces of lines from 1 at the centre to 0 at the run-out."""
     first = np.where(run_out < 0.0, np.maximum(begin, run_out), begin)
     last = np.where(run_out > 0.0, np.minimum(end, run_out), end)
     return np.asarray(np.maximum(last - first, 0.0) * (1.0 - 0.5 * (first + last) / run_out) / (end - begin))
 
 
 def _followed(strips: Strips) -> float:
-    """Return how far lines to run-outs are followed: fully, or as far as load and moment that they add allow."""
+    """Return the fraction to which lines to run-outs are followed: 1, or less if they add too much load or moment."""
     added = float(strips.added.sum()) / (LOAD_SHARE * float(strips.load.sum()))
     turned = float(strips.turned.sum()) / (MOMENT_SHARE * strips.unit_of_moment)
     return 1.0 / max(1.0, added, turned)

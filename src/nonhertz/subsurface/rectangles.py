@@ -1,16 +1,16 @@
 """The field below a plane grid of cells, each under a uniform pressure.
 
-Love's closed form of one cell costs a logarithm and two arc tangents for every corner, too much for all cells of a grid
-at thousands of points; it is kept for the few cells around the point. From further away only the moments of what bears
-across a row of cells matter. The columns are halved into panels, over and over, and the load of a row on a panel is
-replaced by loads at the n Chebyshev nodes of the panel: each node weighs the integral of the pressure times its
-Lagrange polynomial, so that all polynomials below degree n are integrated exactly. What a load at xi does is analytic
-up to the ellipse through the point with its foci at the panel's ends, so the error falls like exp(-n eta), eta the
-ellipse's parameter, and a panel takes over all rows outside the ellipse that its largest n asks for; the rows within
-go down to its two halves, and from the smallest panels to Love.
+Love's closed form of one cell costs a logarithm and two arctangents per corner, too much for all cells of a grid
+at thousands of points; it is kept for the few cells around the point. From further away only the moments of the load
+across a row of cells matter. The columns are repeatedly halved into panels, and the load of a row on a panel is
+replaced by loads at the n Chebyshev nodes of the panel: the weight of each node is the integral of the pressure times
+its Lagrange polynomial, so that all polynomials below degree n are integrated exactly. The field of a load at xi is
+analytic up to the ellipse through the point with its foci at the panel's ends, so the error falls like exp(-n eta), eta
+the ellipse's parameter, and a panel handles all rows outside the ellipse of its largest n; the rows inside are passed
+on to its two halves, and from the smallest panels to Love's form.
 
 All rows share their panels' nodes, and along a row the loads are uniform: they have the closed form of
-`nonhertz.subsurface.tails`, needed once for every edge between two rows, times the step of the weights there.
+`nonhertz.subsurface.tails`, evaluated once per edge between two rows, times the step of the weights there.
 
 References
 ----------
@@ -39,38 +39,38 @@ Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 LADDER = (3, 4, 5, 6, 8, 10, 12, 16)
-# Of the largest pressure, see `_ellipses`. What the worst of all distributions of the pressure can do to a stress has
-# been summed up cell by cell: five times as much.
+# Of the largest pressure, see `_ellipses`. Summed cell by cell, the worst distribution of the pressure gives an error
+# in stress five times as large.
 ERROR = 1e-7
 # A panel of fewer columns is no cheaper than Love's corners.
 SMALLEST_PANEL = 6
-# At a corner of a cell on the surface a shear stress has no limit; it is found this near to it, in cells.
+# At a corner of a cell on the surface a shear stress is unbounded; it is evaluated at this distance, in cells.
 AT_A_CORNER = 1e-12
 EXACT = -1
 
 
 class Panels(NamedTuple):
-    """The pressure as the compiled loops take it.
+    """The pressure in the form that the compiled loops use.
 
     Attributes
     ----------
     x_edges, y_edges : ndarray, shape (nx + 1,) and (ny + 1,)
-        Edges of the cells of the smallest block that bears all pressure [mm].
+        Edges of the cells of the smallest block that contains all pressure [mm].
     pressure : ndarray, shape (nx, ny)
         Pressure in that block [MPa].
     columns, rows : ndarray of int, shape (panels, 2)
-        First column, or row that bears anything, of a panel and the one after its last. The halves of panel k are
-        2 k + 1 and 2 k + 2.
+        First column, or loaded row, of a panel, and the one after its last. The halves of panel k are 2 k + 1 and
+        2 k + 2.
     middle, half : ndarray, shape (panels,)
         Middle and half-length of the panels [mm].
     first_node : ndarray of int, shape (rules + 1,)
-        Where the nodes of each rule begin.
+        Index of the first node of each rule.
     nodes : ndarray, shape (panels, nodes)
-        Where the nodes of all rules are [mm].
+        Positions of the nodes of all rules [mm].
     weights : ndarray, shape (panels, ny, nodes)
         Load on each node per unit length along y [N/mm].
     ellipses : ndarray, shape (rules, 2)
-        Squared half-axes, along and across a panel, of the ellipse outside of which a rule will do, in half-lengths.
+        Squared half-axes, along and across a panel, of the ellipse outside which a rule suffices, in half-lengths.
     """
 
     x_edges: Array
@@ -90,9 +90,9 @@ class Panels(NamedTuple):
 class Rectangles:
     """The pressure of a plane grid, for the field below it.
 
-    Exact within 1e-6 of the largest pressure. On the edges of cells on the surface, where stresses jump, it is rounding
-    that decides between the sides and their mean; at the corners, where a shear stress has no limit, a large number
-    is found.
+    Accurate to 1e-6 of the largest pressure. On the edges of cells on the surface, where stresses jump, rounding
+    decides between either side and their mean; at the corners, where a shear stress is unbounded, the result is a large
+    number.
 
     Attributes
     ----------
@@ -147,7 +147,7 @@ class Rectangles:
 
 
 def _span(bearing: NDArray[np.intp]) -> slice:
-    """Return from the first to the last that is not zero, empty where there is none."""
+    """Return the slice from the first to the last nonzero entry, empty if there is none."""
     found = np.flatnonzero(bearing)
     return slice(int(found[0]), int(found[-1]) + 1) if found.size else slice(0, 0)
 
@@ -171,7 +171,7 @@ def _panels(x_edges: Array, y_edges: Array, pressure: Array) -> Panels:
 
 
 def _halvings(count: int) -> Iterator[tuple[int, int]]:
-    """Yield the columns of all panels, level by level; all levels are complete."""
+    """Yield the first and end column of all panels, level by level; all levels are complete."""
     parts = 1
     while True:
         ends = np.rint(np.linspace(0.0, count, parts + 1)).astype(np.int64).tolist()
@@ -193,8 +193,8 @@ def _lagrange_integrals(edges: Array, n: int) -> Array:
 def _ellipses() -> Array:
     """Return the squared half-axes of the ellipse of every rule.
 
-    A row at a distance h from a panel of half-length 1 adds stress in proportion to exp(-n eta) / h^2, so all rows
-    beyond that distance add exp(-n eta) / h with h = sinh(eta).
+    A row at a distance h from a panel of half-length 1 adds a stress error proportional to exp(-n eta) / h^2, so all
+    rows beyond that distance add exp(-n eta) / h with h = sinh(eta).
     """
     axes = np.empty((len(LADDER), 2))
     for rule, n in enumerate(LADDER):
@@ -209,7 +209,7 @@ def _ellipses() -> Array:
 def _stress(points: Array, poisson: float, panels: Panels, out: Array) -> None:
     pieces = _room(panels)
     for n in range(points.shape[0]):
-        # A negative zero would put the arc tangents on the other side.
+        # A negative zero would put the arctangents on the other branch.
         x, y, z = points[n, 0], points[n, 1], points[n, 2] + 0.0
         for k in range(_divide(x, y, z, panels, pieces)):
             if pieces[k, 1] == EXACT:
@@ -232,7 +232,7 @@ def _displacement(points: Array, poisson: float, panels: Panels, out: Array) -> 
 
 @compiled
 def _room(panels: Panels) -> Integers:
-    """Return room for the pieces of one point: two for each rule of a panel, and one for Love."""
+    """Return a buffer for the pieces of one point: two for each rule of a panel, and one for Love's form."""
     return np.empty((panels.half.size * (2 * panels.ellipses.shape[0] + 1), 4), dtype=np.int64)
 
 
@@ -269,7 +269,7 @@ def _divide(x: float, y: float, z: float, panels: Panels, pieces: Integers) -> i
 
 @compiled
 def _rows_within(x: float, y: float, z: float, panels: Panels, panel: int, rule: int) -> tuple[int, int]:
-    """Return the first row that reaches into the ellipse of a rule about the point and the one after the last."""
+    """Return the first row that reaches into the ellipse of a rule about the point, and the one after the last."""
     half = panels.half[panel]
     along, across = panels.ellipses[rule]
     reach = across * (half * half - (x - panels.middle[panel]) ** 2 / along) - z * z
@@ -310,7 +310,7 @@ def _add_stress_of_lines(
     own = _row_over(y, panels.y_edges, first, end)
     if own >= 0:
         for k in range(begin, stop):
-            # The line from end to end, in plane strain.
+            # The infinite line, in plane strain.
             X = x - panels.nodes[panel, k]
             squared = X * X + z * z
             radial = -4.0 * weights[own, k] * z / squared
@@ -352,7 +352,7 @@ def _add_displacement_of_lines(
     own = _row_over(y, panels.y_edges, first, end)
     if own >= 0:
         for k in range(begin, stop):
-            # The line from end to end, up to the constant of two tails.
+            # The infinite line, up to the constant of two tails.
             X = x - panels.nodes[panel, k]
             weight, squared = 2.0 * weights[own, k], X * X + z * z
             u_x += weight * (z * X / squared - (1.0 - 2.0 * poisson) * math.atan2(X, z))
@@ -364,7 +364,7 @@ def _add_displacement_of_lines(
 
 @compiled
 def _row_over(y: float, y_edges: Array, first: int, end: int) -> int:
-    """Return which of the rows from ``first`` to before ``end`` the point lies under, -1 for none."""
+    """Return the row from ``first`` up to but excluding ``end`` that the point lies under, -1 for none."""
     if not y_edges[first] < y <= y_edges[end]:
         return -1
     row = first
@@ -407,7 +407,7 @@ def _add_displacement_of_cells(
 
 @compiled
 def _step_at_corner(pressure: Array, i: int, j: int, left: int, right: int, first: int, end: int) -> float:
-    """Return the second difference of the pressure at the corner below cell (i, j), within a block of cells alone."""
+    """Return the second difference of the pressure at the low corner of cell (i, j), within a block of cells only."""
     step = 0.0
     if i < right and j < end:
         step += pressure[i, j]

@@ -1,8 +1,8 @@
 """What a point below the surface goes through while the load rolls over it, in the direction of x.
 
-At each y and z the stress over a pass is the stress along the line in x. Its largest values are found on samples, close
-to each other at the edge of the contact, where right below the surface the peak is as narrow as the depth, and reaching
-further out the deeper they lie; and they are refined by the vertex of a parabola through three neighbours.
+At each y and z the stress over a pass is the stress along the line in x. Its largest values are found on samples that
+are denser at the edge of the contact, where just below the surface the peak is as narrow as the depth, and that reach
+further out the deeper they lie; they are refined by the vertex of a parabola through three neighbours.
 """
 
 from __future__ import annotations
@@ -27,14 +27,14 @@ Array = NDArray[np.float64]
 
 Quantity = Callable[[Array], Array]
 
-#: Name of each quantity whose largest value a pass has, and how it follows from the stress.
+#: The quantities whose largest value over a pass is found, and how each follows from the stress.
 QUANTITIES: dict[str, Quantity] = {
     "von_mises": von_mises_of,
     "shear": max_shear_of,
     "orthogonal_shear": orthogonal_shear_of,
 }
 
-WITHIN, OUTSIDE = 12, 6  # samples from the middle to the edge and from there on
+WITHIN, OUTSIDE = 12, 6  # samples from the middle to the edge, and beyond
 # How far the samples reach, in half-widths and in depths: far below, |tau_xz| is largest at x = z / sqrt(3).
 WIDER, DEEPER = 1.15, 0.8
 REFINEMENTS = 3
@@ -43,20 +43,20 @@ POINTS_AT_ONCE = 2**18
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Passage(ReadOnly):
-    """The largest stresses over a pass of the load, at places (y, z) inside one body.
+    """The largest stresses over a pass of the load, at points (y, z) inside one body.
 
     Attributes
     ----------
     body : {"a", "b"}
         Which body.
     y, z : ndarray, shape (...)
-        The places [mm].
+        The points [mm].
     von_mises, shear, orthogonal_shear : ndarray, shape (...)
         Largest von Mises stress, maximum shear stress and |tau_xz| [MPa] over all x.
     von_mises_x, shear_x, orthogonal_shear_x : ndarray, shape (...)
-        Where across they are [mm], x >= 0 where the field is symmetric.
+        Their x [mm], x >= 0 where the field is symmetric.
     orthogonal_shear_range : ndarray, shape (...)
-        Largest less smallest tau_xz over the pass [MPa]: twice the largest where the field is symmetric.
+        Range of tau_xz over the pass, largest minus smallest [MPa]: twice the largest where the field is symmetric.
     """
 
     body: BodyName
@@ -72,14 +72,14 @@ class Passage(ReadOnly):
 
 
 def passage(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[Within]) -> Passage:
-    """Return the largest stresses that places below a contact see while the load rolls over them.
+    """Return the largest stresses that points below a contact undergo while the load rolls over them.
 
     Parameters
     ----------
     solution : Solution or PatchSolution
         A solved contact.
     y, z : array_like
-        Places [mm] along and below the surface, broadcast against each other.
+        Points [mm] along and below the surface, broadcast against each other.
     **options
         ``body``, ``threads`` and ``announce`` as in `stress`.
 
@@ -94,8 +94,8 @@ def passage(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[With
 
     Notes
     -----
-    Of a smooth field the values are within 1e-5 of the largest from a depth of 0.01 half-widths on. Steps of the
-    pressure on the surface may hide narrower peaks above 0.05 half-widths.
+    In a smooth field the values are within 1e-5 of the largest at depths of 0.01 half-widths or more. Steps of the
+    pressure on the surface may hide narrower peaks at depths below 0.05 half-widths.
     """
     refuse_options("passage", options, Within)
     checked_solution(solution)
@@ -113,7 +113,7 @@ def passage(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[With
 
 
 def _over(solution: Solved, y: Array, z: Array, options: Within) -> Array:
-    """Return the largest values, where across they are, and the range of tau_xz, shape (7, places)."""
+    """Return the largest values, their x, and the range of tau_xz, shape (7, points)."""
     centre, half_width = across_at(solution, y)
     x = _samples(half_width, z)
     if not solution.symmetric_across:
@@ -144,7 +144,7 @@ def plane_strain_passage(line: LineContact, z: Array, poisson: float) -> dict[st
 
 
 def _samples(half_width: Array, z: Array) -> Array:
-    """Return places across [mm], from the middle outwards, at which to begin; shape (places, samples)."""
+    """Return the initial samples of x [mm], from the middle outwards, shape (points, samples)."""
     inwards = np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, WITHIN))
     outwards = np.linspace(0.0, 1.0, OUTSIDE + 1)[1:] ** 2
     beyond = (WIDER - 1.0) * half_width + DEEPER * z
@@ -152,7 +152,7 @@ def _samples(half_width: Array, z: Array) -> Array:
 
 
 def _largest(quantity: Quantity, x: Array, values: Array, at: Callable[[Array], Array]) -> tuple[Array, Array]:
-    """Return the largest value along each row of samples, and where it is, refined between the samples."""
+    """Return the largest value along each row of samples, and its x, refined between the samples."""
     best = values.argmax(axis=1)
     if x[0, 0] == 0.0:  # the other side is this side's mirror image
         x, values, best = (np.column_stack([-x[:, 1], x]), np.column_stack([values[:, 1], values]), best + 1)
@@ -180,7 +180,7 @@ def _vertex(x: Array, values: Array) -> Array:
 
 
 def _around_the_largest(x: Array, values: Array) -> tuple[Array, Array]:
-    """Return of four points of each row the largest and its neighbours."""
+    """Return the largest of four points of each row and its two neighbours."""
     rows = np.arange(x.shape[0])[:, None]
     order = x.argsort(axis=1, kind="stable")
     x, values = x[rows, order], values[rows, order]

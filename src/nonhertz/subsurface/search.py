@@ -1,7 +1,7 @@
-"""The largest stresses below a contact, and where they are: in the whole body, and in one cross-section.
+"""The largest stresses below a contact and their positions: in the whole body, and in one cross-section.
 
-Both begin with the largest values over a pass on a net of places, as deep and as close as the half-width asks for, and
-end with a net that is drawn together around the best point of each quantity until its meshes are small.
+Both searches start with the largest values over a pass on a grid of points, as deep and as fine as the half-width
+requires, and end with a grid that shrinks around the best point of each quantity.
 """
 
 from __future__ import annotations
@@ -17,24 +17,24 @@ from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.ends import ends_in_words, outermost
 from nonhertz.result.protocol import Solved
-from nonhertz.result.solution import EdgeKind
+from nonhertz.result.solution import EdgeKind, ReadOnly
 from nonhertz.subsurface.evaluation import Within, across_at, one_station, refuse_options, stress
 from nonhertz.subsurface.inside import Inside, checked_solution
 from nonhertz.subsurface.rolling import QUANTITIES, Passage, Quantity, passage
 
 Array = NDArray[np.float64]
 
-# Depths over the half-width at which the search begins.
+# Depths over the half-width at which the search starts.
 DEPTHS = np.array([0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.95, 1.15, 1.4])
-MOST_STATIONS, MOST_ROWS = 401, 65  # of strips, and of a plane grid, which takes longer
+MOST_STATIONS, MOST_ROWS = 401, 65  # for strips, and for a plane grid, which takes longer
 FEW = 60  # strips: with fewer, their edges are searched too
-CRESTS, WORTH = 3, 0.7  # of the net that are looked at closely, and how high they are
+CRESTS, WORTH = 3, 0.7  # local maxima to refine, and their least height over the highest
 EQUAL, ROUNDING = 1e-6, 1e-9
 MESHES, ROUNDS, SHRINKING = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]), 12, 0.5
 
 
-@dataclass(frozen=True)
-class Extreme:
+@dataclass(frozen=True, repr=False)
+class Extreme(ReadOnly):
     """A largest value and where it is.
 
     Attributes
@@ -42,7 +42,7 @@ class Extreme:
     max : float
         The value [MPa].
     x, y, z : float
-        Where it is [mm]. The field of strips is symmetric about x = 0, and x >= 0 is told.
+        Where it is [mm]. The field of strips is symmetric about x = 0, and x >= 0 is given.
     """
 
     max: float
@@ -51,8 +51,8 @@ class Extreme:
     z: float
 
 
-@dataclass(frozen=True)
-class Extremes:
+@dataclass(frozen=True, repr=False)
+class Extremes(ReadOnly):
     """The largest stresses of one body, or of one cross-section of it.
 
     Attributes
@@ -62,7 +62,7 @@ class Extremes:
     von_mises, shear, orthogonal_shear : Extreme
         Largest von Mises stress, maximum shear stress and |tau_xz|.
     warnings : tuple of str
-        What has been left out, and what else has to be known; empty if nothing.
+        What was left out and other limitations; empty if none.
     """
 
     body: BodyName
@@ -80,7 +80,7 @@ def extremes(solution: Solved, station: float | None = None, **options: Unpack[W
     solution : Solution or PatchSolution
         A solved contact.
     station : float, optional
-        Where along y [mm]; the whole body if left out.
+        Position along y [mm]; the whole body if left out.
     **options
         ``body``, ``threads`` and ``announce`` as in `stress`.
 
@@ -95,10 +95,10 @@ def extremes(solution: Solved, station: float | None = None, **options: Unpack[W
 
     Notes
     -----
-    Over the whole body, places nearer than a half-width to a sharp end, or to a corner of the profile where the contact
-    ends, are left out, as they are for the largest pressure: the stress there has no limit. In a smooth field the
-    values are within 1e-5 of the largest; near the surface, steps of the pressure between strips or cells are part of
-    the field. What lies beyond the contact is not searched.
+    Over the whole body, points nearer than a half-width to a sharp end, or to a corner of the profile where the contact
+    ends, are left out, as for the largest pressure: the stress there has no limit. In a smooth field the values are
+    within 1e-5 of the largest; near the surface, steps of the pressure between strips or cells are part of the field.
+    The region beyond the contact is not searched.
 
     Examples
     --------
@@ -119,10 +119,10 @@ def extremes(solution: Solved, station: float | None = None, **options: Unpack[W
         stretches = _stretches(solution)
         sections = _sections(solution, stretches)
     depths = across_at(solution, sections)[1][:, None] * DEPTHS
-    if station is not None:  # off contact the stress comes from further away and is largest further down
+    if station is not None:  # outside the contact the stress comes from further away and peaks further down
         depths = np.unique(np.concatenate([depths, _distances(solution, sections) * DEPTHS], axis=None))[None, :]
     coarse = passage(solution, sections[:, None], depths, **options)
-    options.pop("announce", None)  # what follows is short
+    options.pop("announce", None)  # the rest is quick
     largest = {name: _largest(solution, name, coarse, stretches, options) for name in QUANTITIES}
     warnings = tuple(_warnings(solution)) if station is None else ()
     return Extremes(body=options.get("body", "a"), warnings=warnings, **largest)
@@ -138,7 +138,7 @@ def _refuse_outside(solution: Solved, station: float, body: BodyName) -> None:
 
 
 def _stretches(solution: Solved) -> list[tuple[float, float]]:
-    """Return where to search: the contact but for a half-width around ends without a limit; all of it if that is all.
+    """Return where to search: the contact except a half-width around singular ends, or all of it if nothing is left.
 
     A corner of the profile may have contact on either side.
     """
@@ -155,13 +155,13 @@ def _stretches(solution: Solved) -> list[tuple[float, float]]:
 
 
 def _sections(solution: Solved, stretches: list[tuple[float, float]]) -> Array:
-    """Return the stations to search: strips and their edges, or rows, and where the search ends."""
+    """Return the stations to search: strips and their edges, or rows, and the ends of the search."""
     searched = _within(solution.y, stretches)
     rows = np.flatnonzero((solution.line_load > 0.0) & searched)
     most = MOST_ROWS if isinstance(solution, PatchSolution) else MOST_STATIONS
     if rows.size > most:
         even = rows[np.linspace(0, rows.size - 1, most).astype(int)]
-        # What is narrow, a dent or an edge, shows in the pressure.
+        # Narrow features such as a dent or an edge show in the pressure.
         pressure = solution.largest_across
         crests = rows[1:-1][(np.diff(pressure[rows])[:-1] > 0.0) & (np.diff(pressure[rows])[1:] <= 0.0)]
         highest = crests[pressure[crests].argsort()[-most // 4 :]]
@@ -179,19 +179,19 @@ def _within(y: Array, stretches: list[tuple[float, float]]) -> NDArray[np.bool_]
 def _largest(
     solution: Solved, name: str, coarse: Passage, stretches: list[tuple[float, float]], options: Within
 ) -> Extreme:
-    """Return the largest value near the best places of a net."""
+    """Return the largest value near the best points of a grid."""
     values = getattr(coarse, name)
     found = [
         _refined(solution, name, coarse, stretches, place, options)
         for place in [_first_of_equals(values, coarse.y), *_other_crests(values)]
     ]
-    # Of equal ones the first.
+    # The first among equals.
     best = max(each.max for each in found)
     return next(each for each in found if each.max >= (1.0 - EQUAL) * best)
 
 
 def _other_crests(values: Array) -> list[tuple[int, int]]:
-    """Return the highest places of a net that no neighbour exceeds."""
+    """Return the highest local maxima of a grid."""
     framed = np.pad(values, 1, constant_values=-np.inf)
     around = [
         framed[1 + i : 1 + i + values.shape[0], 1 + j : 1 + j + values.shape[1]]
@@ -207,7 +207,7 @@ def _other_crests(values: Array) -> list[tuple[int, int]]:
 
 
 def _distances(solution: Solved, station: Array) -> Array:
-    """Return lengths [mm] that the depth of the largest stress may be of: half-width, distance to the contact."""
+    """Return length scales [mm] for the depth of the largest stress: half-width, distance to the contact."""
     touching = solution.y[solution.line_load > 0.0]
     largest = float(across_at(solution, touching)[1].max())
     nearest = float(np.abs(touching - station[0]).min())
@@ -222,7 +222,7 @@ def _refined(
     place: tuple[int, int],
     options: Within,
 ) -> Extreme:
-    """Return the largest value near one place of a net, on nets that are drawn together."""
+    """Return the largest value near one point of a grid, on shrinking grids."""
     row, column = place
     best = np.array([getattr(coarse, f"{name}_x")[place], coarse.y[place], coarse.z[place]])
     top, sections = float(getattr(coarse, name)[place]), coarse.y[:, 0]
@@ -248,9 +248,9 @@ def _refined(
 
 
 def _first_of_equals(values: Array, y: Array) -> tuple[int, int]:
-    """Return the place of the largest value; of equal ones that nearest the middle, then that of the lowest y.
+    """Return the place of the largest value; among equals the one nearest the middle, then the one of lowest y.
 
-    So all quantities of a symmetric field are told at the same end.
+    This gives all quantities of a symmetric field at the same end.
     """
     equal = np.argwhere(values >= (1.0 - EQUAL) * values.max())
     along = y[equal[:, 0], equal[:, 1]]

@@ -1,16 +1,16 @@
 """The field below strips: uniform along y, semi-elliptic across.
 
-Of parabolic strips it is the field of the semi-ellipse of equal load, whose half-width and pressure a solution reports:
-a parabola itself has a tenth less orthogonal shear stress than the contact that it stands for.
+For parabolic strips it is the field of the semi-ellipse of equal load, whose half-width and pressure a solution
+reports: a parabola itself has a tenth less orthogonal shear stress than the contact it represents.
 
-Across, the pressure of a strip is a Gaussian sum of line loads: n nodes integrate what a load at xi does, a function
+Across, the pressure of a strip is a Gaussian sum of line loads: n nodes integrate the field of a load at xi, a function
 that is analytic up to the ellipse through the point with its foci at the strip's edges, with an error like
-exp(-2 n eta), 2 cosh(eta) the sum of the distances from both edges over the half-width. Each strip takes as many nodes
-as its distance asks for, two for most. Under the strip itself the distance would be the depth, and near the surface no
-number of nodes enough: there the infinite strip has a closed form in plane strain, and the quadrature has only the
-tails left that begin at the strip's ends (see `nonhertz.subsurface.tails`). Nearby, strips are taken in pieces that
-follow the pressure between their centres (see `nonhertz.subsurface.lamination`). With zeta = x + i z and the Cauchy
-integral H = int p(xi) / (zeta - xi), plane strain is
+exp(-2 n eta), 2 cosh(eta) the sum of the distances from both edges over the half-width. Each strip uses as many nodes
+as its distance requires, mostly two. Under the strip itself the distance would be the depth, and near the surface no
+number of nodes would suffice: there the infinite strip has a closed form in plane strain, and quadrature is left only
+with the tails that begin at the strip's ends (see `nonhertz.subsurface.tails`). Nearby strips are divided into pieces
+that follow the pressure between their centres (see `nonhertz.subsurface.lamination`). With zeta = x + i z and the
+Cauchy integral H = int p(xi) / (zeta - xi), plane strain is
 
     sigma_x = (Im H + z Re H') / pi     tau_xz = -z Im H' / pi
     sigma_z = (Im H - z Re H') / pi     sigma_y = nu (sigma_x + sigma_z)
@@ -35,12 +35,12 @@ Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 LADDER = (2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 192, 256)
-ERROR = 1e-8  # of what a strip adds
+ERROR = 1e-8  # of the contribution of a strip
 # No tail begins nearer to a point than this, in half-widths: the smallest distance at which the highest-order rule
 # meets the error bound. A piece that ends nearer to a point on the surface is lengthened by the difference, and its
 # neighbour shortened.
 NEAREST = 0.04
-# A strip counts as a whole from here on, in half-widths and in its own lengths.
+# Beyond these distances, in half-widths and in its own lengths, a strip is not divided into pieces.
 FAR, FAR_IN_LENGTHS = 16.0, 6.0
 # Beyond these distances, in half-widths, nodes replace the closed form of the infinite strip, which begins to cancel.
 CLOSED_FORM = 8.0
@@ -84,13 +84,13 @@ class StripLoad:
 
 @cache
 def rules() -> tuple[Array, Array, Integers, Array]:
-    """Return the Gaussian rules of a semi-ellipse whose integral is 1, Chebyshev's of the second kind.
+    """Return the Gaussian rules for a semi-ellipse whose integral is 1 (Chebyshev, second kind).
 
     Returns
     -------
     tuple
-        Nodes and weights of all rules in a row, where each rule begins, and the sum of distances from both edges over
-        the half-width from which on it suffices, falling.
+        Nodes and weights of all rules, concatenated; the start index of each rule; and the smallest sum of distances
+        from both edges over the half-width at which each rule suffices, descending.
     """
     angles = [np.pi * np.arange(1, count + 1) / (count + 1) for count in LADDER]
     nodes = np.concatenate([np.cos(angle) for angle in angles])
@@ -103,7 +103,7 @@ def rules() -> tuple[Array, Array, Integers, Array]:
 def _infinite(x: float, z: float, a: float) -> tuple[complex, complex, complex]:
     """Return H, H' and the integral of p ln(zeta - xi) of an infinite strip under unit line load."""
     zeta = complex(x / a, z / a)
-    # Factors apart, for the branch that goes like zeta far away.
+    # Two separate roots, for the branch that behaves like zeta far away.
     root = cmath.sqrt(zeta - 1.0) * cmath.sqrt(zeta + 1.0)
     if root == 0.0:
         root = complex(1e-150, 0.0)
@@ -125,11 +125,11 @@ def _sufficient(x: float, distance: float, a: float, enough: Array) -> int:
 
 @compiled
 def _tails(low: float, high: float, z: float, a: float) -> tuple[float, float, float, float, float, float, float]:
-    """Return both tails that make a segment: distance, sign, and sign of what is odd along y, of each.
+    """Return both tails that make up a segment: for each its distance, sign, and sign of components odd in y.
 
-    ``low`` and ``high`` are the segment's ends, ahead of the point where positive. What comes last is how much of the
-    infinite strip counts: all of it under the segment, and half right at one of its ends, where the tail that begins at
-    the point is half of the infinite strip but for what is odd.
+    ``low`` and ``high`` are the segment's ends relative to the point, positive if ahead of it. The last value is the
+    fraction of the infinite strip that counts: all of it under the segment, and half exactly at one of its ends, where
+    the tail that begins at the point is half the infinite strip except for the odd components.
     """
     least = math.sqrt(max((NEAREST * a) ** 2 - z * z, (1e-9 * a) ** 2))
     if low > 0.0:
@@ -145,7 +145,7 @@ def _tails(low: float, high: float, z: float, a: float) -> tuple[float, float, f
 
 @compiled
 def _counted(j: int, y: float, low: Array, high: Array, half_width: Array, first: Integers) -> tuple[int, int]:
-    """Return the range that stands for strip ``j``: itself from afar, else its pieces."""
+    """Return the index range that represents strip ``j``: the strip itself from afar, else its pieces."""
     apart = max(low[j] - y, y - high[j])
     if apart > FAR * half_width[j] and apart > FAR_IN_LENGTHS * (high[j] - low[j]):
         return j, j + 1

@@ -1,4 +1,4 @@
-"""Closed forms of a line load that begins somewhere and goes on for ever, in a half-space.
+"""Closed forms of a semi-infinite line load on a half-space.
 
 A load of 1 per unit length acts on the surface of a half-space along y, from the distance Y ahead of a point to
 infinity. With X across from the load to the point, z the depth and R^2 = X^2 + Y^2 + z^2, Boussinesq's point load
@@ -9,11 +9,11 @@ integrates to
     2 pi sigma_y = -2 nu z c - z Y / R^3 + (1 - 2 nu) Y / (R (R + z))
     2 pi tau_xz  = -z^2 X T        2 pi tau_yz = z^2 / R^3    2 pi tau_xy = z X / R^3 - (1 - 2 nu) X / (R (R + z))
 
-and nothing cancels for Y >= 0, however near the line the point is: the textbook form, a segment's two ends in powers of
-X^2 + z^2, does. A strip that the point lies beside is the difference between two tails. One that the point lies under
-is the infinite line less a tail at either side; and the infinite line has a closed form in plane strain for the whole
-width of the strip, so that what is left to quadrature is no nearer to the point than the strip's ends. Tails that lie
-behind the point are mirrored: tau_yz, tau_xy and u_y change their sign.
+and there is no cancellation for Y >= 0, however near the line the point is, unlike in the textbook form, a segment's
+two ends in powers of X^2 + z^2. A strip beside the point is the difference between two tails. A strip over the point is
+the infinite line less a tail on either side; and the infinite line has a closed form in plane strain for the whole
+width of the strip, so that what is left to quadrature is no nearer to the point than the strip's ends. Tails behind the
+point are mirrored: tau_yz, tau_xy and u_y change sign.
 
 References
 ----------

@@ -2,7 +2,7 @@
 
 Each comparison is a module with a function ``section`` that solves what it needs and returns a
 `nonhertz.verify.claim.Section`: checks with a verdict, a text and pictures. `sections` runs them, and
-`nonhertz.verify.page` makes the validation page of them.
+`nonhertz.verify.page` turns them into the validation page.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ CATALOGUE = {
 
 
 def chosen(only: Iterable[str] = ()) -> tuple[str, ...]:
-    """Return the names of the wanted sections in reading order.
+    """Return the names of the chosen sections in reading order.
 
     Parameters
     ----------
@@ -70,12 +70,12 @@ def sections(
     Yields
     ------
     tuple of str and Section
-        Name and result, each as soon as it is there.
+        Name and result, as soon as each is ready.
     """
     for name in chosen(only):
         if announce is not None:
             announce(name)
-        # Late, so that asking for one section does not load the others.
+        # Imported late, so that running one section does not load the others.
         module = importlib.import_module(CATALOGUE[name])
         try:
             with without_accuracy_warnings():
@@ -86,7 +86,7 @@ def sections(
 
 
 def _broken(name: str, error: Exception) -> Section:
-    """Return what stands in the place of a section that could not finish: one check that fails."""
+    """Return a substitute for a section that could not finish: one check that fails."""
     from nonhertz.verify.claim import Check, Section
 
     check = Check(f"{name} runs to its end", "this command", 1.0, 0.0, 0.0)

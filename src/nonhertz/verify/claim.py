@@ -1,4 +1,4 @@
-"""What a verification is made of: checks with a verdict, in sections with a text and pictures."""
+"""The parts of a verification: checks with a verdict, in sections with a text and pictures."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @contextmanager
 def without_accuracy_warnings() -> Iterator[None]:
-    """Let a section say itself where a model is strained."""
+    """Suppress accuracy warnings: a section's text says itself where a model is strained."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", AccuracyWarning)
         yield
@@ -25,18 +25,18 @@ def without_accuracy_warnings() -> Iterator[None]:
 
 @dataclass(frozen=True)
 class Check:
-    """One number that is compared with where it should be.
+    """One number compared with its expected value.
 
     Attributes
     ----------
     claim : str
         What the number is, in words.
     source : str
-        Where the expected value comes from: publication with equation, or the law it follows from.
+        Source of the expected value: publication with equation, or the law it follows from.
     expected, computed : float
         Both values.
     tolerance : float or None
-        Largest allowed difference; None where the difference is shown and not judged.
+        Largest allowed difference; None if the difference is shown but not judged.
     unit : str
         Unit of both values, empty for a ratio.
     absolute : bool
@@ -61,7 +61,7 @@ class Check:
 
     @property
     def passed(self) -> bool | None:
-        """Whether the difference is within the tolerance; None where that is not judged."""
+        """Whether the difference is within the tolerance; None if it is not judged."""
         if self.tolerance is None:
             return None
         return math.isfinite(self.difference) and abs(self.difference) <= self.tolerance
@@ -74,12 +74,12 @@ class Check:
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure, drawn only when it is wanted.
+    """A figure, drawn on demand.
 
     Attributes
     ----------
     name : str
-        File name without ending.
+        File name without extension.
     caption : str
         What it shows, one or two sentences.
     draw : callable
@@ -117,5 +117,5 @@ class Section:
 
     @property
     def failed(self) -> int:
-        """How many checks failed."""
+        """Number of failed checks."""
         return sum(check.passed is False for check in self.checks)

@@ -78,7 +78,7 @@ class _End:
 
     @functools.cached_property
     def extrapolated(self) -> float:
-        """The exponent of the fit, which knows nothing of the formula."""
+        """The exponent of the fit, which is independent of the formula."""
         from scipy.optimize import minimize_scalar
 
         near = (np.arange(self.distance.size) >= BIASED_STRIPS) & (self.distance < FIT_REACH)
@@ -100,7 +100,7 @@ class _End:
 
 @without_accuracy_warnings()
 def section() -> Section:
-    """Return the exponents of several image weights and pairs of materials."""
+    """Return the exponents for several image weights and pairs of materials."""
     ends = [_end(weight, ratio) for weight, ratio in CASES]
     checks = [
         Check(
@@ -131,7 +131,7 @@ def section() -> Section:
 
 
 def graded_edges(length: float, narrowest: float, growth: float, widest: float) -> Array:
-    """Return edges of strips over a length that narrow geometrically towards both ends."""
+    """Return the edges of strips over a length, narrowing geometrically towards both ends."""
     widths = [narrowest]
     while widths[-1] < widest and sum(widths) < 0.4 * length:
         widths.append(widths[-1] * growth)

@@ -39,7 +39,7 @@ Array = NDArray[np.float64]
 
 STEEL = Material(206000.0, 0.3)
 DIAMETER, LENGTH, LOAD_ON_LINE = 10.0, 10.0, 10e3  # mm, N
-NARROW = 0.05  # mm: the outer ones of three strips; along a line contact more would resolve nothing
+NARROW = 0.05  # mm: width of the outer two of three strips; a line contact is uniform along y and needs no more
 RING_DIAMETER, LOAD, TILTS, CELLS = 80.0, 20e3, (0.0, 0.5e-3, 1e-3), (192, 64)
 EXPONENT = 5e-4  # three digits
 LAMINA_EXPONENT = 4.5  # of a lamina's load in the standard
@@ -144,7 +144,7 @@ def _tilted(tilt: float) -> Solution:
 
 
 def _on_cells() -> tuple[Life, ...]:
-    # Many cells across, for the shear right below the surface; along, the pressure is smooth.
+    # Many cells across, for the shear just below the surface; along, the pressure is smooth.
     return assess(solve_patch(_roller(), load=LOAD, tilt=TILTS[1], cells=CELLS), body="b")
 
 
@@ -187,7 +187,7 @@ def _integrals(line: Solution, lives: tuple[Life, ...]) -> list[Check]:
         claim = (
             f"{model.name}: integral of (s/s_max)^{model.exponent:.4g} / z^{model.depth_exponent:.3g} over the depth"
         )
-        # What lives of smooth contacts are held to.
+        # Tolerance for lives of smooth contacts.
         checks.append(Check(claim, "quadrature of McEwen's closed form", expected, life.damage / unit / LENGTH, 1e-3))
     return checks
 
@@ -234,7 +234,7 @@ def _standard() -> list[Check]:
     inner, outer = (Raceway(10.0, 9.6, 65.0, inner) for inner in (True, False))
     rating = inner.load_rating(ROLLERS)
     of_edge = edge_function(30)
-    # As many digits as the figures have.
+    # As many digits as the published figures have.
     checks = [
         Check(
             "ISO 281: b_m f_c", _STANDARD, 97.126, rating / (9.6 ** (7 / 9) * ROLLERS**0.75 * 10.0 ** (29 / 27)), 1e-5
@@ -250,7 +250,7 @@ def _standard() -> list[Check]:
     solution = solve(Contact(roller, Ring(diameter=RING_DIAMETER, material=STEEL)), load=LOAD, tilt=tilt)
     slices = laminae_of(solution, iso_16281(line_loads="standard"))
     y = 0.5 * (slices.edges[1:] + slices.edges[:-1])
-    # Slices yield by the tilt times y: what one contact yields under all of its load, were it that of the slice.
+    # Slices deform by the tilt times y: each as one contact deforms whose total load is that of the slice.
     yielding = (slices.load * y.size) ** 0.9 / 20.0**0.8
     per_load = tilt * float(np.ptp(y) / np.ptp(yielding))
     checks.append(

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 STEEL = Material(206000.0, 0.3)
 DIAMETER, LOAD = 10.0, 10000.0  # of the coincident pair, with a length of one diameter
 FAR = 1e7  # mm
-# Approach [um] of the pair with the parabola, by number of images: a second program, written apart from this one.
+# Approach [um] of the pair with the parabola, by number of images, from an independently written program.
 _SECOND_PROGRAM = {1: 24.1905, 2: 24.1098, 4: 24.0871, 10: 24.0813, 40: 24.0804}
 _LAST_DIGIT = 0.6e-4  # um
 _TEXT = """\

@@ -42,7 +42,7 @@ ends, more than one half-width, the pressure is off by {near:.1f} % at most. $K$
 
 @dataclass(frozen=True)
 class _Reference:
-    """A case, and what the other program found."""
+    """A case, and the results of the other program."""
 
     name: str
     profile: Profile
@@ -74,7 +74,7 @@ _REFERENCES = (
         inwards=((5.0, 1828.1434), (9.0, 2018.2763), (9.5, 2168.5957), (9.9, 3120.7061)),
     ),
 )  # fmt: skip
-_JUDGED_TO = 9.5  # mm: nearer to the end than one half-width the pressure across is no semi-ellipse
+_JUDGED_TO = 9.5  # mm: closer to the end than one half-width the pressure across is not a semi-ellipse
 
 
 def section() -> Section:

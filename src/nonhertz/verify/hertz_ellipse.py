@@ -1,4 +1,4 @@
-"""Fig. 3 of the paper: an elliptical contact beside the solution of Hertz."""
+"""Fig. 3 of the paper: an elliptical contact compared with the solution of Hertz."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ Array = NDArray[np.float64]
 STEEL = Material(206000.0, 0.3)
 RADIUS_X, RADIUS_Y, LOAD = 10.0, 100.0, 1000.0
 EQUAL_STRIPS, REACH = 41, 1.3  # the latter: half the length of the body, in half-lengths of the contact
-INSIDE = 0.9  # of the half-length: the strips that hold the end carry a mean over their width
+INSIDE = 0.9  # of the half-length: strips at the end carry a mean over their width
 ELEMENTS = (SEMI_ELLIPTIC, PARABOLIC)
 QUANTITIES = ("greatest pressure", "greatest half-width", "approach")
 UNITS = ("MPa", "mm", "mm")
@@ -72,7 +72,7 @@ the contact, parabolic strips are off by up to {along:.1f} % of the greatest pre
 
 @dataclass(frozen=True)
 class _Parabola(Profile):
-    """The relief that Hertz's theory means, y^2 / (2 R); a circle differs from it by more than is judged here."""
+    """The relief of Hertz's theory, y^2 / (2 R); a circle differs from it by more than the tolerances here."""
 
     radius: float
 
@@ -143,7 +143,7 @@ def _errors(solution: Solution, hertz: PointContact) -> Array:
 
 
 def _off(solution: Solution, hertz: PointContact) -> tuple[Array, Array, Array]:
-    """Return places inside [mm] and the differences there of pressure and half-width, of Hertz's greatest."""
+    """Return positions inside [mm], and the differences of pressure and half-width there over Hertz's maxima."""
     inside = np.abs(solution.y) < INSIDE * hertz.half_length
     y = solution.y[inside]
     pressure = (solution.centre_pressure[inside] - hertz.pressure(y)) / hertz.max_pressure
@@ -183,7 +183,7 @@ def _second_program() -> list[Check]:
     for place, target in _SHAPE:
         found = float(np.interp(place * hertz.half_length, solution.y, solution.centre_pressure)) / hertz.max_pressure
         claim = f"parabolic, a/b = 10: pressure at y/a = {place:g} over Hertz's greatest"
-        # Between strip centres the pressure is read off a straight line, here as there.
+        # Between strip centres the pressure is interpolated linearly, as in the other program.
         checks.append(Check(claim, _SECOND, target, found, 2e-4, absolute=True))
     return checks
 

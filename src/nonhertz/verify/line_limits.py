@@ -1,4 +1,4 @@
-"""Eqs. (59), (61) and (62) of the paper: what both elements come to in a line contact."""
+"""Eqs. (59), (61) and (62) of the paper: the limits of both elements in a line contact."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def section() -> Section:
 
 
 def _power(checks: Iterable[Check]) -> int:
-    """Return the power of ten that no difference exceeds."""
+    """Return the smallest power of ten that no difference exceeds."""
     return math.ceil(math.log10(max(abs(check.difference) for check in checks)))
 
 
@@ -115,7 +115,7 @@ def _contacts(element: Element) -> list[Check]:
     for name, strips in (("one strip", 1), ("41 strips", 41), ("automatic grid", None)):
         solution = _solve(element, strips)
         middle = int(np.argmin(np.abs(solution.y)))
-        # The sharp ends draw load to themselves; what is left in the middle decides.
+        # The sharp ends attract load; what is left in the middle decides.
         line_load, a = float(solution.line_load[middle]), float(solution.element_half_width[middle])
         half_width, pressure = float(solution.half_width[middle]), float(solution.centre_pressure[middle])
         hertz = _hertz(line_load)

@@ -32,7 +32,7 @@ _NAMES = {"none": "no depth", "plane-strain": "depth of plane strain", "diameter
 
 @dataclass(frozen=True)
 class _Pair:
-    """A roller on a solid cylinder [mm], and the loads [N] that are looked at, ascending."""
+    """A roller on a solid cylinder [mm], and the loads [N] to examine, ascending."""
 
     name: str
     diameter: float
@@ -88,7 +88,7 @@ NEEDLE = _Pair(
 
 @dataclass(frozen=True)
 class _Curves:
-    """A pair, its compression [mm] by depth at the three loads, and that of the paper's own combination."""
+    """A pair, its compression [mm] at the three loads for each depth, and that of the paper's own combination."""
 
     pair: _Pair
     by_depth: dict[str, tuple[Solution, ...]]
@@ -262,7 +262,7 @@ def _plane_strain(curves: _Curves) -> list[Check]:
         middle = int(np.argmin(np.abs(solution.y)))
         uniform = 1e3 * pair.plane_strain(float(solution.line_load[middle]) * pair.length)
         claim = f"{case}, as in the table: compression"
-        # Relieved ends, and a cylinder only 0.8 diameters long, which is no plane strain: a small part of its half.
+        # Relieved ends, and a cylinder only 0.8 diameters long, which is not plane strain: a small part of its half.
         checks.append(
             Check(claim, f"{source}, line load of the middle", uniform, 1e3 * solution.approach, 2.5e-2, "um")
         )

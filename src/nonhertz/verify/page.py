@@ -1,6 +1,6 @@
 """The validation page: one Markdown file with its figures, and the same checks as JSON.
 
-The same numbers give the same files: there is no date in them, no path and no name of a machine.
+The same numbers give the same files: they contain no date, path or machine name.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from nonhertz.io.folder import write_files
 from nonhertz.io.results import plain
 from nonhertz.verify.claim import Check, Picture, Section
 
-#: What `row` returns, in this order.
+#: Headings of what `row` returns.
 COLUMNS = ("claim", "source", "expected", "computed", "difference", "tolerance", "verdict")
 PAGE, CHECKS = "validation.md", "verify.json"
 
@@ -32,18 +32,18 @@ marked abs, and its tolerance, is absolute. "shown" is the verdict of a differen
 
 
 def tally(found: Mapping[str, Section]) -> Counter[str]:
-    """Return how many checks have which verdict."""
+    """Return the number of checks with each verdict."""
     return Counter(check.verdict for section in found.values() for check in section.checks)
 
 
 def summary(found: Mapping[str, Section]) -> str:
-    """Return the one line that says how it went."""
+    """Return a one-line summary of the outcome."""
     count = tally(found)
     return f"{count.total()} checks: {count['pass']} passed, {count['FAIL']} failed, {count['shown']} shown"
 
 
 def row(check: Check) -> tuple[str, ...]:
-    """Return a check as people read it, one text for each of `COLUMNS`."""
+    """Return a check as readable text, one entry for each of `COLUMNS`."""
     difference = _power(check.difference)
     return (
         f"{check.claim} [{check.unit}]" if check.unit else check.claim,
@@ -57,7 +57,7 @@ def row(check: Check) -> tuple[str, ...]:
 
 
 def as_json(found: Mapping[str, Section]) -> str:
-    """Return all checks as one JSON list, a check to a line; a number that is not finite is null."""
+    """Return all checks as one JSON list, one check per line; non-finite numbers are null."""
     objects = (_as_object(name, section, check) for name, section in found.items() for check in section.checks)
     return "[\n" + ",\n".join(f"  {json.dumps(entry, allow_nan=False)}" for entry in objects) + "\n]"
 
@@ -86,7 +86,7 @@ def as_markdown(found: Mapping[str, Section], command: str) -> str:
 def write_page(directory: str | Path, found: Mapping[str, Section], command: str) -> tuple[Path, ...]:
     """Write page, figures (SVG and PNG) and checks (JSON) into a directory; see `nonhertz.io.folder.write_files`.
 
-    ``found`` are the sections in reading order, by name, ``command`` is the one that makes the page.
+    ``found`` has the sections in reading order, by name; ``command`` is the command that makes the page.
     """
 
     def draw(folder: Path) -> None:
@@ -145,7 +145,7 @@ def _table(head: tuple[str, ...], rows: Iterable[Iterable[str]], numbers: tuple[
 
 
 def _escaped(text: str) -> str:
-    r"""Return a text on one line in which Markdown sees nothing of its own.
+    r"""Return a text on one line, with Markdown's special characters escaped.
 
     Examples
     --------
@@ -167,7 +167,7 @@ def _number(value: float) -> str:
 
 
 def _power(value: float, decimals: int = 1) -> str:
-    """Return a difference or a tolerance as a power of ten, so that sizes can be told at a glance.
+    """Return a difference or a tolerance as a power of ten, so that sizes are seen at a glance.
 
     Examples
     --------

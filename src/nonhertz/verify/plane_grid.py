@@ -1,4 +1,4 @@
-"""Strips against a plane grid, which assumes nothing of the pressure across the contact."""
+"""Strips against a plane grid, which assumes nothing about the pressure across the contact."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ class _Case:
 
     @property
     def tolerance(self) -> float:
-        # What both methods ask of themselves; up to sharp ends strips are held to 1e-3, and the grid's error falls in
+        # The methods' own accuracy targets; up to sharp ends strips are held to 1e-3, and the grid's error falls in
         # proportion to its cells only, 5e-4 of the approach with 512 of them.
         return 1e-3 if self.sharp else 2e-4
 
@@ -142,7 +142,7 @@ def section() -> Section:
 
 
 def _grid_itself(found: dict[_Case, Comparison]) -> list[Check]:
-    """Return that the plane grid is right by itself, where something else is known."""
+    """Return checks of the plane grid by itself, against known solutions."""
     by_name = {case.name: each.patch for case, each in found.items()}
     hertz = point_contact(**_ELLIPSE, compliance=2.0 * STEEL.compliance)
     ellipse, extrapolated = by_name["ellipse"], "uniform rectangles, extrapolated"
@@ -163,17 +163,17 @@ def _checks(case: _Case, found: Comparison) -> list[Check]:
     checks = [
         check("approach", "approach", case.tolerance),
         check("pressure at", "pressure in the middle", case.tolerance),
-        # Half a cell of those that go into the half-width, 50 or so.
+        # Half a cell, of about 50 in the half-width.
         check("half-width at", "half-width in the middle", 1e-2),
         # No more than its bias in an ellipse 4.5 times as long as wide, the widest contact here.
         check("approach", "approach", 1.6e-2, of="parabolic"),
     ]
     if "tilt" in case.given:
-        # A difference of large moments: some times the error of either side.
+        # A difference of large moments: several times the error of either side.
         checks.append(check("moment", "moment", 1e-3))
     if "moment" in case.given:
         checks.append(check("tilt", "tilt", 1e-3))
-    # A cell touches or does not.
+    # A cell is either in contact or not.
     checks += [check(name, name, found.patch.dy) for name in ("contact from", "contact to")]
     unexplained = sum(not stretch.explained for stretch in found.stretches)
     return [
@@ -186,7 +186,7 @@ def _checks(case: _Case, found: Comparison) -> list[Check]:
 
 
 def _inner(found: Comparison) -> float:
-    """Return the largest difference of semi-elliptic strips farther than a half-width from where the contact ends."""
+    """Return the largest difference of semi-elliptic strips more than a half-width from the ends of the contact."""
     semi = found.semi_elliptic
     ends = np.ravel(semi.contact_y)
     inside = np.min(np.abs(semi.y[:, None] - ends), axis=1) > float(semi.half_width.max())
@@ -218,7 +218,7 @@ def _text(found: dict[_Case, Comparison]) -> str:
 
 
 def _middle(found: Comparison) -> tuple[float, float, float, float]:
-    """Return the differences of approach and middle pressure, of semi-elliptic strips first."""
+    """Return the differences of approach and middle pressure, those of semi-elliptic strips first."""
     (approach, of_parabola), (pressure, its_pressure) = (
         found.quantity(name).differences for name in ("approach", "pressure at")
     )

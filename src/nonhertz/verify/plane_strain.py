@@ -54,7 +54,7 @@ large with the semi-ellipse, {parabolic_low:.1f} to {parabolic_high:.1f} % with 
 
 @dataclass(frozen=True)
 class _Found:
-    """What one case shows."""
+    """The results of one case."""
 
     element: Element
     diameter: float

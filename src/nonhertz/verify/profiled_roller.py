@@ -66,7 +66,7 @@ _REFERENCES = (
     ),
 )  # fmt: skip
 _STRIPS = 41
-_HALF_DIGIT = 0.501  # a half and what writing a number in binary costs
+_HALF_DIGIT = 0.501  # a half, and a little for binary rounding
 _SECOND_PROGRAM = "a second implementation, complete model"
 _TEXT = """\
 The paper's Figs. 6 and 7 show the footprint of a roller with a B-TAN-2 profile on a plugged inner ring at 20 kN, and
@@ -93,7 +93,7 @@ logarithmic profile of ISO 16281, straight and under 0.5 mrad, on {strips} equal
 
 
 def contact(profile: Profile | None = None, depth: str = "plane-strain") -> Contact:
-    """Return the roller on its ring, with the stand-in profile unless told otherwise."""
+    """Return the roller on its ring, by default with the stand-in profile."""
     roller = Roller(
         diameter=DIAMETER, length=LENGTH, profile=profile or partial_crown(ARC, STRAIGHT), material=STEEL, depth=depth
     )

@@ -1,4 +1,4 @@
-"""Free ends: what mirrored pressure gives beside the exact solution of the quarter-space."""
+"""Free ends: mirrored pressure compared with the exact solution of the quarter-space."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _EXACT_ROLLER = (1.193, 1.091, 1.035, 1.011, 0.998, 0.992)
 
 @dataclass(frozen=True)
 class _Row:
-    """Weights of the images of both bodies, the three-dimensional solution with them, and the exact free end."""
+    """Image weights of both bodies, the three-dimensional solution with them, and that of the exact free end."""
 
     name: str
     weights: tuple[float, float]

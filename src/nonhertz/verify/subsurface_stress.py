@@ -43,10 +43,10 @@ _LINE = {"von_mises": (0.557516, 0.704292), "shear": (0.300283, 0.786151), "orth
 _ORTHOGONAL_X = 0.5 * math.sqrt(3.0)
 _VON_MISES = {0.25: (0.57970, 0.65478), 0.28: (0.56569, 0.68621), 0.33: (0.54690, 0.72761)}
 _CIRCLE = {"von_mises": (0.620041, 0.480864), "shear": (0.310021, 0.480864), "orthogonal_shear": (0.21389, 0.35086)}
-# Under a largest value the depth is known only to the root of how well the value is.
+# The depth of a maximum is known only to the square root of the accuracy of its value.
 _VALUE, _DEPTH = 2e-4, 1e-3
 
-RADIUS, POINT_LOAD = 10.0, 50.0  # mm, N: a light load, for which a circle is as good as Hertz's parabola
+RADIUS, POINT_LOAD = 10.0, 50.0  # mm, N: a light load, at which a circle is indistinguishable from Hertz's parabola
 RATIOS = (0.1, 0.2, 0.4, 0.6, 0.8)
 CIRCLE_CELLS = (96, 96)
 AXIS_DEPTHS = np.array([0.1, 0.25, 0.5, 0.75, 1.0, 1.5, 2.5])  # minor half-axes
@@ -58,13 +58,13 @@ ACROSS = (0.0, 0.5, 0.9)  # half-widths
 BALANCED = 60  # points
 ALLOWED = 5e-3
 PIECES = 3  # that strips are cut into
-STEP = 0.02  # half-widths, of differences
+STEP = 0.02  # half-widths: step of finite differences
 _INTEGRAL = "integrals of the semi-ellipsoid's potential, after Thomas & Hoersch 1930"
 _LUNDBERG = "Lundberg & Palmgren 1947"
 _LANDMARK = "closed form below Hertz's pressure"
 _LOVE = "Love's rectangles summed one by one"
 _FINER, _AT_THE_END = "finer strips", "within a half-width of the ends"
-LINE_LENGTH, LINE_STRIPS = 10.0, 5  # mm; there is nothing along it that more strips would resolve
+LINE_LENGTH, LINE_STRIPS = 10.0, 5  # mm; uniform along y, so that more strips would resolve nothing
 _TEXT = """\
 The field below a solved contact is the sum of what its strips, or the cells of its plane grid, do in a half-space. Here
 it is set beside what is known of the field below Hertz's pressures, beside a sum that takes no short cut, and beside
@@ -98,7 +98,7 @@ and {last:.3f} mm wide, and the depth is {shallow:.3f} mm. With every strip cut 
 
 @dataclass(frozen=True, eq=False)
 class _Tilted:
-    """The tilted roller on automatic strips, on finer strips, and as direct summation has it.
+    """The tilted roller on automatic strips, on finer strips, and by direct summation.
 
     Attributes
     ----------
@@ -141,13 +141,13 @@ class _Tilted:
 
     @property
     def near_the_ends(self) -> NDArray[np.bool_]:
-        """Which stations are nearer to an end of the contact than a half-width."""
+        """Which stations are within a half-width of an end of the contact."""
         y = self.points[0, 0, :, 1]
         ends = np.ravel(self.automatic.contact_y)
         return np.asarray(np.min(np.abs(y[:, None] - ends), axis=1) < float(self.automatic.half_width.max()))
 
     def differences(self, solution: Loaded, body: BodyName) -> tuple[Array, Array]:
-        """Return differences of components and of von Mises stress, of the largest at the depth, (levels, stations)."""
+        """Return differences of components and of von Mises stress, over the largest at that depth."""
         x, y, z = np.moveaxis(self.points, -1, 0)
         found, expected = stress(solution, x, y, z, body=body), Field(body, x, y, z, self.direct[body])
         components = np.abs(found.stress - expected.stress).max(axis=(1, 3))
@@ -247,7 +247,7 @@ class _Circle:
 
 
 def _point(ratio: float) -> tuple[Contact, PointContact]:
-    """Return a contact whose half-axes are to each other as ``ratio``, and Hertz's solution."""
+    """Return a contact whose half-axes have the ratio ``ratio``, and Hertz's solution."""
     along = RADIUS * float(elliprd(0.0, 1.0, ratio**2) / elliprd(0.0, ratio**2, 1.0))
     contact = Contact(Body(diameter=2.0 * RADIUS, profile=crown(along), material=STEEL), Plate(material=STEEL))
     hertz = point_contact(radius_x=RADIUS, radius_y=along, load=POINT_LOAD, compliance=contact.compliance)
@@ -284,13 +284,13 @@ def _plane_strain(line: _Line) -> list[Check]:
     for place, y in (("in the middle", 0.0), ("near the face", 0.49 * LINE_LENGTH)):
         off = float(np.max(np.abs(stress(line.solution, x, y, z).stress / p0 - expected)))
         claim = f"line: largest difference of any stress {place}, over p0"
-        # What images are left out, sixteen and more of them away, come as line loads: 1e-6 of p0.
+        # Images sixteen or more away are replaced by line loads: 1e-6 of p0.
         checks.append(Check(claim, "McEwen's closed form, plane strain", 0.0, off, 1e-5, absolute=True))
     return checks
 
 
 def _mcewen(x: Array, z: Array, poisson: float) -> Array:
-    """Return the stresses of Hertz's line contact over p0 at places over b, Johnson 1985, Eq. (4.49)."""
+    """Return the stresses of Hertz's line contact over p0 at positions over b, Johnson 1985, Eq. (4.49)."""
     apart = 1.0 - x**2 + z**2
     root = np.sqrt(apart**2 + 4.0 * x**2 * z**2)
     m = np.sqrt(0.5 * (root + apart))
@@ -324,7 +324,7 @@ def _on_cells(circle: _Circle) -> list[Check]:
         value, where = _CIRCLE[name]
         top, found = _vertex(at, values / p0)
         claim = f"circle, plane grid: largest {NAMES[name]} over p0"
-        # A cell is 1/35 of the radius: the edge of the contact is a staircase, which shows in how deep a stress is.
+        # A cell is 1/35 of the radius: the edge of the contact is a staircase, which shows in the depth of a stress.
         checks += [
             Check(claim, _LANDMARK, value, top, _VALUE, absolute=True),
             Check("circle, plane grid: its depth over b", _LANDMARK, where, found, _DEPTH, absolute=True),
@@ -333,7 +333,7 @@ def _on_cells(circle: _Circle) -> list[Check]:
 
 
 def _vertex(places: Array, values: Array) -> tuple[float, float]:
-    """Return the largest value, and where it is, of the parabola through the largest of equidistant ones."""
+    """Return the maximum, and its position, of the parabola through the largest of equidistant values."""
     best = int(np.clip(values.argmax(), 1, values.size - 2))
     low, top, high = values[best - 1 : best + 2]
     moved = 0.5 * (low - high) / (low - 2.0 * top + high)
@@ -372,7 +372,7 @@ def _axis(ratio: float, depth: float) -> tuple[float, float, float]:
 
     With the potential V of the pressure, int p / r dA, and the integral of -V over the depth, chi, stresses in a
     half-space are sigma_z = (V_z - z V_zz) / (2 pi) and sigma_x = (2 nu V_z - z V_xx - (1 - 2 nu) chi_xx) / (2 pi).
-    V of a semi-ellipsoid has one integral over t, from z on the axis on; it is taken over s = z / t here.
+    V of a semi-ellipsoid is a single integral over t, on the axis from z to infinity; here it is taken over s = z / t.
     """
     a, z, poisson = 1.0 / ratio, depth, STEEL.poisson
 
@@ -447,7 +447,7 @@ def _directly(grid: PatchSolution, points: Array) -> dict[str, Array]:
     alone = summed(at)
     images = np.zeros_like(alone)
     for face in (-0.5 * LENGTH, 0.5 * LENGTH):
-        # An image does here what the pressure does at the mirrored place, with what is odd along y turned round.
+        # The field of an image here is that of the pressure at the mirrored point, with components odd in y reversed.
         mirrored = summed(np.column_stack([at[:, 0], 2.0 * face - at[:, 1], at[:, 2]]))
         mirrored[:, [TAU_YZ, TAU_XY]] *= -1.0
         images += mirrored
@@ -456,7 +456,7 @@ def _directly(grid: PatchSolution, points: Array) -> dict[str, Array]:
 
 
 def _finer(solution: Solution) -> Array:
-    """Return the edges of the strips, each of them cut into pieces."""
+    """Return the edges of the strips with each strip cut into pieces."""
     edges = solution.edges
     return np.interp(np.arange(PIECES * (edges.size - 1) + 1) / PIECES, np.arange(edges.size), edges)
 
@@ -471,7 +471,7 @@ def _roller(tilted: _Tilted) -> list[Check]:
             for where, differences, tolerance in (
                 ("farther than a half-width from the ends", automatic[:, ~near], ALLOWED),
                 (f"everywhere {LEVELS[1]:g} half-widths deep and deeper", automatic[1:], ALLOWED),
-                # Strips as wide as the place is deep show one by one.
+                # Strips as wide as the point is deep show individually.
                 (f"{shallow} {_AT_THE_END}", automatic[0, near], None),
                 (f"everywhere, {_FINER}", refined, ALLOWED),
             ):
@@ -481,7 +481,7 @@ def _roller(tilted: _Tilted) -> list[Check]:
 
 
 def _balance(solution: Solution) -> list[Check]:
-    """Return that the field is in equilibrium, and that the surface bears the pressure alone."""
+    """Return checks that the field is in equilibrium, and that the surface is loaded by the pressure alone."""
     half_width = float(solution.half_width.max())
     step = STEP * half_width
     draw = np.random.default_rng(1)
@@ -505,8 +505,8 @@ def _balance(solution: Solution) -> list[Check]:
     off = float(np.max(np.abs(surface[..., SIGMA_Z] + pressure)))
     name = "tilted roller, surface farther than a half-width from the ends"
     return [
-        # Differences of fourth order leave (step / depth)^4, and 1e-5 of the pressure wherever a strip far away begins
-        # to count as a whole is as much of the derivative.
+        # Fourth-order differences leave (step / depth)^4; where a distant strip starts to count as a whole, a jump of
+        # 1e-5 of the pressure adds as much to the derivative.
         Check("tilted roller: largest sum of derivatives that should balance, of the largest derivative", "equilibrium",
               0.0, unbalanced, 2e-3, absolute=True),
         # Between the centres of strips the pressure is interpolated, and the load of all of them kept.

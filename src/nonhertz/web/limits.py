@@ -1,4 +1,4 @@
-"""How much the page takes on at once, so that an answer never takes long, and how that is said."""
+"""Limits on what the page accepts, so that an answer never takes long, and their messages."""
 
 from __future__ import annotations
 
@@ -11,22 +11,22 @@ from nonhertz.io.mistakes import Mistake, Place
 DOCUMENT_BYTES: Final = 256 * 1024
 UPLOAD_BYTES: Final = 2 * 1024 * 1024
 UPLOAD_POINTS: Final = 30_000
-"""Of a measured file, before its steps; what lies closer together is averaged."""
+"""Of a measured file, before its steps; if there are more, neighbours are averaged."""
 HEADER_BYTES: Final = 32 * 1024
 
 STRIPS: Final = 300
 IMAGES: Final = 10
-"""With the two above at once a case takes a quarter of a second; the time grows with strips cubed and with images."""
+"""At both limits above, a case takes a quarter of a second; the time grows as strips cubed and linearly with images."""
 PROFILES: Final = 20
 SPECTRUM: Final = 30
 POINTS: Final = 2000
 KEYS: Final = 40
 
 LIVE_SECONDS: Final = 1.3
-"""How long a case may take."""
+"""Time limit of a case."""
 UPLOAD_SECONDS: Final = 1.5
 HEAD_SECONDS: Final = 20.0
-"""In which a connection must have brought the head of a request."""
+"""Time limit for the headers of a request to arrive."""
 BODY_SECONDS: Final = 10.0
 PATIENT_SECONDS: Final = 120.0
 WAITING_SECONDS: Final = 0.5
@@ -36,12 +36,12 @@ _ELSEWHERE = "use the command line for more"
 
 
 def unfit(document: dict[str, Any]) -> list[Mistake]:
-    """Return where a document has more entries than the page holds, or what no case file can have."""
+    """Return where a document has more entries than the page accepts, or values that no case file can hold."""
     return [*oversizes(document), *_absent(document, ())]
 
 
 def slow(document: dict[str, Any]) -> list[Mistake]:
-    """Return where a sound document asks for more work than the page does while somebody waits."""
+    """Return where a valid document asks for more work than the page does while the user waits."""
     bounds = {("solver", "strips"): STRIPS, ("body", "a", "images"): IMAGES, ("body", "b", "images"): IMAGES}
     found = []
     for place, most in bounds.items():
@@ -80,7 +80,7 @@ def _long_tables(value: Any, place: Place) -> Iterator[Mistake]:
 
 
 def _absent(value: Any, place: Place) -> Iterator[Mistake]:
-    """Yield a mistake for each null, which JSON has and a case file has not."""
+    """Yield a mistake for each null, which exists in JSON but not in TOML."""
     if value is None:
         yield Mistake(place, InputError("", None, "be a number, text or a table", "leave the key out"))
     elif isinstance(value, dict):
@@ -98,5 +98,5 @@ def _at(value: Any, *names: str) -> Any:
 
 
 def _too_long(place: Place, value: Any, most: int, what: str) -> Mistake:
-    # The whole has no name of its own to begin the sentence with.
+    # The whole document has no name to begin the sentence with.
     return Mistake(place or ("case",), InputError("", value, f"have at most {most} {what} on the page", _ELSEWHERE))

@@ -1,7 +1,7 @@
-"""Files of measuring machines, to a `nonhertz.measured.Trace`.
+"""From files of measuring machines to a `nonhertz.measured.Trace`.
 
-What a file is, its content says and not the ending of its name: text in columns, a text export of Mahr's MarWin, a
-profile in the records of ISO 5436-2 (.smd, and the .prf of Taylor Hobson's instruments), or an X3P container.
+The format is recognised from the content, not from the file's extension: text in columns, a text export of Mahr's
+MarWin, a profile in the records of ISO 5436-2 (.smd, and the .prf of Taylor Hobson's instruments), or an X3P container.
 """
 
 from __future__ import annotations
@@ -42,28 +42,28 @@ def read_trace(
     source : str, os.PathLike or bytes
         The file, or its content.
     name : str or None
-        What to call it; the file's name if None.
+        What messages call it; the file's name if None.
     position_unit, height_unit : str or None
-        Units of the columns, such as ``"mm"`` or ``"um"``; None takes those that the file states, or mm. They go for
-        columns of text only: the other formats state theirs.
+        Units of the columns, such as ``"mm"`` or ``"um"``; None takes those that the file states, or mm. They apply to
+        columns of text only: the other formats state their own.
     position_column, height_column : int, str or None
-        Which columns of a text, by number from 1 or by name; None takes the two that there are.
+        Which columns of a text, by number from 1 or by name; None if there are only two.
     sense : str or None
-        ``"height"``, positive where there is material; ``"drop"``, positive where it is taken away. None takes heights,
-        unless the column is called relief or drop; one called depth or wear may be either and is refused.
+        ``"height"``, positive where there is material; ``"drop"``, positive where material is removed. None means
+        heights, unless the column is called relief or drop; one called depth or wear is ambiguous and is refused.
 
     Returns
     -------
     Trace
-        The measured line in mm, in ascending order; its notes say what was done to it.
+        The measured line in mm, in ascending order; its notes say how it was processed.
 
     Raises
     ------
     InputError
         If the file cannot be read, is larger than 20 MB, or holds more than 500,000 points (100,000 where X3P writes
-        them as text) or a line of more than 5,000 characters; or if it holds something else than one measured line.
-        The sentence names file, line and reason. Heights without a unit are refused where they would be a tenth of the
-        length of the line or more in mm, or steeper than 1 : 2 from point to point.
+        them as text) or a line of more than 5,000 characters; or if it holds anything other than one measured line.
+        The message names file, line and reason. Heights without a unit are refused if, taken as mm, they would vary by
+        a tenth of the length of the line or more, or be steeper than 1 : 2 from point to point.
 
     Examples
     --------
@@ -85,7 +85,7 @@ def _content(source: str | os.PathLike[str] | bytes, name: str | None) -> tuple[
     try:
         with path.open("rb") as file:
             data = file.read(LARGEST_FILE + 1)
-    except (OSError, ValueError) as error:  # ValueError: what no file can be called
+    except (OSError, ValueError) as error:  # ValueError: not a valid file name
         reason = (getattr(error, "strerror", None) or str(error)).lower()
         condition = f"be a file that can be read ({reason})"
         raise InputError("file", str(source), condition, "check path and permissions") from None
@@ -97,7 +97,7 @@ def _bounded(data: bytes, name: str) -> bytes:
         condition = f"be no larger than {LARGEST_FILE // 1_000_000} MB"
         raise InputError("file", name, condition, "export fewer points; a few thousand are enough")
     if not data.strip():
-        raise InputError("file", name, "hold something (it is empty)", "export the profile again")
+        raise InputError("file", name, "not be empty", "export the profile again")
     return data
 
 

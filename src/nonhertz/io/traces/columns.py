@@ -1,7 +1,7 @@
-"""Text in columns: any separator, decimal points or commas, comments, a head with names and units.
+"""Text in columns: any separator, decimal points or commas, comments, a header with names and units.
 
-Nothing is guessed that could be two things. Commas that may be decimal signs or separators, more columns than two
-without a choice, a line that is no line of numbers: each is refused with the line.
+Ambiguity is refused, never guessed away: commas that may be decimal commas or separators, more than two columns
+without a choice, a line that is not all numbers. The message quotes the line.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from nonhertz.io.traces.line import MOST_POINTS, Line, Request, in_mm
 from nonhertz.io.traces.text import LONGEST_HEAD, value_in
 from nonhertz.measured.trace import Array
 
-# Cells without any of these are numbers for `float` as they are for `value_in`, which is three times as slow.
+# Without any of these characters, `float` reads a cell as `value_in` does, but three times as fast.
 _ODD = re.compile(r"[^0-9eE+.\- \t;|,]")
 _WHOLE = re.compile(r"[-+]?\d+")
-_PADDED = re.compile(r"[-+]?0\d+")  # 001166: the digits behind a decimal comma
+_PADDED = re.compile(r"[-+]?0\d+")  # 001166: the digits after a decimal comma
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}(?:,\d{3})+")
 _BELOW_THOUSAND = re.compile(r"[-+]?[1-9]\d{0,2}")
 _COMMENT = re.compile(r"\s*(?:#|%|//|'|!)+\s*")
@@ -34,10 +34,10 @@ _AS_TEXT = "write two columns of numbers, position and height"
 
 @dataclass(frozen=True)
 class _Layout:
-    """How a line is taken apart."""
+    """How a line is split into cells."""
 
-    separator: str | None  # None: blanks
-    comma: bool  # whether the decimal sign is a comma
+    separator: str | None  # None: whitespace
+    comma: bool  # whether decimals are written with a comma
 
     def split(self, line: str) -> list[str]:
         """Return the cells of a line."""
@@ -52,7 +52,7 @@ def read_columns(lines: Sequence[str], request: Request) -> Line:
     Raises
     ------
     InputError
-        One sentence with the number of the line.
+        With the number of the offending line.
     """
     written = [(k, line.strip()) for k, line in enumerate(lines, start=1)]
     numbered = [(k, line) for k, line in written if line and not _COMMENT.match(line)]
@@ -70,15 +70,15 @@ def read_columns(lines: Sequence[str], request: Request) -> Line:
 
 
 def _instead(numbered: list[tuple[int, str]]) -> str:
-    """Return what a text without two columns of numbers holds in their place."""
+    """Return what a text without two columns of numbers holds instead."""
     if any(math.isfinite(value_in(line) or math.nan) for _, line in numbered[:LONGEST_HEAD]):
-        return "there is one number in a line"
+        return "there is only one number per line"
     with_digits = (f"line {k} is {shown(line)}" for k, line in numbered if any(c.isdigit() for c in line))
     return next(with_digits, "no line has any")
 
 
 def _layout(numbered: list[tuple[int, str]], request: Request) -> _Layout:
-    """Return how most lines can be taken apart into two numbers or more."""
+    """Return the layout by which most lines split into two or more numbers."""
     sample = list(islice(((k, line) for k, line in numbered if any(c.isdigit() for c in line)), 400))
     for separator in (";", "\t", "|"):
         if sum(separator in line.strip(separator + " ") for _, line in sample) > 0.5 * len(sample):
@@ -100,13 +100,13 @@ def _comma_layout(sample: list[tuple[int, str]], request: Request) -> _Layout:
         chosen = request.position_column is not None and request.height_column is not None
         padded = any(_PADDED.fullmatch(cell) for cell in cells)
         if whole and (padded or (len(cells) > 2 and not chosen)):
-            condition = f"tell decimal commas from commas between columns (line {number} is {shown(line)})"
+            condition = f"distinguish decimal commas from commas between columns (line {number} is {shown(line)})"
             raise request.refuse(condition, "separate the columns by semicolons or tabs, or write decimal points")
     return commas
 
 
 def _with_decimal_commas(sample: list[tuple[int, str]], separator: str, request: Request) -> bool:
-    """Return whether lines of numbers have decimal commas; what stands above the numbers has no say."""
+    """Return whether the lines of numbers have decimal commas, whatever the header above them contains."""
     layout = _Layout(separator, comma=True)
     read = [(number, line) for number, line in sample if _is_data(line, layout)]
     if not any("," in line for _, line in read) or any("." in line for _, line in read):
@@ -116,7 +116,7 @@ def _with_decimal_commas(sample: list[tuple[int, str]], separator: str, request:
 
 
 def _refuse_thousands(lines: list[tuple[int, str]], layout: _Layout, request: Request) -> None:
-    """Refuse a column such as 500, 1,000, 1,500, of which decimal commas would make 500, 1, 1.5."""
+    """Refuse a column such as 500, 1,000, 1,500, which decimal commas would turn into 500, 1, 1.5."""
     columns: dict[int, list[tuple[int, str]]] = {}
     for number, line in lines:
         for place, cell in enumerate(layout.split(line)):
@@ -127,8 +127,8 @@ def _refuse_thousands(lines: list[tuple[int, str]], layout: _Layout, request: Re
         alike = all(_THOUSANDS.fullmatch(cell) for _, cell in parted) and all(map(_BELOW_THOUSAND.fullmatch, whole))
         if parted and whole and alike:
             number, cell = parted[0]
-            condition = f"tell decimal commas from commas between thousands (line {number} has {shown(cell)})"
-            raise request.refuse(condition, "write decimal points, and nothing between thousands")
+            condition = f"distinguish decimal commas from thousands separators (line {number} has {shown(cell)})"
+            raise request.refuse(condition, "write decimal points and no thousands separators")
 
 
 def _unquoted(cell: str) -> str:
@@ -159,7 +159,7 @@ def _value(cell: str, layout: _Layout) -> float | None:
 
 
 def _table(body: list[tuple[int, str]], layout: _Layout, request: Request) -> Array:
-    """Return all numbers, a row for each line; empty columns at the end, behind a last separator, are dropped."""
+    """Return all numbers, one row per line; empty columns after a trailing separator are dropped."""
     width = len(_cells(body[0][1], layout))
     if width * len(body) > _MOST_CELLS:
         condition = f"hold no more than {_MOST_CELLS:,} numbers (there are {len(body):,} lines of {width:,})"
@@ -173,7 +173,7 @@ def _table(body: list[tuple[int, str]], layout: _Layout, request: Request) -> Ar
 
 
 def _plain_row(line: str, width: int, layout: _Layout) -> list[float] | None:
-    """Return the numbers of a line in which every cell is one; None for any other."""
+    """Return the numbers of a line that holds nothing else; None for any other line."""
     if _ODD.search(line) or (layout.comma and "." in line):
         return None
     try:
@@ -204,7 +204,7 @@ def _chosen(table: Array, names: list[str], request: Request) -> tuple[int, int]
     found = {field: column_called(field, value, names) for field, value in requested.items() if value is not None}
     if len(found) == 2:
         if found["position_column"] == found["height_column"]:
-            condition = "be another column than that of the positions"
+            condition = "differ from position_column"
             raise InputError("height_column", request.height_column, condition, "choose two columns")
         return found["position_column"], found["height_column"]
     if columns > 2:
@@ -220,12 +220,12 @@ def _chosen(table: Array, names: list[str], request: Request) -> tuple[int, int]
 
 
 def _refuse_swapped(table: Array, request: Request) -> None:
-    """Refuse columns of which the second runs one way, as positions do, and the first to and fro, as heights do."""
+    """Refuse columns that look swapped: the second is monotonic, as positions are, and the first is not."""
     first, second = (np.diff(column) for column in table[np.all(np.isfinite(table), axis=1)].T)
     back = min(int(np.sum(first < 0.0)), int(np.sum(first > 0.0)))
     if back and (np.all(second > 0.0) or np.all(second < 0.0)):
-        condition = f"have its positions in the first column (it goes back in {back} places and the second one in none)"
-        raise request.refuse(condition, "give position_column = 2, or 1 if that is so")
+        condition = f"have its positions in the first column (it reverses in {back} places and the second in none)"
+        raise request.refuse(condition, "give position_column = 2, or 1 if it really is the first")
 
 
 def _converted(table: Array, chosen: tuple[int, int], names: list[str], layout: _Layout, request: Request) -> Line:
@@ -239,5 +239,5 @@ def _converted(table: Array, chosen: tuple[int, int], names: list[str], layout: 
         if unit != "mm":
             notes.append(f"{what} were converted from {unit} to mm.")
     if layout.comma:
-        notes.append("Commas were read as decimal signs.")
+        notes.append("Commas were read as decimal commas.")
     return Line(values[0], values[1], tuple(notes), known, counts_drop(names[chosen[1]], request))

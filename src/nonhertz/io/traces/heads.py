@@ -1,4 +1,4 @@
-"""What stands above the numbers of a text: names of the columns, their units, and which way heights count."""
+"""The header above the numbers of a text: names of the columns, their units, and the sense of the heights."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from nonhertz.io.traces.line import Request, in_mm
 _UNIT = re.compile(r"\[\s*([^\W\d_]+)\s*\]|\(\s*([^\W\d_]+)\s*\)|(?:/|_|\bin)\s*([^\W\d_]+)\s*$")
 _BARE_UNIT = re.compile(r"\[?\s*(mm|um|µm|μm|nm|cm|m|in|inch)\s*\]?")
 _DROP = re.compile(r"relief|drop", re.IGNORECASE)
-# A depth may be counted from the surface down, or be the height of what a stylus went down to.
+# A depth may be positive downwards from the surface, or be the height to which a stylus descended.
 _EITHER = re.compile(r"\b(?:depth|wear)", re.IGNORECASE)
 _SHOWN, _LISTED = 40, 8
 
@@ -20,10 +20,10 @@ _SHOWN, _LISTED = 40, 8
 def names_of_columns(
     head: Sequence[str], remarks: Sequence[str], width: int, split: Callable[[str], list[str]]
 ) -> list[str]:
-    """Return the names of the columns, each "" where there are none.
+    """Return the names of the columns, "" for each if there are none.
 
-    They are the last line of the head that has as many cells as there are columns; units below them are added. Where
-    the head has none, comments above the numbers may: `numpy.savetxt` writes names that way.
+    They are the last line of the header with as many cells as there are columns; units below them are added. If the
+    header has no such line, comments above the numbers are searched: `numpy.savetxt` writes names that way.
     """
     rows = [cells for line in head if len(cells := _cells(line, width, split)) == width]
     if not rows:
@@ -40,7 +40,7 @@ def unit_in(name: str, request: Request) -> str | None:
     Raises
     ------
     InputError
-        If it states one of something else than length.
+        If it states a unit of something other than length.
     """
     found = _UNIT.search(name)
     if found is None:
@@ -48,28 +48,28 @@ def unit_in(name: str, request: Request) -> str | None:
     unit = next(group for group in found.groups() if group)
     if _is_length(unit):
         return unit
-    if found.group(3):  # "y_axis": a word behind an underscore is no unit
+    if found.group(3):  # "y_axis": a word after an underscore is not a unit
         return None
     condition = f"state a unit of length for each column (there is {shown(name)})"
     raise request.refuse(condition, "write mm, um, nm, m or in in the line of names")
 
 
 def counts_drop(name: str, request: Request) -> bool:
-    """Return whether a column of heights counts material taken away, by its name.
+    """Return whether the name of a column of heights says that it is positive where material is removed.
 
     Raises
     ------
     InputError
-        If the name may mean either and nobody says which.
+        If the name is ambiguous and no sense is given.
     """
     if request.sense is None and _EITHER.search(name) and not _DROP.search(name):
-        condition = f"say which way its column {shown(name)} counts"
+        condition = f"say which way its column {shown(name)} is positive"
         raise request.refuse(condition, "give sense = 'drop' where it is positive below the surface, or 'height'")
     return bool(_DROP.search(name))
 
 
 def column_called(field: str, requested: object, names: list[str]) -> int:
-    """Return the index of a column that is wanted by number, from 1, or by name.
+    """Return the index of a column requested by number, from 1, or by name.
 
     Raises
     ------
@@ -78,7 +78,7 @@ def column_called(field: str, requested: object, names: list[str]) -> int:
     """
     text = str(requested).strip()
     if isinstance(requested, int) or re.fullmatch(r"[0-9]+", text):
-        # As text: Python refuses to convert a number of five thousand digits.
+        # Checked as text: Python refuses to convert a number of five thousand digits.
         digits = text.lstrip("0")
         if not digits.isdecimal() or len(digits) > 6 or int(digits) > len(names):
             condition = f"be a column from 1 to {len(names)}"
@@ -99,12 +99,12 @@ def listed(names: Sequence[str]) -> str:
 
 
 def shown(text: str) -> str:
-    """Return text from a file in quotes, its beginning if it is long."""
+    """Return text from a file in quotes, shortened if it is long."""
     return repr(text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "...")
 
 
 def _cells(line: str, width: int, split: Callable[[str], list[str]]) -> list[str]:
-    """Return the cells of a line of names, which may be set apart otherwise than the numbers are."""
+    """Return the cells of a line of names, which may be separated differently from the numbers."""
     for parts in (split(line), re.split(r"\s*[;\t|,]\s*", line), re.split(r"\s{2,}", line)):
         cells = [cell.strip(" \"'") for cell in parts]
         while len(cells) > width and not cells[-1]:
@@ -117,7 +117,7 @@ def _cells(line: str, width: int, split: Callable[[str], list[str]]) -> list[str
 
 
 def _are_names(cells: list[str], line: str, width: int) -> bool:
-    """Return whether a comment is a line of names: of words set apart by more than blanks, or with units of length."""
+    """Return whether a comment is a line of names: words separated by more than blanks, or with units of length."""
     if len(cells) != width:
         return False
     units = [next(group for group in found.groups() if group) for cell in cells if (found := _UNIT.search(cell))]

@@ -1,4 +1,4 @@
-"""What all readers come to: positions and heights as the file has them, and a trace of them in order."""
+"""What all readers produce: positions and heights as the file has them, and from these a sorted trace."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from nonhertz.measured.trace import FEWEST_POINTS, Array, Trace, dropouts, holes
 
 #: Points of the longest line that is read.
 MOST_POINTS = 500_000
-# Heights without a unit are taken for mm only below this share of the line's length, and below this median slope from
+# Heights without a unit are taken as mm only below this fraction of the line's length and below this median slope from
 # point to point: a flat line in um without chamfers is given away by its roughness alone.
 _PLAUSIBLE, _PLAUSIBLE_SLOPE = 0.1, 0.5
-# No machine measures beyond a kilometre or within a nanometre [mm]; 3.4e38 is a word for "not measured" of some.
+# No machine measures beyond a kilometre or within a nanometre [mm]; some write 3.4e38 for "not measured".
 _LARGEST, _SHORTEST = 1e6, 1e-6
-# Positions nearer than this share of the usual step, and than a nanometre, are one: strokes differ in rounding.
+# Positions closer than this fraction of the usual step, and than a nanometre, count as one: strokes differ by rounding.
 _SAME = 1e-3
 
 _MM = {"mm": 1.0, "um": 1e-3, "µm": 1e-3, "μm": 1e-3, "micron": 1e-3, "microns": 1e-3, "nm": 1e-6, "m": 1e3}
@@ -27,7 +27,7 @@ _MM |= {"cm": 10.0, "in": 25.4, "inch": 25.4}
 
 @dataclass(frozen=True)
 class Request:
-    """What whoever asks for a file says about it; see `nonhertz.io.traces.read_trace`."""
+    """What the caller says about a file; see `nonhertz.io.traces.read_trace`."""
 
     name: str
     position_unit: str | None = None
@@ -45,11 +45,11 @@ class Request:
                 in_mm(field, unit)
 
     def refuse(self, condition: str, remedy: str) -> InputError:
-        """Return the complaint about the file."""
+        """Return an error about the file."""
         return InputError("file", self.name, condition, remedy)
 
     def refuse_choices(self, what: str) -> None:
-        """Refuse units and columns beside a format that states its own."""
+        """Refuse units and columns for a format that states its own."""
         for field in ("position_unit", "height_unit", "position_column", "height_column"):
             value = getattr(self, field)
             if value is not None:
@@ -65,11 +65,11 @@ class Line:
     y, height : array
         Positions and heights [mm], NaN where nothing was measured.
     notes : tuple of str
-        What was done so far.
+        How it has been processed so far.
     unit_known : bool
         Whether the unit of the heights was stated.
     drop : bool
-        Whether the heights are positive where material is taken away.
+        Whether the heights are positive where material is removed.
     """
 
     y: Array
@@ -89,9 +89,9 @@ def in_mm(field: str, unit: str) -> float:
     Raises
     ------
     InputError
-        If it is no unit of length.
+        If it is not a unit of length.
     """
-    # "UM" is no other unit than "um"; of "Mm" that is not so.
+    # "UM" can only mean "um"; "Mm" is a megametre.
     factor = _MM.get(unit.strip()) or _MM.get(unit.strip().lower() if unit.isupper() and len(unit.strip()) > 1 else "")
     if factor is not None:
         return factor
@@ -109,28 +109,28 @@ def made(line: Line, request: Request) -> Trace:
     Raises
     ------
     InputError
-        If there are too few or too many points, or heights without a unit that are none in mm.
+        If there are too few or too many points, or heights without a unit that cannot be in mm.
     """
     if len(line.y) > MOST_POINTS:
         raise request.refuse(f"hold no more than {MOST_POINTS:,} points", "export fewer; a few thousand are enough")
     notes = list(line.notes)
     known = np.isfinite(line.y) & np.isfinite(line.height)
     if not np.all(known):
-        notes.append(f"{int(np.sum(~known))} of {len(known)} points hold no number and were left out.")
+        notes.append(f"{int(np.sum(~known))} of {len(known)} points have no value and were left out.")
     y, height = line.y[known], line.height[known]
     if len(y) == 0:
         raise request.refuse("hold measured points (there is no pair of numbers)", "export the profile again")
     y, height = _sorted(y, height, notes)
     if len(y) < FEWEST_POINTS:
         found = "one position" if len(y) == 1 else f"{len(y)} positions"
-        raise request.refuse(f"hold {FEWEST_POINTS} positions at least (there is {found})", "measure more points")
+        raise request.refuse(f"hold at least {FEWEST_POINTS} positions (there is {found})", "measure more points")
     _check_size(y, height, request)
     if not line.unit_known:
         _check_plausible(y, height, request)
-        notes.append("The file states no unit of its heights; they were taken for mm.")
+        notes.append("The file states no unit for its heights; they were taken as mm.")
     if (request.sense or ("drop" if line.drop else "height")) == "drop":
         height = -height
-        notes.append("The column counts material taken away; its sign was turned.")
+        notes.append("The column is positive where material is removed; its sign was reversed.")
     gaps = tuple(sorted({*dropouts(y, *_unmeasured(line, known)), *holes(y)}))
     if gaps:
         places = ", ".join(f"{low:.5g} to {high:.5g}" for low, high in gaps[:5]) + (", ..." if len(gaps) > 5 else "")
@@ -141,8 +141,8 @@ def made(line: Line, request: Request) -> Trace:
 def _unmeasured(line: Line, known: NDArray[np.bool_]) -> tuple[Array, Array]:
     """Return positions at which nothing was measured, and pairs of measured ones with unmeasured ones between them.
 
-    A point without a height has a position of its own, wherever it stands in the file. One without a position has
-    nothing but its neighbours in the file.
+    A point without a height has its own position, wherever it is in the file. One without a position can be located
+    only by its neighbours in the file.
     """
     nowhere = ~np.isfinite(line.y)
     places = np.flatnonzero(known)
@@ -154,17 +154,17 @@ def _unmeasured(line: Line, known: NDArray[np.bool_]) -> tuple[Array, Array]:
 def _sorted(y: Array, height: Array, notes: list[str]) -> tuple[Array, Array]:
     back = int(np.sum(np.diff(y) < 0.0))
     if back and np.all(np.diff(y) < 0.0):
-        notes.append("Positions descend in the file; they were turned round.")
+        notes.append("Positions descend in the file; their order was reversed.")
     elif back:
         notes.append(f"Positions go back {back} times in the file; the points were sorted.")
-    # By height where positions are the same, so that means of them do not depend on the order of the file either.
+    # By height where positions coincide, so that their means do not depend on the order in the file either.
     order = np.lexsort((height, y))
     y, height = y[order], height[order]
     first = np.diff(y, prepend=-np.inf) > min(_SHORTEST, _SAME * usual_step(y))
     if not np.all(first):
         which = np.cumsum(first) - 1
         counts = np.bincount(which)
-        notes.append(f"{int(np.sum(counts > 1))} positions are there more than once; their heights were averaged.")
+        notes.append(f"{int(np.sum(counts > 1))} positions occur more than once; their heights were averaged.")
         y, height = y[first], np.bincount(which, height) / counts
     return y, height
 
@@ -182,7 +182,7 @@ def _check_size(y: Array, height: Array, request: Request) -> None:
 def _check_plausible(y: Array, height: Array, request: Request) -> None:
     drop, length = float(np.ptp(height)), float(y[-1] - y[0])
     steps = np.diff(y)
-    # Points of two strokes lie as near as chance has it, and slopes between them mean nothing.
+    # Points of two strokes lie arbitrarily close together, and slopes between them mean nothing.
     far = steps >= np.median(steps)
     slope = float(np.median(np.abs(np.diff(height)[far] / steps[far])))
     if drop > _PLAUSIBLE * length:
@@ -192,4 +192,4 @@ def _check_plausible(y: Array, height: Array, request: Request) -> None:
     else:
         return
     condition = f"state the unit of its heights ({absurd})"
-    raise request.refuse(condition, "give height_unit, such as 'um', or 'mm' if that is so")
+    raise request.refuse(condition, "give height_unit, such as 'um', or 'mm' if they really are in mm")

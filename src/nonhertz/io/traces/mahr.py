@@ -1,9 +1,9 @@
 """The text export of Mahr's MarWin software: sections in brackets, the points in the one called PROFILE_VALUES.
 
-No description by the maker is public. What is read here is what two independent programs agree on, one that writes
-such files for MarWin and one that reads them: a line is ``number=X Y Z C Lock`` with X, Y and Z in mm and decimal
-points, and the section PROFILE_HEADER has the number of points in NO_POINTS. The line runs along X, or along Y where X
-stands still.
+Mahr has published no description. This reader relies on what two independent programs agree on, one that writes such
+files for MarWin and one that reads them: a line is ``number=X Y Z C Lock`` with X, Y and Z in mm and decimal points,
+and the section PROFILE_HEADER has the number of points in NO_POINTS. The trace runs along X, or along Y where X is
+constant.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def read_marwin(lines: Sequence[str], request: Request) -> Line:
     Raises
     ------
     InputError
-        If a line is no point, or there are fewer points than the file's head says.
+        If a line is not a point, or the number of points is not that in the file's header.
     """
     request.refuse_choices("a MarWin export")
     start = next(k for k, line in enumerate(lines) if line.strip().startswith(_VALUES))
@@ -45,8 +45,8 @@ def read_marwin(lines: Sequence[str], request: Request) -> Line:
         rows.append(_point(line, number, request))
     counts = [found[1].lstrip("0") for line in lines[:start] if (found := _COUNT.match(line))]
     if counts and str(len(rows)) != (counts[0] or "0"):
-        condition = f"hold the {counts[0][:20] or 0} points that its head names (there are {len(rows)})"
-        raise request.refuse(condition, "export it again; this one is cut off")
+        condition = f"hold the {counts[0][:20] or 0} points stated in its header (there are {len(rows)})"
+        raise request.refuse(condition, "export it again; this file is truncated")
     if not rows:
         raise request.refuse("hold points below [PROFILE_VALUES]", "export the profile again")
     x, y, z = np.array(rows).T

@@ -1,7 +1,7 @@
 r"""Profiles in the text records of ISO 5436-2: .smd files, and the .prf of Taylor Hobson's instruments.
 
-Both have a head with a line for each axis, a record of remarks, and a record with one height in a line. In .smd records
-end with the control character ETX and words with NUL; in .prf they end with the line EOR. The axes are
+Both have a header with a line for each axis, a record of remarks, and a record with one height per line. In .smd
+records end with the control character ETX and words with NUL; in .prf records end with the line EOR. The axes are
 
     CX I 4000 mm 1.0e0 D 1.25e-3    .smd: kind, number of points, unit, factor, data type, step
     CZ A 4000 um 1.0e0 D
@@ -11,8 +11,8 @@ end with the control character ETX and words with NUL; in .prf they end with the
 A height is the number in the line times factor and unit of CZ; positions are steps times factor and unit of CX, from 0.
 Sources are two independent programs that write .smd after ISO 5436-2:2012, one of which writes .prf after the example
 of the National Physical Laboratory's softgauges, and one that reads .prf of Taylor Hobson. Positions given one by one
-(axis kind A or R for CX) are refused, because no source shows how they are written. The check sum at the end of .smd is
-not checked: the two programs compute it in different ways.
+(axis kind A or R for CX) are refused, because no source shows how they are written. The checksum at the end of .smd is
+not verified: the two programs compute it in different ways.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _AGAIN = "export the profile again"
 
 
 def is_records(data: bytes) -> bool:
-    """Return whether the head of a file has the lines of both axes."""
+    """Return whether the header of a file has the lines of both axes."""
     head = _plain(data[:_LOOKED_AT])
     return {found[1] for found in _AXIS.finditer(head)} == {"CX", "CZ"}
 
@@ -45,7 +45,7 @@ def read_records(data: bytes, request: Request) -> Line:
     Raises
     ------
     InputError
-        If an axis is given in a way that is not known, or there are not as many heights as the head says.
+        If an axis is given in an unknown way, or the number of heights is not that in the header.
     """
     request.refuse_choices("a file after ISO 5436-2")
     text = _plain(data)
@@ -56,14 +56,14 @@ def read_records(data: bytes, request: Request) -> Line:
     step = _step(text, axes["CX"], request) * _factor(axes["CX"], request)
     count = int(_number(axes["CZ"][3], "the number of points", request))
     if not 0 < count <= MOST_POINTS:
-        raise request.refuse(f"hold between 1 and {MOST_POINTS:,} points (its head says {count})", "export fewer")
+        raise request.refuse(f"hold between 1 and {MOST_POINTS:,} points (its header says {count})", "export fewer")
     heights = _heights(text, count, request) * _factor(axes["CZ"], request)
     y = np.linspace(0.0, step * (count - 1), count)
     return Line(y, heights, ("A profile after ISO 5436-2: positions count from its first point.",))
 
 
 def _plain(data: bytes) -> str:
-    """Return the text with NUL as a blank, ETX as the line EOR and one kind of line ends."""
+    """Return the text with NUL as a blank, ETX as the line EOR and uniform line endings."""
     text = data.decode("latin-1").replace("\x00", " ").replace("\r\n", "\n").replace("\r", "\n")
     return re.sub("\x03\n?", "EOR\n", text)
 
@@ -80,7 +80,7 @@ def _step(text: str, axis: re.Match[str], request: Request) -> float:
 
 
 def _factor(axis: re.Match[str], request: Request) -> float:
-    """Return how many mm one of the numbers of an axis is."""
+    """Return the size in mm of one unit of an axis's numbers."""
     try:
         unit = in_mm("unit", axis[4].lower())
     except InputError:
@@ -93,19 +93,19 @@ def _factor(axis: re.Match[str], request: Request) -> float:
 
 
 def _heights(text: str, count: int, request: Request) -> Array:
-    """Return what stands in the third record."""
+    """Return the heights in the third record."""
     lines = lines_of(text, request.name)
     ends = [k for k, line in enumerate(lines) if line.strip() == "EOR"]
     if len(ends) < 2:
-        raise request.refuse("hold three records (head, remarks, heights)", _AGAIN)
+        raise request.refuse("hold three records (header, remarks, heights)", _AGAIN)
     last = ends[2] if len(ends) > 2 else len(lines)
     heights = []
     for number, line in enumerate(lines[ends[1] + 1 : last], start=ends[1] + 2):
         if not _END.match(line):
             heights.append(_height(line.strip(), number, request))
     if len(heights) != count:
-        condition = f"hold the {count} heights that its head names (there are {len(heights)})"
-        raise request.refuse(condition, "export it again; this one is cut off")
+        condition = f"hold the {count} heights stated in its header (there are {len(heights)})"
+        raise request.refuse(condition, "export it again; this file is truncated")
     return np.array(heights, dtype=float)
 
 

@@ -1,4 +1,4 @@
-"""Bytes to lines of text, in whatever encoding and with whatever line ends, and cells of text to numbers."""
+"""From bytes, in any encoding and with any line endings, to lines of text, and from cells of text to numbers."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import re
 from nonhertz.errors import InputError
 from nonhertz.io.traces.line import MOST_POINTS
 
-#: Lines that stand above the points of a text, at most.
+#: Most lines above the points of a text.
 LONGEST_HEAD = 1000
 #: Characters of the longest line that is read: three hundred columns of numbers.
 LONGEST_LINE = 5000
@@ -17,25 +17,25 @@ _UTF_16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 _NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eEdD][-+]?[0-9]+)?")
 _MISSING = frozenset({"", "nan", "na", "n/a", "#n/a", "null", "none", "bad", "-", "--", "---", "inf", "-inf", "+inf"})
 _STARS = re.compile(r"\*+")
-# Of the beginning of a file: what text does not hold.
+# Bytes at the beginning of a file that are searched for what text does not hold.
 _LOOKED_AT = 65536
 _TEXT_CONTROLS = frozenset(b"\t\n\r\f\x1a")
 
 
 def decoded(data: bytes, name: str) -> tuple[list[str], tuple[str, ...]]:
-    """Return the lines of a text and what has to be noted of it.
+    """Return the lines of a text, and notes about it.
 
     Parameters
     ----------
     data : bytes
-        The content of the file: UTF-8 or UTF-16 with or without a mark, else Latin-1.
+        The content of the file: UTF-8 or UTF-16 with or without a byte order mark, else Latin-1.
     name : str
         The file's name, for messages.
 
     Raises
     ------
     InputError
-        If it is no text, or has more or longer lines than a profile.
+        If it is not text, or has more or longer lines than a profile.
     """
     text, notes = _text(data, name)
     # The end-of-file mark of DOS.
@@ -43,13 +43,13 @@ def decoded(data: bytes, name: str) -> tuple[list[str], tuple[str, ...]]:
 
 
 def lines_of(text: str, name: str) -> list[str]:
-    """Return the lines of a text whose line ends are newlines.
+    """Return the lines of a text whose line endings are newlines.
 
     Raises
     ------
     InputError
         If there are more lines than the longest profile has, or one is too long to be a line of numbers. Both are
-        found before anything is made of the lines, which takes a hundred times as much memory and time.
+        checked before the lines are parsed, which takes a hundred times as much memory and time.
     """
     if text.count("\n") > MOST_POINTS + LONGEST_HEAD:
         condition = f"hold no more than {MOST_POINTS:,} points"
@@ -58,14 +58,14 @@ def lines_of(text: str, name: str) -> list[str]:
     number, longest = max(enumerate(map(len, lines), start=1), key=lambda line: line[1])
     if longest > LONGEST_LINE:
         condition = f"have lines of no more than {LONGEST_LINE:,} characters (line {number} has {longest:,})"
-        raise InputError("file", name, condition, "export the profile as text in two columns, one point in a line")
+        raise InputError("file", name, condition, "export the profile as text in two columns, one point per line")
     return lines
 
 
 def value_in(cell: str) -> float | None:
-    """Return the number in a cell, NaN for a word that says nothing was measured, None for any other text.
+    """Return the number in a cell, NaN for a word that means "not measured", None for any other text.
 
-    ``float`` would take ``1_5`` for fifteen.
+    ``float`` would read ``1_5`` as fifteen.
     """
     if _NUMBER.fullmatch(cell):
         return float(cell.replace("d", "e").replace("D", "e"))
@@ -94,6 +94,6 @@ def _as_utf_16(data: bytes, name: str, encoding: str) -> str:
 
 
 def _no_text(name: str) -> InputError:
-    ending = " (Mahr's .pcd is binary and its layout is not public)" if name.lower().endswith(".pcd") else ""
+    ending = " (Mahr's .pcd is binary and its format is not public)" if name.lower().endswith(".pcd") else ""
     condition = f"be text in columns, a MarWin text export, .smd, .prf or .x3p{ending}"
     return InputError("file", name, condition, "export the profile as text or X3P")

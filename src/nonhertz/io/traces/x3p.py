@@ -1,10 +1,10 @@
 """X3P containers (ISO 25178-72): a zip archive of a description in XML and heights in binary.
 
-x3pio reads them: it checks the checksums, leaves out points that are marked invalid, and takes XML through defusedxml,
-so that a description cannot unfold. It bounds neither what an archive unpacks to nor how many elements a description
-has, of which 60 kB can hold ten million. So the archive is unpacked here, piece by piece and no further than a bound;
-the elements of the description are counted as they go by, which keeps none of them; and x3pio is given a new archive of
-what was found sound. The sizes that an archive declares are not relied on: they are part of what may be wrong.
+x3pio reads them: it verifies the checksums, leaves out points marked invalid, and parses XML through defusedxml, so
+that entities cannot expand. It limits neither the unpacked size of an archive nor the number of elements in a
+description, of which 60 kB can hold ten million. So the archive is unpacked here, piece by piece and up to a limit; the
+elements of the description are counted in a stream, without keeping any; and x3pio is given a new archive of what
+passed. The sizes that an archive declares are not relied on, as they may be wrong too.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from nonhertz.io.traces.line import MOST_POINTS, Line, Request
 if TYPE_CHECKING:
     import x3pio
 
-_LARGEST_UNPACKED = 32_000_000  # bytes, of the most points in three coordinates and of as much XML and more
+_LARGEST_UNPACKED = 32_000_000  # bytes: the most points in three coordinates, and more than as much again of XML
 _MOST_MEMBERS = 1000
-# Of the description. A point written as text is an element of thirty characters, so 3 MB hold the most of them.
+# Of the description. A point written as text is an element of thirty characters, so 3 MB hold the most points allowed.
 _LARGEST_DESCRIPTION, _MOST_ELEMENTS, _DEEPEST, _LONGEST_TEXT = 8_000_000, 100_000, 50, 100_000
 _PIECE = 65_536  # bytes
-# Each member's entry in the archive's directory begins so.
+# Signature of each member's entry in the archive's directory.
 _ENTRY = b"PK\x01\x02"
 _AGAIN = "export the profile again, as X3P or as text"
 _FEWER = "export fewer points; a few thousand are enough"
@@ -44,7 +44,7 @@ def read_container(data: bytes, request: Request) -> Line:
     Raises
     ------
     InputError
-        If it is damaged, too large, or holds something else than a profile.
+        If it is damaged, too large, or holds anything other than a profile.
     """
     request.refuse_choices("an X3P file")
     try:
@@ -52,7 +52,7 @@ def read_container(data: bytes, request: Request) -> Line:
     except InputError:
         raise
     except Exception as error:  # noqa: BLE001  (zip, XML and x3pio raise a dozen kinds of errors over damaged files)
-        raise request.refuse(f"be a sound X3P file ({_reason(error)})", _AGAIN) from None
+        raise request.refuse(f"be an intact X3P file ({_reason(error)})", _AGAIN) from None
     layer = held.layers[0]
     notes = ["An X3P profile, converted from m to mm."]
     if len(held.layers) > 1:
@@ -66,7 +66,7 @@ def read_container(data: bytes, request: Request) -> Line:
 
 
 def _profile(archive: bytes, request: Request) -> x3pio.Profile:
-    """Return what x3pio makes of an archive, refused by its description before there are arrays of its points."""
+    """Return what x3pio reads from an archive; the description is checked before any arrays of points are allocated."""
     import x3pio
 
     try:
@@ -79,19 +79,19 @@ def _profile(archive: bytes, request: Request) -> x3pio.Profile:
             raise request.refuse(f"hold no more than {MOST_POINTS:,} points", _FEWER)
         held = x3pio.read(io.BytesIO(archive))
     except x3pio.X3pChecksumError:
-        raise request.refuse("be what its checksum says (it was changed or damaged)", _AGAIN) from None
+        raise request.refuse("match its checksum (it was changed or damaged)", _AGAIN) from None
     if not isinstance(held, x3pio.Profile):
         raise request.refuse("hold a profile (feature type PRF)", _AGAIN)
     return held
 
 
 def _sound(data: bytes, request: Request) -> bytes:
-    """Return the archive anew, of members that were unpacked within bounds and a description that was looked through.
+    """Return a new archive of members that were unpacked within the limits, with a description that was checked.
 
     Raises
     ------
     InputError
-        If it is beyond a bound.
+        If it exceeds a limit.
     """
     if data.count(_ENTRY) > _MOST_MEMBERS:
         raise request.refuse(f"hold no more than {_MOST_MEMBERS:,} files", _AGAIN)
@@ -99,7 +99,7 @@ def _sound(data: bytes, request: Request) -> bytes:
     with zipfile.ZipFile(io.BytesIO(data)) as old, zipfile.ZipFile(stream, "w") as new:
         for member in old.infolist():
             if member.compress_type not in {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}:
-                raise request.refuse("be packed as a zip file of X3P is (deflated)", _AGAIN)
+                raise request.refuse("be compressed as X3P files are (deflate)", _AGAIN)
             content = _unpacked(old, member, left, request)
             left -= len(content)
             if member.filename.replace("\\", "/").rsplit("/", 1)[-1] == "main.xml":
@@ -119,7 +119,7 @@ def _unpacked(archive: zipfile.ZipFile, member: zipfile.ZipInfo, most: int, requ
 
 
 def _look_through(description: bytes, request: Request) -> None:
-    """Refuse a description in XML of which a tree would not be made in reasonable time and memory."""
+    """Refuse an XML description that could not be parsed into a tree in reasonable time and memory."""
     if len(description) > _LARGEST_DESCRIPTION:
         condition = f"have a description of no more than {_LARGEST_DESCRIPTION // 1_000_000} MB"
         raise request.refuse(condition, "export the points in binary, or fewer of them")
@@ -132,7 +132,7 @@ def _look_through(description: bytes, request: Request) -> None:
 
 
 class _Seen:
-    """What has gone by of a description: elements, how deep they are, and the characters between two tags."""
+    """What has been seen of a description: number of elements, their depth, and the characters between two tags."""
 
     def __init__(self, request: Request) -> None:
         self.request, self.elements, self.depth, self.characters = request, 0, 0, 0

@@ -1,1 +1,1 @@
-"""From the case file's schema and a document to the form of the page."""
+"""From the case file's schema and a document to the form on the page."""

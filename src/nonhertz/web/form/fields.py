@@ -1,4 +1,4 @@
-"""What a form is made of: fields with their texts, and groups of them."""
+"""The building blocks of a form: fields with their texts, and groups of fields."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _PLAIN_NUMBER: Final = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 
 @dataclass(frozen=True)
 class Slider:
-    """What moves a number: a range, where it stands now, and the unit that the number is written in."""
+    """A slider for a number: its range, its position, and the unit that the number is written in."""
 
     range: Range
     position: int
@@ -30,7 +30,7 @@ class Slider:
 
 @dataclass(frozen=True)
 class Option:
-    """A choice: its word, and what else changes in the document when it is taken."""
+    """An option: its word, and what else changes in the document when it is chosen."""
 
     value: str
     label: str
@@ -38,7 +38,7 @@ class Option:
 
     @property
     def edits_text(self) -> str:
-        """The edits as JSON; empty where the word alone is set."""
+        """The edits as JSON; empty if only the word is set."""
         return json.dumps(self.edits) if self.edits else ""
 
 
@@ -51,23 +51,23 @@ class Field:
     path : str
         The key, such as ``"body.a.profile[1].radius"``.
     label, help, unit : str
-        What stands beside it.
+        The texts beside it.
     kind : str
-        How text and value belong together: ``"quantity"`` and ``"integer-or-word"`` (a plain number, else text),
-        ``"list"`` (such, with blanks between, or JSON), ``"text"``, ``"choice"``, ``"boolean"``, ``"json"`` (JSON if it
-        is, else text), ``"hidden-json"``. Without text there is no key.
+        How text maps to a value: ``"quantity"`` and ``"integer-or-word"`` (a plain number, else text), ``"list"``
+        (of these, separated by blanks, or JSON), ``"text"``, ``"choice"``, ``"boolean"``, ``"json"`` (JSON if valid,
+        else text), ``"hidden-json"``. If the text is empty, the key is left out.
     value : str
         The text in it.
     default : str
         What leaving it empty means.
     options : tuple of Option
-        Choices, or words to suggest.
+        Choices, or suggested words.
     slider : Slider or None
         For numbers.
     structural : bool
-        Whether the form changes with it.
+        Whether changing it changes the form.
     removable : bool
-        Whether it can only be taken away, being unknown.
+        Whether it has a button to remove it, being unknown.
     """
 
     path: str
@@ -84,12 +84,12 @@ class Field:
 
     @property
     def count(self) -> int:
-        """How many numbers a long list has."""
+        """Number of entries in a long list."""
         return len(json.loads(self.value))
 
     @property
     def id(self) -> str:
-        """A name for the page, the same whenever the form is made."""
+        """An HTML identifier, the same every time the form is made."""
         return "field-" + "".join(c if c.isascii() and c.isalnum() else f"-{ord(c):x}" for c in self.path)
 
 
@@ -100,15 +100,15 @@ class Group:
     Attributes
     ----------
     path, legend, help : str
-        As of a `Field`.
+        As for a `Field`.
     members : tuple
         Fields and groups.
     folded : tuple
         More of them, shown on demand.
     base : str
-        The empty table or list that is there in the document, whatever is in it; empty if it is not.
+        An empty table or list as JSON if the document has this one, whatever is in it; an empty string if it does not.
     removable : bool
-        Whether it is an entry of a list, which can be taken away.
+        Whether it is an entry of a list, which can be removed.
     additions : tuple of Option
         What can be added to it.
     """
@@ -138,7 +138,7 @@ class Group:
 
 
 def text_of(kind: str, value: Any) -> str | None:
-    """Return what a person reads and writes for a value; None if this kind of input cannot hold it."""
+    """Return the text of a value in a field; None if this kind of field cannot hold it."""
     match kind:
         case "quantity" | "integer-or-word":
             return number_or_words(value)
@@ -152,7 +152,7 @@ def text_of(kind: str, value: Any) -> str | None:
 
 
 def number_or_words(value: Any) -> str | None:
-    """Return the text of a number or of words that no number could be; None for anything else."""
+    """Return the text of a number, or text that cannot be mistaken for a number; None for anything else."""
     if isinstance(value, bool):
         return None
     if isinstance(value, int | float):
@@ -164,12 +164,12 @@ def number_or_words(value: Any) -> str | None:
 
 
 def is_number(value: int | float) -> bool:
-    """Return whether a number is finite, and a whole one not beyond all others."""
+    """Return whether a number is finite and, if an integer, fits into a float."""
     return value.bit_length() <= _MOST_BITS if isinstance(value, int) else math.isfinite(value)
 
 
 def _listed(value: Any) -> str | None:
-    """Return entries with blanks between them, or as JSON where they have blanks of their own."""
+    """Return entries separated by blanks, or as JSON if they contain blanks themselves."""
     if not isinstance(value, list):
         return None
     texts = [number_or_words(entry) for entry in value]

@@ -1,9 +1,8 @@
 """The form of a document: fields and groups, made from the case file's schema.
 
-Nothing of a case file's keys is repeated here. What the schema says of a key decides what field it gets, so that a key
-that is added to case files, or a profile to the catalogue, is in the form at once. A value that its field cannot hold,
-because it is mistaken, is shown as it is, and so is a key that nobody knows: a form shows all of a document, and the
-document can be made of it again.
+The keys of a case file are not repeated here. What the schema says about a key decides which field it gets, so a key
+added to case files, or a profile added to the catalogue, appears in the form at once. An invalid value that its field
+cannot hold is shown as JSON, and so is an unknown key: the form shows the whole document, which can be rebuilt from it.
 """
 
 from __future__ import annotations
@@ -30,22 +29,22 @@ from nonhertz.web.form.keys import (
 )
 from nonhertz.web.form.ranges import start, start_list
 
-#: Of each pair one is given; the form shows the first unless the document has another.
+#: One of each pair is given; the form shows the first unless the document has the other.
 ALTERNATIVES: Final = (("load", "approach"), ("tilt", "moment"))
-#: What all kinds of profile have; it stays when the kind is changed.
+#: Keys that all kinds of profile have, kept when the kind is changed.
 COMMON: Final = ("shift", "scale")
-#: Keys that most cases leave alone, folded away.
+#: Keys that most cases leave at their defaults, folded away.
 FOLDED: Final = (
     *("effective_length", "position", "side_faces", "images", "depth"),
     *COMMON,
     *("solver", "life"),
 )
-#: What one changes most comes first; the rest in the order of the schema.
+#: The most frequently changed keys come first; the rest in the order of the schema.
 FIRST: Final = ("title", "kind", "load", "body", "diameter", "length", "profile", "material")
 
 
 def form(document: dict[str, Any]) -> Group:
-    """Return the form of a document, mistaken or not; what format it has is not for anyone to fill in."""
+    """Return the form of a document, valid or not, without a field for the format number."""
     schema = case_schema()
     asked = {name: part for name, part in schema["properties"].items() if name != "format"}
     given = {name: value for name, value in document.items() if name != "format" or value != FORMAT}
@@ -53,14 +52,14 @@ def form(document: dict[str, Any]) -> Group:
 
 
 def _table(part: Schema, value: Any, place: Place, legend: str) -> Group | Field:
-    """Return the form of a table, or of what stands where one should."""
+    """Return the form of a table, or of another value in its place."""
     if value is not ABSENT and not isinstance(value, dict):
         return as_it_is(part, value, place)
     return _group(part, value if isinstance(value, dict) else {}, place, legend, there=value is not ABSENT)
 
 
 def _group(part: Schema, given: dict[str, Any], place: Place, legend: str, *, there: bool = True) -> Group:
-    """Return the form of a table, unknown keys as they are; ``there`` tells whether the document has it."""
+    """Return the form of a table, with unknown keys as JSON; ``there`` says whether the document has the table."""
     known = part["properties"]
     hidden = _unchosen(known, given)
     members: list[Field | Group] = [*_switches(known, given, place)]
@@ -74,7 +73,7 @@ def _group(part: Schema, given: dict[str, Any], place: Place, legend: str, *, th
 
 
 def _rank(known: Schema) -> Callable[[str], int]:
-    """Return by what the keys of a table are sorted."""
+    """Return the sort key for the keys of a table."""
     order = [*FIRST, *known]
     return order.index
 
@@ -102,13 +101,13 @@ def _member(name: str, part: Schema, value: Any, place: Place, table: dict[str, 
 
 
 def _is_roller(body: dict[str, Any]) -> bool:
-    """Return whether a body is a roller, whose depth has a default of its own; it need not say so."""
+    """Return whether a body is a roller, explicitly or by default; a roller has its own default depth."""
     convex = not str(body.get("diameter", "-")).startswith("-")
     return bool(body.get("kind", "roller" if convex and "length" in body else "") == "roller")
 
 
 def _kind(part: Schema, value: Any, place: Place, table: dict[str, Any]) -> Field:
-    """Return the choice of what a body or a profile is; the other keys go with it."""
+    """Return the choice of the kind of a body or profile, on which the other keys depend."""
     if "enum" in part:
         options = tuple(Option(word, word, _body_edits(word, place, table)) for word in part["enum"])
     else:
@@ -124,7 +123,7 @@ def _kind(part: Schema, value: Any, place: Place, table: dict[str, Any]) -> Fiel
 
 
 def _body_edits(word: str, place: Place, body: dict[str, Any]) -> Edits:
-    """Return what a body needs, or must not have, to be of a kind."""
+    """Return the edits that give a body the keys its new kind needs and remove those it must not have."""
     within = place[:-1]
     edits: Edits = [(path_of(place), word)]
     if word == "plate":
@@ -134,11 +133,11 @@ def _body_edits(word: str, place: Place, body: dict[str, Any]) -> Edits:
 
 
 def _new_profile(kind: str, before: dict[str, Any] | None = None) -> dict[str, Any]:
-    """Return a profile of a kind, with what it has in common with another."""
+    """Return a profile of a kind, with the common keys of the previous one."""
     part = profile_kinds()[kind]
     keys = part["properties"]
     kept = {name: value for name, value in (before or {}).items() if name in COMMON}
-    # Lists have to be given, though a file could stand for them; a radius has, unless something rarer stands for it.
+    # Lists have to be given, unless a file replaces them; so does a radius, unless one of the rarer alternatives does.
     needed = [
         name for name in keys if name in part["required"] or name == "radius" or keys[name].get("type") == "array"
     ]
@@ -151,7 +150,7 @@ def _new_profile(kind: str, before: dict[str, Any] | None = None) -> dict[str, A
 
 
 def _list(tables: list[Schema], value: Any, place: Place, meaning: str) -> Group | Field:
-    """Return the form of a list of tables, or of one table that stands for a list of one."""
+    """Return the form of a list of tables, or of a single table in place of a list of one."""
     if isinstance(value, dict):
         return _entry(tables, value, place)
     if value is not ABSENT and not isinstance(value, list):
@@ -169,8 +168,8 @@ def _entry(tables: list[Schema], entry: Any, place: Place) -> Group | Field:
     kind = entry.get("kind")
     part = kinds.get(kind) if isinstance(kind, str) or len(tables) == 1 else None
     part = tables[0] if len(tables) == 1 else part
-    if part is None:  # nobody knows what keys it may have
-        part = {"properties": {"kind": {"description": "what profile it is"}}}
+    if part is None:  # an unknown kind: its keys are unknown too
+        part = {"properties": {"kind": {"description": "kind of profile"}}}
     legend = f"{label_of(place)}: {kind}" if isinstance(kind, str) else label_of(place)
     return replace(_group(part, entry, place, legend), removable=isinstance(place[-1], int))
 
@@ -207,7 +206,7 @@ def _value_or_table(table: Schema, part: Schema, value: Any, place: Place) -> Gr
 
 
 def _one_or_two(part: Schema, value: Any, place: Place, ends: bool) -> Group | Field:
-    """Return the form of a key that holds one value for both ends of a body, or two; without ends it needs none."""
+    """Return the form of a key with one value for both ends of a body, or two; a body without ends gets no switch."""
     path = path_of(place)
     is_pair = isinstance(value, list) and len(value) == 2
     first = value[0] if is_pair else (Body.side_faces if value is ABSENT else value)
@@ -229,7 +228,7 @@ def _one_or_two(part: Schema, value: Any, place: Place, ends: bool) -> Group | F
 
 
 def _switches(known: Schema, given: dict[str, Any], place: Place) -> Iterator[Field]:
-    """Yield the choices between keys of which one is to be given."""
+    """Yield a choice for each pair of alternative keys."""
     for pair in ALTERNATIVES:
         if not set(pair) <= set(known):
             continue
@@ -243,7 +242,7 @@ def _switches(known: Schema, given: dict[str, Any], place: Place) -> Iterator[Fi
 
 
 def _unchosen(known: Schema, given: dict[str, Any]) -> set[str]:
-    """Return the keys that stand aside for another, and what a plate must not have."""
+    """Return the keys to hide: the alternatives not chosen, and those a plate must not have."""
     aside: set[str] = set()
     for pair in ALTERNATIVES:
         if set(pair) <= set(known):
@@ -255,5 +254,5 @@ def _unchosen(known: Schema, given: dict[str, Any]) -> set[str]:
 
 
 def _switch(path: str, label: str, options: tuple[Option, ...], chosen: str) -> Field:
-    """Return a choice that is no key of the document."""
+    """Return a choice that is not a key of the document."""
     return Field(path, label, "switch", chosen, options=options, structural=True)

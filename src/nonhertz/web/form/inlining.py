@@ -1,4 +1,4 @@
-"""Files that a case names, made points of: the page reads none."""
+"""Replacing the files that a case names by their points, since the page reads no files."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from nonhertz.web.limits import POINTS
 
 
 def inlined(document: dict[str, Any], folder: Path) -> tuple[dict[str, Any], tuple[str, ...]]:
-    """Return a sound document with points in place of the files that its profiles name, and what was done.
+    """Return a valid document with points in place of the files that its profiles name, and notes about it.
 
     Parameters
     ----------
     document : dict
         A document without mistakes.
     folder : Path
-        What names of files are relative to.
+        Directory that file names are relative to.
 
     Returns
     -------

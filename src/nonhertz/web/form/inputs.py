@@ -16,14 +16,14 @@ from nonhertz.web.form.keys import Schema, alternatives, default_of, is_quantity
 from nonhertz.web.form.ranges import range_of
 
 ABSENT: Final = object()
-"""In place of the value of a key that is not there."""
+"""Stands for the value of a missing key."""
 
 _LONG_LIST: Final = 24
 _WRITTEN_UNIT: Final = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*(\S.*)")
 
 
 def input_for(part: Schema, value: Any, place: Place) -> Field:
-    """Return the input for a value that is no table."""
+    """Return the input for a value other than a table."""
     name = str(place[-1])
     kinds = alternatives(part)
     first = kinds[0]
@@ -44,7 +44,7 @@ def input_for(part: Schema, value: Any, place: Place) -> Field:
 
 
 def _filled(made: Field, value: Any, name: str) -> Field:
-    """Return an input with a value in it, as another kind where it cannot hold the value."""
+    """Return an input with a value in it, changed to another kind if it cannot hold the value."""
     if made.kind in {"quantity", "integer-or-word"}:
         made = replace(made, slider=_slider(name, made.unit, value))
     if value is ABSENT:
@@ -60,7 +60,7 @@ def _filled(made: Field, value: Any, name: str) -> Field:
 
 
 def _slider(name: str, unit: str, value: Any) -> Slider | None:
-    """Return what moves a quantity, where it stands now, and how it is written."""
+    """Return the slider for a quantity, at its present value and in its written unit."""
     try:
         number = math.nan if value is ABSENT else in_unit(name, value, unit)
     except InputError:
@@ -79,22 +79,22 @@ def _slider(name: str, unit: str, value: Any) -> Slider | None:
 
 
 def options_of(words: tuple[str, ...]) -> tuple[Option, ...]:
-    """Return words as choices, or as suggestions."""
+    """Return words as choices or suggestions."""
     return tuple(Option(word, word) for word in words)
 
 
 def stray(value: Any, place: Place) -> Field:
-    """Return an unknown key with its value, which can be changed or taken away."""
+    """Return a field for an unknown key with its value, which can be edited or removed."""
     return Field(path_of(place), label_of(place), "json", json.dumps(value), removable=True)
 
 
 def as_it_is(part: Schema, value: Any, place: Place) -> Field:
-    """Return a value that stands where a table should."""
+    """Return a field for a value in the place of a table."""
     return replace(stray(value, place), help=meaning_of(part))
 
 
 def label_of(place: Place) -> str:
-    """Return what stands beside a field: its key, and the number of an entry in a list."""
+    """Return the label of a field: its key, and the number of a list entry."""
     last = place[-1] if place else ""
     if isinstance(last, int):
         return f"{label_of(place[:-1])} {last}"

@@ -1,4 +1,4 @@
-"""What the case file's schema says of its keys: what a value may be, in which unit, and what it means."""
+"""What the case file's schema says about its keys: what a value may be, in which unit, and what it means."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ _QUOTED: Final = re.compile(r"""['"`]([a-z][a-z0-9-]*)['"`]""")
 
 @functools.cache
 def case_schema() -> Schema:
-    """Return the schema of a case file, made once."""
+    """Return the cached schema of a case file."""
     return schema()
 
 
 def _resolved(part: Schema) -> Schema:
-    """Return a part of the schema with its reference followed and what stands for "left out" taken away."""
+    """Return a part of the schema with its reference resolved and the null alternative removed."""
     if "$ref" in part:
         name = part["$ref"].rpartition("/")[2]
         part = case_schema()["$defs"][name] | {key: value for key, value in part.items() if key != "$ref"}
@@ -35,7 +35,7 @@ def _resolved(part: Schema) -> Schema:
 
 
 def alternatives(part: Schema) -> list[Schema]:
-    """Return what a value may be, lists of possibilities within one another laid flat."""
+    """Return what a value may be, with nested alternatives flattened."""
     part = _resolved(part)
     if "anyOf" not in part or is_quantity(part):
         return [part]
@@ -48,14 +48,14 @@ def is_table(part: Schema) -> bool:
 
 
 def is_quantity(part: Schema) -> bool:
-    """Return whether a value is a number, or text of a number and a unit, and no word."""
+    """Return whether a value is a number, or text of a number and a unit, but not a word."""
     if part.get("type") in {"number", "integer"}:
         return True
     return "unit" in part and not any("enum" in kind or "const" in kind for kind in part["anyOf"])
 
 
 def words_for(name: str, part: Schema) -> tuple[str, ...]:
-    """Return the words that a key may hold, as far as the schema or the key's meaning names them."""
+    """Return the words that a key may hold, as far as the schema or the key's description names them."""
     if name == "material":
         return tuple(MATERIALS)
     if name == "models":
@@ -70,13 +70,13 @@ def words_for(name: str, part: Schema) -> tuple[str, ...]:
 
 
 def unit_of(part: Schema) -> str:
-    """Return the unit that a plain number is in; empty if it has none."""
+    """Return the unit of a plain number; empty if it has none."""
     units = [part.get("unit", ""), *(kind.get("unit", "") for kind in alternatives(part))]
     return next((unit for unit in units if unit), "")
 
 
 def default_of(part: Schema) -> str:
-    """Return in words what leaving a key out means; empty if there is no one value for that."""
+    """Return the default of a key as text; empty if there is no single value."""
     default = part.get("default")
     if isinstance(default, dict):
         return next((name for name, material in MATERIALS.items() if asdict(material) == default), "")
@@ -84,7 +84,7 @@ def default_of(part: Schema) -> str:
 
 
 def meaning_of(part: Schema) -> str:
-    """Return what the schema says of a key, without the marks that are for documentation."""
+    """Return what the schema says about a key, without documentation markup."""
     return str(part.get("description", "")).replace("`", "")
 
 
@@ -97,7 +97,7 @@ def profile_kinds() -> dict[str, Schema]:
 
 
 def _told_apart(table: Schema) -> Schema:
-    """Return a kind of profile with its radius marked as that across the contact where it has a design load."""
+    """Return a kind of profile; if it has a design load, its radius is marked as the one across the contact."""
     keys = table["properties"]
     if "load" in keys and "radius" in keys:
         keys = keys | {"radius": keys["radius"] | {"range": "radius across"}}
@@ -105,5 +105,5 @@ def _told_apart(table: Schema) -> Schema:
 
 
 def kinds_made_of_numbers() -> Iterator[str]:
-    """Yield the kinds of profile that need no file; the page reads none by its name."""
+    """Yield the kinds of profile that need no file, since the page reads no files by name."""
     yield from (kind for kind, part in profile_kinds().items() if "file" not in part["required"])

@@ -1,4 +1,4 @@
-"""Between which values a slider moves each quantity, and what a key begins with when it is added."""
+"""The slider range of each quantity, and the initial value of a key when it is added."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ SLIDER_STEPS: Final = 1000
 
 @dataclass(frozen=True)
 class Range:
-    """Where a slider ends.
+    """Range of a slider.
 
     Attributes
     ----------
@@ -20,7 +20,7 @@ class Range:
     scale : str
         ``"linear"`` or ``"log"``; the latter has ends of one sign.
     start : float
-        What a key that is added begins with.
+        Initial value of a key when it is added.
     """
 
     low: float
@@ -33,7 +33,7 @@ class Range:
         return Range(-self.low, -self.high, self.scale, -self.start)
 
     def position(self, value: float) -> int:
-        """Return where a value stands on a slider, from 0 to `SLIDER_STEPS`.
+        """Return the position of a value on the slider, from 0 to `SLIDER_STEPS`.
 
         Examples
         --------
@@ -49,8 +49,8 @@ class Range:
 
 
 LENGTH: Final = Range(0.5, 500.0, "log", 20.0)
-#: By the name of the key, which means one quantity in all of a case file; but the radius of a profile for a design load
-#: is that across the contact.
+#: By key, which denotes the same quantity throughout a case file; except that the radius of a profile for a design load
+#: is the one across the contact.
 RANGES: Final[dict[str, Range]] = {
     "amplitude": Range(1e-4, 0.1, "log", 0.005),
     "angle": Range(1e-4, 1.0, "log", 0.001),
@@ -83,7 +83,7 @@ RANGES: Final[dict[str, Range]] = {
     "width": Range(0.01, 10.0, "log", 0.5),
     "zm": Range(1e-4, 1.0, "log", 0.01),
 }
-# Lists have no sliders; what they begin with.
+# Initial values of lists, which have no sliders.
 ENDS: Final[dict[str, list[float]]] = {
     "y": [-10.0, 0.0, 10.0],
     "relief": [0.01, 0.0, 0.01],
@@ -92,7 +92,7 @@ ENDS: Final[dict[str, list[float]]] = {
 
 
 def range_of(name: str, value: float | None = None) -> Range | None:
-    """Return the range of a key that has ``value`` at present; None for one without a slider."""
+    """Return the range of a key whose current value is ``value``; None for a key without a slider."""
     found = RANGES.get(name)
     if found is None or value is None or found.scale == "linear" or value >= 0.0:
         return found
@@ -100,10 +100,10 @@ def range_of(name: str, value: float | None = None) -> Range | None:
 
 
 def start(name: str) -> float | list[float]:
-    """Return what a number that has to be given begins with."""
+    """Return the initial value of a required number."""
     return RANGES[name].start
 
 
 def start_list(name: str) -> list[float]:
-    """Return what a list that has to be given begins with."""
+    """Return the initial value of a required list."""
     return list(ENDS[name])

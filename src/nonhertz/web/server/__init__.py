@@ -1,1 +1,1 @@
-"""Who may ask and how it is answered: socket, routes, what is taken in, processes that compute."""
+"""The server: socket, request guard, routes, request parsing, and worker processes."""

@@ -43,20 +43,20 @@ _DOWNLOADS: Final = {
 }
 _LONG_FILE: Final = "This file takes longer than the page waits: prepare it with 'nonhertz profile'."
 _SENTENCES: Final = {
-    404: "There is nothing under this address.",
-    405: "This address is not asked in this way.",
+    404: "There is nothing at this address.",
+    405: "This address does not accept this method.",
 }
 
 
 class Page:
-    """What the routes share: the workers, the templates, and the case that the page begins with.
+    """What the routes share: the workers, the templates, and the case that the page starts with.
 
     Parameters
     ----------
     document : dict
-        The case to begin with.
+        The case to start with.
     workers : Workers
-        Who computes.
+        The processes that compute.
     """
 
     def __init__(self, document: dict[str, Any], workers: Workers) -> None:
@@ -105,13 +105,13 @@ class Page:
         return Response(text, media_type="application/json")
 
     async def open(self, request: Request) -> Response:
-        """Answer with the document in the text of a case file."""
+        """Answer with the document parsed from the text of a case file."""
         content_of_file = await content(request, "application/toml", DOCUMENT_BYTES)
         text = await self.workers.run(jobs.document_in, content_of_file, seconds=LIVE_SECONDS)
         return Response(text, media_type="application/json")
 
     async def download(self, request: Request) -> Response:
-        """Answer with a file made of a document."""
+        """Answer with a file made from a document."""
         name = request.path_params["name"]
         if name not in _DOWNLOADS:
             raise HTTPException(404)
@@ -129,7 +129,7 @@ class Page:
         return Response(made, headers=_as_attachment(name, document), media_type=_DOWNLOADS[name])
 
     async def upload(self, request: Request) -> Response:
-        """Answer with the profile in a measured file."""
+        """Answer with the profile prepared from a measured file."""
         file = await content(request, "application/octet-stream", UPLOAD_BYTES)
         options = dict(request.query_params)
         name = options.pop("name", "")[:200] or "the file"
@@ -140,7 +140,7 @@ class Page:
         return Response(text, media_type="application/json")
 
     async def status(self, request: Request) -> Response:
-        """Answer whether cases are solved at once, or the solver is still being compiled."""
+        """Answer whether the solver is ready or still being compiled."""
         return reply({"ready": self.workers.ready.is_set()})
 
     async def static(self, request: Request) -> Response:
@@ -174,11 +174,11 @@ def application(document: dict[str, Any], port: int, workers: int = 2) -> Guard:
     Parameters
     ----------
     document : dict
-        The case that it begins with.
+        The case that it starts with.
     port : int
-        Where it will be reached; it answers under no other address.
+        The port it is served on; requests for another address are refused.
     workers : int
-        How many processes solve.
+        Number of processes that solve.
     """
     crew = Workers(workers, jobs.warm_up)
 
@@ -205,19 +205,19 @@ def application(document: dict[str, Any], port: int, workers: int = 2) -> Guard:
         },
     )
     app.router.redirect_slashes = False
-    # Around everything, what answers for our own errors included.
+    # Wraps everything, including the handler of our own errors.
     return Guard(app, port)
 
 
 def _document(asked: dict[str, Any]) -> dict[str, Any]:
     document = asked.get("document")
     if not isinstance(document, dict):
-        raise RefusedError(400, "The request must have a document, a table as a case file is one.")
+        raise RefusedError(400, "The request must have a document, structured like a case file.")
     return document
 
 
 def _in_script(value: Any) -> str:
-    """Return JSON that can stand in a script element: nothing in it ends that."""
+    """Return JSON that is safe inside a script element: nothing in it can end the element."""
     text = json.dumps(value, allow_nan=False)
     for character in "<>&\u2028\u2029":
         text = text.replace(character, f"\\u{ord(character):04x}")
@@ -225,7 +225,7 @@ def _in_script(value: Any) -> str:
 
 
 def _as_attachment(name: str, document: dict[str, Any]) -> dict[str, str]:
-    """Return the header that has a browser save a file, named after the case as far as that is plain letters."""
+    """Return the header that makes a browser save a file, named after the ASCII letters and digits of the title."""
     title = str(document.get("title", ""))[:200].lower()
     words = "".join(c if c.isascii() and c.isalnum() else " " for c in title).split()
     stem, _, ending = name.partition(".")
@@ -234,7 +234,7 @@ def _as_attachment(name: str, document: dict[str, Any]) -> dict[str, str]:
 
 
 def _static_files() -> dict[str, tuple[bytes, str]]:
-    """Return the page's own files by their names; nothing else is ever sent."""
+    """Return the page's static files by name; no other file is ever sent."""
     found: dict[str, tuple[bytes, str]] = {}
 
     def gather(folder: Any, within: str) -> None:
@@ -267,8 +267,8 @@ async def _too_slow(request: Request, error: Exception) -> Response:
 
 
 async def _ended(request: Request, error: Exception) -> Response:
-    # Another process is on its way: that is no fault of the case, and the page asks again.
-    return refusal(503, "The process that solved this case was ended by the system: ask again.")
+    # Another process is being started: the case is not at fault, and the page asks again.
+    return refusal(503, "The process that was solving this case was killed by the system: try again.")
 
 
 async def _failed(request: Request, error: Exception) -> Response:

@@ -1,8 +1,7 @@
-"""Who may ask, and what goes out with every answer.
+"""Which requests are accepted, and the headers of every answer.
 
-The server listens on this machine alone, but every page in the browser can reach it there. So a request must name this
-server as its host, which one that comes through a name of somebody else's does not, and must not come from another
-site's page.
+The server listens on this machine only, but any page in the browser can reach it there. So a request must name this
+server as its host, which defeats DNS rebinding, and must not come from another site's page.
 """
 
 from __future__ import annotations
@@ -42,12 +41,12 @@ HEADERS: Final = {
 
 
 class Guard:
-    """Turns away who must not ask, and puts the headers on every answer.
+    """Rejects requests that are not allowed, and adds the headers to every answer.
 
     Parameters
     ----------
     app : ASGI application
-        What answers the others.
+        Answers all other requests.
     port : int
         The port that the server listens on.
     """
@@ -75,18 +74,18 @@ class Guard:
         """Return why a request is refused, None if it is not."""
         headers = Headers(scope=scope)
         if headers.getlist("host") != [headers.get("host")] or headers["host"].lower() not in self.hosts:
-            return "The page answers under its own address only: use the one that 'nonhertz serve' printed."
+            return "The page answers only at its own address: use the one that 'nonhertz serve' printed."
         origins = headers.getlist("origin")
         if any(origin.lower() not in self.origins for origin in origins):
-            return "The page answers no requests of other pages."
+            return "The page answers no requests from other pages."
         sites = headers.getlist("sec-fetch-site")
         if any(site not in _OWN_SITES for site in sites) and not _opens_the_page(scope, headers):
-            return "The page answers no requests of other pages."
+            return "The page answers no requests from other pages."
         return None
 
 
 def _opens_the_page(scope: Scope, headers: Headers) -> bool:
-    """Return whether somebody followed a link to the page, which is no more than typing its address."""
+    """Return whether a link to the page was followed, which is as harmless as typing its address."""
     navigates = headers.get("sec-fetch-mode") == "navigate" and headers.get("sec-fetch-dest") == "document"
     return bool(scope["method"] == "GET" and scope["path"] == "/" and navigates)
 

@@ -1,4 +1,4 @@
-"""What comes in: bodies read no further than their limit, JSON taken at its word and no further."""
+"""Reading requests: bodies up to their size limit, and strict JSON."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from nonhertz.web.limits import BODY_SECONDS
 
 
 class RefusedError(Exception):
-    """A request that is not answered, with the status code and one sentence that says why.
+    """A rejected request, with the status code and one sentence that says why.
 
     Parameters
     ----------
     status : int
         HTTP status code.
     sentence : str
-        For whoever reads the page.
+        The reason, for the reader of the page.
     """
 
     def __init__(self, status: int, sentence: str) -> None:
@@ -39,12 +39,12 @@ async def content(request: Request, kind: str, most: int) -> bytes:
     kind : str
         The content type that it must have.
     most : int
-        Bytes, at most. What is longer is not read to its end; what the request says of its length is not believed.
+        Size limit in bytes. Reading stops there; the declared content length is not trusted.
 
     Raises
     ------
     RefusedError
-        If it is of another type, longer, takes too long to arrive, or ends before it should.
+        If it is of another type, too long, takes too long to arrive, or ends early.
     """
     given = request.headers.get("content-type", "").partition(";")[0].strip().lower()
     if given != kind:
@@ -55,7 +55,7 @@ async def content(request: Request, kind: str, most: int) -> bytes:
             async for chunk in request.stream():
                 read += chunk
                 if len(read) > most:
-                    raise RefusedError(413, f"This is more than the {most // 1024} kB that the page takes.")
+                    raise RefusedError(413, f"This is more than the {most // 1024} kB that the page accepts.")
     except TimeoutError:
         raise RefusedError(408, "The request took too long to arrive: send it again.") from None
     except ClientDisconnect:
@@ -75,7 +75,7 @@ def json_object(text: bytes) -> dict[str, Any]:
         value = json.loads(text.decode("utf-8"), parse_constant=_no_number, object_pairs_hook=_no_key_twice)
     except RecursionError:
         raise RefusedError(400, "The JSON is nested too deeply.") from None
-    except ValueError as error:  # no UTF-8, no JSON, or a number of thousands of digits
+    except ValueError as error:  # not UTF-8, not JSON, or a number with thousands of digits
         raise RefusedError(400, f"The request must be JSON ({_first_line(error)}).") from None
     if not isinstance(value, dict):
         raise RefusedError(400, "The request must be a JSON object.")
@@ -90,20 +90,20 @@ def _first_line(error: ValueError) -> str:
 
 
 def _no_number(name: str) -> Any:
-    raise ValueError(f"{name} is no number")
+    raise ValueError(f"{name} is not a number")
 
 
 def _no_key_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     table: dict[str, Any] = {}
     for name, value in pairs:
         if name in table:
-            raise ValueError(f"the key {name[:40]!r} stands there twice")
+            raise ValueError(f"the key {name[:40]!r} occurs twice")
         table[name] = value
     return table
 
 
 def _refuse_half_characters(value: Any) -> None:
-    """Refuse what JSON can escape and no text can hold: one half of a character of two."""
+    """Refuse lone surrogates, which JSON can escape but no text can hold."""
     try:
         json.dumps(value, ensure_ascii=False).encode()
     except UnicodeEncodeError:

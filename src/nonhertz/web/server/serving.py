@@ -20,25 +20,25 @@ from nonhertz.web.server.guard import Guard
 
 HOST: Final = "127.0.0.1"
 CONNECTIONS: Final = 256
-"""At once; a browser holds up to six."""
+"""Simultaneous ones; a browser opens up to six."""
 
 
 def listening(port: int) -> socket.socket:
-    """Return a socket that listens on this machine alone.
+    """Return a socket that listens on this machine only.
 
     Parameters
     ----------
     port : int
-        The port; 0 for a free one.
+        The port; 0 for any free one.
 
     Raises
     ------
     InputError
-        If there is no such port, or another program has it.
+        If the port number is invalid, or another program uses the port.
     """
     if not 0 <= port <= 65535:
         raise InputError("--port", port, "lie between 0 and 65535", "choose another, or 0 for a free one")
-    # Only with the protocol named does asyncio send at once what is written, without waiting 40 ms for more.
+    # asyncio sets TCP_NODELAY only if the protocol is given explicitly; otherwise small writes wait 40 ms for more.
     made = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
     made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
@@ -58,18 +58,18 @@ def serve(document: dict[str, Any], port: int, *, browser: bool, announce: Calla
     Parameters
     ----------
     document : dict
-        The case to begin with.
+        The case to start with.
     port : int
-        Where; 0 for a free port.
+        The port; 0 for any free one.
     browser : bool
-        Whether to open the page.
+        Whether to open the page in a browser.
     announce : callable
-        Is told the address.
+        Called with the address.
 
     Raises
     ------
     InputError
-        If the port cannot be had.
+        If the port is not available.
     KeyboardInterrupt
         When it is interrupted.
     """
@@ -81,30 +81,30 @@ def serve(document: dict[str, Any], port: int, *, browser: bool, announce: Calla
         if browser:
             threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()
         server.run([bound])
-        # It has sent us the interrupt again, which a shell has us ignore in the background.
+        # uvicorn re-raises the signal, but a background process of a shell ignores it.
         raise KeyboardInterrupt
 
 
 class PromptProtocol(H11Protocol):
-    """HTTP that gives a connection only so long to bring the head of its next request.
+    """HTTP with a time limit for the headers of the next request on a connection.
 
-    uvicorn waits for ever once a byte of it is there; as many connections as it takes would shut everybody else out.
+    uvicorn waits forever once their first byte has arrived; enough such connections would lock everyone else out.
     """
 
     _deadline: asyncio.TimerHandle | None = None
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
-        """Begin to wait for the first request."""
+        """Start waiting for the first request."""
         super().connection_made(transport)
         self._wait()
 
     def on_response_complete(self) -> None:
-        """Begin to wait for the next request."""
+        """Start waiting for the next request."""
         super().on_response_complete()
         self._wait()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Wait no more."""
+        """Stop waiting."""
         super().connection_lost(exc)
         if self._deadline is not None:
             self._deadline.cancel()
@@ -120,14 +120,14 @@ class PromptProtocol(H11Protocol):
 
 
 def server_of(app: Guard) -> uvicorn.Server:
-    """Return what speaks HTTP for the page."""
+    """Return the HTTP server of the page."""
     settings = uvicorn.Config(
         app,
         http=PromptProtocol,
         ws="none",
         lifespan="on",
         log_config=None,
-        # Whatever is sent amiss is answered, and no news to whoever has the terminal.
+        # Bad requests get an answer and need not be reported on the terminal.
         log_level="error" if os.environ.get("NONHERTZ_DEBUG", "0") not in {"", "0"} else "critical",
         access_log=False,
         server_header=False,

@@ -1,8 +1,8 @@
-"""Processes that compute, and are ended when they take too long.
+"""Processes that compute, and are killed when they take too long.
 
-A compiled loop cannot be interrupted from another thread, and no bound on the input alone can promise how long Newton's
-method takes. So whatever computes does so in a process of its own: past its deadline that is killed and another takes
-its place, and the server answers in time whatever it was asked.
+A compiled loop cannot be interrupted from another thread, and no limit on the input can guarantee how long Newton's
+method takes. So all computing is done in worker processes: one that exceeds its deadline is killed and replaced, and
+the server answers in time whatever the request.
 """
 
 from __future__ import annotations
@@ -24,25 +24,25 @@ from nonhertz.web.limits import WAITING_REQUESTS, WAITING_SECONDS
 from nonhertz.web.server.intake import RefusedError
 
 WARM_UP_SECONDS: Final = 300.0
-"""For a machine on which everything has to be compiled first."""
+"""Long enough for a machine on which everything has to be compiled first."""
 
-_STEP = 0.05  # s, between looks at whether to stop waiting
-_PAUSE = 1.0  # s, before a process that could not be started is tried again
+_STEP = 0.05  # s between checks of the deadline
+_PAUSE = 1.0  # s before trying again to start a process
 _BUSY = "The page is busy with other cases: it will ask again."
 
 Job = Callable[..., Any]
 
 
 class TooSlowError(Exception):
-    """A job was not done in time; its process has been ended."""
+    """A job was not done in time; its process has been killed."""
 
 
 class FailedError(Exception):
-    """A job raised what it should not have; its process goes on."""
+    """A job raised an unexpected error; its process lives on."""
 
 
 class EndedError(FailedError):
-    """A process ended by itself, such as for want of memory."""
+    """A process died, for example for lack of memory."""
 
 
 class Worker:
@@ -51,7 +51,7 @@ class Worker:
     Parameters
     ----------
     warm_up : callable or None
-        What it does first, a function that a module has.
+        What it does first; a module-level function, so that it can be pickled.
     """
 
     def __init__(self, warm_up: Job | None = None) -> None:
@@ -85,7 +85,7 @@ class Worker:
         return value
 
     def do(self, job: Job, arguments: tuple[Any, ...], seconds: float) -> Any:
-        """Return what a job returns; raises as `wait` does."""
+        """Return what a job returns; raise as `wait` does."""
         try:
             self._connection.send_bytes(pickle.dumps((job, arguments)))
         except OSError:
@@ -94,11 +94,11 @@ class Worker:
 
     @property
     def alive(self) -> bool:
-        """Whether the process has not ended."""
+        """Whether the process is still running."""
         return self._process.is_alive()
 
     def end(self) -> None:
-        """End the process, whatever it is doing."""
+        """Kill the process, whatever it is doing."""
         self._process.kill()
         self._connection.close()
         self._process.join()
@@ -111,7 +111,7 @@ class Workers:
     Parameters
     ----------
     count : int
-        How many for short jobs.
+        Number of processes for short jobs.
     warm_up : callable or None
         What each does before it is used.
     """
@@ -128,12 +128,12 @@ class Workers:
         self._tasks: TaskGroup | None = None
 
     def start(self, tasks: TaskGroup) -> None:
-        """Start the processes, one after the other: the first compiles for all."""
+        """Start the processes one after the other, since the first one compiles for all."""
         self._tasks = tasks
         tasks.start_soon(self._add, self._count)
 
     def end(self) -> None:
-        """End all processes."""
+        """Kill all processes."""
         for worker in tuple(self._living):
             self._end(worker)
 
@@ -143,7 +143,7 @@ class Workers:
         Raises
         ------
         RefusedError
-            If too much is to be done already.
+            If there are too many jobs already.
         TooSlowError, FailedError, EndedError
             As `Worker.wait` does.
         """
@@ -153,18 +153,18 @@ class Workers:
         except BaseException as error:
             if isinstance(error, FailedError) and not isinstance(error, EndedError):
                 self._put_back(worker)
-            else:  # what it sends next would be the answer to another question
+            else:  # a late answer would be taken for that of the next job
                 self._replace(worker)
             raise
         self._put_back(worker)
         return value
 
     async def run_apart(self, job: Job, *arguments: Any, seconds: float) -> Any:
-        """Return what a long job returns, done in a process that is started for it; raises as `run` does."""
+        """Return what a long job returns, run in a process started for it; raise as `run` does."""
         try:
             self._long.acquire_on_behalf_of_nowait(job)
         except (anyio.WouldBlock, RuntimeError):
-            raise RefusedError(503, "Another report is being made: ask again when it is done.") from None
+            raise RefusedError(503, "Another report is being made: try again when it is done.") from None
         try:
             worker = await self._in_thread(Worker)
             self._living.add(worker)
@@ -176,7 +176,7 @@ class Workers:
             self._long.release_on_behalf_of(job)
 
     async def _free(self) -> Worker:
-        """Return a process that has nothing to do."""
+        """Return an idle process."""
         if self._waiting >= WAITING_REQUESTS:
             raise RefusedError(503, _BUSY)
         self._waiting += 1
@@ -190,7 +190,7 @@ class Workers:
                     worker = self._idle.popleft()
                     if worker.alive:
                         return worker
-                    self._replace(worker)  # somebody else has ended it while it had nothing to do
+                    self._replace(worker)  # killed from outside while idle
         except TimeoutError:
             raise RefusedError(503, _BUSY) from None
         finally:
@@ -213,10 +213,10 @@ class Workers:
             self.ready.set()
 
     async def _started(self) -> Worker | None:
-        """Return a process that is ready, None if it could not be started or has ended on the way."""
+        """Return a process that is ready, None if it could not be started or died while warming up."""
         try:
             worker: Worker = await self._in_thread(Worker, self._warm_up)
-        except OSError:  # no memory, or as many processes as there may be
+        except OSError:  # out of memory, or at the limit of processes
             return None
         self._living.add(worker)
         try:
@@ -237,8 +237,8 @@ class Workers:
 
 
 def _work(connection: Connection, warm_up: Job | None) -> None:
-    """Do what comes through a connection, until its other end is closed."""
-    # An interrupt at the terminal reaches the whole group; it is the server that ends us.
+    """Run the jobs that arrive on a connection until its other end is closed."""
+    # An interrupt at the terminal reaches the whole process group, but only the server should end this process.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     if warm_up is not None:
         _answer(connection, warm_up, ())
@@ -253,7 +253,7 @@ def _work(connection: Connection, warm_up: Job | None) -> None:
 def _answer(connection: Connection, job: Job, arguments: tuple[Any, ...]) -> None:
     try:
         sent = True, job(*arguments)
-    except Exception as error:  # noqa: BLE001  (the border: the server tells it in a sentence)
+    except Exception as error:  # noqa: BLE001  (top level: the server reports it in a sentence)
         sent = False, f"{type(error).__name__}: {error}"
     try:
         connection.send_bytes(pickle.dumps(sent))

@@ -1,4 +1,4 @@
-// The case in the address of the page: reloading, or going away and back, loses nothing.
+// Keeps the case in the address of the page, so that reloading or navigating away and back loses nothing.
 
 import { fragment } from "./link.js";
 
@@ -9,7 +9,7 @@ export class Address {
     this.rest = 0;
   }
 
-  /** Keep a case in the address once no other follows. @param {object} document @param {object | null} pinned */
+  /** Put a case into the address after a pause in editing. @param {object} document @param {object | null} pinned */
   keep(document, pinned) {
     window.clearTimeout(this.rest);
     this.rest = window.setTimeout(() => void this.put(document, pinned), REST);
@@ -18,7 +18,7 @@ export class Address {
   /** @param {object} document @param {object | null} pinned */
   async put(document, pinned) {
     window.clearTimeout(this.rest);
-    // Replaced and not added: a drag would fill the history with a hundred pages.
+    // Replaced, not pushed: a drag would fill the history with a hundred entries.
     history.replaceState(null, "", await fragment(document, pinned));
     return window.location.href;
   }

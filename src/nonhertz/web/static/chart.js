@@ -1,4 +1,4 @@
-// What all figures share: room, axes, marks that come again, and the words for those who do not see them.
+// What all figures share: margins, axes, common marks, and text alternatives.
 
 export const INK = "currentColor";
 export const FIRST = "var(--first)";
@@ -6,14 +6,14 @@ export const SECOND = "var(--second)";
 export const PINNED = "var(--pinned)";
 export const FAINT = "var(--faint)";
 
-// The same room on both sides of all figures along y, so that what stands above one another belongs together.
+// The same side margins for all figures along y, so that the same y lines up.
 export const MARGINS = { marginLeft: 58, marginRight: 16, marginTop: 14, marginBottom: 24 };
-export const NAMED = 38; // the room below where the axis has its name as well
+export const NAMED = 38; // the bottom margin where the axis has a label
 
-/** 2000, and not 2,000, which half of the world reads as 2. @param {number} value */
+/** 2000, not 2,000, which half the world reads as 2. @param {number} value */
 export const PLAIN = (value) => String(Number(value.toPrecision(4))).replace("-", "\u2212");
 
-// How wide the drawings are. Asking the browser after each of them would have it lay the page out six times over.
+// Widths of the drawings. Asking the browser after each drawing would force it to lay out the page six times.
 /** @type {WeakMap<Element, number>} */
 const widths = new WeakMap();
 /** @type {() => void} */
@@ -26,7 +26,7 @@ const observer = new ResizeObserver((entries) => {
   if (changed.length) resized();
 });
 
-/** Say what is to be done when drawings have another width. @param {() => void} redraw */
+/** Set what to call when the width of a drawing changes. @param {() => void} redraw */
 export function whenResized(redraw) {
   resized = redraw;
 }
@@ -52,7 +52,7 @@ export function figure(name) {
 }
 
 /**
- * Draw into a figure, with a text alternative for the drawing and a key beside its heading.
+ * Draw into a figure, with a text alternative.
  * @param {HTMLElement} host
  * @param {any} options for Plot, without the width
  * @param {string} words
@@ -60,7 +60,7 @@ export function figure(name) {
 export function draw(host, options, words) {
   const room = /** @type {HTMLElement} */ (host.querySelector(".drawing"));
   const chart = Plot.plot({ ...options, width: widthOf(host), style: { fontSize: "11px", overflow: "visible" } });
-  // To those who listen a drawing is its words; the names that Plot gives to groups of shapes would not be read.
+  // Screen readers read the text alternative; the labels that Plot gives to groups would not be read.
   for (const group of chart.querySelectorAll("g[aria-label]")) group.removeAttribute("aria-label");
   chart.setAttribute("role", "img");
   chart.setAttribute("aria-label", words);
@@ -68,7 +68,7 @@ export function draw(host, options, words) {
 }
 
 /**
- * Write the heading of a figure and the key of its lines.
+ * Write the heading and the legend of a figure.
  * @param {HTMLElement} host
  * @param {string} heading
  * @param {[string, string][]} key class of the swatch, words
@@ -101,7 +101,7 @@ export function alongAxis(span, named = true) {
   return { domain: span, label: named ? "y [mm]" : null, labelAnchor: "center", labelArrow: "none", tickFormat: PLAIN };
 }
 
-/** The upright axis. @param {[number, number]} domain @param {string} label @param {object} [more] */
+/** The vertical axis. @param {[number, number]} domain @param {string} label @param {object} [more] */
 export function uprightAxis(domain, label, more = {}) {
   return { domain, label, labelAnchor: "center", labelArrow: "none", ticks: 5, tickFormat: PLAIN, grid: true, ...more };
 }
@@ -118,7 +118,7 @@ export function line(x, y, options) {
 }
 
 /**
- * What the pointer reads off: a hair line and a box of words.
+ * The readout at the pointer: a hairline and a text box.
  * @param {(number|null)[]} x
  * @param {(number|null)[]} y
  * @param {(position: number) => string} words
@@ -131,7 +131,7 @@ export function reading(x, y, words) {
   ];
 }
 
-/** The range of numbers, without those that are not. @param {(number|null)[]} values */
+/** The range of the finite numbers. @param {(number|null)[]} values */
 export function extent(values) {
   let [low, high] = [Infinity, -Infinity];
   for (const value of values) {
@@ -148,7 +148,7 @@ export function fromZero(rows, room = 1.12) {
   return /** @type {[number, number]} */ ([0, top > 0 ? room * top : 1]);
 }
 
-/** What the key says of a pinned case. @param {object | null} pinned @returns {[string, string][]} */
+/** The legend entry of a pinned case. @param {object | null} pinned @returns {[string, string][]} */
 export function pinnedKey(pinned) {
   return pinned ? [["pinned", "pinned"]] : [];
 }

@@ -1,10 +1,10 @@
-// Undo and redo: the cases that somebody has come to rest at.
+// Undo and redo: the cases at which editing paused.
 
-const REST = 400; // ms: what follows faster belongs to one edit, such as a drag
+const REST = 400; // ms: changes in quicker succession, such as those of a drag, are one edit
 const KEPT = 200;
 
 export class Edits {
-  /** @param {object} document @param {() => void} changed is told when what can be undone has changed */
+  /** @param {object} document @param {() => void} changed called when what can be undone changes */
   constructor(document, changed) {
     this.cases = [JSON.stringify(document)];
     this.place = 0;
@@ -14,14 +14,14 @@ export class Edits {
     this.unsettled = null;
   }
 
-  /** Begin again with a case that is nobody's edit. @param {object} document */
+  /** Start afresh with a case that was not edited. @param {object} document */
   restart(document) {
     window.clearTimeout(this.rest);
     [this.cases, this.place, this.unsettled] = [[JSON.stringify(document)], 0, null];
     this.changed();
   }
 
-  /** Remember a case once no other follows. @param {object} document */
+  /** Remember a case after a pause in editing. @param {object} document */
   note(document) {
     this.unsettled = JSON.stringify(document);
     window.clearTimeout(this.rest);

@@ -1,7 +1,7 @@
 // Making and finding elements.
 
 /**
- * Return the element with an identifier, which the page must have.
+ * Return the element with an identifier, which must exist on the page.
  * @param {string} id
  * @returns {any}
  */
@@ -12,9 +12,9 @@ export function byId(id) {
 }
 
 /**
- * Return a new element. Text goes in as text: what files and people write is never read as HTML.
+ * Return a new element. Text goes in as text: nothing from files or users is ever parsed as HTML.
  * @param {string} name
- * @param {Record<string, string | boolean | ((event: any) => void)>} attributes a function is what to do on that event
+ * @param {Record<string, string | boolean | ((event: any) => void)>} attributes a function is an event listener
  * @param {(Node | string)[]} [children]
  * @returns {any}
  */

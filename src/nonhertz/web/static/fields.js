@@ -1,4 +1,4 @@
-// One field of the form: what it says, and the slider beside it.
+// One field of the form: its value, and the slider beside it.
 
 import { list, quantity, rounded } from "./numbers.js";
 
@@ -7,7 +7,7 @@ const STEPS = 1000; // positions of a slider
 /** @typedef {HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement} Control */
 
 /**
- * What a field says, as the case file has it; undefined if the key is to be left out.
+ * The value of a field as in the case file; undefined if the key is left out.
  * @param {Control} control
  */
 export function said(control) {
@@ -23,12 +23,12 @@ export function said(control) {
     case "text":
     case "choice":
       return text === "" ? undefined : text;
-    default: // a quantity, or a whole number or word: numbers are numbers, all else is text
+    default: // a quantity, or an integer or word: numbers are numbers, all else is text
       return quantity(text);
   }
 }
 
-/** What is no JSON (yet) goes to the program as text, which says what is wrong with it. @param {string} text */
+/** What is not (yet) JSON goes to the program as text, and the program says what is wrong. @param {string} text */
 function json(text) {
   try {
     return JSON.parse(text);
@@ -45,8 +45,8 @@ export function sliderOf(control) {
 }
 
 /**
- * What a field is to say when its slider stands where it stands: no more digits than its step resolves, in the unit
- * that the field is written in.
+ * The text of a field for its slider's position: no more digits than the slider resolves, in the unit that the field is
+ * written in.
  * @param {HTMLInputElement} slider
  * @param {Control} control
  */
@@ -62,7 +62,7 @@ export function slid(slider, control) {
 }
 
 /**
- * Move a slider to where its field stands; a field beyond its range leaves it at an end.
+ * Move a slider to the value of its field; a value beyond the range leaves it at an end.
  * @param {HTMLInputElement} slider
  * @param {Control} control
  */
@@ -90,7 +90,7 @@ function isLogarithmic(slider) {
   return slider.dataset.sliderScale === "log";
 }
 
-/** The unit that the field is written in, with its blank, and how many of the slider's units it is. */
+/** The unit that the field is written in, with a leading blank, and its size in units of the slider. */
 function written(slider, control) {
   const unit = slider.dataset.writtenUnit;
   const has = unit && control.value.trim().endsWith(unit);

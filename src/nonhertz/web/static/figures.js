@@ -22,7 +22,7 @@ import { drawFootprint } from "./footprint.js";
 import { drawGap } from "./gap.js";
 import { digits } from "./numbers.js";
 
-// Where the pressure has no limit the axis ends so many times above the largest pressure away from sharp ends.
+// Where the pressure has no limit, the axis ends at this multiple of the largest pressure away from sharp ends.
 const BEYOND = 1.6;
 
 /** @typedef {import("./types.js").Answer} Answer */
@@ -48,8 +48,8 @@ export function drawnSpan(answer) {
 }
 
 /**
- * A line along the contact: through the centres of the strips that touch, and zero where the surfaces part. A strip
- * beyond that has its own zero at its centre, up to half a strip away.
+ * A line along the contact: through the centres of the strips that touch, and zero where the surfaces separate. A strip
+ * beyond that point would have its zero at its centre, up to half a strip away.
  * @param {Answer} answer
  * @param {"pressure" | "half_width"} name
  */

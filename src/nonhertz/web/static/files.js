@@ -1,4 +1,4 @@
-// Files: opening a case file, saving what the program writes.
+// Opening case files, and saving the files that the program makes.
 
 import { element } from "./elements.js";
 import { post, send } from "./live.js";
@@ -22,7 +22,7 @@ export async function opened(file, most) {
 }
 
 /**
- * Save what the program makes of a case; returns what is wrong if it makes nothing.
+ * Save a file that the program makes from a case; return the mistakes if it cannot.
  * @param {string} name such as "case.toml"
  * @param {object} document
  * @returns {Promise<Mistake[]>}

@@ -17,7 +17,7 @@ import { digits } from "./numbers.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
 
-// Pixels across the footprint, at least and at most: true proportions between.
+// Least and greatest height of the footprint in pixels; in between, true proportions.
 const [LOWEST, HIGHEST] = [74, 300];
 
 /** @param {Answer} answer @param {[number, number]} span along the contact */
@@ -54,7 +54,7 @@ export function drawFootprint(answer, span) {
   );
 }
 
-/** How a figure's proportions differ from the true ones, in words. @param {number} stretch of the upright axis */
+/** How a figure's proportions differ from the true ones, in words. @param {number} stretch of the vertical axis */
 export function proportions(stretch, [upright, level] = ["x", "y"]) {
   if (stretch > 1.02) return `${upright} stretched ${digits(stretch, 2)} times`;
   return stretch < 0.98 ? `${level} stretched ${digits(1 / stretch, 2)} times` : "true proportions";

@@ -1,5 +1,5 @@
-// The form and the case it stands for. The program writes the form; here its fields are read, and a fresh form is
-// asked for when an edit changes which fields there are.
+// The form and the case it represents. The program writes the form; here its fields are read, and a new form is
+// requested when an edit changes which fields there are.
 
 import { byId } from "./elements.js";
 import { follow, said, slid, sliderOf } from "./fields.js";
@@ -64,17 +64,17 @@ export class Form {
   async open(other, since = performance.now()) {
     const number = (this.asked += 1);
     const html = await this.listener.fresh(other);
-    if (html === null || number !== this.asked) return false; // the latest wins
+    if (html === null || number !== this.asked) return false; // a later request wins
     this.put(other, html);
     this.listener.edited(this.document, since);
     return true;
   }
 
-  /** Put a form in place of this one, with the same things open and the focus where it was. */
+  /** Replace this form by another, with the same sections unfolded and the focus where it was. */
   put(document, html) {
     const [unfolded, focus] = [this.unfolded(), focused(this.form)];
     this.document = document;
-    this.form.innerHTML = html; // written by the program, which escapes whatever came from a case
+    this.form.innerHTML = html; // written by the program, which escapes whatever comes from a case
     for (const [place, details] of this.form.querySelectorAll("details").entries()) {
       if (unfolded.has(foldName(details, place))) details.open = true;
     }
@@ -100,14 +100,14 @@ export class Form {
   }
 }
 
-/** The case after a choice that changes which keys there are: the choice says what else changes with it. */
+/** The case after a choice that changes which keys there are; the option lists its edits. */
 function restructured(document, select) {
   const option = select.selectedOptions[0];
   const edits = option.dataset.edits ? JSON.parse(option.dataset.edits) : [[select.name, said(select) ?? null]];
   return edits.reduce((changed, [path, value]) => withValue(changed, path, value ?? undefined), document);
 }
 
-/** The case with one more entry in a list; a table that stands for a list of one becomes its first entry. */
+/** The case with one more entry in a list; a single table in place of a list becomes its first entry. */
 function lengthened(document, path, entry) {
   const present = valueAt(document, path);
   const list = present === undefined ? [] : Array.isArray(present) ? present : [present];
@@ -120,13 +120,13 @@ function addition(button) {
   return JSON.parse(button.dataset.value ?? choice?.selectedOptions[0].dataset.value ?? "{}");
 }
 
-/** A fold is known by the group it is in and its words: its place changes with the form. */
+/** A fold is identified by its group and its text, since its position changes with the form. */
 function foldName(details, place) {
   const group = details.closest("[data-group]")?.getAttribute("data-group") ?? String(place);
   return `${group}: ${details.querySelector("summary")?.textContent ?? place}`;
 }
 
-/** Selectors, best first, that find the focused control again in another form; none if nothing here has the focus. */
+/** Selectors, best first, that find the focused control again in a new form; none if the focus is elsewhere. */
 function focused(form) {
   const active = document.activeElement;
   if (!(active instanceof HTMLElement) || !form.contains(active)) return [];
@@ -134,7 +134,7 @@ function focused(form) {
   if (active.dataset.for) return [`[data-for="${CSS.escape(active.dataset.for)}"]`];
   const { action, path } = active.dataset;
   if (!action || !path) return [];
-  // What was removed is gone with its button: what could be added in its place is next to it.
+  // A removed entry is gone with its button; the button to add one in its place is the next best.
   const button = (what, place) => `[data-action="${what}"][data-path="${CSS.escape(place)}"]`;
   return [button(action, path), button("add", outer(path))];
 }

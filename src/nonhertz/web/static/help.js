@@ -1,5 +1,5 @@
-// What the keys mean: the words of the field that is being looked at, in one place. Under every field they would
-// make the form four times as long; shown on demand there, they would move what the pointer is about to press.
+// The meaning of keys: the help text of the current field, in one place. Below every field it would make the form four
+// times as long; shown there on demand, it would move what the pointer is about to press.
 
 import { byId } from "./elements.js";
 

@@ -1,11 +1,11 @@
-// Keys that work anywhere on the page, and the menu that closes when one is done with it.
+// Keyboard shortcuts that work anywhere on the page, and closing the menu on Escape or a click elsewhere.
 
 import { byId } from "./elements.js";
 
 const WRITTEN_IN = "textarea, input:not([type=range], [type=checkbox], [type=radio])";
 
 /**
- * Undo and redo with Ctrl+Z, Ctrl+Shift+Z and Ctrl+Y, except in text fields, which have an undo of their own.
+ * Undo and redo with Ctrl+Z, Ctrl+Shift+Z and Ctrl+Y, except in text fields, which have their own undo.
  * @param {(by: -1 | 1) => void} step
  */
 export function watchKeys(step) {

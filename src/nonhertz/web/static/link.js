@@ -1,7 +1,7 @@
 // The link that holds a case: everything is in the fragment, which browsers never send to a server.
 
-const LARGEST = 1_000_000; // characters of an unpacked case, as the program takes it
-const LONGEST = 2_000_000; // characters of a fragment that is looked at
+const LARGEST = 1_000_000; // characters of an unpacked case, the program's own limit
+const LONGEST = 2_000_000; // characters of a fragment; a longer one is not read
 
 /** @typedef {{document: object, pinned: object | null}} Shared */
 
@@ -16,7 +16,7 @@ export async function fragment(document, pinned) {
 }
 
 /**
- * Return the case and the pinned case in a fragment, null if it holds none.
+ * Return the case and the pinned case in a fragment, null if there is no case.
  * @param {string} hash
  * @returns {Promise<Shared | null>}
  */
@@ -33,7 +33,7 @@ async function unpackedCase(text) {
   try {
     value = JSON.parse(await unpacked(text));
   } catch {
-    throw new Error("The link must be complete, and this one was cut or changed on its way: copy it again.");
+    throw new Error("The link must be complete, and this one was truncated or changed on the way: copy it again.");
   }
   if (typeof value !== "object" || value === null || Array.isArray(value)) {
     throw new Error("The link must hold a case, and this one holds something else: copy it again.");
@@ -41,7 +41,7 @@ async function unpackedCase(text) {
   return value;
 }
 
-/** Deflate a text and write it with the letters that links may hold. @param {string} text */
+/** Deflate a text and encode it in characters allowed in URLs. @param {string} text */
 export async function packed(text) {
   const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate-raw"));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
@@ -50,7 +50,7 @@ export async function packed(text) {
   return btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
-/** The text again; what unpacks to more than a case may be is refused before it fills the memory. @param {string} text */
+/** The text again; one larger than any case is refused before it fills the memory. @param {string} text */
 export async function unpacked(text) {
   const letters = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
   const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));

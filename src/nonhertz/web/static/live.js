@@ -1,21 +1,21 @@
-// Asking for solutions while somebody drags: one request on its way, the latest case next, every answer drawn.
+// Requesting solutions during a drag: one request in flight, the latest case next, every answer drawn.
 //
-// A request that is on its way is never cut short for a newer case. With a slider that gives a case every 16 ms, all
-// answers would be lost until the hand rests. Stresses take longer: they come with every answer as long as that is
-// quick enough to drag by, else when the hand rests, and then they are cut short by a newer case.
+// A request in flight is never aborted for a newer case: a slider gives a case every 16 ms, and all answers would be
+// lost until the drag pauses. Stresses take longer: they come with every answer while that is quick enough for dragging,
+// otherwise when the drag pauses, and then a newer case aborts them.
 
-const REST = 120; // ms without a new case before stresses are asked for alone
-const QUICK = 100; // ms from asking to drawn, up to which stresses come with every answer
-const PATIENCE = 3; // answers in a row that may take longer, or one that takes three times as long
+const REST = 120; // ms without a new case before stresses are requested separately
+const QUICK = 100; // ms from request to drawn; up to this, stresses come with every answer
+const PATIENCE = 3; // slow answers in a row, or one three times as slow, after which stresses are requested separately
 const AGAIN = 1500; // ms between attempts to reach the program
-/** What is said where nothing answers. */
-export const AWAY = "The program behind this page does not answer: look whether nonhertz serve still runs.";
+/** Shown when nothing answers. */
+export const AWAY = "The program behind this page does not answer: check that nonhertz serve is still running.";
 const ATTEMPTS = 4; // while it is busy
 
 /**
- * @typedef {{document: object, since: number}} Wanted a case and when the edit that made it began
+ * @typedef {{document: object, since: number}} Pending a case and when the edit that made it began
  * @typedef {{
- *   answered: (answer: any, wanted: Wanted, stress: boolean) => void,
+ *   answered: (answer: any, wanted: Pending, stress: boolean) => void,
  *   stressed: (answer: any) => void,
  *   waiting: () => void,
  *   rested: (complete: boolean) => void,
@@ -35,7 +35,7 @@ export function post(place, body, signal) {
 }
 
 /**
- * Post something. A program that is busy is asked again; what it says in the end may still be that it is.
+ * Post something. A busy program is asked again a few times; the last answer may still be that it is busy.
  * @param {string} place
  * @param {string} type
  * @param {BodyInit} body
@@ -53,9 +53,9 @@ export class Live {
   /** @param {Listener} listener */
   constructor(listener) {
     this.listener = listener;
-    /** @type {Wanted | null} */
+    /** @type {Pending | null} */
     this.next = null;
-    /** @type {Wanted | null} */
+    /** @type {Pending | null} */
     this.latest = null;
     this.busy = false;
     this.slow = 0; // answers with stresses in a row that took too long
@@ -65,9 +65,9 @@ export class Live {
   }
 
   /**
-   * Solve a case, now or as soon as the request on its way has been answered.
+   * Solve a case, now or as soon as the request in flight has been answered.
    * @param {object} document
-   * @param {number} [since] when the edit began, as performance.now() tells it
+   * @param {number} [since] when the edit began, by performance.now()
    */
   want(document, since = performance.now()) {
     this.next = { document, since };
@@ -105,7 +105,7 @@ export class Live {
       }
       this.latest = answer.ok ? wanted : null;
       this.listener.answered(answer, wanted, stress);
-      if (stress && !first) this.judge(performance.now() - begun); // the first time everything is slower
+      if (stress && !first) this.judge(performance.now() - begun); // the first answer is always slow
       complete = stress && answer.body === this.listener.stress(); // another body may be shown by now
     }
     this.busy = false;
@@ -138,8 +138,8 @@ export class Live {
   }
 
   /**
-   * Return the program's answer, or null if there is none, which the listener is told of.
-   * @param {Wanted} wanted
+   * Return the program's answer, or null if there is none, which the listener is notified of.
+   * @param {Pending} wanted
    * @param {boolean} stress
    * @param {AbortSignal} [signal]
    */
@@ -152,8 +152,8 @@ export class Live {
       this.listener.trouble(busy ? answer.mistakes[0].sentence : "");
       return busy ? null : { ...answer, body: body.body };
     } catch {
-      // Nobody is there, or somebody who does not answer as the program does.
-      if (!signal?.aborted) this.listener.trouble(`${AWAY} Asking again …`);
+      // Nothing answers, or something other than the program.
+      if (!signal?.aborted) this.listener.trouble(`${AWAY} Trying again …`);
       return null;
     }
   }

@@ -21,7 +21,7 @@ const start = JSON.parse(byId("start").textContent);
 const view = new View();
 const address = new Address();
 
-const STILL = 150; // ms after the last answer, when stresses that were drawn quickly are drawn finely
+const STILL = 150; // ms after the last answer before coarsely drawn stresses are redrawn finely
 let refining = 0;
 
 const live = new Live({
@@ -82,7 +82,7 @@ const measured = new Measured({
   },
 });
 
-/** Ask for the form of a case. */
+/** Request the form of a case. */
 async function freshForm(document) {
   try {
     const response = await post("form", { document });
@@ -99,14 +99,14 @@ async function step(by) {
   if (document) await form.open(document);
 }
 
-/** Solve a case that is to be pinned, which came with a link. */
+/** Solve and pin a case that came with a link. */
 async function pinShared(document) {
   const body = view.shownBody();
   try {
     const response = await post("solve", { document, stress: body !== null, body: body ?? "a" });
     const answer = await response.json();
     if (answer.ok) view.pin({ document, answer, stressed: answer.section ? answer : null });
-    else notice("link", `The case that the link has pinned cannot be shown: ${answer.mistakes[0]?.sentence}`);
+    else notice("link", `The pinned case in the link cannot be shown: ${answer.mistakes[0]?.sentence}`);
   } catch {
     notice("link", AWAY);
   }
@@ -124,7 +124,7 @@ async function copyLink() {
     await navigator.clipboard.writeText(link);
     button.textContent = "Copied";
   } catch {
-    button.textContent = "It is in the address bar"; // where the clipboard is refused
+    button.textContent = "Copy from the address bar"; // no access to the clipboard
   }
   window.setTimeout(() => (button.textContent = "Copy link"), 2000);
 }

@@ -1,6 +1,6 @@
-// Measured profiles: a file comes in, the steps that make a profile of it are shown, and each can be switched off.
+// Measured profiles: a file is uploaded, the steps that turn it into a profile are shown, and each can be switched off.
 //
-// The bytes stay here. Every switch sends them again with other options, so that nothing that a step did is lost.
+// The bytes are kept here. Every switch sends them again with other options, so every step can be undone.
 
 import { byId } from "./elements.js";
 import { AWAY, send } from "./live.js";
@@ -75,7 +75,7 @@ export class Measured {
     } catch {
       answer = { ok: false, mistakes: [{ path: "", sentence: AWAY }] };
     }
-    if (number !== this.asked) return; // a later switch has been asked about already
+    if (number !== this.asked) return; // superseded by a later request
     upload.answer = answer;
     this.show();
   }

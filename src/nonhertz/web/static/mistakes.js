@@ -1,4 +1,4 @@
-// Mistakes: each sentence under its field, and all of them in a list on top.
+// Mistakes: each sentence below its field, and all of them in a list at the top.
 
 import { byId, element } from "./elements.js";
 import { outer } from "./paths.js";
@@ -6,7 +6,7 @@ import { outer } from "./paths.js";
 /** @typedef {import("./types.js").Mistake} Mistake */
 
 /**
- * Show what is wrong, and nothing of what was wrong before.
+ * Show these mistakes in place of the previous ones.
  * @param {Mistake[]} mistakes
  */
 export function showMistakes(mistakes) {
@@ -35,7 +35,7 @@ function entry(mistake, field) {
   return [element("a", { href: `#${control.id}`, click: go }, [name]), ": ", mistake.sentence];
 }
 
-/** The field of a mistake, or the nearest group of fields around where it would be; null where there is none. */
+/** The field of a mistake, or the innermost group that would contain it; null if there is neither. */
 function fieldOf(path) {
   for (let place = path; place; place = outer(place)) {
     const name = CSS.escape(place);
@@ -47,7 +47,7 @@ function fieldOf(path) {
   return null;
 }
 
-/** Where the sentence of a field, or of a group and not of a field in it, is written. */
+/** The element for the sentence of a field, or of a group itself and not of a field in it. */
 function wordsOf(field) {
   return field.querySelector(field.matches("fieldset") ? ":scope > .mistake" : ".mistake");
 }

@@ -4,7 +4,7 @@ const PLAIN = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 const MINUS = "\u2212";
 
 /**
- * Return what a text field says: a number if it is one, else the text as it stands ("20 kN").
+ * Return the value of a text field: a number if it is one, else the text itself ("20 kN").
  * Empty means that the key is left out.
  * @param {string} text
  * @returns {number | string | undefined}
@@ -16,7 +16,7 @@ export function quantity(text) {
 }
 
 /**
- * Return a list: items separated by blanks, or by commas or semicolons where they hold blanks themselves ("8 mm, 9 mm").
+ * Return a list: items separated by blanks, or by commas or semicolons if they contain blanks ("8 mm, 9 mm").
  * @param {string} text
  * @returns {(number | string)[] | undefined}
  */
@@ -27,7 +27,7 @@ export function list(text) {
 }
 
 /**
- * Return a number with so many significant digits, without an exponent where that can be read.
+ * Return a number with a given number of significant digits, without an exponent where that is readable.
  * @param {number | null | undefined} value
  * @param {number} [significant]
  */
@@ -58,7 +58,7 @@ export function difference(value, before) {
 }
 
 /**
- * Return a number as a field is to show it after a slider was moved: short, and read back as the same number.
+ * Return a number as a field shows it after its slider was moved: rounded to what the slider resolves.
  * @param {number} value
  * @param {number} step resolution of the slider there
  */

@@ -1,9 +1,9 @@
-// Places in a case: "body.a.profile[1].radius", counted from 1 as the mistakes count them.
+// Paths in a case: "body.a.profile[1].radius", counted from 1 as in the mistakes.
 
 const PART = /\.?([A-Za-z0-9_-]+)|\.?("(?:[^"\\]|\\.)*")|\[(\d+)\]/g;
 
 /**
- * Return the keys and positions (from 0) that a path consists of; a key with odd characters is quoted in it.
+ * Return the keys and positions (from 0) that a path consists of; a key with special characters is quoted in it.
  * @param {string} path
  * @returns {(string | number)[]}
  */
@@ -14,7 +14,7 @@ export function parts(path) {
 }
 
 /**
- * Return what stands at a path, undefined if nothing does.
+ * Return the value at a path, undefined if there is none.
  * @param {any} document
  * @param {string} path
  */
@@ -24,7 +24,7 @@ export function valueAt(document, path) {
 
 /**
  * Return a copy of the case with a value at a path, or without the key if the value is undefined.
- * What stands in the way of a deeper path (a material by name, say) gives way to a table.
+ * A value in the way of a deeper path (such as a material's name) is replaced by a table.
  * @param {any} document
  * @param {string} path
  * @param {any} value

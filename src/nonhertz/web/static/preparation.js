@@ -1,17 +1,17 @@
-// What the dialog for a measured profile shows: the file, the switches of its steps, what came of them.
+// The content of the dialog for a measured profile: the file, the switches of its steps, and the result.
 
 import { element } from "./elements.js";
 
 /** @typedef {import("./measured.js").Upload} Upload */
 /** @typedef {(option: string, value: string) => void} Set an empty value leaves the option out */
 
-/** Steps: their name, the option that switches them, what they do. */
+/** Steps: name, the option that switches it, and what it does. */
 const STEPS = [
-  ["level", "level", "take a slope off"],
+  ["level", "level", "remove the tilt"],
   ["align", "align", "put the middle at y = 0"],
   ["trim", "trim", "cut the ends off"],
-  ["outliers", "outliers", "drop points that stand out"],
-  ["smooth", "smooth", "smooth, which takes roughness off"],
+  ["outliers", "outliers", "remove outliers"],
+  ["smooth", "smooth", "smooth, which removes roughness"],
   ["thin", "points", "thin to fewer points"],
 ];
 const AS_SAID = /** @type {[string, string]} */ (["", "as the file says"]);
@@ -19,13 +19,13 @@ const AS_SAID = /** @type {[string, string]} */ (["", "as the file says"]);
 const CHOICES = [
   ["height_unit", "heights in", [AS_SAID, ["um", "µm"], ["mm", "mm"], ["nm", "nm"], ["m", "m"], ["in", "in"]]],
   ["position_unit", "positions in", [AS_SAID, ["mm", "mm"], ["um", "µm"], ["m", "m"], ["in", "in"]]],
-  ["sense", "positive is", [["", "material (height)"], ["drop", "material taken away (drop)"]]],
+  ["sense", "positive is", [["", "material (height)"], ["drop", "material removed (drop)"]]],
   ["cutoff", "cutoff", [["", "0.8 mm"], ["0.25", "0.25 mm"], ["2.5", "2.5 mm"], ["8", "8 mm"]]],
 ];
 
 /**
  * Where a file is chosen.
- * @param {string | undefined} name of the file that is there
+ * @param {string | undefined} name of the current file
  * @param {(file: File) => void} take
  */
 export function picker(name, take) {
@@ -39,7 +39,7 @@ export function picker(name, take) {
   const words = name ? "Choose another file…" : "Choose a file…";
   const hint = name
     ? "or drop one here"
-    : "with positions and heights, or drop it here. It goes to the program on this machine and no further.";
+    : "with positions and heights, or drop it here. It goes to the program on this machine and nowhere else.";
   return element("div", { class: "picker" }, [
     element("button", { type: "button", id: "measured-choose", click: () => input.click() }, [words]),
     input,
@@ -49,7 +49,7 @@ export function picker(name, take) {
 }
 
 /**
- * The switches of the steps and how the file is read.
+ * The switches of the steps, and how to read the file.
  * @param {Upload} upload
  * @param {Set} set
  */
@@ -76,7 +76,7 @@ export function options(upload, set) {
 }
 
 /**
- * What came of the file, with a place for the drawings of the steps.
+ * The result of preparing the file, with a place for the drawings of the steps.
  * @param {Upload} upload
  * @param {string} body
  * @param {() => void} use
@@ -88,7 +88,7 @@ export function outcome({ answer }, body, use) {
     return [list("mistakes-plain", sentences, { role: "alert" })];
   }
   const button = { type: "button", class: "primary", id: "measured-use", click: use };
-  const points = `${answer.table.y.length} points, in place of the profiles that body ${body} has`;
+  const points = `${answer.table.y.length} points, replacing the profiles of body ${body}`;
   return [
     ...answer.notes.map((words) => element("p", { class: "hint" }, [words])),
     ...(answer.warnings.length ? [list("warnings", answer.warnings)] : []),
@@ -110,7 +110,7 @@ function roughness(rows) {
   const cells = (row) => row.map((cell, place) => element(place ? "td" : "th", {}, [String(cell)]));
   const lines = rows.map((row) => element("tr", {}, cells(row)));
   return element("details", { class: "roughness" }, [
-    element("summary", {}, ["Roughness that smoothing took off"]),
+    element("summary", {}, ["Roughness removed by smoothing"]),
     element("table", {}, lines),
   ]);
 }

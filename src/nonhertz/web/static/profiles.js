@@ -12,7 +12,7 @@ const BODIES = /** @type {("a" | "b")[]} */ (["a", "b"]);
 
 /**
  * Put an empty drawing and a button for measured profiles above each list of profiles.
- * @param {(body: "a" | "b") => void} measured asks for a measured profile
+ * @param {(body: "a" | "b") => void} measured opens the dialog for a measured profile
  */
 export function placeProfiles(measured) {
   for (const body of BODIES) {
@@ -35,7 +35,7 @@ export function placeProfiles(measured) {
 }
 
 /**
- * Draw the profiles that there are; relief goes down, as material is taken away.
+ * Draw the available profiles; relief points down, as removed material.
  * @param {Profiles | undefined} profiles
  * @param {Profiles | undefined} pinned
  */
@@ -44,9 +44,9 @@ export function drawProfiles(profiles, pinned) {
     const host = figure(`profile-${body}`);
     if (!host) continue;
     const profile = profiles?.[body];
-    host.classList.toggle("outdated", !profile); // of a body that is mistaken the last drawing stays, faint
+    host.classList.toggle("outdated", !profile); // the last drawing of an invalid body stays, dimmed
     if (!profile) continue;
-    // A load that is dragged changes no profile.
+    // Redrawn only if it changed: dragging the load, for example, changes no profile.
     const numbers = `${widthOf(host)} ${profile.y} ${profile.relief_um} ${pinned?.[body]?.relief_um}`;
     if (drawn.get(host) !== numbers) drawProfile(host, body, profile, pinned?.[body]);
     drawn.set(host, numbers);
@@ -85,7 +85,7 @@ function drawProfile(host, body, { y, relief_um: relief }, pinned) {
   );
 }
 
-/** Room for the relief; a logarithm at an end, which drops for ever, is cut at what the inner 96 % need. */
+/** The axis range for the relief; a logarithm, unbounded at an end, is cut at twice what the inner 96 % need. */
 function reach(rows) {
   const values = rows
     .flat()

@@ -2,7 +2,7 @@
 
 const AGAIN = 1000; // ms
 
-/** Say that the solver is being compiled, until it is not. @param {(sentence: string) => void} notice */
+/** Show a notice while the solver is being compiled. @param {(sentence: string) => void} notice */
 export async function watchProgram(notice) {
   for (let said = false; ; said = true) {
     const ready = await isReady();
@@ -10,7 +10,7 @@ export async function watchProgram(notice) {
       if (said) notice("");
       return;
     }
-    notice("The solver is being compiled, which takes half a minute the first time. The result comes by itself.");
+    notice("The solver is being compiled, which takes half a minute the first time. The result will appear by itself.");
     await new Promise((done) => window.setTimeout(done, AGAIN));
   }
 }
@@ -20,6 +20,6 @@ async function isReady() {
     const response = await fetch("status");
     return !response.ok || (await response.json()).ready !== false;
   } catch {
-    return true; // not there at all: the requests for solutions say so
+    return true; // no answer at all: the requests for solutions report that
   }
 }

@@ -1,4 +1,4 @@
-// Key numbers, warnings and the summary: what stands in words beside the figures.
+// Key numbers, warnings and the summary: the text beside the figures.
 
 import { byId, element } from "./elements.js";
 import { difference, digits } from "./numbers.js";
@@ -9,7 +9,7 @@ import { difference, digits } from "./numbers.js";
 let speaking = 0;
 
 /**
- * The numbers that stand on top.
+ * The numbers at the top.
  * @param {Answer} answer
  * @param {Answer["stress"]} stress the largest where the pressure is largest; missing if stresses are not shown
  * @returns {KeyNumber[]}
@@ -41,7 +41,7 @@ export function keyNumbers(answer, stress) {
           where: `body ${stress.body}, ${digits(stress.von_mises.z, 3)} mm deep`,
           number: stress.von_mises.value,
         }
-      : { name: "von Mises stress", value: "–", unit: "", where: "not asked for", number: null },
+      : { name: "von Mises stress", value: "–", unit: "", where: "not shown", number: null },
   ];
 }
 
@@ -49,14 +49,14 @@ function load(newtons) {
   return Math.abs(newtons) < 1e3 ? { value: digits(newtons), unit: "N" } : { value: digits(newtons / 1e3), unit: "kN" };
 }
 
-/** The moment, zero where it is but the rounding of load times length. */
+/** The moment, zero where it is only the rounding error of load times length. */
 function moment({ key, line }) {
   const reach = Math.max(...line.y.map(Math.abs));
   return Math.abs(key.moment) < 1e-9 * Math.abs(key.load) * reach ? 0 : key.moment;
 }
 
 /**
- * Write the key numbers, beside those of the pinned case.
+ * Write the key numbers, with those of the pinned case.
  * @param {KeyNumber[]} numbers
  * @param {KeyNumber[] | null} pinned
  */
@@ -85,7 +85,7 @@ function pinnedNumber(each, before) {
 }
 
 /**
- * Write warnings, the summary, and say aloud what came out.
+ * Write warnings and the summary, and announce the result to screen readers.
  * @param {Answer} answer
  */
 export function writeWords(answer) {
@@ -109,7 +109,7 @@ function spoken({ key, warnings }) {
   return `${pressure}, approach ${digits(1e3 * key.approach)} micrometres, half-width ${digits(key.max_half_width)} mm${warned}`;
 }
 
-/** Say something once the hand rests: every answer of a drag would be a babble. @param {string} words */
+/** Announce something to screen readers once editing pauses: not every answer of a drag. @param {string} words */
 export function sayLater(words) {
   window.clearTimeout(speaking);
   speaking = window.setTimeout(() => {

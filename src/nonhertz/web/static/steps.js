@@ -4,7 +4,7 @@ import { FIRST, PINNED, draw, extent, line } from "./chart.js";
 import { element } from "./elements.js";
 
 /**
- * Draw the steps into their place.
+ * Draw the steps into their element.
  * @param {HTMLElement} host
  * @param {{name: string, sentence: string, before: {y: number[], height_um: number[]}, after: {y: number[], height_um: number[]}}[]} steps
  */

@@ -5,7 +5,7 @@ import { proportions } from "./footprint.js";
 import { digits } from "./numbers.js";
 
 const BANDS = 10;
-// Cells of the nets that contours are drawn on, along and down. Fine ones take too long to paint while somebody drags.
+// Cells of the grids for contours, along and down. Fine ones take too long to paint during a drag.
 const FINE = { columns: 96, rows: 40 };
 const QUICK = { columns: 60, rows: 26 };
 const HEIGHT = 270; // pixels of the planes
@@ -16,13 +16,13 @@ const HEIGHT = 270; // pixels of the planes
  * Draw both planes.
  * @param {Answer} answer with stresses
  * @param {"MPa" | "p0"} unit
- * @param {boolean} fine whether there is time
+ * @param {boolean} fine whether there is time for the fine grid
  */
 export function drawStress(answer, unit, fine) {
   if (!answer.axial || !answer.section || !answer.stress) return;
   const scale = unit === "p0" ? 1 / (answer.key.max_pressure || 1) : 1;
   const label = unit === "p0" ? "von Mises stress / largest p₀" : "von Mises stress [MPa]";
-  // One scale for both, up to the largest stress that has a limit.
+  // One scale for both, up to the largest stress away from singular ends.
   const top = scale * Math.max(largestAlong(answer).value, answer.stress.von_mises.value) || 1;
   const shared = { label, scale, top, net: fine ? FINE : QUICK };
   drawAlong(answer, shared);
@@ -59,7 +59,7 @@ function drawAcross(answer, { label, scale, top, net }) {
 }
 
 /**
- * The largest stress on the net along the contact, more than a half-width away from ends where it has no limit.
+ * The largest stress on the grid along the contact, more than a half-width away from ends where it has no limit.
  * @param {any} answer an Answer with stresses
  */
 function largestAlong({ axial, singular, key }) {
@@ -138,7 +138,7 @@ function drawPlane(host, plane, { top, label, height, axis, place }, words) {
 }
 
 /**
- * Values on an even grid, as contours need them, from a grid with uneven spacing; rows go down.
+ * Values on a uniform grid, as contours need them, from a grid with uneven spacing; rows go down.
  * @param {number[]} along
  * @param {number[]} depths
  * @param {(number | null)[][]} values one row for each depth
@@ -160,7 +160,7 @@ export function resampled(along, depths, values, scale, net) {
   return { ...net, values: even, x1: along[0], x2: last(along), y1: depths[0], y2: last(depths) };
 }
 
-/** For the middle of each even cell: the interval of the places that it is in, and how far into it. */
+/** For the centre of each uniform cell: the interval of the places that contains it, and the fraction into it. */
 function shares(places, count) {
   const length = last(places) - places[0];
   return d3.range(count).map((cell) => {

@@ -1,5 +1,5 @@
-// Light or dark, before anything is drawn: a plain script, because modules wait for the page.
-// Without a choice of its own the page follows the system; storage may be refused, and then nothing is remembered.
+// Sets light or dark before anything is drawn: a classic script, because modules are deferred.
+// Without a choice by the user the page follows the system; if storage is denied, the choice is not remembered.
 "use strict";
 (() => {
   const root = document.documentElement;
@@ -27,7 +27,7 @@
       try {
         localStorage.setItem("nonhertz-theme", other);
       } catch {
-        // A browser that keeps nothing: the choice lasts as long as the page.
+        // Storage is denied: the choice lasts only as long as the page.
       }
       show(other);
     });

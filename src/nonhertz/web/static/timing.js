@@ -1,4 +1,4 @@
-// How long it takes from an edit to the redrawn figures: shown on the page, and kept for whoever measures it.
+// The time from an edit to the redrawn figures: shown on the page, and recorded for measurements.
 
 import { byId } from "./elements.js";
 
@@ -6,7 +6,7 @@ let answers = 0;
 
 /**
  * Note that the answer to an edit has been drawn.
- * @param {number} since when the edit began, as performance.now() tells it
+ * @param {number} since when the edit began, by performance.now()
  * @param {number} begun when the drawing of the answer began
  * @param {import("./types.js").Answer | import("./types.js").Refusal} answer
  */
@@ -22,6 +22,6 @@ export function roundTrip(since, begun, answer) {
     if (!answer.ok) return;
     byId("state").textContent = answer.complaint ? answer.status : "solved";
     byId("round-trip").textContent =
-      `in ${Math.round(end - since)} ms, of which the solver ${Math.round(answer.ms)} ms`;
+      `in ${Math.round(end - since)} ms, ${Math.round(answer.ms)} ms of it in the solver`;
   });
 }

@@ -1,4 +1,4 @@
-// What the program answers, for editors and for the type checker; nothing is run here.
+// Types of the program's answers, for editors and the type checker; there is no code here.
 
 /**
  * @typedef {{y: number, strength: number | null, exponent: number, corner: boolean}} Singular

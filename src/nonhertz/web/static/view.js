@@ -9,7 +9,7 @@ import { keyNumbers, sayLater, writeKeyNumbers, writeWords } from "./results.js"
 import { drawStress } from "./stress.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
-/** @typedef {{document: object, answer: Answer, stressed: Answer | null}} Result a case with what came of it */
+/** @typedef {{document: object, answer: Answer, stressed: Answer | null}} Result a case with its answers */
 
 export class View {
   constructor() {
@@ -28,7 +28,7 @@ export class View {
     showMistakes([]);
     this.results.classList.remove("outdated");
     this.profiles = answer.profiles;
-    // Stresses of the case before stay, dimmed, until those of this one are there.
+    // Stresses of the previous case stay, dimmed, until those of this one arrive.
     this.latest = { document, answer, stressed: this.latest?.stressed ?? null };
     this.name(answer.title);
     this.drawResult();
@@ -53,7 +53,7 @@ export class View {
     );
   }
 
-  /** Show the stresses of the latest result. @param {Answer} answer @param {boolean} fine whether there is time */
+  /** Show the stresses of the latest result. @param {Answer} answer @param {boolean} fine whether on the fine grid */
   stress(answer, fine = true) {
     if (!this.latest) return;
     this.latest.stressed = answer.section ? answer : null; // none without contact, or where the solver stopped short
@@ -62,7 +62,7 @@ export class View {
     this.writeKeys();
   }
 
-  /** Pin the latest result, or take the pin away. @param {Result | null} result */
+  /** Pin a result, or unpin with null. @param {Result | null} result */
   pin(result) {
     this.pinned = result;
     const button = byId("pin");

@@ -1,1 +1,1 @@
-"""What the page shows of a document: solutions, stresses, measured files and mistakes, as plain numbers and words."""
+"""What the page shows for a document: solutions, stresses, measured files and mistakes, as plain numbers and text."""

@@ -26,18 +26,18 @@ Array = NDArray[np.float64]
 
 RELIEF_POINTS: Final = 161
 FAR: Final = 10.0
-"""mm, either side of the middle, over which the profile of a body without ends is drawn."""
+"""mm on either side of the middle, over which the profile of an unbounded body is drawn."""
 
 
 def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
-    """Return what the page shows of a solution, stress below the surface apart.
+    """Return what the page shows of a solution, except the stress below the surface.
 
     Parameters
     ----------
     case : Case
         What was solved.
     solution : Solution
-        Its solution, or the state that the solver stopped in.
+        Its solution, or the state in which the solver stopped.
     complaint : str
         Why it stopped there; empty if it converged.
     """
@@ -64,7 +64,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
 
 
 def _key_numbers(solution: Solution) -> dict[str, Any]:
-    """Return the numbers that cases are compared by, with all their digits."""
+    """Return the numbers by which cases are compared, unrounded."""
     return {name: plain(quantity.get(solution)) for name, quantity in QUANTITIES.items()} | {
         "largest": where_largest(solution, 3),
         "strips": solution.strips,
@@ -91,7 +91,7 @@ def _relief(body: Body) -> dict[str, Any]:
     low, high = body.interval
     low = low if math.isfinite(low) else min(body.position, high) - FAR
     high = high if math.isfinite(high) else max(body.position, low) + FAR
-    # Close together at the ends, where profiles are steep.
+    # Denser at the ends, where profiles are steep.
     spread = np.sin(np.linspace(-0.5 * np.pi, 0.5 * np.pi, RELIEF_POINTS))
     y = np.clip(0.5 * (low + high) + 0.5 * (high - low) * spread, low, high)
     with warnings.catch_warnings(), np.errstate(all="ignore"):
@@ -101,7 +101,7 @@ def _relief(body: Body) -> dict[str, Any]:
 
 
 def _line(solution: Solution) -> dict[str, Any]:
-    """Return the lines along the contact through the centres of strips, with zeros where strips are cut off."""
+    """Return the lines along the contact through the strip centres, with zeros at the outer edges of the strips."""
     y = np.concatenate([solution.edges[[0, 0]], solution.y, solution.edges[[-1, -1]]])
     names = {"pressure": "centre_pressure", "half_width": "half_width", "line_load": "line_load"}
     return {"y": numbers(y)} | {name: numbers(_ended(getattr(solution, of))) for name, of in names.items()}
@@ -112,7 +112,7 @@ def _ended(values: Array) -> Array:
 
 
 def _footprint(solution: Solution) -> dict[str, Any]:
-    """Return the outline of the contact's upper half; a null parts pieces from each other."""
+    """Return the outline of the contact's upper half; a null separates pieces."""
     pieces = outlines(solution)
     columns: dict[str, list[float | None]] = {"y": [], "half_width": [], "pressure": []}
     for piece in pieces:
@@ -129,7 +129,7 @@ def _gap(solution: Solution) -> dict[str, Any]:
 
 
 def drawable(bodies: Any) -> dict[str, Any]:
-    """Return the reliefs of those bodies of a document that can be made, for a case that cannot be solved."""
+    """Return the reliefs of those bodies in a document that are valid, for a case that cannot be solved."""
     made = {}
     for name in ("a", "b"):
         try:

@@ -1,4 +1,4 @@
-"""What the workers do: a document in, an answer out, ready to send."""
+"""The workers' jobs: a document in, an answer out, ready to send."""
 
 from __future__ import annotations
 
@@ -29,16 +29,16 @@ PATH = Path("case.toml")
 
 
 def solve(document: dict[str, Any], stress: bool, body: BodyName) -> bytes:
-    """Return the answer to a case as JSON: what the page shows of it, or what is wrong with it where.
+    """Return the answer to a case as JSON: what the page shows of it, or its mistakes with their places.
 
     Parameters
     ----------
     document : dict
         The case.
     stress : bool
-        Whether the stress below the surface is wanted too.
+        Whether to include the stress below the surface.
     body : {"a", "b"}
-        In which body, ``"a"`` or ``"b"``.
+        In which body.
     """
     begun = time.perf_counter()
     with _calmly():
@@ -54,12 +54,12 @@ def solve(document: dict[str, Any], stress: bool, body: BodyName) -> bytes:
 
 
 def worked_out(document: dict[str, Any]) -> tuple[Case, Solution, str]:
-    """Return the case in a document, its solution, and why the solver stopped short of it, if it did.
+    """Return the case in a document, its solution, and why the solver stopped short, if it did.
 
     Raises
     ------
     CaseError
-        If there is none, with every mistake at its place.
+        With every mistake at its place, if the document is not a valid case.
     """
     case = sound(document)
     return case, *attempted(case)
@@ -81,7 +81,7 @@ def document_in(content: bytes) -> bytes:
 
 
 def as_json_has_it(value: Any) -> Any:
-    """Return what TOML has and JSON has not as text: dates, numbers that are not finite or beyond all others."""
+    """Return a value with what TOML has but JSON lacks as text: dates, non-finite numbers and huge integers."""
     if isinstance(value, dict):
         return {name: as_json_has_it(entry) for name, entry in value.items()}
     if isinstance(value, list):
@@ -92,7 +92,7 @@ def as_json_has_it(value: Any) -> Any:
 
 
 def case_file(document: dict[str, Any]) -> bytes | dict[str, Any]:
-    """Return a document as the text of a case file, or what is wrong with it; it need not be fit to be solved."""
+    """Return a document as the text of a case file, or what is wrong with it; it need not be solvable."""
     try:
         _refuse(unfit(document))
     except CaseError as error:
@@ -101,7 +101,7 @@ def case_file(document: dict[str, Any]) -> bytes | dict[str, Any]:
 
 
 def table(document: dict[str, Any]) -> bytes | dict[str, Any]:
-    """Return the numbers along the contact as comma-separated values, or what is wrong with a document."""
+    """Return the numbers along the contact as CSV, or what is wrong with a document."""
     return _made(document, lambda case, solution: as_table(solution))
 
 
@@ -142,10 +142,10 @@ def sound(document: dict[str, Any]) -> Case:
     Raises
     ------
     CaseError
-        If there is none, or it is more than the page takes on.
+        If it is not a valid case, or exceeds the limits of the page.
     """
     _refuse(unfit(document))
-    # The command line's own words come first: what it refuses too is told as it tells it.
+    # The case file's own checks come first, so that what they reject is worded as on the command line.
     case = case_in(document, PATH, files=False)
     _refuse(slow(document))
     return case
@@ -161,14 +161,14 @@ def _profiles(document: dict[str, Any]) -> dict[str, Any]:
 
 
 def warm_up() -> None:
-    """Solve the starting case with its stresses, so that everything is loaded and compiled."""
-    # With a unit, for which a library is loaded that takes a second.
+    """Solve the starting case with stresses, so that everything is loaded and compiled."""
+    # With a unit, so that the units library, which takes a second, is loaded too.
     solve(parsed(starting_case(), PATH.name) | {"load": {"load": "20 kN"}}, True, "a")
 
 
 @contextmanager
 def _calmly() -> Iterator[None]:
-    """Say nothing on the terminal of numbers that overflow: what comes of them is in the answer."""
+    """Keep warnings, such as those about overflow, off the terminal: the answer shows their effect."""
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
         yield

@@ -1,4 +1,4 @@
-"""Answers as the page reads them: JSON with a flag, and sentences placed at their fields."""
+"""Answers in the form that the page reads: JSON with a flag, and sentences with their fields."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from nonhertz.io.mistakes import Mistake, path_of
 from nonhertz.io.results import plain
 
 _UNHEARD = (403, 408, 413, 415, 431)
-#: Of complaints about both bodies, where a form shows them.
+#: Where the form shows errors about both bodies.
 _FIELDS = {"profile": "body.a.profile"}
 
 
 def as_bytes(value: Any) -> bytes:
-    """Return JSON without blanks; a number that is not finite is a mistake of ours and raises."""
+    """Return JSON without blanks; raise for a non-finite number, which would be a bug."""
     return json.dumps(value, allow_nan=False, separators=(",", ":")).encode()
 
 
 def numbers(values: NDArray[np.float64]) -> Any:
-    """Return an array as lists, with null for what is not finite: `nonhertz.io.results.plain`, for large ones."""
+    """Return an array as lists, with null for non-finite numbers: a faster `nonhertz.io.results.plain`."""
     return values.tolist() if np.isfinite(values).all() else plain(values)
 
 
@@ -35,17 +35,17 @@ def reply(value: Any, status: int = 200, headers: dict[str, str] | None = None) 
 
 
 def refusal(status: int, sentence: str) -> Response:
-    """Return an answer of one sentence that is about no field.
+    """Return an answer of one sentence that is not about any field.
 
-    One that may be asked again says when. One that was given before all was heard ends the connection: what else is
-    sent on it is not read.
+    If the request may be repeated, the answer says when. An answer given before the request was fully read closes the
+    connection, so that the rest need not be read.
     """
     headers = {"Retry-After": "1"} if status == 503 else {"Connection": "close"} if status in _UNHEARD else None
     return reply(broken([("", sentence)]), status, headers)
 
 
 def broken(mistakes: Iterable[tuple[str, str]]) -> dict[str, Any]:
-    """Return what says that a case cannot be solved: pairs of a field's path and a sentence."""
+    """Return the answer that a case cannot be solved, from pairs of a field's path and a sentence."""
     return {"ok": False, "mistakes": [{"path": path, "sentence": sentence} for path, sentence in mistakes]}
 
 
@@ -57,5 +57,5 @@ def misfit(error: CaseError) -> dict[str, Any]:
 
 
 def excess(mistakes: Iterable[Mistake]) -> dict[str, Any]:
-    """Return what is more than the page takes on, each sentence at its field."""
+    """Return what exceeds the limits of the page, each sentence at its field."""
     return broken((path_of(mistake.place), mistake.sentence) for mistake in mistakes)

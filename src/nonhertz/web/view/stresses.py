@@ -1,4 +1,4 @@
-"""Stress below the surface on nets that are just fine enough to draw while somebody moves a slider."""
+"""Stress below the surface on grids just fine enough to draw while a slider moves."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from nonhertz.web.view.replies import numbers
 
 Array = NDArray[np.float64]
 
-# Levels are close to one another near the surface, where the stress changes most.
+# Levels are denser near the surface, where the stress changes most.
 ALONG: Final = 41
 ACROSS: Final = 15
 LEVELS: Final = 15
@@ -29,11 +29,11 @@ CLOSE: Final = 5
 CROWDING: Final = 1.5
 
 MOST_WORK: Final = 5000
-"""Strips times the pressure and its images in the body; one takes 0.1 ms on the nets above."""
+"""Strips times pressure terms (the pressure and its images in the body); each takes 0.1 ms on the grids above."""
 
-_NO_NUMBERS = "There is no stress below the surface to show: what presses it is too large or too small for numbers."
+_NO_NUMBERS = "There is no stress below the surface to show: the load is too large or too small for its numbers."
 _TOO_MUCH = (
-    "The stress below the surface takes longer than the page waits with so many strips and images: take fewer, or use "
+    "With so many strips and images, the stress below the surface takes longer than the page waits: use fewer, or run "
     "'nonhertz stress'."
 )
 
@@ -73,7 +73,7 @@ def _section(solution: Solution, station: float, body: BodyName) -> tuple[dict[s
     half_width = float(across_at(solution, np.array([station]))[1][0])
     x = WIDEST * half_width * np.linspace(0.0, 1.0, ACROSS)
     field = _with_numbers(cross_section(solution, station, x, _levels(half_width), body=body, threads=1))
-    # The field of strips is symmetric about x = 0.
+    # The stress field of the strips is symmetric about x = 0.
     both = np.concatenate([field.von_mises[:0:-1], field.von_mises])
     largest = _largest(solution, field, body)
     section = {
@@ -88,7 +88,7 @@ def _section(solution: Solution, station: float, body: BodyName) -> tuple[dict[s
 
 
 def _with_numbers(field: Field) -> Field:
-    """Return a field whose stresses are numbers everywhere, or raise ArithmeticError."""
+    """Return a field whose stresses are finite everywhere, or raise ArithmeticError."""
     if not np.isfinite(field.von_mises).all():
         raise ArithmeticError("stresses overflow")
     return field
@@ -99,14 +99,14 @@ def _levels(half_width: float) -> Array:
 
 
 def _short(values: Array) -> Array:
-    """Return numbers to a fifth digit of the largest, which is more than a drawing shows."""
+    """Return numbers rounded to the fifth digit of the largest, which is more than a drawing shows."""
     largest = float(np.abs(values).max())
     step = 10.0 ** (np.floor(np.log10(largest)) - 4.0) if largest > 0.0 else 1.0
     return np.round(values / step) * step
 
 
 def _largest(solution: Solution, field: Field, body: BodyName) -> dict[str, Extreme]:
-    """Return the largest stresses of a cross-section: the best places of its net, looked at closely."""
+    """Return the largest stresses of a cross-section: the maxima on its grid, refined locally."""
     x, z, station = field.x[:, 0], field.z[0], float(field.y[0, 0])
     found = {}
     for name, quantity in QUANTITIES.items():
@@ -121,7 +121,7 @@ def _largest(solution: Solution, field: Field, body: BodyName) -> dict[str, Extr
 
 
 def _close_to(places: Array, at: int) -> Array:
-    """Return places between the neighbours of one of a row."""
+    """Return positions between the two neighbours of a grid position."""
     low, high = places[max(at - 1, 0)], places[min(at + 1, places.size - 1)]
     return np.linspace(low, high, CLOSE)
 

@@ -1,4 +1,4 @@
-"""A measured file to points for a profile, with what each step has done to it."""
+"""From a measured file to the points of a profile, with what each step did."""
 
 from __future__ import annotations
 
@@ -21,21 +21,21 @@ from nonhertz.web.view.replies import as_bytes, broken
 Array = NDArray[np.float64]
 
 MOST_POINTS: Final = 300
-"""Of the profile; more would show in no result, and the whole case travels with every request."""
+"""Of the profile; more would affect no result, and the whole case is sent with every request."""
 DRAWN_POINTS: Final = 600
 _NANOMETRES: Final = 6  # decimals of a mm
 _STARTED: Final = {"kind": "tabulated"}
 
 
 def answer_to_file(content: bytes, name: str, options: dict[str, str]) -> bytes:
-    """Return the answer to a measured file as JSON: points, steps, roughness, warnings; or what is wrong with it.
+    """Return the answer to a measured file as JSON: points, steps, roughness and warnings, or what is wrong with it.
 
     Parameters
     ----------
     content : bytes
         The file.
     name : str
-        What it is called.
+        Its name.
     options : dict
         Keys of a profile of kind "measured", as text.
     """
@@ -50,9 +50,9 @@ def answer_to_file(content: bytes, name: str, options: dict[str, str]) -> bytes:
 
 
 def _averaged(trace: Trace) -> Trace:
-    """Return a trace of no more points than the page takes: means of neighbours, which lie closer than any cutoff.
+    """Return a trace with no more points than the page accepts, averaging neighbours, which are closer than any cutoff.
 
-    No mean is taken over a gap.
+    No mean is taken across a gap.
     """
     every = -(-len(trace) // UPLOAD_POINTS)
     if every == 1:
@@ -61,7 +61,7 @@ def _averaged(trace: Trace) -> Trace:
     starts = np.union1d(np.arange(0, len(trace), every), behind_gaps).astype(np.intp)
     counts = np.diff(starts, append=len(trace))
     y, height = (np.add.reduceat(values, starts) / counts for values in (trace.y, trace.height))
-    note = f"Of the {len(trace)} points every {every} neighbours were averaged; 'nonhertz profile' takes all of them."
+    note = f"Of the {len(trace)} points, every {every} neighbours were averaged; 'nonhertz profile' uses all of them."
     return Trace(y, height, trace.gaps, name=trace.name, notes=(*trace.notes, note))
 
 
@@ -76,7 +76,7 @@ def _read_options(options: dict[str, str]) -> tuple[dict[str, Any], list[tuple[s
 
 
 def _value(text: str) -> Any:
-    """Return what a text of the address stands for: true, false, a number, or itself."""
+    """Return the value of a query parameter: true, false, a number, or the text itself."""
     try:
         value = json.loads(text)
     except (ValueError, RecursionError):
@@ -112,7 +112,7 @@ def _answer(measured: Measured, interpolation: Interpolation | None) -> dict[str
 
 
 def _short(measured: Measured) -> Measured:
-    """Return a measured profile of no more points than are sent."""
+    """Return a measured profile with no more points than the page is sent."""
     if measured.points.y.size <= MOST_POINTS:
         return measured
     thinned = measured.states[-1].name == "thin"
@@ -128,7 +128,7 @@ def _table(profile: Tabulated) -> dict[str, Any]:
 
 
 def _drawn(y: Array, height: Array) -> dict[str, Any]:
-    """Return points for a drawing: the lowest and the highest of each of many short stretches."""
+    """Return points for a drawing: the lowest and the highest in each of many short stretches."""
     if y.size > DRAWN_POINTS:
         stretches = np.array_split(np.arange(y.size), DRAWN_POINTS // 2)
         kept = [{part[height[part].argmin()], part[height[part].argmax()]} for part in stretches]
