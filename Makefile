@@ -8,7 +8,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo test test-orders test-versions mutants campaign campaign-all machine-code browser verify lint docs bench docs-numbers clean
+.PHONY: demo test test-slow test-orders test-versions mutants campaign campaign-all machine-code browser verify lint docs bench docs-numbers clean
 
 demo: $(READY)
 	$(BIN)/nonhertz solve examples/cylindrical-roller-bearing.toml --out out/demo
@@ -17,10 +17,14 @@ demo: $(READY)
 test: $(READY)
 	$(BIN)/python -m pytest -n auto
 
+# The tests that take seconds each, which `make test` leaves out.
+test-slow: $(READY)
+	$(BIN)/python -m pytest -n auto -m slow
+
 # The same tests in other orders, one for each number.
 test-orders: $(READY)
 	for order in $(ORDERS); do \
-	  $(BIN)/python -m pytest -n auto --random-order --random-order-seed=$$order || exit 1; \
+	  $(BIN)/python -m pytest -n auto -m "not campaign and not browser and not machine_code" --random-order --random-order-seed=$$order || exit 1; \
 	done
 
 # The lowest and the newest versions of what the package needs, on every Python; says which Pythons are not there.

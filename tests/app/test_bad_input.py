@@ -21,12 +21,12 @@ FACES_REMEDY = "write 'mirror', 'calibrated', 'none' or a weight of the images, 
 IMAGES_REMEDY = "give 1 to 100, or 'series' for all of them"
 DEPTH_REMEDY = "write 'none', 'plane-strain', 'diameter' or a depth in mm such as the thickness of a ring"
 NOT_CONVEX = (
-    "must only be asked of a convex body, which has a diameter to go by: "
+    "must only be used for a convex body, which has a diameter: "
     "give the thickness of a ring or plate in mm, or write 'none'."
 )
 PLAIN = "must be a plain number: write it without quotes and without a unit."
 STRIPS = "be 'auto' or a whole number from 1 to 2000: leave it out for an automatic grid"
-KEYS_OF_MATERIAL = "known are 'modulus', 'poisson'"
+KEYS_OF_MATERIAL = "choose from 'modulus', 'poisson'"
 
 
 def profile(table: str) -> str:
@@ -162,20 +162,20 @@ MISTAKES = {
     "empty profile file": (
         profile("{ kind = 'tabulated', file = 'empty.csv' }"),
         [
-            "body.a.profile[1].file = 'empty.csv' must name a file of two points at least "
-            "(empty.csv holds no data): write one point a line, y and relief in mm."
+            "body.a.profile[1].file = 'empty.csv' must name a file of at least two points "
+            "(empty.csv holds no data): write one point per line, y and relief in mm."
         ],
     ),
     "profile file with a word": (
         profile("{ kind = 'tabulated', file = 'word.csv' }"),
         [
             "body.a.profile[1].file, line 2 of word.csv = '1,x' must hold two finite numbers: "
-            "write one point a line, y and relief in mm."
+            "write one point per line, y and relief in mm."
         ],
     ),
     "points and a file": (
         profile("{ kind = 'tabulated', file = 'two.csv', y = [0, 1] }"),
-        ["body.a.profile[1].y = [0, 1] must not stand beside file: keep one of them."],
+        ["body.a.profile[1].y = [0, 1] must not be given together with file: keep one."],
     ),
     "table without points": (
         profile("{ kind = 'tabulated' }"),
@@ -184,7 +184,7 @@ MISTAKES = {
     "nan in a table": (
         profile("{ kind = 'tabulated', y = [0, 1], relief = [0, nan] }"),
         [
-            "body.a.profile[1].relief = [0.0, nan] must hold finite numbers only: "
+            "body.a.profile[1].relief = [0.0, nan] must hold only finite numbers: "
             "leave out the points that were not measured."
         ],
     ),
@@ -199,11 +199,11 @@ MISTAKES = {
     ),
     "load and approach": (
         f"{A}{B}{LOAD}approach = 0.01\n",
-        ["load.approach = 0.01 must not stand beside load: leave one of them out."],
+        ["load.approach = 0.01 must not be given together with load: leave one out."],
     ),
     "tilt and moment": (
         f"{A}{B}{LOAD}moment = 1.0\ntilt = 0.0\n",
-        ["load.moment = 1.0 must not stand beside tilt: leave one of them out."],
+        ["load.moment = 1.0 must not be given together with tilt: leave one out."],
     ),
     "neither load nor approach": (
         f"{A}{B}[load]\ntilt = 0.0\n",
@@ -235,7 +235,7 @@ MISTAKES = {
     ),
     "third body": (
         f"{A}{B}[body.c]\n{LOAD}",
-        ["body.c = {} must be a known key: known are 'a', 'b'."],
+        ["body.c = {} must be a known key: choose from 'a', 'b'."],
     ),
     "missing body": (f"{A}{LOAD}", ["body.b must be given: write it under a heading [body.b]."]),
     "missing load": (f"{A}{B}", ["load must be given: write it under a heading [load]."]),
@@ -324,7 +324,7 @@ MISTAKES = {
     "series without a depth": refused_word(
         "images",
         "'series'",
-        "only be asked of a body with a depth, without which it has no sum",
+        "only be used for a body with a depth, without which it has no sum",
         "give the body a depth, or a number of images",
     ),
     # Depth
@@ -358,7 +358,7 @@ MISTAKES = {
     ),
     "number for a kind": (
         f"{A}kind = 1\n{B}{LOAD}",
-        ["body.a.kind = 1 must be a known kind of body: known are 'roller', 'ring', 'plate', 'body'."],
+        ["body.a.kind = 1 must be a known kind of body: choose from 'roller', 'ring', 'plate', 'body'."],
     ),
     "roller without diameter and length": (
         f"[body.a]\nkind = 'roller'\n{B}{LOAD}",
@@ -433,7 +433,7 @@ MISTAKES = {
         [
             "body.a.lenght = 3 must be a known key: the nearest is 'length'.",
             "body.b.material = 'bras' must be a known material: "
-            "known are 'steel', 'silicon-nitride', 'cast-iron', 'bronze', 'aluminium'.",
+            "choose from 'steel', 'silicon-nitride', 'cast-iron', 'bronze', 'aluminium'.",
             "load.load = -1.0 must be positive: give the force in N that presses the bodies together.",
             "load.tilt = '5 kg' must have a unit of angle: "
             "write a number in rad, or text with a unit of angle such as '0.5 mrad'.",
@@ -550,7 +550,7 @@ def test_a_body_thinner_than_its_contact_is_wide_is_refused(folder: Path, capsys
     (folder / "case.toml").write_text(with_keys("depth = '0.3 mm'"), encoding="utf-8")
     assert main(["solve", "case.toml"]) == 2
     sentence = capsys.readouterr().err
-    assert sentence.startswith("body.a.depth = 0.3 must be large against the half-width of the contact")
+    assert sentence.startswith("body.a.depth = 0.3 must be large compared with the half-width of the contact")
     assert len(sentence.splitlines()) == 1
 
 

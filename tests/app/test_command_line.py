@@ -393,6 +393,7 @@ def test_interruption(case: str, capsys: pytest.CaptureFixture[str], monkeypatch
 
 
 @pytest.mark.parametrize("package", ["cyclopts", "pydantic", "pint", "matplotlib"])
+@pytest.mark.slow
 def test_a_missing_extra_says_how_to_install_it(case: str, package: str) -> None:
     Path(case).write_text(CASE.replace("diameter = 20.0", 'diameter = "20 mm"'), encoding="utf-8")
     program = (
@@ -412,6 +413,7 @@ def test_a_missing_extra_says_how_to_install_it(case: str, package: str) -> None
     assert not Path("results").exists()
 
 
+@pytest.mark.slow
 def test_the_module_is_the_command(case: str) -> None:
     command = [sys.executable, "-m", "nonhertz", "solve", case, "--json"]
     run = subprocess.run(command, capture_output=True, text=True, check=False, env=environment())

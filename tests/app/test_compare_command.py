@@ -134,7 +134,7 @@ def test_cells_that_cannot_be_are_refused(
     [
         ("load = 20000.0", "approach = -0.01", "load.approach = -0.01 must exceed -0.0005 mm"),
         ("length = 20.0", "length = -1", "body.a.length = -1.0 must be positive"),
-        ('depth = "none"', "depth = 0.3", "body.a.depth = 0.3 must be large against the half-width"),
+        ('depth = "none"', "depth = 0.3", "body.a.depth = 0.3 must be large compared with the half-width"),
     ],
 )
 def test_mistakes_are_named_as_the_file_has_them(

@@ -85,6 +85,7 @@ def test_links_lead_somewhere(page):
 
 
 @pytest.mark.parametrize("page", HOW_TOS, ids=lambda page: page.stem)
+@pytest.mark.slow
 def test_how_to_shows_what_happens(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     text = page.read_text(encoding="utf-8")

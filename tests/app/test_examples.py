@@ -43,6 +43,7 @@ def script(name: str, folder: Path = EXAMPLES) -> ModuleType:
 
 
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
+@pytest.mark.slow
 def test_every_case_solves_from_the_command_line(path, tmp_path, capsys):
     assert main(["solve", str(path), "--json", "--out", str(tmp_path)]) == 0
     result = json.loads(capsys.readouterr().out)

@@ -74,7 +74,7 @@ def test_several_cases_become_one_report(case: str, capsys: pytest.CaptureFixtur
 
 def test_only_reports_are_replaced(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     (line,) = refused([case, "--out", case], capsys)
-    assert line.startswith("--out = 'case.toml' must be a new file or a report of nonhertz to replace: ")
+    assert line.startswith("--out = 'case.toml' must be a new file or an older nonhertz report: ")
     assert Path(case).read_text(encoding="utf-8") == CASE
     Path("folder").mkdir()
     (line,) = refused([case, "--out", "folder"], capsys)

@@ -36,6 +36,7 @@ def test_a_closed_output_is_told_and_nothing_is_done(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_a_closed_error_stream_ends_no_solve() -> None:
     done = ran(f"solve {CASE}", "2>&-")
     assert done.returncode == 0
@@ -56,6 +57,7 @@ def test_what_is_opened_does_not_end_up_in_the_place_of_a_closed_stream(tmp_path
 
 
 @pytest.mark.parametrize("words", ["--help", "--version", "new", f"solve {CASE}"])
+@pytest.mark.slow
 def test_a_command_that_nobody_reads_ends_as_others_do(words: str) -> None:
     read, write = os.pipe()
     os.close(read)

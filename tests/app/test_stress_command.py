@@ -68,6 +68,7 @@ def never(*_: object, **__: object) -> Any:
     pytest.fail("it ran")
 
 
+@pytest.mark.slow
 def test_json_is_what_the_search_returns(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     told = found(capsys, case, "--station", "-0.6", "--body", "b")
     crowned = nh.Body(diameter=20.0, profile=nh.profile.crown(radius=100.0))
@@ -96,6 +97,7 @@ def test_without_a_station_the_section_is_the_worst(sharp: str, capsys: pytest.C
     assert_allclose(told["section"]["von_mises"]["max"], told["overall"]["von_mises"]["max"], rtol=1e-6)
 
 
+@pytest.mark.slow
 def test_landmarks_of_plane_strain(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     Path(case).write_text(PLANE_STRAIN, encoding="utf-8")
     told = found(capsys, case, "--station", "2")
@@ -118,6 +120,7 @@ def test_landmarks_of_plane_strain(case: str, capsys: pytest.CaptureFixture[str]
     assert_allclose(other["section"]["orthogonal_shear"]["max"], section["orthogonal_shear"]["max"], rtol=1e-6)
 
 
+@pytest.mark.slow
 def test_the_table_has_both_and_the_warnings(sharp: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["stress", sharp, "--station", "9.9"]) == 0
     printed = capsys.readouterr()
@@ -145,6 +148,7 @@ def test_the_table_has_both_and_the_warnings(sharp: str, capsys: pytest.CaptureF
     assert "The cross-section at y = 9.9 mm is within a half-width of the sharp end at y = 10 mm" in text
 
 
+@pytest.mark.slow
 def test_files_are_the_json_and_both_planes(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     told = found(capsys, case, "--station", "0.5", "--out", "new/folder")
     folder = Path("new/folder")
@@ -181,7 +185,7 @@ def test_nothing_is_left_behind_when_drawing_fails(
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (["--station", "nan"], "--station = nan must be finite: give a place along the contact in mm."),
+        (["--station", "nan"], "--station = nan must be finite: give a position along the contact in mm."),
         (["--station", "-inf"], "--station = -inf must be finite: "),
         (["--station", "middle"], "Invalid value for --station"),
         (["--body", "c"], "--body = 'c' must be one of the two bodies: write a or b."),
@@ -202,7 +206,7 @@ def test_what_cannot_be_is_refused_before_anything_runs(
 @pytest.mark.parametrize(
     ("station", "condition"),
     [
-        ("-30", "--station = -30.0 must lie between the side faces of body a, -10 and 10 mm: choose a place in the "),
+        ("-30", "--station = -30.0 must lie between the side faces of body a, -10 and 10 mm: choose a position in "),
         ("10.001", "--station = 10.001 must lie between the side faces of body a, -10 and 10 mm: "),
     ],
 )

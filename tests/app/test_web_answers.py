@@ -261,6 +261,6 @@ def test_the_how_to_tells_the_limits():
         f"at most {limits.STRIPS} strips, {limits.IMAGES} images per face, {limits.PROFILES} profiles per body, "
         f"{limits.POINTS} points per list"
     ) in text
-    assert f"a case that takes longer than {limits.LIVE_SECONDS} s is given up" in text
+    assert f"a case that takes longer than {limits.LIVE_SECONDS} s is abandoned" in text
     assert f"uploaded, {limits.UPLOAD_BYTES // 2**20} MB at most" in text
-    assert f"more than {limits.UPLOAD_POINTS:,} points neighbours are averaged" in text
+    assert f"more than {limits.UPLOAD_POINTS:,} points, neighbours are averaged" in text

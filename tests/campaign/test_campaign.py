@@ -49,7 +49,7 @@ def run(number):
 def foreseen(error):
     """Say whether no solution exists: a resultant outside, no strip in contact, lift-off, a body too thin."""
     thin = error.field.endswith(".depth") and "half-width of the contact" in error.condition
-    return error.field in {"moment", "strips"} or "the moment leads to" in str(error) or thin
+    return error.field in {"moment", "strips"} or "the moment causes" in str(error) or thin
 
 
 def in_words(error):

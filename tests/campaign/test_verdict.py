@@ -136,7 +136,7 @@ def test_a_stiffness_that_is_another_is_caught():
 
 
 def test_sentences_about_what_nobody_gave_are_caught():
-    error = nh.InputError("strips", 24, "have centres on both sides", "take more strips")
+    error = nh.InputError("strips", 24, "have centres on both sides", "use more strips")
     assert [kind for kind, _ in sentence_faults(error, FINITE)] == ["names strips, which nobody gave"]
     error = nh.InputError("load", 1.0, "be small", "lower it")
     assert [kind for kind, _ in sentence_faults(error, FINITE)] == ["names another load than given"]

@@ -229,7 +229,7 @@ def _between_strips(solution, case, surfaces, scale):
         before, after = (max(MARGIN * (end - start), _width(solution, place)) for place in (start, end))
         y = y[(y < start - before) | (y > end + after)]
     # A rough profile that is too much for the grid is said to be.
-    if any("a place of contact is missed" in said or "is uncertain" in said for said in solution.warnings):
+    if any("a contact region is missed" in said or "is uncertain" in said for said in solution.warnings):
         return []
     d = solution.approach + solution.tilt * y - separation(case, y)
     y, d = y[d > BETWEEN_STRIPS * scale], d[d > BETWEEN_STRIPS * scale]

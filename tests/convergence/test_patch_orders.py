@@ -8,6 +8,8 @@ import pytest
 import nonhertz as nh
 from nonhertz.hertz import point_contact
 
+pytestmark = pytest.mark.slow
+
 BODIES = nh.Contact(nh.Body(diameter=20), nh.Plate())
 HALF_SPACE = {"side_faces": "none", "depth": "none"}
 LOGARITHMIC = nh.profile.logarithmic(amplitude=0.005, length=20, fraction=0.9999)

@@ -186,9 +186,9 @@ def test_bodies_and_contacts_are_values():
 
 NO_FACE_RULE = "must be one of 'mirror', 'calibrated', 'none' or a weight"
 NO_DEPTH_RULE = "must be one of 'none', 'plane-strain', 'diameter' or a length"
-NOT_CONVEX = "must only be asked of a convex body, which has a diameter to go by"
+NOT_CONVEX = "must only be used for a convex body, which has a diameter"
 NO_COUNT = "must be a whole number from 1 to 100"
-NO_SUM = "must only be asked of a body with a depth, without which it has no sum"
+NO_SUM = "must only be used for a body with a depth, without which it has no sum"
 
 
 @pytest.mark.parametrize(
@@ -270,11 +270,11 @@ NO_SUM = "must only be asked of a body with a depth, without which it has no sum
         ),
         (
             lambda: nh.TabulatedDiameter((0.0,), (20.0,)),
-            "y = (0.0,) must hold as many points as diameter, two at least",
+            "y = (0.0,) must hold as many points as diameter, at least two",
         ),
         (
             lambda: nh.TabulatedDiameter((0.0, 0.0), (20.0, 20.0)),
-            "y = (0.0, 0.0) must be finite and ascend",
+            "y = (0.0, 0.0) must be finite and ascending",
         ),
         (
             lambda: nh.TabulatedDiameter((0.0, math.nan), (20.0, 20.0)),

@@ -67,6 +67,9 @@ def test_fields_and_lives_are_printed_without_their_arrays(solved):
     field = nh.subsurface.cross_section(solved, 0.0)
     assert repr(field).startswith("Field(body='a', x=<")
     assert len(repr(field)) < 400
-    life = nh.life.assess(solved, body="b")[0]
-    assert "lundberg-palmgren" in repr(life)
+    largest = nh.subsurface.extremes(solved, 0.0)
+    assert repr(largest).startswith("Extremes(body='a', von_mises=Extreme(max=")
+    assert len(repr(largest)) < 300
+    (life,) = nh.life.assess(solved, "iso-16281", body="b")
+    assert "iso-16281" in repr(life)
     assert len(repr(life)) < 700

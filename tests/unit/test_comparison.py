@@ -156,6 +156,7 @@ INJECTED = [sign * size for size in (0.005, 0.02, 0.05, 0.1, 0.3, 1.0) for sign 
 
 @pytest.mark.parametrize("name", CASES)
 @pytest.mark.parametrize("where", ["semi-elliptic", "parabolic", "plane grid"])
+@pytest.mark.slow
 def test_no_reason_explains_more_than_its_size(found, name, where):
     """Sizes are those of the solutions as they came: what is put in may not grow its own explanation."""
     one, random, many = found[name], np.random.default_rng(13), 0

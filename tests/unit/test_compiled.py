@@ -205,7 +205,7 @@ def test_nowhere_to_write_is_said_once_with_the_way_out(tmp_path, monkeypatch, c
     (record,) = caplog.records
     assert (record.name, record.levelno) == ("nonhertz", logging.WARNING)
     assert f"nothing can be written in {tmp_path / 'file' / 'nonhertz'} (Not a directory)" in record.getMessage()
-    assert "Set NUMBA_CACHE_DIR to a folder that can be written." in record.getMessage()
+    assert "Set NUMBA_CACHE_DIR to a writable folder." in record.getMessage()
 
 
 def test_a_full_disk_leaves_nothing_half_written(kept, caplog):
@@ -291,7 +291,7 @@ def test_without_a_setting_the_package_and_then_the_user_keep(monkeypatch):
     ids=["dict", "list", "function", "module"],
 )
 def test_what_cannot_be_told_apart_is_refused(value):
-    with pytest.raises(TypeError, match=r"inner is compiled and reads RATE, a .*: have it read numbers"):
+    with pytest.raises(TypeError, match=r"inner is compiled and reads RATE, a .*: have it read only numbers"):
         pair(rate=value)(X)
 
 

@@ -167,7 +167,11 @@ FREED = "ends with its side face freed by images of weight 1"
             nh.Plate(length=20.0, side_faces="calibrated"),
             f"a {FREED}, b {FREED}",
         ),
-        (roller(effective_length=19.0), nh.Plate(), "a can touch no further, 0.5 mm short of its side face, b goes on"),
+        (
+            roller(effective_length=19.0),
+            nh.Plate(),
+            "a can touch only up to here, 0.5 mm short of its side face, b goes on",
+        ),
         (roller(length=30.0), nh.Plate(length=20.0, side_faces="none"), "a goes on, b ends as a half-space"),
     ],
 )  # fmt: skip

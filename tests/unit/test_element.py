@@ -54,6 +54,7 @@ def integrals(name, t):
 
 @both_elements
 @pytest.mark.parametrize("which", range(4), ids=FUNCTIONS)
+@pytest.mark.slow
 def test_functions_equal_their_defining_integrals(element, which):
     expected = [float(integrals(element.name, t)[which]) for t in PLACES]
     np.testing.assert_allclose(element.functions(PLACES)[which], expected, rtol=RTOL, atol=0.0)

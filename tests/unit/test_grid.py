@@ -319,7 +319,7 @@ def test_a_strip_beside_the_contact_hides_no_other_contact():
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", nh.AccuracyWarning)
         solution = nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), approach=2e-3, strips=edges)
-    assert any("a place of contact is missed" in said for said in solution.warnings)
+    assert any("a contact region is missed" in said for said in solution.warnings)
 
 
 def test_the_approach_at_which_unbounded_bodies_touch_counts_every_bump_in_sight():

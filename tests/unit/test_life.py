@@ -123,6 +123,7 @@ def test_the_reference_is_the_integral_of_the_line_contact():
     assert seen.reference.damage(lundberg_palmgren()) == pytest.approx(expected, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_density_adds_up_to_the_damage(logarithmic):
     seen = exposure(logarithmic)
     for wanted in (lundberg_palmgren(), zaretsky(), ioannides_harris()):
@@ -130,6 +131,7 @@ def test_density_adds_up_to_the_damage(logarithmic):
     assert seen.width.sum() == pytest.approx(np.ptp(seen.y), rel=0.1)
 
 
+@pytest.mark.slow
 def test_damage_is_counted_up_to_two_half_widths_beyond_where_a_contact_runs_out():
     crowned = solved(load=2e3, profile=nh.profile.crown(radius=1000), length=20)
     seen = exposure(crowned)
@@ -139,11 +141,13 @@ def test_damage_is_counted_up_to_two_half_widths_beyond_where_a_contact_runs_out
     assert 1.0 * half_width < first - seen.y[0] < 2.0 * half_width
 
 
+@pytest.mark.slow
 def test_more_strips_change_the_life_little(lives):
     for life in assess(solved(tilt=5e-4, strips=93), body="b"):
         assert life.relative == pytest.approx(lives[life.model.name].relative, rel=2e-2)
 
 
+@pytest.mark.slow
 def test_a_tilt_shortens_life_and_moves_the_damage(lives):
     upright = {life.model.name: life for life in assess(solved(), body="b")}
     for name, life in lives.items():
@@ -170,6 +174,7 @@ def test_at_a_sharp_end_it_is_said_what_is_not_counted():
     assert coarse.warnings[-1].startswith("The strips or cells at a sharp end are longer than what was left out")
 
 
+@pytest.mark.slow
 def test_at_a_corner_where_the_contact_ends_the_same_is_left_out_on_finer_strips():
     contact = nh.Contact(roller(nh.profile.chamfer(20, 1.0), length=20, diameter=20), nh.Ring(diameter=80))
     corner = nh.solve(contact, load=20e3)
@@ -305,6 +310,7 @@ def test_life_in_revolutions_is_the_capacity_over_the_load(lives, logarithmic):
     assert (unrated.million_revolutions, unrated.no_revolutions) == (None, "it needs the number of rollers")
 
 
+@pytest.mark.slow
 def test_the_roller_has_no_capacity_and_other_materials_and_slopes_have_none(logarithmic):
     whys = {
         "the capacity is that of the ring, body b": assess(logarithmic, "iso-16281", rollers=12),
@@ -328,6 +334,7 @@ def test_the_ring_may_be_the_smaller_body():
     assert ring == Raceway(60.0, 12.0, 100.0, True, "b")
 
 
+@pytest.mark.slow
 def test_a_plane_grid_leaves_out_sharp_ends_too():
     straight = nh.Contact(roller(nh.profile.straight()), RING)
     laminae = [assess(nh.patch.solve(straight, load=8e3, cells=(across, 512)), "iso-16281")[0] for across in (16, 32)]
@@ -345,6 +352,7 @@ def test_a_plane_grid_leaves_out_sharp_ends_too():
 
 
 @pytest.mark.filterwarnings("ignore:.*maximum pressure is uncertain")
+@pytest.mark.slow
 def test_a_spectrum_adds_damage_as_palmgren_and_miner_do(lives):
     contact = nh.Contact(roller(), RING)
     cases = [LoadCase(load=8e3, share=0.25, tilt=5e-4), LoadCase(load=5e3, share=0.75)]
@@ -365,6 +373,7 @@ def test_a_spectrum_adds_damage_as_palmgren_and_miner_do(lives):
     assert together[0].relative < max(each[0].relative for each in alone)
 
 
+@pytest.mark.slow
 def test_one_load_twice_is_that_load(logarithmic, lives):
     (life,) = assess([(logarithmic, 0.3), (logarithmic, 0.7)], "lundberg-palmgren", rollers=12, body="b")
     of_one = lives["lundberg-palmgren"]

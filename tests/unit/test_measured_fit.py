@@ -95,8 +95,8 @@ def test_a_hollow_line_is_fitted_with_a_negative_radius():
     ("kind", "options", "sentence"),
     [
         ("crowned", {}, "kind = 'crowned' must be one of 'straight'"),
-        ("crown", {"tilt": True}, "tilt = True must not be free beside the shift of a crown"),
-        ("conical", {"tilt": True}, "tilt = True must not be free beside the angle of a conical"),
+        ("crown", {"tilt": True}, "tilt = True must not be free together with the shift of a crown"),
+        ("conical", {"tilt": True}, "tilt = True must not be free together with the angle of a conical"),
         ("crown", {"radus": 3.0}, "fixed = 'radus' must be one of 'radius', 'centre'"),
     ],
     ids=range(4),

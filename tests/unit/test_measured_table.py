@@ -60,7 +60,7 @@ def test_every_step_can_be_set(folder):
 
 
 def test_roughness_that_is_left_in_is_warned_of(folder):
-    with pytest.warns(AccuracyWarning, match="strips cannot carry"):
+    with pytest.warns(AccuracyWarning, match="strips cannot resolve"):
         read(folder, 'height_unit = "um", smooth = false')
 
 
@@ -75,8 +75,8 @@ def test_roughness_that_is_left_in_is_warned_of(folder):
         ('height_unit = "um", smooth = "median"', "smooth = 'median' must be one of 'gaussian', 'spline'"),
         ('height_unit = "um", align = "symmetry"', "align = 'symmetry' must find a place"),
         ('height_unit = "um", level = 1', "level = 1 must be true or false"),
-        ('height_unit = "um", outliers = "5"', "outliers = '5' must be a number: take the quotes away"),
-        ('height_unit = "um", points = 3', "points = 3 must be a whole number of 5 at least"),
+        ('height_unit = "um", outliers = "5"', "outliers = '5' must be a number: remove the quotes"),
+        ('height_unit = "um", points = 3', "points = 3 must be a whole number, at least 5"),
         ("height_unit = true", "height_unit = True must not be true or false"),
         ('height_unit = "um", slope = -1', "slope = -1 must be positive"),
         ('height_unit = "um", interpolation = "spline"', "interpolation = 'spline' must be one of"),
@@ -85,7 +85,7 @@ def test_roughness_that_is_left_in_is_warned_of(folder):
         ('height_unit = "um", trim = [8]', "trim = [8] must be true or false, 'auto' or a length"),
         ('height_unit = "um", points = "all"', "points = 'all' must be true or false, 'auto' or a whole number"),
         ('height_unit = "um", height_column = 1.5', "height_column = 1.5 must be the name of a column"),
-        ('position_column = 1, height_column = 1', "height_column = 1 must be another column"),
+        ('position_column = 1, height_column = 1', "height_column = 1 must differ from position_column"),
     ],
     ids=range(19),
 )  # fmt: skip

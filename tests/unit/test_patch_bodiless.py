@@ -103,13 +103,14 @@ def test_coarse_levels_whose_centres_all_miss_a_body_are_left_out():
 
 def test_a_grid_whose_centres_all_miss_the_body_is_refused():
     with pytest.raises(
-        nh.InputError, match="gap = inf must be finite in the middle of a cell at least: give more cells"
+        nh.InputError, match="gap = inf must be finite at the centre of at least one cell: give more cells"
     ):
         nh.patch.solve(PLATES, gap=disc(0.02), load=100.0, cells=(16, 16), region=region(3.0))
 
 
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
+@pytest.mark.slow
 def test_whatever_the_shape_of_the_bodies_and_whatever_is_given(seed):
     # Holes and islands a few cells wide, whose coarse levels look quite different.
     generator = np.random.default_rng(seed)

@@ -525,6 +525,7 @@ class TestFigures:
         assert "$5_{ and $6^^" in words(sheet)
         plot.save(sheet, tmp_path / "dollars")
 
+    @pytest.mark.slow
     def test_no_words_overlap_or_leave_the_paper(self, solution: Solution) -> None:
         for name, sheet in plot.figures(solution, title="A roller").items():
             placed = drawn_words(sheet)
@@ -566,6 +567,7 @@ class TestFigures:
         plot.save(plot.figures(CASES["crowned"])["pressure"], tmp_path / "pressure")
         assert dict(mpl.rcParams) == before
 
+    @pytest.mark.slow
     def test_neither_pyplot_nor_matplotlib_is_imported_before_drawing(self) -> None:
         check = "import sys, nonhertz.plot; sys.exit('matplotlib' in sys.modules)"
         subprocess.run([sys.executable, "-c", check], check=True)
@@ -586,6 +588,7 @@ class TestSave:
         assert png.stat().st_size > 10_000
 
     @pytest.mark.parametrize("name", ["pressure", "footprint", "profile"])
+    @pytest.mark.slow
     def test_same_solution_gives_the_same_file(self, name: str, tmp_path: Path) -> None:
         first, again, anew = tmp_path / "first", tmp_path / "again", tmp_path / "anew"
         sheet = plot.figures(CASES["hollow"], title="Twice")[name]
@@ -602,6 +605,7 @@ class TestSave:
             for name, sheet in plot.figures(CASES["hollow"]).items():
                 assert plot.save(sheet, tmp_path / name)[0].read_bytes() == svg[name]
 
+    @pytest.mark.slow
     def test_solution_is_not_touched(self, solution: Solution, tmp_path: Path) -> None:
         before = copy.deepcopy({name: getattr(solution, name) for name in ("y", "line_load", "gap", "half_width")})
         for name, sheet in plot.figures(solution).items():

@@ -93,6 +93,7 @@ def words(sheet: Figure) -> list[Text]:
     return [text for text in sheet.findobj(Text) if text.get_text() and text.get_visible() and text not in beyond]
 
 
+@pytest.mark.slow
 def test_contour_lines_lie_where_the_stress_is_theirs(point: Found, ax: Axes) -> None:
     assert point.axial(ax) is ax
     _, lines = contours(ax)
@@ -148,6 +149,7 @@ def test_the_cross_section_is_true_and_marks_both_sides(point: Found, ax: Axes) 
     assert ax.get_title(loc="left").endswith("; body b at $y$ = 0.500 mm")
 
 
+@pytest.mark.slow
 def test_a_sharp_end_does_not_set_the_colours(sharp: Found, point: Found, ax: Axes) -> None:
     sharp.axial(ax)
     bands, _ = contours(ax)

@@ -375,10 +375,10 @@ class TestFile:
     @pytest.mark.parametrize(
         ("content", "told"),
         [
-            (b"", "two points at least (roller.csv holds no data)"),
+            (b"", "at least two points (roller.csv holds no data)"),
             (b"\n# nothing\n\n", "holds no data"),
             (b"y, relief\n", "holds no data"),
-            (b"1, 2\n", "holds one point only"),
+            (b"1, 2\n", "holds only one point"),
             (b"1, 2\n3, x\n", "line 2 of roller.csv = '3, x' must hold two finite numbers"),
             (b"1, 2\n\n3\n", "line 3 of roller.csv = '3' must"),
             (b"1, 2, 3\n", "line 1 of roller.csv = '1, 2, 3' must"),

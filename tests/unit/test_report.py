@@ -222,8 +222,8 @@ def test_inputs_have_value_unit_meaning_and_say_what_is_a_default() -> None:
     logarithmic, conical = body.profiles
     assert {entry.key: entry.value for entry in logarithmic.entries} == {
         "kind": "iso-logarithmic",
-        "diameter": "of the body",
-        "length": "of the body",
+        "diameter": "from the body",
+        "length": "from the body",
     }
     assert "ISO/TS 16281:2008" in logarithmic.source
     assert [(entry.value, entry.unit) for entry in conical.entries if entry.key == "angle"] == [("0.1 mrad", "")]
@@ -256,7 +256,7 @@ def test_what_was_done_to_a_measured_profile_is_told_and_drawn(tmp_path: Path) -
     assert (measurement.place, measurement.file) == ("body.a.profile[1]", "roller.txt")
     told = dict(measurement.rows)
     assert list(told) == ["raw", "level", "align", "trim", "outliers", "smooth", "thin"]
-    assert told["level"].startswith("A tilt of 2 mrad was taken off")
+    assert told["level"].startswith("A tilt of 2 mrad was removed")
     assert told["align"].startswith("The middle of the body, 4 mm in the file, became y = 0")
     page = compose([case], stress=False)
     assert "What was done to roller.txt" in page
@@ -422,7 +422,7 @@ def test_a_case_that_has_not_converged_is_told_as_such(results_of_case: CaseResu
     assert "Not solved. It stopped." in page.text
     assert "stagnated" in page.text
     # Nor are the points there, as where they are too many.
-    assert "points/a.csv is named by the case file, but is not in here" in page.text
+    assert "points/a.csv is named by the case file but not included here" in page.text
 
 
 def test_what_the_solver_refuses_is_named_by_its_file() -> None:

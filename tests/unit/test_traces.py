@@ -101,8 +101,8 @@ def test_stated_units_go_before_those_of_the_head():
 
 def test_a_unit_that_is_taken_for_granted_is_noted():
     flat = b"".join(b"%d 0.00%d\n" % (k, k % 3) for k in range(8))
-    assert any("taken for mm" in note for note in read_trace(flat).notes)
-    assert not any("taken for mm" in note for note in read_trace(flat, height_unit="mm").notes)
+    assert any("taken as mm" in note for note in read_trace(flat).notes)
+    assert not any("taken as mm" in note for note in read_trace(flat, height_unit="mm").notes)
 
 
 def test_micrometres_without_a_unit_are_not_taken_for_millimetres():
@@ -124,7 +124,7 @@ def test_a_flat_line_in_micrometres_is_given_away_by_its_roughness():
 
 def test_columns_that_are_swapped_are_refused_until_they_are_chosen():
     swapped = lines("{1};{0}", "z [um];y [mm]\n")
-    with pytest.raises(InputError, match=r"in the first column \(it goes back in 2 places and the second one in"):
+    with pytest.raises(InputError, match=r"in the first column \(it reverses in 2 places and the second in"):
         read_trace(swapped)
     assert_allclose(read_trace(swapped, position_column=2).height, 1e-3 * UM, rtol=1e-12)
 
@@ -132,7 +132,7 @@ def test_columns_that_are_swapped_are_refused_until_they_are_chosen():
 def test_order_and_repetition_are_put_right_and_noted():
     down = read_trace(b"\n".join(b"%g %g" % pair for pair in reversed(PAIRS)), height_unit="um")
     assert_allclose(down.y, Y, rtol=1e-12)
-    assert "turned round" in " ".join(down.notes)
+    assert "order was reversed" in " ".join(down.notes)
     mixed = [PAIRS[k] for k in (2, 0, 1, 3, 5, 4)] + [(0.5, 1.0)]
     sorted_ = read_trace(b"\n".join(b"%g %g" % pair for pair in mixed), height_unit="um")
     assert_allclose(sorted_.y, Y, rtol=1e-12)
@@ -148,7 +148,7 @@ def test_points_that_were_not_measured_are_gaps(cell):
     rows[3] = f"{cell};{PAIRS[3][1]}"
     trace = read_trace("\n".join(rows).encode() + b"\n1.5;-5\n", height_unit="um")
     assert trace.gaps == ((0.25, 1.0),)
-    assert "2 of 7 points hold no number" in " ".join(trace.notes)
+    assert "2 of 7 points have no value" in " ".join(trace.notes)
 
 
 def written(y: np.ndarray, height: np.ndarray) -> bytes:
@@ -355,27 +355,27 @@ def with_entities() -> bytes:
 
 
 DAMAGED = {
-    "empty": (b"", r"must hold something \(it is empty\)"),
-    "blank": (b" \r\n\t\n", r"must hold something"),
+    "empty": (b"", r"must not be empty"),
+    "blank": (b" \r\n\t\n", r"must not be empty"),
     "only a head": (b"y [mm];z [um]\n", r"must hold two columns of numbers \(no line has any\)"),
-    "one point": (b"0 1\n", r"must hold 5 positions at least \(there is one position\)"),
+    "one point": (b"0 1\n", r"must hold at least 5 positions \(there is one position\)"),
     "text in a cell": (lines("{} {}") + b"1.5 x7\n", r"must hold a number in line 7, column 2 \(there is 'x7'\)"),
     "text behind": (lines("{} {}") + b"end of data\n", r"must hold 2 columns in line 7 as above \(there are 3"),
     "three columns": (lines("{0};{1};0"), r"must hold two columns, or have two of its 3 chosen: give"),
-    "one column": (b"1\n2\n3\n4\n5\n6\n", r"must hold two columns of numbers \(there is one number in a line\)"),
+    "one column": (b"1\n2\n3\n4\n5\n6\n", r"must hold two columns of numbers \(there is only one number per line\)"),
     "nothing measured": (b"nan nan\n" * 9, r"must hold two columns of numbers"),
     "no height measured": (b"".join(b"%d nan\n" % k for k in range(9)), r"must hold measured points"),
-    "one position": (b"1 2\n1 3\n1 4\n1 5\n1 6\n", r"must hold 5 positions at least \(there is one position\)"),
+    "one position": (b"1 2\n1 3\n1 4\n1 5\n1 6\n", r"must hold at least 5 positions \(there is one position\)"),
     "a number for nothing": (lines("{} {}") + b"1.5 3.4e38\n", r"must hold .* within a kilometre \(there is one of 3"),
     "no length": (b"".join(b"%de-9 0.%d\n" % (k, k) for k in range(7)), r"must hold positions that are further apart"),
     "binary": (bytes(range(256)) * 4, r"must be text in columns, a MarWin text export, .smd, .prf or .x3p"),
     "unit of time": (b"y [mm];z [s]\n" + lines("{};{}"), r"must state a unit of length for each column"),
     "no unit": (b"y [mm];z [apples]\n" + lines("{};{}"), r"must state a unit of length for each column"),
-    "commas of both kinds": (b"0,001,-13,5\n0,002,-13,6\n" * 4, r"must tell decimal commas from commas between"),
-    "digits behind a comma": (b"0,001\n0,002\n0,003\n", r"must tell decimal commas from commas between columns"),
+    "commas of both kinds": (b"0,001,-13,5\n0,002,-13,6\n" * 4, r"must distinguish decimal commas from commas between"),
+    "digits behind a comma": (b"0,001\n0,002\n0,003\n", r"must distinguish decimal commas from commas between columns"),
     "commas between thousands": (
         b"0;1\n500;2\n1,000;3\n1,500;2\n2,000;1\n2,500;0\n",
-        r"must tell decimal commas from commas between thousands \(line 3",
+        r"must distinguish decimal commas from thousands separators \(line 3",
     ),
     "minus signs of print": (
         lines("{} {}").replace(b"-", "\u2212".encode()),
@@ -386,32 +386,32 @@ DAMAGED = {
         b";".join(b"c%d" % k for k in range(300)) + b"\n" + b";".join([b"1"] * 300),
         r"must hold two columns, or have two of its 300 chosen \('c0', 'c1', 'c2', .*, \.\.\.\): give",
     ),
-    "sign not known": (b"y [mm];depth [um]\n" + lines("{};{}"), r"must say which way its column 'depth \[um\]' counts"),
+    "sign not known": (b"y [mm];depth [um]\n" + lines("{};{}"), r"must say which way its column 'depth \[um\]' is"),
     "smd of a negative factor": (
         smd().replace(b"um\0 1.0e0", b"um\0 -1.0e0"), r"must state a positive factor for its axis CZ \(it is -1"
     ),
-    "smd cut off": (smd(count=8), r"must hold the 8 heights that its head names \(there are 6\)"),
-    "prf cut off": (prf(count=9), r"must hold the 9 heights that its head names \(there are 6\)"),
+    "smd cut off": (smd(count=8), r"must hold the 8 heights stated in its header \(there are 6\)"),
+    "prf cut off": (prf(count=9), r"must hold the 9 heights stated in its header \(there are 6\)"),
     "prf without a step": (prf(spacing=""), r"must state the step of its points \(SPACING CX is missing\)"),
     "smd of positions": (smd(kind="A"), r"must have evenly spaced points \(its axis CX is of kind A\)"),
     "smd with text": (smd(heights="\r\n".join("123x56")), r"must hold a height in line 12 \(there is 'x'\)"),
-    "marwin cut off": (marwin(count=7), r"must hold the 7 points that its head names \(there are 6\)"),
+    "marwin cut off": (marwin(count=7), r"must hold the 7 points stated in its header \(there are 6\)"),
     "marwin of too many": (marwin(count=10**30), r"must hold the 10000000000000000000 points"),
     "marwin with text": (marwin(along="x y z"), r"must hold a point X Y Z in line 8"),
-    "zip cut off": (x3p()[:-60], r"must be a sound X3P file"),
-    "zip of something": (altered(x3p(), "main.xml", b"<a/>"), r"must be a sound X3P file"),
-    "checksum of points": (altered(x3p(), "data.bin"), r"must be what its checksum says"),
+    "zip cut off": (x3p()[:-60], r"must be an intact X3P file"),
+    "zip of something": (altered(x3p(), "main.xml", b"<a/>"), r"must be an intact X3P file"),
+    "checksum of points": (altered(x3p(), "data.bin"), r"must match its checksum"),
     "checksum of the description": (
-        altered(x3p(), "md5checksum.hex", b"0" * 32 + b" *main.xml"), r"must be what its checksum says"
+        altered(x3p(), "md5checksum.hex", b"0" * 32 + b" *main.xml"), r"must match its checksum"
     ),
     "an area": (surface(), r"must hold a profile \(feature type PRF\), not an area: extract one line"),
     "xml that unfolds": (with_entities(), r"must have a description without definitions of its own \(DOCTYPE\)"),
     "unknown encoding": (
-        container(b'<?xml version="1.0" encoding="klingon-8"?><a/>'), r"must be a sound X3P file \(unknown encoding: kl"
+        container(b'<?xml version="1.0" encoding="klingon-8"?><a/>'), r"must be an intact X3P file \(unknown encoding"
     ),
-    "version of zip": (in_directory(x3p(), 6, b"\x7d"), r"must be a sound X3P file \(zip file version 12\.5\)"),
-    "no name in zip": (in_directory(container(b"<a/>", name="x"), 28, b"\0\0\1\0"), r"must be a sound X3P file"),
-    "packed otherwise": (container(b"<a/>", zipfile.ZIP_LZMA), r"must be packed as a zip file of X3P is \(deflated\)"),
+    "version of zip": (in_directory(x3p(), 6, b"\x7d"), r"must be an intact X3P file \(zip file version 12\.5\)"),
+    "no name in zip": (in_directory(container(b"<a/>", name="x"), 28, b"\0\0\1\0"), r"must be an intact X3P file"),
+    "packed otherwise": (container(b"<a/>", zipfile.ZIP_LZMA), r"must be compressed as X3P files are \(deflate\)"),
     "many elements": (container(b"<r>" + b"<a/>" * 100_000 + b"</r>"), r"must have .* no more than 100,000 elements"),
     "long description": (container(b" " * 8_000_001), r"must have a description of no more than 8 MB"),
     "deep elements": (container(b"<a>" * 51), r"must have a description nested no deeper than 50 elements"),
@@ -453,7 +453,7 @@ def test_what_an_archive_declares_is_not_relied_on():
     """It is unpacked piece by piece: 20 MB behind a size of 10 bytes are never in memory."""
     data = understated(b"<r>" + b" " * 20_000_000, 10)
     tracemalloc.start()
-    with pytest.raises(InputError, match="must be a sound X3P file"):
+    with pytest.raises(InputError, match="must be an intact X3P file"):
         read_trace(data)
     most = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
@@ -491,7 +491,7 @@ def test_what_is_no_file_is_refused(tmp_path: Path):
 
 def test_an_empty_or_too_large_file_is_refused_in_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr("nonhertz.io.traces.LARGEST_FILE", 10)
-    for content, reason in ((b"", "hold something (it is empty)"), (b"0 1\n" * 3, "be no larger than 0 MB")):
+    for content, reason in ((b"", "not be empty"), (b"0 1\n" * 3, "be no larger than 0 MB")):
         path = tmp_path / "roller.txt"
         path.write_bytes(content)
         with pytest.raises(InputError) as caught:
@@ -525,7 +525,7 @@ def test_large_files_are_refused():
         ({"height_column": 0}, "height_column = 0 must be a column from 1 to 2"),
         ({"height_column": -1}, "height_column = -1 must be a column from 1 to 2"),
         ({"height_column": "9" * 5000}, "must be a column from 1 to 2"),
-        ({"position_column": 2, "height_column": 2}, "height_column = 2 must be another column than that of the"),
+        ({"position_column": 2, "height_column": 2}, "height_column = 2 must differ from position_column"),
     ],
     ids=range(10),
 )

@@ -121,7 +121,7 @@ class Own(Profile):
 @pytest.mark.parametrize(
     ("case", "sentence"),
     [
-        (made(Own()), r"body\.a\.profile = 'Own' must be of the catalogue to be written: tabulate it"),
+        (made(Own()), r"body\.a\.profile = 'Own' must be from the catalogue to go into a case file: tabulate it"),
         (dataclasses.replace(made(), solver={"strips": [-1.0, 1.0]}), "strips = 'edges' must be 'auto' or a number"),
     ],
 )
@@ -144,7 +144,7 @@ def test_a_case_is_written_to_a_file_and_to_nothing_else():
 
 @pytest.mark.parametrize("value", [2, 0, "1", True])
 def test_other_formats_of_case_files_are_refused(value):
-    with pytest.raises(nh.CaseError, match=r"format = .* must be 1, the newest that is known here"):
+    with pytest.raises(nh.CaseError, match=r"format = .* must be 1, the newest format this release reads"):
         case_in(document(made()) | {"format": value}, Path("case.toml"))
 
 
@@ -199,11 +199,11 @@ BROKEN = {
         lambda result: {k: v for k, v in result.items() if k != "format"},
         "hold a result of format 1",
     ),
-    "no case": (lambda result: {k: v for k, v in result.items() if k != "case"}, "hold all of a solution .KeyError"),
+    "no case": (lambda result: {k: v for k, v in result.items() if k != "case"}, "hold a complete solution .KeyError"),
     "a case that is none": (lambda result: result | {"case": {"load": {}}}, r"hold a case \(load\.load must be given"),
     "a list": (lambda result: [result], "hold one JSON object"),
-    "no ends": (lambda result: result | {"edge_pressure": []}, "hold all of a solution"),
-    "an unknown element": (lambda result: result | {"element": "cubic"}, "hold all of a solution"),
+    "no ends": (lambda result: result | {"edge_pressure": []}, "hold a complete solution"),
+    "an unknown element": (lambda result: result | {"element": "cubic"}, "hold a complete solution"),
 }
 
 
@@ -221,7 +221,7 @@ def test_a_file_that_is_no_result_is_refused_in_one_sentence(name, tmp_path):
 def test_text_that_is_no_json_is_refused(text, tmp_path):
     path = tmp_path / "result.json"
     path.write_text(text)
-    with pytest.raises(nh.InputError, match=r"must be a result file \(no json\)"):
+    with pytest.raises(nh.InputError, match=r"must be a result file \(not json\)"):
         nh.read_result(path)
 
 

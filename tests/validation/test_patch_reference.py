@@ -12,6 +12,8 @@ import pytest
 
 import nonhertz as nh
 
+pytestmark = pytest.mark.slow
+
 STEEL = nh.Material(modulus=207000, poisson=0.3)
 CELLS = (64, 512)
 
