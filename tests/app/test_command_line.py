@@ -29,27 +29,9 @@ from nonhertz.cli.printing import print_table
 from nonhertz.result.solution import Solution
 
 CASE = Path(__file__).parents[2].joinpath("examples", "crowned-roller.toml").read_text(encoding="utf-8")
-KEYS = {
-    "status",
-    "element",
-    "approach",
-    "tilt",
-    "load",
-    "moment",
-    "max_pressure",
-    "max_pressure_y",
-    "contact_y",
-    "stiffness",
-    "iterations",
-    "strips",
-    "error_estimate",
-    "warnings",
-    "y",
-    "strip_width",
-    "line_load",
-    "centre_pressure",
-    "half_width",
-}
+NUMBERS = {"approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y", "iterations", "strips"}
+ARRAYS = {"y", "strip_width", "line_load", "centre_pressure", "half_width", "gap", "stiffness"}
+KEYS = NUMBERS | ARRAYS | {"status", "element", "contact_y", "error_estimate", "warnings"}
 FILES = {f"{figure}.{ending}" for figure in ("pressure", "footprint", "profile") for ending in ("svg", "png")} | {
     "result.json",
     "table.csv",
@@ -126,18 +108,9 @@ def test_json_is_one_object_with_the_solution_in_full(
     assert result["title"] == "Roller 20 x 20 on a plate"
     assert result["status"] == "converged"
     assert result["element"] == "semi-elliptic"
-    for name in (
-        "approach",
-        "tilt",
-        "load",
-        "moment",
-        "max_pressure",
-        "max_pressure_y",
-        "iterations",
-        "strips",
-    ):
+    for name in NUMBERS:
         assert result[name] == getattr(solution, name), name
-    for name in ("y", "strip_width", "line_load", "centre_pressure", "half_width", "gap", "stiffness"):
+    for name in ARRAYS:
         np.testing.assert_array_equal(result[name], getattr(solution, name), err_msg=name)
     assert result["contact_y"] == [list(interval) for interval in solution.contact_y]
     assert result["warnings"] == list(solution.warnings)

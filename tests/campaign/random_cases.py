@@ -8,25 +8,13 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from shapes import Wave
 
 import nonhertz as nh
 from nonhertz.model.profile import Profile
 
 SEED = 19980901
 MOST_STRIPS_OF_MANY_IMAGES = 60  # so that the campaign ends in minutes
-
-
-@dataclass(frozen=True)
-class Wave(Profile):
-    """Waviness along the axis, so that a contact falls apart."""
-
-    height: float
-    length: float
-    waves: int
-    phase: float
-
-    def relief(self, y):
-        return self.height * (0.5 - 0.5 * np.cos(2.0 * np.pi * self.waves * np.asarray(y) / self.length + self.phase))
 
 
 @dataclass(frozen=True)
@@ -79,18 +67,18 @@ def random_case(number):
     return finite_bodies(rng) if number % 2 else half_spaces(rng)
 
 
+def first_body(rng, scale, material, approach, **changes):
+    """The first body, of the sizes of a scale."""
+    relief = profile(rng, approach, scale.length)
+    return nh.Body(diameter=scale.diameter, length=scale.length, material=material, profile=relief, **changes)
+
+
 def half_spaces(rng):
     materials = [nh.Material(modulus=log_uniform(rng, 1e3, 7e5), poisson=rng.uniform(0.0, 0.49)) for _ in "ab"]
     scale = Scale.drawn(rng, materials)
     approach = scale.approach()
     contact = nh.Contact(
-        nh.Body(
-            diameter=scale.diameter,
-            length=scale.length,
-            material=materials[0],
-            profile=profile(rng, approach, scale.length),
-            side_faces="none",
-        ),
+        first_body(rng, scale, materials[0], approach, side_faces="none"),
         nh.Body(diameter=scale.other_diameter, material=materials[1]),
     )
     return contact, prescribed(rng, contact, scale, approach), options(rng)
@@ -109,11 +97,11 @@ def finite_bodies(rng):
     images = [number_of_images(rng, rule) for rule in depths]
     faces = [side_faces(rng), "none" if length is None else side_faces(rng)]
     contact = nh.Contact(
-        nh.Body(
-            diameter=scale.diameter,
-            length=scale.length,
-            material=materials[0],
-            profile=profile(rng, approach, scale.length),
+        first_body(
+            rng,
+            scale,
+            materials[0],
+            approach,
             position=position,
             side_faces=faces[0],
             images=images[0],
@@ -147,7 +135,7 @@ def profile(rng, approach, length):
         return Parabola(height, length, length * rng.uniform(0.1, 0.9))
     if kind == "logarithmic":
         return nh.profile.logarithmic(amplitude=height / 8.0, length=length, fraction=0.9999)
-    return Wave(height, length, int(rng.integers(1, 4)), rng.uniform(0.0, math.pi))
+    return Wave(height, length / int(rng.integers(1, 4)), rng.uniform(0.0, math.pi))
 
 
 def prescribed(rng, contact, scale, approach):

@@ -119,12 +119,7 @@ class _Place:
 def stretches(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Stretch, ...]:
     """Return every stretch of the line on which strips differ by more than 1 %, those of semi-elliptic strips first.
 
-    Parameters
-    ----------
-    semi, parabola : Solution
-        On semi-elliptic and on parabolic strips.
-    patch : PatchSolution
-        On the plane grid.
+    Arguments are the solutions on semi-elliptic and parabolic strips and on the plane grid.
     """
     return tuple(
         _stretch(_Place(solution, semi, patch, members, relative))

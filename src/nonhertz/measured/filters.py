@@ -83,12 +83,7 @@ def spline(points: Points, cutoff: float) -> Array:
     points : Points
         The measured line, evenly spaced or not; the spline bridges gaps.
     cutoff : float
-        Wavelength [mm] at which the filter transmits 50 %.
-
-    Raises
-    ------
-    InputError
-        If the cutoff is shorter than five points on half of the line, or longer than the line.
+        As in `gaussian`, which raises the same errors.
 
     References
     ----------

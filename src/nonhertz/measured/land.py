@@ -81,17 +81,7 @@ def land(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, float]:
 def steps_in(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[SurfaceStep, ...]:
     """Return the steps of up to 0.2 mm in a line, both those within the land and those that end it.
 
-    Parameters
-    ----------
-    points : Points
-        The measured line, which may be tilted.
-    slope : float
-        How much steeper than the whole line the land may be.
-
-    Raises
-    ------
-    InputError
-        If hardly anything is less steep.
+    Arguments and errors are those of `land`.
     """
     low, high = land(points, slope)
     level, runs = _gentle(points, slope)

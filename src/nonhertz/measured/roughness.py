@@ -123,12 +123,8 @@ def strain_on_strips(
     ----------
     points : Points
         The line to solve with.
-    half_width : float
-        Half-width of the contact [mm].
-    pressure : float
-        Its pressure [MPa].
-    compliance : float
-        Compliance of both bodies together [1/MPa], that of a body being (1 - nu^2) / (pi E).
+    half_width, pressure, compliance : float
+        Of the contact [mm, MPa, 1/MPa], as in `nonhertz.measured.Measured.warnings_for`.
     smoothed : bool
         Whether a filter was applied, which decides the remedy.
 

@@ -60,15 +60,7 @@ def attempted(case: Case) -> tuple[Solution, str]:
 
 
 def spectrum_solved(case: Case) -> Spectrum:
-    """Return the solutions for all loads of a case with their shares of the revolutions.
-
-    Raises
-    ------
-    CaseError
-        If the solver rejects the case.
-    ConvergenceError
-        If it stops short of a solution.
-    """
+    """Return the solutions for all loads of a case with their shares of the revolutions; raises what `solved` does."""
     if not case.life.spectrum:
         return ((solved(case), 1.0),)
     with _in_the_words_of_the_file():

@@ -194,15 +194,8 @@ def iso_thrust(diameter: float, length: float) -> Profile:
 
     Parameters
     ----------
-    diameter : float
-        Roller diameter D (D_we) [mm], positive.
-    length : float
-        Effective roller length L (L_we) [mm], positive.
-
-    Returns
-    -------
-    Profile
-        The profile; at abs(y) = length / 2 its relief is infinite.
+    diameter, length : float
+        As in `iso_logarithmic` [mm].
 
     Notes
     -----
