@@ -24,18 +24,16 @@ class Prescription:
 
     Attributes
     ----------
-    by_load, by_moment : bool
-        Whether the load, else the approach, and the moment, else the tilt, are given.
-    first : float
-        Load Q [N] or approach delta [mm].
-    second : float
-        Moment T [N mm] or tilt gamma [rad].
+    approach, load : float or None
+        delta [mm] or Q [N]: one of them, the other None.
+    tilt, moment : float or None
+        gamma [rad] or T [N mm]: one of them, the other None.
     """
 
-    by_load: bool
-    by_moment: bool
-    first: float
-    second: float
+    approach: float | None
+    load: float | None
+    tilt: float | None
+    moment: float | None
 
     @classmethod
     def checked(
@@ -60,22 +58,39 @@ class Prescription:
             if abs(tilt) > MOST_TILT:
                 remedy = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
                 raise InputError("tilt", tilt, f"be a small angle, of at most {MOST_TILT:g} rad", remedy)
-        first = load if load is not None else approach
-        second = moment if moment is not None else (tilt or 0.0)
+        if moment is None and tilt is None:
+            tilt = 0.0
+        return cls(*(None if each is None else float(each) for each in (approach, load, tilt, moment)))
+
+    @property
+    def by_force(self) -> tuple[bool, bool]:
+        """Whether the load, else the approach, and the moment, else the tilt, are given."""
+        return self.load is not None, self.moment is not None
+
+    @property
+    def arm(self) -> float | None:
+        """Moment over load [mm], where both are given."""
+        return None if self.load is None or self.moment is None else self.moment / self.load
+
+    def target(self, compliance: float) -> tuple[float, float]:
+        """Return K Q [mm^2] or the approach [mm], and K T [mm^3] or the tilt [rad], for a compliance K [1/MPa]."""
+        first = self.approach if self.load is None else compliance * self.load
+        second = self.tilt if self.moment is None else compliance * self.moment
         assert first is not None
-        return cls(load is not None, moment is not None, float(first), float(second))
+        assert second is not None
+        return first, second
 
     def refuse_outside(self, contact: Contact) -> None:
         """Refuse a load out of range for the bodies, and a moment that no pressure between their ends can produce."""
-        if self.by_load:
-            refuse_load(contact, self.first)
+        if self.load is not None:
+            refuse_load(contact, self.load)
         low, high = contact.interval
-        if self.by_moment and self.by_load and not low < self.second / self.first < high:
+        if self.arm is not None and not low < self.arm < high:
             condition = f"keep moment / load between {low:g} and {high:g} mm, where both bodies are"
-            raise InputError("moment", self.second, condition, "reduce it or raise the load")
-        if self.by_moment and ((self.second > 0.0 and high <= 0.0) or (self.second < 0.0 and low >= 0.0)):
+            raise InputError("moment", self.moment, condition, "reduce it or raise the load")
+        if self.moment is not None and ((self.moment > 0.0 and high <= 0.0) or (self.moment < 0.0 and low >= 0.0)):
             condition = f"have the sign of the lever arms, which lie between {low:g} and {high:g} mm"
-            raise InputError("moment", self.second, condition, "reverse its sign")
+            raise InputError("moment", self.moment, condition, "reverse its sign")
 
 
 def loads_between(contact: Contact) -> tuple[float, float]:

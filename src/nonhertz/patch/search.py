@@ -58,7 +58,7 @@ class Search:
     @property
     def tilt(self) -> float:
         """The prescribed tilt [rad], zero if there is none."""
-        return 0.0 if self.given.by_moment else self.given.second
+        return self.given.tilt or 0.0
 
     @property
     def reach(self) -> float:
@@ -101,23 +101,25 @@ class Search:
     def width(self) -> float:
         """Return a first guess of the half-width [mm], that of a Hertz line contact where the bodies define one."""
         radius, (low, high) = self.radius, self.contact.interval
-        if not self.given.by_load:
+        load, approach = self.given.load, self.given.approach
+        if approach is not None:
             scale = min(radius, FLAT_REACH)
-            guess = math.sqrt(2.0 * scale * abs(self.given.first))
+            guess = math.sqrt(2.0 * scale * abs(approach))
             return min(max(guess, LEAST_GUESS * scale), MOST_GUESS * scale)
+        assert load is not None
         if not math.isfinite(radius):
-            return self._width_of_gap()
+            return self._width_of_gap(load)
         if math.isfinite(high - low):
-            return 2.0 * math.sqrt(self.contact.compliance * self.given.first / (high - low) * radius)
-        return math.cbrt(self.contact.compliance * self.given.first * radius)
+            return 2.0 * math.sqrt(self.contact.compliance * load / (high - low) * radius)
+        return math.cbrt(self.contact.compliance * load * radius)
 
-    def _width_of_gap(self) -> float:
+    def _width_of_gap(self, load: float) -> float:
         """Return the distance from its lowest place at which the gap has risen by as much as the load presses in."""
         lowest = self._lowest(nearness.windows(self.problem, self.contact.interval, 1.0, self.reach))
         away = np.geomspace(1e-6, FLAT_REACH, 200)
         x, y = lowest.x + np.concatenate([-away, away]), np.clip(lowest.y, *self.contact.interval)
         across = self.problem.gap(x[:, None], np.array([[y]]))[:, 0].reshape(2, -1).min(axis=0) - self.tilt * y
-        pressed = self.contact.compliance * self.given.first / away
+        pressed = self.contact.compliance * load / away
         return float(away[int(np.argmax(across - lowest.value > pressed))])
 
     def _lowest(self, windows: tuple[Window, ...]) -> Lowest:
@@ -131,14 +133,14 @@ class Search:
         InputError
         """
         lowest = self._lowest(windows)
-        needed = lowest.value
-        if self.given.by_moment:
+        needed, approach = lowest.value, self.given.approach
+        if self.given.moment is not None:
             # Tilting can produce any nonzero moment, but zero moment needs an approach at which no tilt separates them.
-            needed = -math.inf if self.given.second != 0.0 else nearness.least_held(self.problem.gap, windows[0])
+            needed = -math.inf if self.given.moment != 0.0 else nearness.least_held(self.problem.gap, windows[0])
         needed = round(needed, DIGITS) + 0.0 if math.isfinite(needed) else needed
-        if not self.given.by_load and self.given.first <= needed:
+        if approach is not None and approach <= needed:
             condition = f"exceed {needed:.6g} mm, where the bodies begin to touch"
-            raise InputError("approach", self.given.first, condition, "raise it, or prescribe the load")
+            raise InputError("approach", approach, condition, "raise it, or prescribe the load")
         return lowest
 
     def _refuse_beyond(self, rows: Rows) -> None:
@@ -148,12 +150,12 @@ class Search:
         ------
         InputError
         """
-        if not self.given.by_moment:
+        moment, arm, (low, high) = self.given.moment, self.given.arm, rows.ends
+        if moment is None:
             return
-        moment, (low, high) = self.given.second, rows.ends
-        if self.given.by_load and not low <= moment / self.given.first <= high:
-            arm = f"keep moment / load = {moment / self.given.first:.6g} mm"
-            condition = f"{arm} between {low:.4g} and {high:.4g} mm, where the gap is finite"
+        if arm is not None and not low <= arm <= high:
+            between = f"between {low:.4g} and {high:.4g} mm, where the gap is finite"
+            condition = f"keep moment / load = {arm:.6g} mm {between}"
             raise InputError("moment", moment, condition, "reduce it, or give the region of the contact")
         if (moment > 0.0 >= rows.finite[-1]) or (moment < 0.0 <= rows.finite[0]):
             condition = f"have the sign of the lever arms, which lie between {low:.4g} and {high:.4g} mm"
@@ -174,9 +176,9 @@ class Search:
         if not self.own_gap:
             rows = nearness.rows(self.problem.gap, windows)
             self._refuse_beyond(rows)
-            if self.given.by_load and self.given.by_moment:
+            if self.given.arm is not None:
                 # Otherwise the search may settle on a contact on only one side of the moment's lever arm.
-                both = rows.around(self.given.second / self.given.first)
+                both = rows.around(self.given.arm)
                 start = start[0], regions.joined(start[1], both, limits)
         self._refuse_spans(*start)
         x_span, y_span = regions.find(self.problem, limits, start, towards, self._refuse_huge)
@@ -209,19 +211,19 @@ class Search:
         low, high = self.contact.interval
         bounded = math.isfinite(high - low)
         width, middle = self.width(), 0.0
-        if not self.given.by_load and not self.given.by_moment:
+        approach, arm = self.given.approach, self.given.arm
+        if approach is not None:
             at = self.refuse_apart(windows)
-            return nearness.extent(self.problem.gap, self.tilt, self.given.first, at, windows), (at.x, at.y)
-        if not self.given.by_load:
-            self.refuse_apart(windows)
-        elif self.given.by_moment:
-            middle = self.given.second / self.given.first
+            if self.given.moment is None:
+                return nearness.extent(self.problem.gap, self.tilt, approach, at, windows), (at.x, at.y)
+        elif arm is not None:
+            middle = arm
         middle, across = float(np.clip(middle, low, high)), 0.0
         if not math.isfinite(self.radius) or not np.isfinite(
             self.problem.gap(np.zeros((1, 1)), np.full((1, 1), middle))
         ):
             at = self._lowest(windows)
-            across, middle = at.x, middle if self.given.by_moment else at.y
+            across, middle = at.x, at.y if self.given.moment is None else middle
         y_span = (low, high) if bounded else (max(low, middle - 10.0 * width), min(high, middle + 10.0 * width))
         return ((across - 2.0 * width, across + 2.0 * width), y_span), (across, middle)
 
@@ -255,9 +257,9 @@ class Search:
             remedy = "give one of the bodies a length, or a profile that falls away"
             raise InputError("length", None, "be given where nothing else ends the contact", remedy)
         if wide:
-            field = "load" if self.given.by_load else "approach"
+            field = "approach" if self.given.load is None else "load"
             condition = f"keep the contact narrower than {MOST_RADII:g} radii of the bodies"
-            raise InputError(field, self.given.first, condition, "reduce it")
+            raise InputError(field, getattr(self.given, field), condition, "reduce it")
 
 
 def _filled(touching: NDArray[np.bool_]) -> float:

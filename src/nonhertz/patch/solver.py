@@ -182,7 +182,7 @@ def solve(
 
 def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:
     """Solve in a given region, and return the overlap that it leaves out."""
-    if not search.given.by_load:
+    if search.given.load is None:
         search.refuse_apart(nearness.within(grid.x_span, grid.y_span))
     outcome = solve_on(search.problem, grid, tolerance, pool)
     touching = outcome.state.pressure > 0.0
@@ -215,11 +215,8 @@ def _withheld(broken: str) -> str:
 
 
 def _problem(contact: Contact, given: Prescription, gap: Surface) -> Problem:
-    factor = contact.compliance
-    first = given.first * (factor if given.by_load else 1.0)
-    second = given.second * (factor if given.by_moment else 1.0)
-    influence = influence_of(contact, HERTZ)
-    return Problem(gap, influence, (given.by_load, given.by_moment), (first, second), factor)
+    K = contact.compliance
+    return Problem(gap, influence_of(contact, HERTZ), given.by_force, given.target(K), K)
 
 
 def _solution(contact: Contact, outcome: Outcome) -> PatchSolution:

@@ -75,14 +75,15 @@ def _unbalanced(solution: PatchSolution, given: Prescription, tolerance: float) 
     allowed = max(tolerance, BALANCED)
     area, line = solution.dx * solution.dy, solution.pressure.sum(axis=0)
     load, moment, levers = area * line.sum(), area * (line @ solution.y), area * (line @ np.abs(solution.y))
-    if not given.by_load:
-        pairs = [("approach", "mm", solution.approach, given.first, 0.0)]
-    else:
-        pairs = [("load", "N", load, given.first, allowed * given.first)]
-    if not given.by_moment:
-        pairs.append(("tilt", "rad", solution.tilt, given.second, 0.0))
-    else:
-        pairs.append(("moment", "N mm", moment, given.second, allowed * max(levers, abs(given.second))))
+    pairs = []
+    if given.approach is not None:
+        pairs.append(("approach", "mm", solution.approach, given.approach, 0.0))
+    if given.load is not None:
+        pairs.append(("load", "N", load, given.load, allowed * given.load))
+    if given.tilt is not None:
+        pairs.append(("tilt", "rad", solution.tilt, given.tilt, 0.0))
+    if given.moment is not None:
+        pairs.append(("moment", "N mm", moment, given.moment, allowed * max(levers, abs(given.moment))))
     pairs += [
         ("load", "N", solution.load, load, BALANCED * load),
         ("moment", "N mm", solution.moment, moment, BALANCED * levers),

@@ -106,9 +106,8 @@ def problem_of(contact: Contact, given: Prescription, element: Element) -> Probl
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
     refuse_no_element(element)
     given.refuse_outside(contact)
-    prescribed = np.array([given.by_load, given.by_moment])
-    factors = np.where(prescribed, contact.compliance, 1.0)
-    target, influence = factors * [given.first, given.second], influence_of(contact, element)
+    prescribed, target = np.array(given.by_force), np.array(given.target(contact.compliance))
+    influence = influence_of(contact, element)
     return Problem(
         contact.separation, contact.curvature, element, prescribed, target, influence, contact.compliance,
         partial(getattr, contact, "crests"),
