@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.io.bounds import FORMAT
 from nonhertz.io.casefile import LifeCase, case_in, read_case
 from nonhertz.io.results import as_json, as_object
-from nonhertz.io.written import FORMAT, document
+from nonhertz.io.written import document
 from nonhertz.life import LoadCase
 from nonhertz.model.profile import CATALOGUE, Profile
 

@@ -18,11 +18,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bodies.depths.endless import Endless
 from nonhertz.errors import InputError
 
 if TYPE_CHECKING:
-    from nonhertz.bodies.depths.depth import Depth
     from nonhertz.bodies.solid import Solid
 
 Array = NDArray[np.float64]
@@ -36,12 +34,12 @@ DIRECT = (1.0, 0.0)
 _REMEDY = f"give {FEWEST_IMAGES} to {MOST_IMAGES}, or {SERIES!r} for all of them"
 
 
-def check_images(images: int | str, weights: tuple[float, float], behind: Depth) -> None:
+def check_images(images: int | str, weights: tuple[float, float], endless: bool) -> None:
     """Refuse a number of images out of range, or a series for a body of infinite depth, which diverges."""
     if isinstance(images, str):
         if images != SERIES:
             raise InputError("images", images, f"be a whole number or {SERIES!r}", _REMEDY)
-        if isinstance(behind, Endless) and math.prod(weights) > 0.0:
+        if endless and math.prod(weights) > 0.0:
             remedy = "give the body a depth, or a number of images"
             raise InputError(
                 "images", images, "only be used for a body with a depth, without which it has no sum", remedy

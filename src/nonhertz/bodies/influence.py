@@ -9,11 +9,12 @@ by how much.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bodies.depths.depth import Reference
+from nonhertz.bodies.depths.depth import Depth, Reference
 from nonhertz.bodies.ends import End, ends, shares
 from nonhertz.bodies.images import DIRECT, Images, rows
 from nonhertz.bodies.solid import Pair, Shape, Solid
@@ -22,6 +23,26 @@ Array = NDArray[np.float64]
 
 #: The direct effect alone, as `Influence.terms`: two half-spaces.
 HALF_SPACE = np.array([[*DIRECT, 1.0]])
+
+
+class Deep(Solid, Protocol):
+    """A body with a choice of what its displacement is measured against."""
+
+    @property
+    def behind(self) -> Depth:
+        """That choice."""
+
+
+class DeepPair(Pair, Protocol):
+    """Two such bodies in contact."""
+
+    @property
+    def a(self) -> Deep:
+        """One body."""
+
+    @property
+    def b(self) -> Deep:
+        """The other."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +78,7 @@ class Influence:
         return shallowest
 
 
-def influence_of(contact: Pair, shape: Shape) -> Influence:
+def influence_of(contact: DeepPair, shape: Shape) -> Influence:
     """Return how strips between two bodies act, with their side faces and depths."""
     found = ends(contact)
     terms, references = {DIRECT: 1.0}, []
@@ -70,7 +91,7 @@ def influence_of(contact: Pair, shape: Shape) -> Influence:
     return Influence(rows(terms), tuple(references), found)
 
 
-def influence_within(contact: Pair, shape: Shape, which: int) -> tuple[Array, Reference | None]:
+def influence_within(contact: DeepPair, shape: Shape, which: int) -> tuple[Array, Reference | None]:
     """Return how loads act on one body alone: the terms, and what its displacement is measured against.
 
     Parameters
@@ -93,8 +114,8 @@ def influence_within(contact: Pair, shape: Shape, which: int) -> tuple[Array, Re
     return terms, reference
 
 
-def _of_body(contact: Pair, shape: Shape, found: tuple[End, ...], which: int) -> tuple[Images, Reference | None]:
-    body: Solid = (contact.a, contact.b)[which]
+def _of_body(contact: DeepPair, shape: Shape, found: tuple[End, ...], which: int) -> tuple[Images, Reference | None]:
+    body: Deep = (contact.a, contact.b)[which]
     weights = {end.side: end.weights[which] for end in found if end.weights[which] > 0.0}
     images = Images.of(body, (weights.get(-1, 0.0), weights.get(1, 0.0)), shares(contact)[which])
     return images, body.behind.reference(body, shape, images)

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-
-if TYPE_CHECKING:
-    from nonhertz.bodies.depths.depth import Depth
 
 Array = NDArray[np.float64]
 
@@ -49,10 +46,6 @@ class Solid(Protocol):
     @property
     def images(self) -> int | str:
         """Number of mirror images per face, or ``"series"``."""
-
-    @property
-    def behind(self) -> Depth:
-        """What its displacement is measured against."""
 
     def curvature(self, y: Array) -> Array:
         """Return the curvature across the contact at ``y`` [1/mm]."""

@@ -9,6 +9,8 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Any, Final
 
+FORMAT: Final = 1
+"""Of case files and results; incremented when a later release can no longer read old files unchanged."""
 LARGEST_CASE: Final = 1_000_000
 """Bytes; some 50,000 points."""
 NESTING: Final = 16

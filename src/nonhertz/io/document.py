@@ -38,11 +38,10 @@ from nonhertz.bodies.sides.side_face import SideFace
 from nonhertz.bodies.sides.weighted import Weighted
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import MOST, above_zero, finite, one_line, positive
-from nonhertz.io.bounds import LOADS, MISTAKES
+from nonhertz.io.bounds import FORMAT, LOADS, MISTAKES
 from nonhertz.io.mistakes import Mistake, TableError, missing, mistake_in, mistakes_in, nearest, unknown
 from nonhertz.io.profiles import BROKEN, profile_schema, quantity_schema, read_profile
 from nonhertz.io.units import begins_with_digits, in_unit
-from nonhertz.io.written import FORMAT
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter, convex
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import MATERIALS, STEEL, Material

@@ -13,8 +13,8 @@ import numpy as np
 
 from nonhertz.errors import CaseError, InputError
 from nonhertz.inputs.files import content
+from nonhertz.io.bounds import FORMAT
 from nonhertz.io.casefile import Case, case_in
-from nonhertz.io.written import FORMAT
 
 if TYPE_CHECKING:
     from nonhertz.result.solution import EdgePressure, Solution

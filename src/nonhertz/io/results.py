@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonhertz.io.written import FORMAT, document
+from nonhertz.io.bounds import FORMAT
+from nonhertz.io.written import document
 from nonhertz.result.quantities import ALONG, QUANTITIES
 from nonhertz.result.solution import EdgePressure, Solution
 

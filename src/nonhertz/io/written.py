@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from nonhertz.errors import InputError
+from nonhertz.io.bounds import FORMAT
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.material import MATERIALS, Material
 from nonhertz.model.profile import Profile, Scaled, Shifted, Straight, Sum
@@ -17,9 +18,6 @@ from nonhertz.model.profile import Profile, Scaled, Shifted, Straight, Sum
 if TYPE_CHECKING:
     from nonhertz.io.casefile import Case, LifeCase
     from nonhertz.model.contact import Contact
-
-#: Format number of case files and results; incremented when a later release can no longer read old files unchanged.
-FORMAT = 1
 
 
 def document(case: Case) -> dict[str, Any]:

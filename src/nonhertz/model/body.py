@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.bodies.depths import DepthRule, depth_of
 from nonhertz.bodies.depths.depth import Depth
+from nonhertz.bodies.depths.endless import Endless
 from nonhertz.bodies.images import FEWEST_IMAGES, check_images
 from nonhertz.bodies.sides import FaceRule, side_faces
 from nonhertz.bodies.sides.side_face import SideFace
@@ -153,7 +154,7 @@ class Body:
         asked = [side.image_weight(self.material.poisson) for side in self.sides]
         if self.length is None and self.side_faces != "mirror" and max(asked) > 0.0:
             raise InputError("length", None, f"be given where side_faces = {self.side_faces!r}", _FACELESS_REMEDY)
-        check_images(self.images, self.face_weights, self.behind)
+        check_images(self.images, self.face_weights, isinstance(self.behind, Endless))
 
     def _check_effective_length(self, effective_length: float) -> None:
         remedy = "give the length that can touch in mm, or leave it out for all of the body"

@@ -12,8 +12,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any, Final
 
+from nonhertz.io.bounds import FORMAT
 from nonhertz.io.mistakes import Place, path_of
-from nonhertz.io.written import FORMAT
 from nonhertz.model.body import Body, Roller
 from nonhertz.web.form.fields import Edits, Field, Group, Option, text_of
 from nonhertz.web.form.inputs import ABSENT, as_it_is, input_for, label_of, stray
