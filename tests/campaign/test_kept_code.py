@@ -303,3 +303,20 @@ def test_results_are_the_same_bytes_wherever_machine_code_comes_from(tmp_path):
     # Nothing was compiled by those that read.
     assert {path: path.stat().st_ino for path in (tmp_path / "one/nonhertz").iterdir()} == files
     assert digits(tmp_path / "two", *reversed(names)) == compiling
+
+
+def test_after_warm_no_command_compiles_anything(tmp_path: Path) -> None:
+    kept = tmp_path / "kept"
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(kept)}
+    case = str(Path(__file__).parents[2] / "examples" / "crowned-roller.toml")
+
+    def run(*words: str) -> str:
+        command = [sys.executable, "-m", "nonhertz", *words]
+        return subprocess.run(command, env=environment, cwd=tmp_path, check=True, capture_output=True, text=True).stdout
+
+    assert f"MB in {kept}" in run("warm")
+    files = {path.name for path in kept.rglob("nonhertz.*")}
+    assert len(files) > 50
+    for words in (["solve", case], ["stress", case], ["life", case], ["compare", case, "--cells", "32", "64"]):
+        run(*words)
+        assert {path.name for path in kept.rglob("nonhertz.*")} == files, words

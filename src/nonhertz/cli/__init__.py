@@ -17,7 +17,7 @@ from pathlib import Path
 from nonhertz.errors import CaseError, InputError
 
 FINE, NOT_CONVERGED, BAD_INPUT, INTERNAL = range(4)
-NOT_VERIFIED = NOT_CONVERGED
+NOT_VERIFIED = NOT_KEPT = NOT_CONVERGED
 # As a shell reports a program ended by a signal.
 INTERRUPTED, BROKEN_PIPE = 130, 141
 

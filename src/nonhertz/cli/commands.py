@@ -15,7 +15,7 @@ from typing import Annotated, NoReturn
 from cyclopts import App, CycloptsError, Parameter
 
 from nonhertz import __version__
-from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED, NOT_VERIFIED
+from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED, NOT_KEPT, NOT_VERIFIED
 from nonhertz.errors import CaseError, ConvergenceError, InputError
 
 app = App(
@@ -429,6 +429,30 @@ def serve(
         print(f"The page is at {address} until you press Ctrl-C here.", flush=True)
 
     serve_page(document, port, browser=browser, announce=announce)
+
+
+@app.command
+def warm() -> int:
+    """Compile everything now, so that no later command has to: for containers and CI.
+
+    What is compiled is kept on disk for this version, processor and compiler; run it again after an upgrade. The exit
+    code is 1 if nothing can be written where it is kept.
+    """
+    from nonhertz.cli.verify import Progress
+    from nonhertz.cli.warm import PARTS, machine_code, warm_up
+    from nonhertz.compiled.notices import is_unkept
+
+    progress = Progress(len(PARTS))
+    try:
+        seconds = warm_up(progress.announce)
+    finally:
+        progress.wipe()
+    for name, taken in seconds.items():
+        print(f"{name}: {taken:.1f} s")
+    for folder, size in machine_code():
+        print(f"machine code: {size / 1e6:.1f} MB in {folder}")
+    # A warning has said where nothing could be written, and what to do.
+    return NOT_KEPT if is_unkept() else FINE
 
 
 @app.command

@@ -43,6 +43,11 @@ def warn_unkept(places: str) -> None:
         logging.getLogger("nonhertz").warning(_UNKEPT, places)
 
 
+def is_unkept() -> bool:
+    """Return whether machine code could not be written in this process."""
+    return _UNKEPT in _said
+
+
 def _watched() -> bool:
     # A notebook's standard error is not a terminal, but its interpreter has a prompt.
     return hasattr(sys, "ps1") or (sys.stderr is not None and sys.stderr.isatty())

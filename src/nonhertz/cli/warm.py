@@ -1,0 +1,76 @@
+"""What ``nonhertz warm`` compiles, and where it leaves the machine code."""
+
+from __future__ import annotations
+
+import time
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+import nonhertz as nh
+from nonhertz.compiled.folders import folders
+from nonhertz.errors import AccuracyWarning
+
+
+def _solve() -> None:
+    contact = _contact()
+    for element in (nh.SEMI_ELLIPTIC, nh.PARABOLIC):
+        nh.solve(contact, load=5e3, tilt=1e-4, element=element)
+        nh.solve(contact, approach=5e-3, moment=100.0, element=element, strips=11)
+        nh.solve_many(contact, load=[4e3, 5e3], element=element, strips=11)
+
+
+def _stress() -> None:
+    solution = nh.solve(_contact(), load=5e3, strips=11)
+    nh.subsurface.extremes(solution, 0.0)
+    nh.subsurface.stress(solution, 0.0, 0.0, 0.1, displacement=True)
+
+
+def _life() -> None:
+    nh.life.assess(nh.solve(_contact(), load=5e3, strips=11))
+
+
+def _plane_grid() -> None:
+    solution = nh.patch.solve(_contact(), load=5e3, cells=(12, 16))
+    nh.subsurface.stress(solution, 0.0, 0.0, 0.1, displacement=True)
+    nh.subsurface.extremes(solution, 0.0)
+
+
+PARTS: dict[str, Callable[[], None]] = {
+    "strips": _solve,
+    "stress": _stress,
+    "life": _life,
+    "plane grid": _plane_grid,
+}
+
+
+def warm_up(announce: Callable[[str], object]) -> dict[str, float]:
+    """Run a small case of everything that is compiled, and return the time that each part took [s].
+
+    Parameters
+    ----------
+    announce : callable
+        Called with the name of each part before it runs.
+    """
+    seconds = {}
+    for name, run in PARTS.items():
+        announce(name)
+        start = time.perf_counter()
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore", AccuracyWarning)
+            run()
+        seconds[name] = time.perf_counter() - start
+    return seconds
+
+
+def machine_code() -> list[tuple[Path, int]]:
+    """Return the folders that hold machine code, and the bytes in each."""
+    held = [(folder, [file.stat().st_size for file in folder.glob("nonhertz.*")]) for folder in folders()]
+    return [(folder, sum(sizes)) for folder, sizes in held if sizes]
+
+
+def _contact() -> nh.Contact:
+    roller = nh.Roller(diameter=10.0, length=10.0, profile=nh.profile.crown(radius=2000.0))
+    return nh.Contact(roller, nh.Ring(diameter=40.0))
