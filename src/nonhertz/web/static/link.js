@@ -1,4 +1,4 @@
-// The link that holds a case: everything is in the fragment, which browsers never send to a server.
+// The link that holds a case, and the address of the page that keeps it: everything is in the fragment, which browsers never send to a server.
 
 const LARGEST = 1_000_000; // characters of an unpacked case, the program's own limit
 const LONGEST = 2_000_000; // characters of a fragment; a longer one is not read
@@ -65,5 +65,28 @@ export async function unpacked(text) {
       await reader.cancel();
       throw new Error("too large");
     }
+  }
+}
+
+const REST = 300; // ms: browsers refuse more than a hundred changes in half a minute
+
+/** Keeps the case in the address of the page, so that reloading or navigating away and back loses nothing. */
+export class Address {
+  constructor() {
+    this.rest = 0;
+  }
+
+  /** Put a case into the address after a pause in editing. @param {object} document @param {object | null} pinned */
+  keep(document, pinned) {
+    window.clearTimeout(this.rest);
+    this.rest = window.setTimeout(() => void this.put(document, pinned), REST);
+  }
+
+  /** @param {object} document @param {object | null} pinned */
+  async put(document, pinned) {
+    window.clearTimeout(this.rest);
+    // Replaced, not pushed: a drag would fill the history with a hundred entries.
+    history.replaceState(null, "", await fragment(document, pinned));
+    return window.location.href;
   }
 }

@@ -1,20 +1,16 @@
 // The page: what happens when something is edited, answered, pinned, opened or shared.
 
-import { Address } from "./address.js";
+import { watchHelp, watchKeys } from "./anywhere.js";
 import { Edits } from "./edits.js";
 import { byId } from "./elements.js";
 import { opened, saved } from "./files.js";
 import { Form } from "./form.js";
-import { watchHelp } from "./help.js";
-import { watchKeys } from "./keys.js";
-import { shared } from "./link.js";
+import { Address, shared } from "./link.js";
 import { AWAY, Live, post } from "./live.js";
 import { Measured } from "./measured.js";
 import { showMistakes } from "./mistakes.js";
-import { notice } from "./notices.js";
 import { drawProfiles, placeProfiles } from "./profiles.js";
-import { watchProgram } from "./program.js";
-import { roundTrip } from "./timing.js";
+import { notice, roundTrip, watchProgram } from "./status.js";
 import { View } from "./view.js";
 
 const start = JSON.parse(byId("start").textContent);

@@ -1,0 +1,64 @@
+// What the page says about itself: notices, whether the program is ready, and how long the last answer took.
+
+import { byId } from "./elements.js";
+
+/** @type {Map<string, string>} */
+const notices = new Map();
+
+/** Set the notice for a reason; an empty sentence clears it. @param {string} reason @param {string} sentence */
+export function notice(reason, sentence) {
+  notices.set(reason, sentence);
+  const text = [...notices.values()].filter(Boolean).join(" ");
+  byId("notice").textContent = text;
+  byId("notice").hidden = !text;
+}
+
+// The first start on a machine compiles the solver.
+const AGAIN = 1000; // ms
+
+/** Show a notice while the solver is being compiled. @param {(sentence: string) => void} tell */
+export async function watchProgram(tell) {
+  for (let said = false; ; said = true) {
+    const ready = await isReady();
+    if (ready) {
+      if (said) tell("");
+      return;
+    }
+    tell("The solver is being compiled, which takes half a minute the first time. The result will appear by itself.");
+    await new Promise((done) => window.setTimeout(done, AGAIN));
+  }
+}
+
+async function isReady() {
+  try {
+    const response = await fetch("status");
+    return !response.ok || (await response.json()).ready !== false;
+  } catch {
+    return true; // no answer at all: the requests for solutions report that
+  }
+}
+
+// The time from an edit to the redrawn figures: shown on the page, and recorded for measurements.
+let answers = 0;
+
+/**
+ * Note that the answer to an edit has been drawn.
+ * @param {number} since when the edit began, by performance.now()
+ * @param {number} begun when the drawing of the answer began
+ * @param {import("./types.js").Answer | import("./types.js").Refusal} answer
+ */
+export function roundTrip(since, begun, answer) {
+  answers += 1;
+  performance.measure("nonhertz drawing", { start: begun });
+  const root = document.documentElement;
+  root.dataset.answers = String(answers);
+  window.requestAnimationFrame(() => {
+    const end = performance.now();
+    performance.measure("nonhertz round trip", { start: since, end });
+    root.dataset.roundTrip = (end - since).toFixed(1);
+    if (!answer.ok) return;
+    byId("state").textContent = answer.complaint ? answer.status : "solved";
+    byId("round-trip").textContent =
+      `in ${Math.round(end - since)} ms, ${Math.round(answer.ms)} ms of it in the solver`;
+  });
+}
