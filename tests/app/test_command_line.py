@@ -396,6 +396,7 @@ def test_the_module_is_the_command(case: str) -> None:
     assert subprocess.run(command, capture_output=True, check=False, env=environment()).returncode == 2
 
 
+@pytest.mark.slow
 def test_a_reader_that_stops_reading_is_met_with_silence(case: str) -> None:
     command = [sys.executable, "-m", "nonhertz", "solve", case, "--json"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment()) as process:
@@ -407,6 +408,7 @@ def test_a_reader_that_stops_reading_is_met_with_silence(case: str) -> None:
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a full disk, which Linux lends")
+@pytest.mark.slow
 def test_a_full_disk_is_one_sentence(case: str) -> None:
     command = [sys.executable, "-m", "nonhertz", "solve", case]
     with Path("/dev/full").open("w") as full:
@@ -415,6 +417,7 @@ def test_a_full_disk_is_one_sentence(case: str) -> None:
     assert run.stderr == "The output could not be written: No space left on device.\n"
 
 
+@pytest.mark.slow
 def test_a_title_in_greek_survives_a_terminal_that_knows_ascii_only(case: str) -> None:
     Path(case).write_text(CASE.replace("Roller 20", "Rolle \u0394 [bold]"), encoding="utf-8")
     command = [sys.executable, "-m", "nonhertz", "solve", case]

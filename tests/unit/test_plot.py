@@ -512,6 +512,7 @@ class TestRange:
         assert ax.get_xlim()[0] < -10.0
 
 
+@pytest.mark.slow
 class TestFigures:
     def test_names_and_title(self, solution: Solution) -> None:
         sheets = plot.figures(solution, title="A roller")
@@ -578,6 +579,7 @@ class TestFigures:
         subprocess.run([sys.executable, "-c", check], check=True)
 
 
+@pytest.mark.slow
 class TestSave:
     def test_writes_both_files_beside_the_stem(self, tmp_path: Path) -> None:
         sheet = plot.figures(CASES["point"])["footprint"]

@@ -194,8 +194,10 @@ def iso_thrust(diameter: float, length: float) -> Profile:
 
     Parameters
     ----------
-    diameter, length : float
-        As in `iso_logarithmic` [mm].
+    diameter : float
+        Roller diameter D (D_we) [mm], positive.
+    length : float
+        Effective roller length L (L_we) [mm], positive.
 
     Notes
     -----

@@ -1,4 +1,5 @@
-// The link that holds a case, and the address of the page that keeps it: everything is in the fragment, which browsers never send to a server.
+// The link that holds a case, and the address of the page that keeps it. Everything is in the fragment, which browsers
+// never send to a server.
 
 const LARGEST = 1_000_000; // characters of an unpacked case, the program's own limit
 const LONGEST = 2_000_000; // characters of a fragment; a longer one is not read
