@@ -27,7 +27,8 @@ from extent import extent
 from page_requests import PATHS, Requests
 
 from nonhertz.io.casefile import starting_case
-from nonhertz.web.form.form import Field, form
+from nonhertz.web.form.fields import FormField
+from nonhertz.web.form.form import form
 
 EDITS, HOSTILE, CHANGED = 2_000, 200, extent(10_000, 2_000)
 SLOWEST = 2.0
@@ -128,7 +129,7 @@ class Walk:
             self.document = copy.deepcopy(STARTING)
         return self.document
 
-    def fields(self) -> list[Field]:
+    def fields(self) -> list[FormField]:
         return [field for field in form(self.document).fields if field.path]
 
     def number(self) -> None:
@@ -155,7 +156,7 @@ class Walk:
         """Take a choice, add a profile or a row, or take something away."""
         groups = [form(self.document)]
         for group in groups:
-            groups += [member for member in (*group.members, *group.folded) if not isinstance(member, Field)]
+            groups += [member for member in (*group.members, *group.folded) if not isinstance(member, FormField)]
         choices = [(group.path, option) for group in groups for option in group.additions]
         options = [option for field in form(self.document).fields for option in field.options if option.edits]
         match self.random.randrange(4):

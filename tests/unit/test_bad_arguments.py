@@ -499,7 +499,7 @@ RESULTS = {
     "Status",
     "hertz.LineContact", "hertz.PointContact",
     "life.Exposure", "life.Life",
-    "measured.Fit", "measured.Roughness", "measured.State",
+    "measured.Fit", "measured.Roughness", "measured.StepResult",
     "subsurface.Extreme", "subsurface.Extremes", "subsurface.Field", "subsurface.Passage",
     "AccuracyWarning", "CaseError", "ConvergenceError", "InputError", "NonhertzError",
     *(f"profile.{name}" for name in (

@@ -13,7 +13,7 @@ from numpy.testing import assert_allclose
 
 import nonhertz as nh
 from nonhertz import plot
-from nonhertz.comparison import Quantity
+from nonhertz.comparison import ComparedQuantity
 from nonhertz.comparison.reasons import carried, stretches
 from nonhertz.comparison.value import differences, excess_of_fourth_moment
 from nonhertz.io.comparisons import as_json, as_object, as_table
@@ -73,8 +73,8 @@ def test_a_moment_of_rounding_is_none(found):
 
 
 def test_differences_are_relative_unless_they_are_positions():
-    assert Quantity("load", "N", -2.0, -3.0, -1.0).differences == (-0.5, 0.5)
-    assert Quantity("end", "mm", -2.0, -3.0, -1.0, absolute=True).differences == (-1.0, 1.0)
+    assert ComparedQuantity("load", "N", -2.0, -3.0, -1.0).differences == (-0.5, 0.5)
+    assert ComparedQuantity("end", "mm", -2.0, -3.0, -1.0, absolute=True).differences == (-1.0, 1.0)
 
 
 def test_differences_along_the_line(found):

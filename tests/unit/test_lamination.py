@@ -80,7 +80,7 @@ def test_few_and_uneven_strips_bear_their_load_too(strips, moment):
 
 def test_pieces_that_bear_another_load_are_not_used(monkeypatch):
     solution = solved(nh.profile.crown(radius=2000), load=4e3)
-    strips = lamination.Strips.of(solution)
+    strips = lamination.LoadedStrips.of(solution)
     right = laminated(solution)
     assert lamination.bears(right, strips)
     one = cut_with(right, line_load=np.where(np.arange(right.low.size) == right.low.size // 2, 1.1, 1.0))
@@ -153,7 +153,7 @@ def test_a_single_strip_is_its_own_piece():
 
 def test_a_strip_falls_to_where_its_contact_runs_out():
     solution = solved(nh.profile.crown(radius=2000), load=4e3, tilt=1e-4)
-    strips = lamination.Strips.of(solution)
+    strips = lamination.LoadedStrips.of(solution)
     for at, end in ((0, solution.contact_y[0][0]), (-1, solution.contact_y[-1][1])):
         middle, half = 0.5 * (strips.low[at] + strips.high[at]), 0.5 * (strips.high[at] - strips.low[at])
         assert middle + half * strips.run_out[at] == pytest.approx(end, rel=1e-12)

@@ -9,7 +9,7 @@ from nonhertz.patch import settle as settling
 from nonhertz.patch.convolution import Convolution
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.inverse import Inverse
-from nonhertz.patch.settle import State, Task, settle
+from nonhertz.patch.settle import CellState, Task, settle
 
 GRID = Grid((-1.0, 1.0), (-4.0, 4.0), (14, 20))
 TOLERANCE = 1e-9
@@ -59,7 +59,7 @@ def test_by_motion_leads_where_sets_lead(by_force, target):
     direct = settle(problem, start(), (0.0, 0.0), TOLERANCE)
     assert direct.status is nh.Status.CONVERGED
     rigid = tuple(0.0 if forced else value for value, forced in zip(target, by_force, strict=True))
-    nowhere = State(np.zeros(GRID.cells), problem.undeformed, rigid, np.inf, nh.Status.ITERATION_LIMIT)
+    nowhere = CellState(np.zeros(GRID.cells), problem.undeformed, rigid, np.inf, nh.Status.ITERATION_LIMIT)
     by_motion = settling._by_motion(problem, nowhere, TOLERANCE)
     assert by_motion.status is nh.Status.CONVERGED
     # Both meet the conditions to 1e-9 of the displacement, which pressures magnify.

@@ -11,7 +11,7 @@ from rich.text import Text
 from nonhertz import comparison as methods
 from nonhertz.cli.printing import console, print_table
 from nonhertz.cli.verify import Progress
-from nonhertz.comparison import Comparison, Quantity, Stretch
+from nonhertz.comparison import ComparedQuantity, Comparison, Stretch
 from nonhertz.errors import InputError
 from nonhertz.io.casefile import Case, placed
 from nonhertz.result.numerals import digits
@@ -93,7 +93,7 @@ def sentences(found: Comparison) -> list[str]:
     return lines
 
 
-def _row(each: Quantity) -> tuple[str, ...]:
+def _row(each: ComparedQuantity) -> tuple[str, ...]:
     of_semi, of_parabola = (_difference(value, each) for value in each.differences)
     patch, semi, parabola = (_value(value) for value in (each.patch, each.semi_elliptic, each.parabolic))
     unit = f" {each.unit}" if math.isfinite(each.patch) else ""
@@ -104,7 +104,7 @@ def _value(value: float) -> str:
     return digits(value, 6) if math.isfinite(value) else "none"
 
 
-def _difference(value: float, each: Quantity) -> str:
+def _difference(value: float, each: ComparedQuantity) -> str:
     if not math.isfinite(value):
         return ""
     if each.absolute:

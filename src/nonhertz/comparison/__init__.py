@@ -5,8 +5,8 @@ Where both agree, the shape was right; where they do not, the reason is sought i
 """
 
 from nonhertz.comparison.methods import compare as compare
+from nonhertz.comparison.value import ComparedQuantity as ComparedQuantity
 from nonhertz.comparison.value import Comparison as Comparison
-from nonhertz.comparison.value import Quantity as Quantity
 from nonhertz.comparison.value import Reason as Reason
 from nonhertz.comparison.value import Seconds as Seconds
 from nonhertz.comparison.value import Station as Station

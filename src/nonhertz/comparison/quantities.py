@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.comparison.value import Quantity
+from nonhertz.comparison.value import ComparedQuantity
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.ends import ends_in_words
 from nonhertz.result.maximum import counted, singular_y
@@ -20,7 +20,7 @@ SAME = 1e-3  # of a pressure: equal up to this, since neither strips nor cells l
 NEAREST = 4  # values that a cubic goes through
 
 
-def quantities(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Quantity, ...]:
+def quantities(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[ComparedQuantity, ...]:
     """Return approach, tilt, load, moment, the middle of the contact, the largest pressure and the ends.
 
     Parameters
@@ -36,12 +36,12 @@ def quantities(semi: Solution, parabola: Solution, patch: PatchSolution) -> tupl
     p, b = _at(at, patch.y, patch.centre_pressure), _at(at, patch.y, patch.half_width)
     cells = f"cells {patch.dx:.2g} mm across"
     return (
-        Quantity("approach", "mm", patch.approach, semi.approach, parabola.approach),
-        Quantity("tilt", "rad", patch.tilt, semi.tilt, parabola.tilt),
-        Quantity("load", "N", patch.load, semi.load, parabola.load),
+        ComparedQuantity("approach", "mm", patch.approach, semi.approach, parabola.approach),
+        ComparedQuantity("tilt", "rad", patch.tilt, semi.tilt, parabola.tilt),
+        ComparedQuantity("load", "N", patch.load, semi.load, parabola.load),
         _moment(semi, parabola, patch),
-        Quantity(f"pressure at y = {at:.5g} mm", "MPa", p, p_semi, p_parabola),
-        Quantity(f"half-width at y = {at:.5g} mm", "mm", b, b_semi, b_parabola, remark=cells),
+        ComparedQuantity(f"pressure at y = {at:.5g} mm", "MPa", p, p_semi, p_parabola),
+        ComparedQuantity(f"half-width at y = {at:.5g} mm", "mm", b, b_semi, b_parabola, remark=cells),
         *_largest(semi, parabola, patch),
         *_ends(semi, parabola, patch),
     )
@@ -66,15 +66,15 @@ def _at(at: float, y: Array, values: Array) -> float:
     return float(np.array(weights) @ found)
 
 
-def _moment(semi: Solution, parabola: Solution, patch: PatchSolution) -> Quantity:
+def _moment(semi: Solution, parabola: Solution, patch: PatchSolution) -> ComparedQuantity:
     rounding = ROUNDING * patch.load * float(np.max(np.abs(semi.edges)))
     of_patch, of_semi, of_parabola = (
         one.moment if abs(one.moment) > rounding else 0.0 for one in (patch, semi, parabola)
     )
-    return Quantity("moment", "N mm", of_patch, of_semi, of_parabola)
+    return ComparedQuantity("moment", "N mm", of_patch, of_semi, of_parabola)
 
 
-def _largest(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Quantity, Quantity]:
+def _largest(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[ComparedQuantity, ComparedQuantity]:
     """Return the largest pressure and its position, away from ends at which it has no limit."""
     p, y = _peak(semi, patch.y, patch.centre_pressure, semi.contact_y[-1][1])
     (p_semi, y_semi), (p_parabola, y_parabola) = (
@@ -86,8 +86,8 @@ def _largest(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[
     elif semi.peaks_at_corner:
         remark = "at a corner of the profile, where it has no limit"
     return (
-        Quantity("maximum pressure", "MPa", p, p_semi, p_parabola, remark=remark),
-        Quantity("position of the maximum", "mm", y, y_semi, y_parabola, absolute=True),
+        ComparedQuantity("maximum pressure", "MPa", p, p_semi, p_parabola, remark=remark),
+        ComparedQuantity("position of the maximum", "mm", y, y_semi, y_parabola, absolute=True),
     )
 
 
@@ -105,11 +105,11 @@ def _peak(semi: Solution, y: Array, pressure: Array, near: float) -> tuple[float
     return float(found.max()), float(places[at])
 
 
-def _ends(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[Quantity, Quantity]:
+def _ends(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[ComparedQuantity, ComparedQuantity]:
     rows = patch.y[patch.footprint.any(axis=0)]
     remark = f"cells {patch.dy:.2g} mm along"
     low, high = float(rows[0]) - 0.5 * patch.dy, float(rows[-1]) + 0.5 * patch.dy
     return (
-        Quantity("contact from", "mm", low, semi.contact_y[0][0], parabola.contact_y[0][0], True, remark),
-        Quantity("contact to", "mm", high, semi.contact_y[-1][1], parabola.contact_y[-1][1], True, remark),
+        ComparedQuantity("contact from", "mm", low, semi.contact_y[0][0], parabola.contact_y[0][0], True, remark),
+        ComparedQuantity("contact to", "mm", high, semi.contact_y[-1][1], parabola.contact_y[-1][1], True, remark),
     )

@@ -20,7 +20,7 @@ FEWEST_ACROSS, MOST_CHANGE = 12, 0.1
 
 
 @dataclass(frozen=True)
-class Quantity:
+class ComparedQuantity:
     """One result by all three methods.
 
     Attributes
@@ -162,7 +162,7 @@ class Comparison:
         The plane grid.
     seconds : Seconds
         Run time of each.
-    quantities : tuple of Quantity
+    quantities : tuple of ComparedQuantity
         Results side by side.
     stretches : tuple of Stretch
         Where along the line they differ by more than 1 %, and why; those of semi-elliptic strips first.
@@ -174,7 +174,7 @@ class Comparison:
     parabolic: Solution
     patch: PatchSolution
     seconds: Seconds
-    quantities: tuple[Quantity, ...]
+    quantities: tuple[ComparedQuantity, ...]
     stretches: tuple[Stretch, ...]
     stations: tuple[Station, ...]
 
@@ -193,7 +193,7 @@ class Comparison:
         """Warnings of the semi-elliptic strips and of the plane grid."""
         return (*self.semi_elliptic.warnings, *(f"On the plane grid: {each}" for each in self.patch.warnings))
 
-    def quantity(self, name: str) -> Quantity:
+    def quantity(self, name: str) -> ComparedQuantity:
         """Return the first quantity whose name starts with ``name``.
 
         Raises

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from nonhertz.comparison import Comparison, Quantity, Stretch
+from nonhertz.comparison import ComparedQuantity, Comparison, Stretch
 from nonhertz.io.results import key_by_key, plain
 from nonhertz.result.solution import Solution
 
@@ -70,7 +70,7 @@ def files(found: Comparison, title: str) -> dict[str, str]:
     return {"comparison.json": as_json(found, title) + "\n", "comparison.csv": as_table(found)}
 
 
-def _quantity(each: Quantity) -> dict[str, Any]:
+def _quantity(each: ComparedQuantity) -> dict[str, Any]:
     semi, parabolic = each.differences
     return {
         "name": each.name,

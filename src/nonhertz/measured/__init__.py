@@ -16,7 +16,7 @@ from nonhertz.measured.steps import Align as Align
 from nonhertz.measured.steps import Level as Level
 from nonhertz.measured.steps import Outliers as Outliers
 from nonhertz.measured.steps import Smooth as Smooth
-from nonhertz.measured.steps import State as State
+from nonhertz.measured.steps import StepResult as StepResult
 from nonhertz.measured.steps import Thin as Thin
 from nonhertz.measured.steps import Trim as Trim
 from nonhertz.measured.trace import Points as Points

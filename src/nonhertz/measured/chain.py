@@ -29,8 +29,8 @@ from nonhertz.measured.steps import (
     Middle,
     Outliers,
     Smooth,
-    State,
     Step,
+    StepResult,
     Thin,
     Trim,
     enough_points,
@@ -138,10 +138,10 @@ class Measured:
         return replace(self, steps=tuple(step for step in self.steps if step.name != name))
 
     @cached_property
-    def states(self) -> tuple[State, ...]:
+    def states(self) -> tuple[StepResult, ...]:
         """The raw points, and the points after each step with what the step did."""
         words = f"{len(self.trace)} points from {self.trace.y[0]:.5g} to {self.trace.y[-1]:.5g} mm."
-        states = [State("raw", self.trace, words, {"points": float(len(self.trace))})]
+        states = [StepResult("raw", self.trace, words, {"points": float(len(self.trace))})]
         for step in self.steps:
             states.append(step.apply(states[-1].points))
         return tuple(states)

@@ -1,6 +1,6 @@
 """The steps from a raw trace to a profile: each a value with its parameters, applied to points.
 
-A step takes points and returns a `State`: the points after it, what it removed and a sentence on what it did. It
+A step takes points and returns a `StepResult`: the points after it, what it removed and a sentence on what it did. It
 modifies nothing, so that a step can be left out or repeated with other parameters, and the raw points are kept.
 """
 
@@ -42,7 +42,7 @@ Filter = Literal["gaussian", "spline"]
 
 
 @dataclass(frozen=True, eq=False)
-class State:
+class StepResult:
     """The points after a step, and what the step did.
 
     Attributes
@@ -89,7 +89,7 @@ class Step(Protocol):
 
     name: ClassVar[str]
 
-    def apply(self, points: Points) -> State:
+    def apply(self, points: Points) -> StepResult:
         """Return the points after the step and what it did."""
 
 
@@ -114,14 +114,14 @@ class Level:
     def __post_init__(self) -> None:
         _check_slope(self.slope)
 
-    def apply(self, points: Points) -> State:
+    def apply(self, points: Points) -> StepResult:
         """Return the levelled points; the middle of the land keeps its height."""
         low, high = land(points, self.slope)
         lean = tilt(points, self.slope)
         line = lean * (points.y - 0.5 * (low + high))
         words = f"A tilt of {1e3 * lean:.4g} mrad was removed, that of the land from {low:.4g} to {high:.4g} mm."
         after = Points(points.y, points.height - line, points.gaps)
-        return State(self.name, after, words, {"tilt": lean, "low": low, "high": high}, removed_height=line)
+        return StepResult(self.name, after, words, {"tilt": lean, "low": low, "high": high}, removed_height=line)
 
 
 @dataclass(frozen=True)
@@ -150,7 +150,7 @@ class Align:
         one_of("align", self.by, get_args(Middle), "choose how to find the middle")
         _check_slope(self.slope)
 
-    def apply(self, points: Points) -> State:
+    def apply(self, points: Points) -> StepResult:
         """Return the points moved along y."""
         low, high = land(points, self.slope)
         if self.by == "ends":
@@ -166,7 +166,7 @@ class Align:
         words += " and is symmetric about it." if self.by == "symmetry" else "."
         gaps = tuple((a - middle, b - middle) for a, b in points.gaps)
         after = Points(points.y - middle, points.height, gaps)
-        return State(self.name, after, words, {"shift": -middle, "low": low - middle, "high": high - middle})
+        return StepResult(self.name, after, words, {"shift": -middle, "low": low - middle, "high": high - middle})
 
 
 @dataclass(frozen=True)
@@ -195,7 +195,7 @@ class Trim:
         if self.length is not None:
             positive("trim", self.length, "give the length to keep in mm, or 'auto'")
 
-    def apply(self, points: Points) -> State:
+    def apply(self, points: Points) -> StepResult:
         """Return the points of the land."""
         low, high = land(points, self.slope) if self.length is None else (-0.5 * self.length, 0.5 * self.length)
         if low < points.y[0] - 1e-9 or high > points.y[-1] + 1e-9:
@@ -208,7 +208,7 @@ class Trim:
             f"cut off {cut[0]:.3g} and {cut[1]:.3g} mm." if any(cut) else "there was nothing to cut off."
         )
         numbers = {"low": float(after.y[0]), "high": float(after.y[-1]), "removed": float(np.sum(~inside))}
-        return State(self.name, after, words, numbers, (points.y[~inside], points.height[~inside]))
+        return StepResult(self.name, after, words, numbers, (points.y[~inside], points.height[~inside]))
 
 
 @dataclass(frozen=True)
@@ -238,7 +238,7 @@ class Outliers:
     def __post_init__(self) -> None:
         positive("outliers", self.threshold, "give a number of robust standard deviations, such as 5, or true")
 
-    def apply(self, points: Points) -> State:
+    def apply(self, points: Points) -> StepResult:
         """Return the remaining points."""
         distance = np.abs(_from_chords(points))
         median, most = np.quantile(distance, (0.5, 0.9))
@@ -253,7 +253,7 @@ class Outliers:
         words += "off the surface on both sides and were removed."
         after = points.kept(~out)
         numbers = {"removed": float(count), "limit": self.threshold * sigma}
-        return State(self.name, after, words, numbers, (points.y[out], points.height[out]))
+        return StepResult(self.name, after, words, numbers, (points.y[out], points.height[out]))
 
 
 @dataclass(frozen=True)
@@ -282,7 +282,7 @@ class Smooth:
         one_of("smooth", self.method, get_args(Filter), "choose a filter")
         positive("cutoff", self.cutoff, "give a wavelength in mm, such as 0.8")
 
-    def apply(self, points: Points) -> State:
+    def apply(self, points: Points) -> StepResult:
         """Return the smooth points."""
         check_cutoff(points, self.cutoff)
         height = (gaussian if self.method == "gaussian" else spline)(points, self.cutoff)
@@ -291,7 +291,7 @@ class Smooth:
         words = f"Waves shorter than {self.cutoff:.4g} mm were removed by the {self.method} filter: "
         words += f"{1e3 * rms:.3g} um root mean square."
         after = Points(points.y, height, points.gaps)
-        return State(self.name, after, words, {"cutoff": self.cutoff, "rms": rms}, removed_height=rough)
+        return StepResult(self.name, after, words, {"cutoff": self.cutoff, "rms": rms}, removed_height=rough)
 
 
 @dataclass(frozen=True)
@@ -316,10 +316,10 @@ class Thin:
             condition = f"be a whole number, at least {FEWEST_POINTS}"
             raise InputError("points", self.count, condition, "give a number of points to keep, or 'auto'")
 
-    def apply(self, points: Points) -> State:
+    def apply(self, points: Points) -> StepResult:
         """Return the points kept."""
         if len(points) <= self.count:
-            return State(self.name, points, f"All {len(points)} points were kept.", {"points": float(len(points))})
+            return StepResult(self.name, points, f"All {len(points)} points were kept.", {"points": float(len(points))})
         y = np.linspace(points.y[0], points.y[-1], int(self.count))
         height = np.interp(y, points.y, points.height)
         gaps = tuple((low, high) for low, high in points.gaps if high - low > y[1] - y[0])
@@ -330,7 +330,7 @@ class Thin:
         lost = points.height - np.interp(points.y, y, height)
         words = f"{len(after)} of {len(points)} points were kept, {1e3 * float(np.diff(y).mean()):.3g} um apart; "
         words += f"straight lines between them miss {1e6 * float(np.max(np.abs(lost))):.2g} nm at most."
-        return State(self.name, after, words, {"points": float(len(after))})
+        return StepResult(self.name, after, words, {"points": float(len(after))})
 
 
 def enough_points(length: float, cutoff: float) -> int:

@@ -20,7 +20,7 @@ from nonhertz.patch.convolution import Convolution
 from nonhertz.patch.footprint import half_widths
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.inverse import Inverse
-from nonhertz.patch.settle import State, Task, settle
+from nonhertz.patch.settle import CellState, Task, settle
 from nonhertz.result.solution import Status
 
 Array = NDArray[np.float64]
@@ -33,7 +33,7 @@ WITHIN = 0.25  # of a cell: how far inside the outermost rows a rough grid keeps
 
 
 @dataclass(frozen=True, eq=False)
-class Problem:
+class PatchProblem:
     """The problem to solve, independent of a grid.
 
     Attributes
@@ -108,7 +108,7 @@ class Problem:
 
 
 @dataclass(frozen=True)
-class Level:
+class GridLevel:
     """What is kept from a grid: enough to compute how much a finer one changes."""
 
     cells: tuple[int, int]
@@ -122,9 +122,9 @@ class Outcome:
     """The finest grid's solution, pressures times K, and the levels of the coarser grids."""
 
     grid: Grid
-    state: State
+    state: CellState
     convolutions: int
-    levels: tuple[Level, ...]
+    levels: tuple[GridLevel, ...]
 
     def largest_displacement(self, undeformed: Array) -> float:
         """Return the largest displacement [mm] in cells that have a body, zero if none has."""
@@ -136,7 +136,7 @@ class Outcome:
 
 
 def solve_on(
-    problem: Problem, grid: Grid, tolerance: float, pool: Executor | None = None, rough: bool = False
+    problem: PatchProblem, grid: Grid, tolerance: float, pool: Executor | None = None, rough: bool = False
 ) -> Outcome:
     """Solve on coarser grids first and on the given one last, which may itself be ``rough``."""
     pressure, rigid, levels = None, (0.0, 0.0), []
@@ -167,11 +167,13 @@ def _empty(grid: Grid, undeformed: Array, rough: bool) -> Outcome:
     if not rough:
         remedy = "give more cells, or a region around the place where it is"
         raise InputError("gap", np.inf, "be finite at the centre of at least one cell", remedy)
-    state = State(np.zeros(grid.cells), undeformed, (0.0, 0.0), 0.0, Status.CONVERGED)
+    state = CellState(np.zeros(grid.cells), undeformed, (0.0, 0.0), 0.0, Status.CONVERGED)
     return Outcome(grid, state, 0, (_level(grid, state),))
 
 
-def halved(problem: Problem, outcome: Outcome, tolerance: float, pool: Executor | None = None) -> tuple[Level, ...]:
+def halved(
+    problem: PatchProblem, outcome: Outcome, tolerance: float, pool: Executor | None = None
+) -> tuple[GridLevel, ...]:
     """Return up to two grids, each with half as many cells in both directions, and the finest; from coarse to fine.
 
     The cascade stops halving a direction at 16 cells, which hides the error of having few cells; grids that it lacks
@@ -193,10 +195,10 @@ def halved(problem: Problem, outcome: Outcome, tolerance: float, pool: Executor 
     return tuple(reversed(levels))
 
 
-def _level(grid: Grid, state: State) -> Level:
+def _level(grid: Grid, state: CellState) -> GridLevel:
     load = float(state.pressure.sum()) * grid.dx * grid.dy
     along = grid.y, state.pressure.max(axis=0), half_widths(state.pressure, grid.dx)
-    return Level(grid.cells, state.rigid[0], load, along)
+    return GridLevel(grid.cells, state.rigid[0], load, along)
 
 
 def refined(pressure: Array, cells: tuple[int, int]) -> Array:

@@ -12,7 +12,7 @@ from nonhertz.bodies.influence import Influence
 from nonhertz.bodies.solid import HERTZ
 from nonhertz.patch import region as regions
 from nonhertz.patch.between import Unseen
-from nonhertz.patch.cascade import Level, Outcome, Problem
+from nonhertz.patch.cascade import GridLevel, Outcome, PatchProblem
 from nonhertz.patch.features import Dent, Waviness
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.nearness import Overlap
@@ -37,9 +37,9 @@ UNSEEN = 0.01  # of the largest displacement: an overlap between cell centres ab
 
 def error_estimate(
     solution: PatchSolution,
-    problem: Problem,
+    problem: PatchProblem,
     outcome: Outcome,
-    levels: tuple[Level, ...],
+    levels: tuple[GridLevel, ...],
     unseen: Unseen,
     largest: float,
 ) -> ErrorEstimate:
@@ -77,7 +77,7 @@ def _share(error: float, whole: float) -> float:
     return error / abs(whole) if whole != 0.0 else math.inf if error > 0.0 else 0.0
 
 
-def _features(problem: Problem, solution: PatchSolution) -> list[tuple[str, float, float]]:
+def _features(problem: PatchProblem, solution: PatchSolution) -> list[tuple[str, float, float]]:
     """Return name, size and cell side for every part of all features."""
     features = getattr(problem.gap, "features", ())
     return [size for feature in features for size in _sizes(feature, solution.dx, solution.dy)]

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.patch.cascade import Gap, Outcome, Problem
+from nonhertz.patch.cascade import Gap, Outcome, PatchProblem
 from nonhertz.patch.features import Dent
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.kernel import rectangles
@@ -72,7 +72,7 @@ class Overlap:
     y_span: Span
 
 
-def windows(problem: Problem, interval: Span, width: float, reach: float) -> tuple[Window, ...]:
+def windows(problem: PatchProblem, interval: Span, width: float, reach: float) -> tuple[Window, ...]:
     """Return where to sample bodies that end at ``interval``, for a contact about 2 ``width`` wide."""
     x = _spread(width, reach)
     y = np.linspace(*interval, ALONG) if np.all(np.isfinite(interval)) else _spread(width, 1e4 * width + reach)
@@ -229,7 +229,7 @@ def least_held(gap: Gap, window: Window) -> float:
     return min(values)
 
 
-def overlap(problem: Problem, outcome: Outcome, several: Iterable[Window], given: bool = False) -> Overlap | None:
+def overlap(problem: PatchProblem, outcome: Outcome, several: Iterable[Window], given: bool = False) -> Overlap | None:
     """Return where the deformed bodies overlap beyond the region of a solution, as far as the samples show.
 
     The pressure is first replaced by point forces on lumps of cells; for suspects, by uniform pressure on smaller ones.
@@ -335,7 +335,7 @@ def _lumps(grid: Grid, pressure: Array) -> tuple[Array, Array, Array, float]:
 
 
 def _raised(
-    problem: Problem, lumps: tuple[Array, Array, Array, float], x: Array, y: Array, images: bool = False
+    problem: PatchProblem, lumps: tuple[Array, Array, Array, float], x: Array, y: Array, images: bool = False
 ) -> Array:
     """Return the surface displacement at places under forces, shape (places,); if ``images``, only their part of it."""
     force, x_force, y_force, size = lumps
@@ -365,7 +365,7 @@ def _raised_nearby(grid: Grid, pressure: Array, x: Array, y: Array) -> Array:
     return np.array([np.vdot(rectangles(x_edges - a, y_edges - b), mean) for a, b in zip(x, y, strict=True)])
 
 
-def _sunk(problem: Problem, grid: Grid, pressure: Array, y: Array) -> Array:
+def _sunk(problem: PatchProblem, grid: Grid, pressure: Array, y: Array) -> Array:
     """Return the displacement of the points at depth, shape (places,)."""
     if not problem.influence.references:
         return np.zeros(y.size)

@@ -15,7 +15,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.patch.cascade import Outcome, Problem, solve_on
+from nonhertz.patch.cascade import Outcome, PatchProblem, solve_on
 from nonhertz.patch.grid import Grid
 from nonhertz.result.solution import Status
 
@@ -31,7 +31,7 @@ UNBOUNDED: Span = (-math.inf, math.inf)
 
 
 def find(
-    problem: Problem,
+    problem: PatchProblem,
     interval: Span,
     start: tuple[Span, Span],
     towards: tuple[float, float],
@@ -41,7 +41,7 @@ def find(
 
     Parameters
     ----------
-    problem : Problem
+    problem : PatchProblem
         The problem to solve.
     interval : tuple of float
         Extent of both bodies along y [mm]; may be infinite.

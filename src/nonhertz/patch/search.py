@@ -16,7 +16,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch import nearness
 from nonhertz.patch import region as regions
-from nonhertz.patch.cascade import Outcome, Problem, solve_on
+from nonhertz.patch.cascade import Outcome, PatchProblem, solve_on
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.limits import widest_run
 from nonhertz.patch.nearness import Lowest, Overlap, Rows, Window
@@ -40,7 +40,7 @@ class Search:
 
     Attributes
     ----------
-    problem : Problem
+    problem : PatchProblem
         The problem to solve.
     contact : Contact
         The bodies.
@@ -50,7 +50,7 @@ class Search:
         Whether the gap is a user function rather than the bodies' own.
     """
 
-    problem: Problem
+    problem: PatchProblem
     contact: Contact
     given: Prescription
     gap_given: bool

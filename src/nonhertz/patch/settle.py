@@ -79,7 +79,7 @@ class Task:
 
 
 @dataclass(frozen=True, eq=False)
-class State:
+class CellState:
     """State of the iterations, or their result; pressures are times K, and the gap is infinite without a body."""
 
     pressure: Array
@@ -89,7 +89,7 @@ class State:
     status: Status
 
 
-def settle(task: Task, pressure: Array, rigid: tuple[float, float], tolerance: float) -> State:
+def settle(task: Task, pressure: Array, rigid: tuple[float, float], tolerance: float) -> CellState:
     """Return the solution of a task.
 
     Parameters
@@ -129,7 +129,7 @@ class _ActiveSet:
         self.own = float(task.displacement.own)
         self.scale = 1.0
 
-    def run(self, tolerance: float) -> State:
+    def run(self, tolerance: float) -> CellState:
         """Update the set and solve until the set no longer changes."""
         status = Status.ITERATION_LIMIT
         residual = np.inf
@@ -147,7 +147,7 @@ class _ActiveSet:
             self.touching = np.where(self.touching, self.pressure >= 0.0, self.gap < 0.0)
             np.maximum(self.pressure, 0.0, out=self.pressure)
         rigid = float(self.rigid[0]), float(self.rigid[1])
-        return State(self.pressure, self.gap, rigid, residual, status)
+        return CellState(self.pressure, self.gap, rigid, residual, status)
 
     def _balance(self) -> float:
         """Bring load and moment to the given values by adding the pressure responses to approach and tilt.
@@ -269,7 +269,7 @@ class _ActiveSet:
         return forces
 
 
-def _by_motion(task: Task, state: State, tolerance: float) -> State:
+def _by_motion(task: Task, state: CellState, tolerance: float) -> CellState:
     """Find approach and tilt such that load and moment are as given, from contacts with prescribed motion.
 
     The fallback where sets cycle, as they may while one or two rows of cells carry a moment. With prescribed motion

@@ -21,7 +21,7 @@ from nonhertz.model.prescription import Prescription
 from nonhertz.patch import nearness
 from nonhertz.patch import region as regions
 from nonhertz.patch.between import between
-from nonhertz.patch.cascade import Outcome, Problem, halved, solve_on
+from nonhertz.patch.cascade import Outcome, PatchProblem, halved, solve_on
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.limits import (
     between_cells,
@@ -214,9 +214,9 @@ def _withheld(broken: str) -> str:
     )
 
 
-def _problem(contact: Contact, given: Prescription, gap: Surface) -> Problem:
+def _problem(contact: Contact, given: Prescription, gap: Surface) -> PatchProblem:
     K = contact.compliance
-    return Problem(gap, influence_of(contact, HERTZ), given.by_force, given.target(K), K)
+    return PatchProblem(gap, influence_of(contact, HERTZ), given.by_force, given.target(K), K)
 
 
 def _solution(contact: Contact, outcome: Outcome) -> PatchSolution:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.measured import Fit, Measured, State
+from nonhertz.measured import Fit, Measured, StepResult
 from nonhertz.plot.axial import AXIAL_LABEL, number
 from nonhertz.plot.sheets import LEFT, TITLE, WIDTH, blank, panel, write_title
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
@@ -90,7 +90,7 @@ def _ruler(height: Array) -> _Ruler:
     return _Ruler(1.0, "mm") if np.ptp(height) > MILLIMETRES_FROM else _Ruler()
 
 
-def _height(after: State) -> float:
+def _height(after: StepResult) -> float:
     return HEAD + TALL + FOOT + (SLIM + GAP if after.name == "smooth" else 0.0)
 
 
@@ -98,7 +98,7 @@ def _last_height(fit: Fit | None) -> float:
     return LAST_HEAD + 1.5 * TALL + FOOT + 0.2 + (SLIM + GAP if fit is not None else 0.0)
 
 
-def _draw_step(figure: Figure, top: float, count: int, before: State, after: State) -> None:
+def _draw_step(figure: Figure, top: float, count: int, before: StepResult, after: StepResult) -> None:
     width = WIDTH - LEFT - MARGIN
     axes = panel(figure, LEFT, top - HEAD - TALL, width, TALL)
     _head(axes, f"{count}. {after.words}")
@@ -116,7 +116,7 @@ def _draw_step(figure: Figure, top: float, count: int, before: State, after: Sta
         slim.set_xlim(axes.get_xlim())
 
 
-def _draw_taken(axes: Axes, after: State, ruler: _Ruler) -> None:
+def _draw_taken(axes: Axes, after: StepResult, ruler: _Ruler) -> None:
     """Draw what a step removed, or where it put y = 0."""
     if after.name == "level" and after.removed_height is not None:
         line = ruler.factor * (after.removed_height + float(np.max(after.height)))
@@ -171,7 +171,7 @@ def _head(axes: Axes, words: str) -> None:
     axes.text(0.0, 1.04, text, transform=axes.transAxes, va="bottom", **style)
 
 
-def _frame(axes: Axes, before: State, after: State, ruler: _Ruler) -> None:
+def _frame(axes: Axes, before: StepResult, after: StepResult, ruler: _Ruler) -> None:
     """Set the range of heights: all, unless what was cut off is so deep that it would flatten the rest."""
     low, high = (ruler.factor * float(bound) for bound in (after.height.min(), after.height.max()))
     deepest = ruler.factor * float(before.height.min())

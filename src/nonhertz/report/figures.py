@@ -22,7 +22,7 @@ _SHARP = " Where the pressure has no limit the axis is cut, with exponent and st
 
 
 @dataclass(frozen=True)
-class Picture:
+class ReportFigure:
     """A figure of the page.
 
     Attributes
@@ -46,7 +46,7 @@ class Gallery:
     def __init__(self) -> None:
         self._numbers = count(1)
 
-    def of_solution(self, found: CaseResults) -> dict[str, Picture]:
+    def of_solution(self, found: CaseResults) -> dict[str, ReportFigure]:
         """Return pressure, footprint and profile, by these names."""
         solution = found.solution
         captions = {
@@ -61,7 +61,7 @@ class Gallery:
             for name, drawn in figures(solution).items()
         }
 
-    def of_stress(self, found: CaseResults) -> dict[str, Picture]:
+    def of_stress(self, found: CaseResults) -> dict[str, ReportFigure]:
         """Return both planes below the surface; empty if stress was not requested."""
         if found.stress is None:
             return {}
@@ -80,7 +80,7 @@ class Gallery:
             for name, drawn in stress_figures(found.solution, overall, section).items()
         }
 
-    def of_lives(self, found: CaseResults) -> Picture | None:
+    def of_lives(self, found: CaseResults) -> ReportFigure | None:
         """Return the damage along the bodies, if lives were requested."""
         if found.lives is None:
             return None
@@ -92,21 +92,21 @@ class Gallery:
         summary = "; ".join(f"{life.model.name} in body {life.body}: life {life.relative:.3g}" for life in lives)
         return self._picture(drawn, caption, summary)
 
-    def of_measurement(self, measurement: Measurement) -> Picture:
+    def of_measurement(self, measurement: Measurement) -> ReportFigure:
         """Return the steps from measured points to a profile."""
         caption = f"From the measured points of {measurement.file} to the profile, step by step."
         return self._picture(measured_figure(measurement.measured), caption, " ".join(dict(measurement.rows).values()))
 
-    def of_all(self, found: Sequence[CaseResults]) -> Iterator[Picture]:
+    def of_all(self, found: Sequence[CaseResults]) -> Iterator[ReportFigure]:
         """Yield pressures with half-widths, and separations, for all cases."""
         names = ", ".join(each.label for each in found)
         yield self._picture(pressures(found), "Pressure on the centre line and half-width of all cases.", names)
         caption = "Separation of the bodies before loading (the reliefs of both) of all cases, as far as they touch."
         yield self._picture(reliefs(found), caption, names)
 
-    def _picture(self, figure: Figure, caption: str, description: str) -> Picture:
+    def _picture(self, figure: Figure, caption: str, description: str) -> ReportFigure:
         number = next(self._numbers)
-        return Picture(number, inline_svg(figure, f"figure-{number}", caption, description), caption)
+        return ReportFigure(number, inline_svg(figure, f"figure-{number}", caption, description), caption)
 
 
 def _proportions(solution: Solution) -> str:

@@ -68,7 +68,7 @@ class ProfileInput:
 
 
 @dataclass(frozen=True)
-class Group:
+class InputGroup:
     """The inputs under one heading in the case file."""
 
     title: str
@@ -76,21 +76,21 @@ class Group:
     profiles: tuple[ProfileInput, ...] = ()
 
 
-def inputs(case: Case) -> list[Group]:
+def inputs(case: Case) -> list[InputGroup]:
     """Return all inputs of a case, grouped by the headings of its file."""
     document, contact = case.document, case.contact
     groups = [
         _body_group(f"Body {name}", f"body.{name}", document["body"][name], body)
         for name, body in (("a", contact.a), ("b", contact.b))
     ]
-    groups.append(Group("Load", tuple(_load_entries(case, document.get("load", {})))))
-    groups.append(Group("Solver", tuple(_solver_entries(case, document.get("solver", {})))))
+    groups.append(InputGroup("Load", tuple(_load_entries(case, document.get("load", {})))))
+    groups.append(InputGroup("Solver", tuple(_solver_entries(case, document.get("solver", {})))))
     if document.get("life"):
-        groups.append(Group("Life", tuple(_life_entries(document["life"]))))
+        groups.append(InputGroup("Life", tuple(_life_entries(document["life"]))))
     return groups
 
 
-def _body_group(title: str, place: str, table: Mapping[str, Any], body: Body) -> Group:
+def _body_group(title: str, place: str, table: Mapping[str, Any], body: Body) -> InputGroup:
     entries = [Entry(f"{place}.kind", *_kind(table, body), "kind" not in table)]
     for name, property_ in _properties("BodyTable").items():
         if name not in {"kind", "profile"}:
@@ -108,7 +108,7 @@ def _body_group(title: str, place: str, table: Mapping[str, Any], body: Body) ->
     )
     if not tables:
         profiles = (_profile_input(f"{place}.profile", {"kind": "straight"}, default=True),)
-    return Group(title, tuple(entries), profiles)
+    return InputGroup(title, tuple(entries), profiles)
 
 
 def _kind(table: Mapping[str, Any], body: Body) -> tuple[str, str, str]:

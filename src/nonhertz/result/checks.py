@@ -28,7 +28,7 @@ WIDER_THAN_LONG = 1.02  # so that rounding does not make a circle count as wide
 
 
 @dataclass(frozen=True)
-class Check:
+class ValidityCheck:
     """One condition of the model, and how a case stands against it.
 
     Attributes
@@ -58,7 +58,7 @@ class Check:
         return not self.sentences
 
 
-def checks(solution: Solution, freed: tuple[End, ...]) -> tuple[Check, ...]:
+def checks(solution: Solution, freed: tuple[End, ...]) -> tuple[ValidityCheck, ...]:
     """Return all checks of a solution with a contact; ``freed`` are the side faces from `nonhertz.bodies.ends`."""
     contact, touching = solution.contact, solution.line_load > 0.0
     y, half_width = solution.y[touching], solution.half_width[touching]
@@ -75,19 +75,19 @@ def sharper_curvature(contact: Contact, y: Array) -> Array:
     return np.maximum(np.abs(contact.a.curvature(y)), np.abs(contact.b.curvature(y)))
 
 
-def _long(solution: Solution) -> Check:
+def _long(solution: Solution) -> ValidityCheck:
     ratio = 2.0 * solution.max_half_width / max(end - start for start, end in solution.contact_y)
     what, criterion = "Strips across a contact that is long", f"width / length up to {WIDER_THAN_LONG:g}"
     if ratio <= WIDER_THAN_LONG:
-        return Check(what, criterion, ratio, WIDER_THAN_LONG)
+        return ValidityCheck(what, criterion, ratio, WIDER_THAN_LONG)
     sentence = (
         f"The contact is wider than long: width / length = {ratio:.2f}, but strips assume a contact longer than it is "
         "wide; expect errors where the contact ends."
     )
-    return Check(what, criterion, ratio, WIDER_THAN_LONG, (sentence,), "Expect errors where the contact ends.")
+    return ValidityCheck(what, criterion, ratio, WIDER_THAN_LONG, (sentence,), "Expect errors where the contact ends.")
 
 
-def curved(contact: Contact, y: Array, half_width: Array) -> Check:
+def curved(contact: Contact, y: Array, half_width: Array) -> ValidityCheck:
     """Return the check that half-widths [mm] at ``y`` are small compared with the bodies' radii."""
     ratio = float(np.max(half_width * sharper_curvature(contact, y)))
     what = "Half-spaces, parabolic separation across"
@@ -96,10 +96,10 @@ def curved(contact: Contact, y: Array, half_width: Array) -> Check:
         f"The half-width is {ratio:.2f} of the smaller radius of curvature, over {MOST_OF_RADIUS}: neither "
         "half-spaces nor a parabolic separation describe such a contact."
     )
-    return Check(what, criterion, ratio, MOST_OF_RADIUS, (sentence,) if ratio > MOST_OF_RADIUS else ())
+    return ValidityCheck(what, criterion, ratio, MOST_OF_RADIUS, (sentence,) if ratio > MOST_OF_RADIUS else ())
 
 
-def small_strains(contact: Contact, mean: float) -> Check:
+def small_strains(contact: Contact, mean: float) -> ValidityCheck:
     """Return the check that strains under a ``mean`` pressure [MPa] are small."""
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
     what, criterion = "Small strains", f"mean pressure up to {MOST_OF_MODULUS:g} of the softer body's modulus"
@@ -107,12 +107,12 @@ def small_strains(contact: Contact, mean: float) -> Check:
         f"The mean pressure is {mean:.3g} MPa, {mean / softer:.2g} of the softer body's modulus and over "
         f"{MOST_OF_MODULUS:g}: no material stays elastic under that, and strains are not small; check load and units."
     )
-    return Check(
+    return ValidityCheck(
         what, criterion, mean / softer, MOST_OF_MODULUS, (sentence,) if mean > MOST_OF_MODULUS * softer else ()
     )
 
 
-def thick(contact: Contact, shape: Shape, y: Array, half_width: Array) -> Iterator[Check]:
+def thick(contact: Contact, shape: Shape, y: Array, half_width: Array) -> Iterator[ValidityCheck]:
     """Yield a check for each body with a finite depth that it is thick compared with half-widths [mm] at ``y``."""
     for name, _, ratio in depths(contact, shape, y, half_width):
         sentence = (
@@ -120,7 +120,7 @@ def thick(contact: Contact, shape: Shape, y: Array, half_width: Array) -> Iterat
             "that neither half-spaces nor line loads describe it."
         )
         what, criterion = f"Body {name} is thick", f"depth of at least {LEAST_DEPTH:g} half-widths"
-        yield Check(what, criterion, ratio, LEAST_DEPTH, (sentence,) if ratio < LEAST_DEPTH else ())
+        yield ValidityCheck(what, criterion, ratio, LEAST_DEPTH, (sentence,) if ratio < LEAST_DEPTH else ())
 
 
 def depths(contact: Contact, shape: Shape, y: Array, half_width: Array) -> list[tuple[BodyName, Body, float]]:
@@ -150,7 +150,7 @@ def refuse_thin_bodies(contact: Contact, shape: Shape, y: Array, half_width: Arr
             raise InputError("depth", shown, condition, remedy).within(f"body.{name}")
 
 
-def image_weights(freed: tuple[End, ...]) -> Iterator[Check]:
+def image_weights(freed: tuple[End, ...]) -> Iterator[ValidityCheck]:
     """Yield the check that the images about side faces have the weights requested, if there are any."""
     if not freed:
         return
@@ -163,7 +163,7 @@ def image_weights(freed: tuple[End, ...]) -> Iterator[Check]:
     )
     places = " and ".join(f"{end.y:.5g}" for end in heavy)
     remark = f"Those about y = {places} mm were lowered to a total of 1; only this makes the pressure there finite."
-    yield Check(
+    yield ValidityCheck(
         "Images about side faces", "weight of at most 1 of the surface", max(end.requested for end in freed), HEAVIEST,
         sentences, remark if heavy else "",
     )  # fmt: skip

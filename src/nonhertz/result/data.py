@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-class Solutions(Protocol):
+class ManySolved(Protocol):
     """The part of `nonhertz.Solutions` that the conversions read."""
 
     shape: tuple[int, ...]
@@ -29,7 +29,7 @@ class Solutions(Protocol):
         """Return a quantity for all cases."""
 
 
-def dataframe(solutions: Solutions) -> pd.DataFrame:
+def dataframe(solutions: ManySolved) -> pd.DataFrame:
     """Return a DataFrame with a row for each case; see `nonhertz.Solutions.to_dataframe`."""
     pandas, names = _library("pandas", "to_dataframe"), _axes(solutions)
     index = pandas.MultiIndex.from_product([range(length) for length in solutions.shape], names=names)
@@ -40,7 +40,7 @@ def dataframe(solutions: Solutions) -> pd.DataFrame:
     return frame
 
 
-def dataset(solutions: Solutions) -> xr.Dataset:
+def dataset(solutions: ManySolved) -> xr.Dataset:
     """Return a Dataset with a variable for each quantity; see `nonhertz.Solutions.to_xarray`."""
     xarray, names = _library("xarray", "to_xarray"), _axes(solutions)
     found: xr.Dataset = xarray.Dataset(
@@ -50,12 +50,12 @@ def dataset(solutions: Solutions) -> xr.Dataset:
     return found
 
 
-def _axes(solutions: Solutions) -> list[str]:
+def _axes(solutions: ManySolved) -> list[str]:
     several = len(solutions.shape) > 1
     return [f"axis_{number}" for number in range(len(solutions.shape))] if several else ["case"]
 
 
-def _columns(solutions: Solutions) -> dict[str, Any]:
+def _columns(solutions: ManySolved) -> dict[str, Any]:
     """Return all quantities by name, and which cases have singular ends and which a solution."""
     found = {name: solutions.column(name) for name in QUANTITIES}
     return {**found, "singular": solutions.singular, "converged": solutions.converged}

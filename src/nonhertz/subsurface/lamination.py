@@ -74,7 +74,7 @@ class Lamination:
 
 
 @dataclass(frozen=True, eq=False)
-class Strips:
+class LoadedStrips:
     """Strips in contact, and the values at their edges interpolated from their neighbours.
 
     Attributes
@@ -96,7 +96,7 @@ class Strips:
     run_out: Array
 
     @classmethod
-    def of(cls, solution: Solution) -> Strips:
+    def of(cls, solution: Solution) -> LoadedStrips:
         """Return the strips of a solution that are in contact."""
         touching = np.flatnonzero(solution.line_load > 0.0)
         runs = np.split(touching, np.flatnonzero(np.diff(touching) > 1) + 1)
@@ -159,19 +159,19 @@ def laminated(solution: Solution) -> Lamination:
     if not np.any(solution.line_load > 0.0):
         nothing = np.empty(0)
         return Lamination(nothing, nothing, nothing, nothing, np.zeros(1, dtype=np.int64))
-    strips = Strips.of(solution)
+    strips = LoadedStrips.of(solution)
     with np.errstate(over="ignore", invalid="ignore"):  # the result is checked
         found = _pieces(strips)
     return found if bears(found, strips) else uncut(strips)
 
 
-def uncut(strips: Strips) -> Lamination:
+def uncut(strips: LoadedStrips) -> Lamination:
     """Return each strip as a single piece."""
     columns = (strips.low, strips.high, strips.line_load, strips.half_width)
     return _joined(columns, columns, np.arange(strips.low.size + 1))
 
 
-def bears(found: Lamination, strips: Strips) -> bool:
+def bears(found: Lamination, strips: LoadedStrips) -> bool:
     """Return whether the pieces are valid and carry the load of the strips and, within tolerance, their moment."""
     low, high, line_load, half_width = (
         each[found.first[0] :] for each in (found.low, found.high, found.line_load, found.half_width)
@@ -218,7 +218,7 @@ def _run_outs(solution: Solution, run: Integers, ends: tuple[float, float]) -> A
     return found
 
 
-def _pieces(strips: Strips) -> Lamination:
+def _pieces(strips: LoadedStrips) -> Lamination:
     """Return the strips and their pieces."""
     strip, begin, end = _divided(strips)
     load, square = _means(strips, strip, begin, end)
@@ -247,7 +247,7 @@ def _joined(of_strips: Columns, of_pieces: Columns, first: Integers) -> Laminati
     return Lamination(low, high, line_load, half_width, first + first.size - 1)
 
 
-def _divided(strips: Strips) -> tuple[Integers, Array, Array]:
+def _divided(strips: LoadedStrips) -> tuple[Integers, Array, Array]:
     """Return the strip of each piece, and the t at which it begins and ends."""
     edges = np.stack([strips.pressure_edges, strips.load_edges])
     # The curved part is steepest at the edges.
@@ -264,7 +264,7 @@ def _divided(strips: Strips) -> tuple[Integers, Array, Array]:
     return strip, np.concatenate([cut[:-1] for cut in cuts]), np.concatenate([cut[1:] for cut in cuts])
 
 
-def _places(strips: Strips, strip: Integers, t: Array) -> Array:
+def _places(strips: LoadedStrips, strip: Integers, t: Array) -> Array:
     """Return where pieces begin or end [mm].
 
     Neighbours share their edges to the last digit: a point must not fall between them.
@@ -273,7 +273,7 @@ def _places(strips: Strips, strip: Integers, t: Array) -> Array:
     return np.where(t == -1.0, low, np.where(t == 1.0, high, 0.5 * (low + high) + t * (0.5 * (high - low))))
 
 
-def _means(strips: Strips, strip: Integers, begin: Array, end: Array) -> tuple[Array, Array]:
+def _means(strips: LoadedStrips, strip: Integers, begin: Array, end: Array) -> tuple[Array, Array]:
     """Return the means over pieces of load and m, over those of their strips, interpolated from the edges."""
     (slope, bend), (square_slope, square_bend) = (
         (0.5 * (high - low), 0.5 * (high + low) - 1.0) for low, high in (strips.load_edges, strips.square_edges)
@@ -315,7 +315,7 @@ def _falling(run_out: Array, begin: Array, end: Array) -> Array:
     return np.asarray(np.maximum(last - first, 0.0) * (1.0 - 0.5 * (first + last) / run_out) / (end - begin))
 
 
-def _followed(strips: Strips) -> float:
+def _followed(strips: LoadedStrips) -> float:
     """Return the fraction to which lines to run-outs are followed: 1, or less if they add too much load or moment."""
     added = float(strips.added.sum()) / (LOAD_SHARE * float(strips.load.sum()))
     turned = float(strips.turned.sum()) / (MOMENT_SHARE * strips.unit_of_moment)

@@ -25,10 +25,10 @@ from nonhertz.subsurface.inside import checked_solution
 
 Array = NDArray[np.float64]
 
-Quantity = Callable[[Array], Array]
+StressMeasure = Callable[[Array], Array]
 
 #: The quantities whose largest value over a pass is found, and how each follows from the stress.
-QUANTITIES: dict[str, Quantity] = {
+QUANTITIES: dict[str, StressMeasure] = {
     "von_mises": von_mises_of,
     "shear": max_shear_of,
     "orthogonal_shear": orthogonal_shear_of,
@@ -151,7 +151,7 @@ def _samples(half_width: Array, z: Array) -> Array:
     return np.concatenate([half_width[:, None] * inwards, half_width[:, None] + beyond[:, None] * outwards], axis=1)
 
 
-def _largest(quantity: Quantity, x: Array, values: Array, at: Callable[[Array], Array]) -> tuple[Array, Array]:
+def _largest(quantity: StressMeasure, x: Array, values: Array, at: Callable[[Array], Array]) -> tuple[Array, Array]:
     """Return the largest value along each row of samples, and its x, refined between the samples."""
     best = values.argmax(axis=1)
     if x[0, 0] == 0.0:  # the other side is this side's mirror image

@@ -20,7 +20,7 @@ from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import EdgeKind, ReadOnly
 from nonhertz.subsurface.evaluation import Within, across_at, one_station, refuse_options, stress
 from nonhertz.subsurface.inside import Inside, checked_solution
-from nonhertz.subsurface.rolling import QUANTITIES, Passage, Quantity, passage
+from nonhertz.subsurface.rolling import QUANTITIES, Passage, StressMeasure, passage
 
 Array = NDArray[np.float64]
 
@@ -232,7 +232,7 @@ def _refined(
     step = np.diff(coarse.z[row])[max(column - 1, 0) : column + 1].max()
     reach = max(0.1 * half_width, 0.5 * step)
     span = np.array([reach, float(np.ptp(neighbours)) if sections.size > 1 else 0.0, max(0.2 * half_width, step)])
-    quantity: Quantity = QUANTITIES[name]
+    quantity: StressMeasure = QUANTITIES[name]
     for _ in range(ROUNDS):
         x, y, z = (np.unique(centre + reach * MESHES) for centre, reach in zip(best, span, strict=True))
         y, z = np.unique(np.clip(y, *limits)), np.unique(np.maximum(z, 0.0))

@@ -43,7 +43,7 @@ class Option:
 
 
 @dataclass(frozen=True)
-class Field:
+class FormField:
     """One input.
 
     Attributes
@@ -94,13 +94,13 @@ class Field:
 
 
 @dataclass(frozen=True)
-class Group:
+class FormGroup:
     """Fields that belong together: a table of the document, or a list of tables.
 
     Attributes
     ----------
     path, legend, help : str
-        As for a `Field`.
+        As for a `FormField`.
     members : tuple
         Fields and groups.
     folded : tuple
@@ -115,9 +115,9 @@ class Group:
 
     path: str
     legend: str
-    members: tuple[Field | Group, ...]
+    members: tuple[FormField | FormGroup, ...]
     help: str = ""
-    folded: tuple[Field | Group, ...] = ()
+    folded: tuple[FormField | FormGroup, ...] = ()
     base: str = ""
     removable: bool = False
     additions: tuple[Option, ...] = ()
@@ -128,10 +128,10 @@ class Group:
         return self.legend
 
     @property
-    def fields(self) -> Iterator[Field]:
+    def fields(self) -> Iterator[FormField]:
         """All fields, at any depth."""
         for member in (*self.members, *self.folded):
-            if isinstance(member, Field):
+            if isinstance(member, FormField):
                 yield member
             else:
                 yield from member.fields

@@ -15,7 +15,7 @@ from typing import Any, Final
 from nonhertz.io.bounds import FORMAT
 from nonhertz.io.mistakes import Place, path_of
 from nonhertz.model.body import Body, Roller
-from nonhertz.web.form.fields import Edits, Field, Group, Option, text_of
+from nonhertz.web.form.fields import Edits, FormField, FormGroup, Option, text_of
 from nonhertz.web.form.inputs import ABSENT, as_it_is, input_for, label_of, stray
 from nonhertz.web.form.keys import (
     Schema,
@@ -43,7 +43,7 @@ FOLDED: Final = (
 FIRST: Final = ("title", "kind", "load", "body", "diameter", "length", "profile", "material")
 
 
-def form(document: dict[str, Any]) -> Group:
+def form(document: dict[str, Any]) -> FormGroup:
     """Return the form of a document, valid or not, without a field for the format number."""
     schema = case_schema()
     asked = {name: part for name, part in schema["properties"].items() if name != "format"}
@@ -51,25 +51,25 @@ def form(document: dict[str, Any]) -> Group:
     return _group(schema | {"properties": asked}, given, (), "Case")
 
 
-def _table(part: Schema, value: Any, place: Place, legend: str) -> Group | Field:
+def _table(part: Schema, value: Any, place: Place, legend: str) -> FormGroup | FormField:
     """Return the form of a table, or of another value in its place."""
     if value is not ABSENT and not isinstance(value, dict):
         return as_it_is(part, value, place)
     return _group(part, value if isinstance(value, dict) else {}, place, legend, there=value is not ABSENT)
 
 
-def _group(part: Schema, given: dict[str, Any], place: Place, legend: str, *, there: bool = True) -> Group:
+def _group(part: Schema, given: dict[str, Any], place: Place, legend: str, *, there: bool = True) -> FormGroup:
     """Return the form of a table, with unknown keys as JSON; ``there`` says whether the document has the table."""
     known = part["properties"]
     hidden = _unchosen(known, given)
-    members: list[Field | Group] = [*_switches(known, given, place)]
-    folded: list[Field | Group] = []
+    members: list[FormField | FormGroup] = [*_switches(known, given, place)]
+    folded: list[FormField | FormGroup] = []
     for name in sorted(set(known) - hidden, key=_rank(known)):
         entry = _member(name, known[name], given.get(name, ABSENT), (*place, name), given)
         (folded if name in FOLDED else members).append(entry)
     members += [stray(entry, (*place, name)) for name, entry in given.items() if name not in known]
     base = "{}" if there and place else ""
-    return Group(path_of(place), legend, tuple(members), meaning_of(part), tuple(folded), base)
+    return FormGroup(path_of(place), legend, tuple(members), meaning_of(part), tuple(folded), base)
 
 
 def _rank(known: Schema) -> Callable[[str], int]:
@@ -78,7 +78,7 @@ def _rank(known: Schema) -> Callable[[str], int]:
     return order.index
 
 
-def _member(name: str, part: Schema, value: Any, place: Place, table: dict[str, Any]) -> Field | Group:
+def _member(name: str, part: Schema, value: Any, place: Place, table: dict[str, Any]) -> FormField | FormGroup:
     """Return the form of one key of a table."""
     kinds = alternatives(part)
     meaning = meaning_of(part)
@@ -106,7 +106,7 @@ def _is_roller(body: dict[str, Any]) -> bool:
     return bool(body.get("kind", "roller" if convex and "length" in body else "") == "roller")
 
 
-def _kind(part: Schema, value: Any, place: Place, table: dict[str, Any]) -> Field:
+def _kind(part: Schema, value: Any, place: Place, table: dict[str, Any]) -> FormField:
     """Return the choice of the kind of a body or profile, on which the other keys depend."""
     if "enum" in part:
         options = tuple(Option(word, word, _body_edits(word, place, table)) for word in part["enum"])
@@ -115,7 +115,7 @@ def _kind(part: Schema, value: Any, place: Place, table: dict[str, Any]) -> Fiel
             Option(kind, kind, [(path_of(place[:-1]), _new_profile(kind, table))]) for kind in kinds_made_of_numbers()
         )
     text = text_of("choice", value) if value is not ABSENT else ""
-    made = Field(path_of(place), "kind", "choice", text or "", meaning_of(part), structural=True)
+    made = FormField(path_of(place), "kind", "choice", text or "", meaning_of(part), structural=True)
     if text is None:
         return replace(made, kind="json", value=json.dumps(value), structural=False)
     known = [option.value for option in options]
@@ -149,7 +149,7 @@ def _new_profile(kind: str, before: dict[str, Any] | None = None) -> dict[str, A
     return {"kind": kind} | new | kept
 
 
-def _list(tables: list[Schema], value: Any, place: Place, meaning: str) -> Group | Field:
+def _list(tables: list[Schema], value: Any, place: Place, meaning: str) -> FormGroup | FormField:
     """Return the form of a list of tables, or of a single table in place of a list of one."""
     if isinstance(value, dict):
         return _entry(tables, value, place)
@@ -158,10 +158,10 @@ def _list(tables: list[Schema], value: Any, place: Place, meaning: str) -> Group
     entries = value if isinstance(value, list) else []
     members = tuple(_entry(tables, entry, (*place, number)) for number, entry in enumerate(entries, start=1))
     base = "" if value is ABSENT else "[]"
-    return Group(path_of(place), label_of(place), members, meaning, (), base, additions=_additions(tables))
+    return FormGroup(path_of(place), label_of(place), members, meaning, (), base, additions=_additions(tables))
 
 
-def _entry(tables: list[Schema], entry: Any, place: Place) -> Group | Field:
+def _entry(tables: list[Schema], entry: Any, place: Place) -> FormGroup | FormField:
     if not isinstance(entry, dict):
         return stray(entry, place)
     kinds = {table["properties"].get("kind", {}).get("const"): table for table in tables}
@@ -181,7 +181,7 @@ def _additions(tables: list[Schema]) -> tuple[Option, ...]:
     return tuple(Option(kind, kind, [("", _new_profile(kind))]) for kind in kinds_made_of_numbers())
 
 
-def _value_or_table(table: Schema, part: Schema, value: Any, place: Place) -> Group:
+def _value_or_table(table: Schema, part: Schema, value: Any, place: Place) -> FormGroup:
     """Return the form of a key that may hold one value or a table of several."""
     name, path = str(place[-1]), path_of(place)
     tabular = isinstance(value, dict)
@@ -202,10 +202,10 @@ def _value_or_table(table: Schema, part: Schema, value: Any, place: Place) -> Gr
     plain = {key: entry for key, entry in part.items() if key != "anyOf"} | {
         "anyOf": [kind for kind in alternatives(part) if not is_table(kind)]
     }
-    return Group(path, label_of(place), (shape, input_for(plain, value, place)))
+    return FormGroup(path, label_of(place), (shape, input_for(plain, value, place)))
 
 
-def _one_or_two(part: Schema, value: Any, place: Place, ends: bool) -> Group | Field:
+def _one_or_two(part: Schema, value: Any, place: Place, ends: bool) -> FormGroup | FormField:
     """Return the form of a key with one value for both ends of a body, or two; a body without ends gets no switch."""
     path = path_of(place)
     is_pair = isinstance(value, list) and len(value) == 2
@@ -219,15 +219,15 @@ def _one_or_two(part: Schema, value: Any, place: Place, ends: bool) -> Group | F
     words |= {key: entry for key, entry in part.items() if key != "anyOf"}
     if not is_pair:
         single = input_for(words, value, place)
-        return Group(path, label_of(place), (shape, single)) if ends else single
+        return FormGroup(path, label_of(place), (shape, single)) if ends else single
     members = tuple(
         replace(input_for(words, entry, (*place, number)), label=f"at {end} y")
         for number, (end, entry) in enumerate(zip(("low", "high"), value, strict=True), start=1)
     )
-    return Group(path, label_of(place), (shape, *members), base="[]")
+    return FormGroup(path, label_of(place), (shape, *members), base="[]")
 
 
-def _switches(known: Schema, given: dict[str, Any], place: Place) -> Iterator[Field]:
+def _switches(known: Schema, given: dict[str, Any], place: Place) -> Iterator[FormField]:
     """Yield a choice for each pair of alternative keys."""
     for pair in ALTERNATIVES:
         if not set(pair) <= set(known):
@@ -253,6 +253,6 @@ def _unchosen(known: Schema, given: dict[str, Any]) -> set[str]:
     return aside
 
 
-def _switch(path: str, label: str, options: tuple[Option, ...], chosen: str) -> Field:
+def _switch(path: str, label: str, options: tuple[Option, ...], chosen: str) -> FormField:
     """Return a choice that is not a key of the document."""
-    return Field(path, label, "switch", chosen, options=options, structural=True)
+    return FormField(path, label, "switch", chosen, options=options, structural=True)

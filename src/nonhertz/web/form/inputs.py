@@ -11,7 +11,7 @@ from typing import Any, Final
 from nonhertz.errors import InputError
 from nonhertz.io.mistakes import Place, path_of
 from nonhertz.io.units import in_unit
-from nonhertz.web.form.fields import Field, Option, Slider, text_of
+from nonhertz.web.form.fields import FormField, Option, Slider, text_of
 from nonhertz.web.form.keys import Schema, alternatives, default_of, is_quantity, meaning_of, unit_of, words_for
 from nonhertz.web.form.ranges import range_of
 
@@ -22,13 +22,13 @@ _LONG_LIST: Final = 24
 _WRITTEN_UNIT: Final = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*(\S.*)")
 
 
-def input_for(part: Schema, value: Any, place: Place) -> Field:
+def input_for(part: Schema, value: Any, place: Place) -> FormField:
     """Return the input for a value other than a table."""
     name = str(place[-1])
     kinds = alternatives(part)
     first = kinds[0]
     words = words_for(name, part)
-    made = Field(path_of(place), label_of(place), "text", "", meaning_of(part), default=default_of(part))
+    made = FormField(path_of(place), label_of(place), "text", "", meaning_of(part), default=default_of(part))
     if first.get("type") == "array":
         made = replace(made, kind="list", unit=unit_of(first.get("items", {})), options=options_of(words))
     elif any(kind.get("type") == "boolean" for kind in kinds):
@@ -43,7 +43,7 @@ def input_for(part: Schema, value: Any, place: Place) -> Field:
     return _filled(made, value, part.get("range", name))
 
 
-def _filled(made: Field, value: Any, name: str) -> Field:
+def _filled(made: FormField, value: Any, name: str) -> FormField:
     """Return an input with a value in it, changed to another kind if it cannot hold the value."""
     if made.kind in {"quantity", "integer-or-word"}:
         made = replace(made, slider=_slider(name, made.unit, value))
@@ -83,12 +83,12 @@ def options_of(words: tuple[str, ...]) -> tuple[Option, ...]:
     return tuple(Option(word, word) for word in words)
 
 
-def stray(value: Any, place: Place) -> Field:
+def stray(value: Any, place: Place) -> FormField:
     """Return a field for an unknown key with its value, which can be edited or removed."""
-    return Field(path_of(place), label_of(place), "json", json.dumps(value), removable=True)
+    return FormField(path_of(place), label_of(place), "json", json.dumps(value), removable=True)
 
 
-def as_it_is(part: Schema, value: Any, place: Place) -> Field:
+def as_it_is(part: Schema, value: Any, place: Place) -> FormField:
     """Return a field for a value in the place of a table."""
     return replace(stray(value, place), help=meaning_of(part))
 
