@@ -202,7 +202,7 @@ ENTRIES: dict[str, Entry] = {
     "read_result": entry(nh.read_result, path=(written_result(), "file")),
     "Case": entry(
         nh.Case, contact=(CONTACT, "thing"), prescribed=({"load": 1e3}, "thing"), solver=({"strips": 11}, "options"),
-        life=(LifeCase(), "thing"), title=("one", "name"), path=(Path("case.toml"), "thing"), origin=(None, "optional"),
+        life=(LifeCase(), "thing"), title=("one", "name"), path=(Path("case.toml"), "thing"),
     ),
     "Solution.pressure": entry(SOLUTION.pressure, x=(0.0, "numbers"), y=([0.0, 1.0], "numbers")),
     "Solutions.column": entry(MANY.column, name=("load", "word")),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import copy
 import json
 import re
 from dataclasses import replace
@@ -408,9 +409,11 @@ def test_lives_are_told_where_the_case_asks_and_compared() -> None:
 
 @pytest.mark.usefixtures("undrawn")
 def test_a_case_that_has_not_converged_is_told_as_such(results_of_case: CaseResults) -> None:
+    without_points = copy.copy(results_of_case.case)
+    object.__setattr__(without_points, "origin", replace(without_points.origin, folder=None))
     stopped = replace(
         results_of_case,
-        case=replace(results_of_case.case, origin=replace(results_of_case.case.origin, folder=None)),
+        case=without_points,
         solution=replace(results_of_case.solution, status=Status.STAGNATED),
         complaint="It stopped.",
         stress=None,
@@ -452,3 +455,22 @@ def test_a_case_that_was_made_in_python_has_a_report_and_a_file_of_its_own() -> 
     assert "Made in Python" in page.text
     again = case_of(page.files()["case.toml"].decode())
     assert again == case
+
+
+def test_a_changed_copy_of_a_case_does_not_carry_the_text_of_the_case_it_was_made_from() -> None:
+    case = case_of(PLAIN)
+    heavier = replace(case, prescribed={"load": 8e3})
+    assert case.text == PLAIN
+    assert "load = 8000.0" in heavier.text
+    assert case_of(heavier.text) == heavier
+
+
+def test_a_case_that_no_file_can_hold_is_refused_before_it_is_solved(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Own(nh.profile.Profile):
+        def relief(self, y: np.ndarray) -> np.ndarray:
+            return 0.0 * np.asarray(y)
+
+    roller = nh.Roller(diameter=10, length=10, profile=Own())
+    monkeypatch.setattr("nonhertz.report.results.attempted", lambda _: pytest.fail("it was solved"))
+    with pytest.raises(nh.InputError, match=r"^body\.a\.profile = 'Own' must be from the catalogue"):
+        compose([nh.Case(nh.Contact(roller, nh.Plate()), {"load": 300.0})])

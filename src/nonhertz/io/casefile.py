@@ -99,7 +99,7 @@ class Case:
     path : Path
         The file it was read from; other file names are relative to it.
     origin : Origin or None
-        What the file held; None for a case made in Python.
+        What the file held; None for a case made in Python, and for a changed copy made with `dataclasses.replace`.
 
     Examples
     --------
@@ -120,7 +120,8 @@ class Case:
     life: LifeCase = field(default_factory=LifeCase)
     title: str = ""
     path: Path = field(default=Path("case.toml"), compare=False)
-    origin: Origin | None = field(default=None, compare=False, repr=False)
+    # No argument, so that a changed copy does not carry the text of the case it was made from.
+    origin: Origin | None = field(default=None, init=False, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         from nonhertz.strip.element import SEMI_ELLIPTIC
@@ -133,11 +134,6 @@ class Case:
         ):
             if not isinstance(value, kind):
                 raise InputError(name, value, f"be a {kind.__name__}", "make the case with one")
-        if self.origin is not None:
-            from nonhertz.io.origin import Origin
-
-            if not isinstance(self.origin, Origin):
-                raise InputError("origin", self.origin, "be an Origin", "leave it out, or use nonhertz.read_case")
         one_line("title", self.title, "give a short name")
         for name, given, section in (("prescribed", self.prescribed, "load"), ("solver", self.solver, "solver")):
             known = _SECTIONS[section]
@@ -322,15 +318,16 @@ def case_in(document: dict[str, Any], path: Path, text: str | None = None, *, fi
         table, notes = with_notes(lambda: CaseTable.model_validate(document, context={"folder": folder}))
     except ValidationError as error:
         raise case_error(_in_order(mistakes_in(error, CaseTable), document)) from None
-    return Case(
+    case = Case(
         title=table.title or legible(path.stem),
         contact=table.body.contact(),
         prescribed=table.load.prescribed(),
         solver={"element": ELEMENTS[table.solver.element], "strips": table.solver.strips},
         path=path,
         life=_life(table.life),
-        origin=Origin(document, text, notes, folder),
     )
+    object.__setattr__(case, "origin", Origin(document, text, notes, folder))
+    return case
 
 
 def parsed(text: str, name: str) -> dict[str, Any]:

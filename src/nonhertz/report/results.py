@@ -70,7 +70,11 @@ def settled(cases: Sequence[Case]) -> tuple[CaseResults, ...]:
     ------
     CaseError
         If the solver rejects any case, with every mistake; with several cases each is prefixed by its file's name.
+    InputError
+        If a case made in Python has something no case file can hold, which a report shows; before anything is solved.
     """
+    for case in cases:
+        _ = case.document
     found: list[CaseResults] = []
     mistakes: list[str] = []
     places: list[str] = []
