@@ -15,7 +15,7 @@ demo: $(READY)
 	@echo "Figures, table and result are in out/demo; open out/demo/pressure.svg first."
 
 test: $(READY)
-	$(BIN)/python -m pytest -n auto
+	$(BIN)/python -m pytest -n auto -m "not slow and not campaign and not browser and not machine_code"
 
 # The tests that take seconds each, which `make test` leaves out.
 test-slow: $(READY)
@@ -24,7 +24,7 @@ test-slow: $(READY)
 # The same tests in other orders, one for each number.
 test-orders: $(READY)
 	for order in $(ORDERS); do \
-	  $(BIN)/python -m pytest -n auto -m "not campaign and not browser and not machine_code" --random-order --random-order-seed=$$order || exit 1; \
+	  $(BIN)/python -m pytest -n auto --random-order --random-order-seed=$$order || exit 1; \
 	done
 
 # The lowest and the newest versions of what the package needs, on every Python; says which Pythons are not there.

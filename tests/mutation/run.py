@@ -213,8 +213,7 @@ class Campaign:
         }  # fmt: skip
         command = [
             sys.executable, "-m", "pytest", "-p", "selection", "-c", str(ROOT / "pyproject.toml"),
-            "--rootdir", str(ROOT), "-m", "not campaign and not browser and not machine_code", "--hypothesis-seed=0",
-            "-q", "--tb=no", "--no-header", *options, *files,
+            "--rootdir", str(ROOT), "--hypothesis-seed=0", "-q", "--tb=no", "--no-header", *options, *files,
         ]  # fmt: skip
         if interpreted:
             # Compiled code divides by zero without a word, as the array library does not.

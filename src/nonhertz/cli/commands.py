@@ -439,7 +439,8 @@ def warm() -> int:
     code is 1 if nothing can be written where it is kept.
     """
     from nonhertz.cli.verify import Progress
-    from nonhertz.cli.warm import PARTS, machine_code, warm_up
+    from nonhertz.cli.warm import PARTS, warm_up
+    from nonhertz.compiled.folders import held
     from nonhertz.compiled.notices import is_unkept
 
     progress = Progress(len(PARTS))
@@ -449,7 +450,7 @@ def warm() -> int:
         progress.wipe()
     for name, taken in seconds.items():
         print(f"{name}: {taken:.1f} s")
-    for folder, size in machine_code():
+    for folder, size in held():
         print(f"machine code: {size / 1e6:.1f} MB in {folder}")
     # A warning has said where nothing could be written, and what to do.
     return NOT_KEPT if is_unkept() else FINE

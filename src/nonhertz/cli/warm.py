@@ -1,16 +1,14 @@
-"""What ``nonhertz warm`` compiles, and where it leaves the machine code."""
+"""What ``nonhertz warm`` compiles."""
 
 from __future__ import annotations
 
 import time
 import warnings
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 
 import nonhertz as nh
-from nonhertz.compiled.folders import folders
 from nonhertz.errors import AccuracyWarning
 
 
@@ -63,12 +61,6 @@ def warm_up(announce: Callable[[str], object]) -> dict[str, float]:
             run()
         seconds[name] = time.perf_counter() - start
     return seconds
-
-
-def machine_code() -> list[tuple[Path, int]]:
-    """Return the folders that hold machine code, and the bytes in each."""
-    held = [(folder, [file.stat().st_size for file in folder.glob("nonhertz.*")]) for folder in folders()]
-    return [(folder, sum(sizes)) for folder, sizes in held if sizes]
 
 
 def _contact() -> nh.Contact:

@@ -72,6 +72,12 @@ def write(name: str, key: bytes, content: bytes) -> None:
     raise UnwritableError(", ".join(failures))
 
 
+def held() -> list[tuple[Path, int]]:
+    """Return the folders that hold machine code, and the bytes in each."""
+    sizes = [(folder, sum(size for _, _, size in _entries(folder))) for folder in folders()]
+    return [(folder, size) for folder, size in sizes if size]
+
+
 def _digest(key: bytes, content: bytes) -> bytes:
     return hashlib.sha256(hashlib.sha256(key).digest() + content).digest()
 

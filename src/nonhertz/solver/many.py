@@ -29,7 +29,6 @@ from nonhertz.strip.levels import equal_grids, given_grids
 from nonhertz.strip.state import Problem
 
 Array = NDArray[np.float64]
-Number = int | tuple[int, ...]
 
 # Cases per unit of work for a thread: on shared strips, and with a separate grid for each. Fixed, so that results do
 # not depend on the number of threads.
