@@ -99,7 +99,7 @@ class Case:
     path : Path
         The file it was read from; other file names are relative to it.
     origin : Origin or None
-        What the file held; None for a case made in Python, and for a changed copy made with `dataclasses.replace`.
+        What the file held; None for a case made in Python, and for a changed copy made with ``dataclasses.replace``.
 
     Examples
     --------
