@@ -20,7 +20,7 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, numbers, positive
 from nonhertz.model.material import STEEL, Material
 from nonhertz.model.profile import Profile, Straight
-from nonhertz.model.profile.base import moved_back
+from nonhertz.model.profile.base import moved_back, places
 
 Array = NDArray[np.float64]
 #: Which of the two bodies of a contact.
@@ -206,7 +206,11 @@ class Body:
 
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm] at the positions ``y`` [mm]."""
-        return self.profile.relief(moved_back(y, self.position, self.profile.extent))
+        return self.relief_at(places(y))
+
+    def relief_at(self, y: Array) -> Array:
+        """Return the relief at positions that are known to be finite numbers."""
+        return self.profile.at(moved_back(y, self.position, self.profile.extent))
 
     def curvature(self, y: ArrayLike) -> Array:
         """Return the curvature 1/R [1/mm] across the contact at ``y`` [mm], negative where concave.
@@ -216,7 +220,10 @@ class Body:
         InputError
             If a diameter that varies along y is zero or not finite somewhere.
         """
-        y = numbers("y", y, "give positions along the axis in mm")
+        return self.curvature_at(places(y))
+
+    def curvature_at(self, y: Array) -> Array:
+        """Return the curvature at positions that are known to be finite numbers."""
         if self.diameter is None:
             return np.zeros_like(y)
         if not callable(self.diameter):

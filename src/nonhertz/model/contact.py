@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.model.body import Body
+from nonhertz.model.profile.base import places
 
 Array = NDArray[np.float64]
 
@@ -79,7 +80,11 @@ class Contact:
 
     def separation(self, y: ArrayLike) -> Array:
         """Return the undeformed separation h [mm] on the centre line: the sum of both reliefs."""
-        return self.a.relief(y) + self.b.relief(y)
+        return self.separation_at(places(y))
+
+    def separation_at(self, y: Array) -> Array:
+        """Return the separation at positions that are known to be finite numbers."""
+        return self.a.relief_at(y) + self.b.relief_at(y)
 
     def curvature(self, y: ArrayLike) -> Array:
         """Return the combined curvature 1/rho = 1/rho_a + 1/rho_b [1/mm] across the contact.
@@ -89,7 +94,11 @@ class Contact:
         InputError
             If it is not positive somewhere: the surfaces conform there and the method does not hold.
         """
-        combined = self.a.curvature(y) + self.b.curvature(y)
+        return self.curvature_at(places(y))
+
+    def curvature_at(self, y: Array) -> Array:
+        """Return the curvature at positions that are known to be finite numbers."""
+        combined = self.a.curvature_at(y) + self.b.curvature_at(y)
         if np.any(combined <= 0.0):
             raise InputError(
                 "diameter",

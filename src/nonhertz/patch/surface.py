@@ -50,7 +50,7 @@ def undeformed_gap(contact: Contact, x: ArrayLike, y: ArrayLike) -> Array:
     """
     refuse_no_bodies(contact)
     x, y = positions("x", x), positions("y", y)
-    across: Array = 0.5 * x**2 * contact.curvature(y) + contact.separation(y)
+    across: Array = 0.5 * x**2 * contact.curvature_at(y) + contact.separation_at(y)
     return across
 
 

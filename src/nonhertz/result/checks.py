@@ -72,7 +72,7 @@ def checks(solution: Solution, freed: tuple[End, ...]) -> tuple[ValidityCheck, .
 
 def sharper_curvature(contact: Contact, y: Array) -> Array:
     """Return the larger of the two bodies' curvatures across the contact [1/mm], in magnitude."""
-    return np.maximum(np.abs(contact.a.curvature(y)), np.abs(contact.b.curvature(y)))
+    return np.maximum(np.abs(contact.a.curvature_at(y)), np.abs(contact.b.curvature_at(y)))
 
 
 def _long(solution: Solution) -> ValidityCheck:

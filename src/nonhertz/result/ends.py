@@ -106,7 +106,7 @@ def _presses(contact: Contact, bend: float, side: float, y: Array, pressure: Arr
 
 def _turn(contact: Contact, place: float, step: float) -> float:
     """Return by how much the slope of the separation increases across a place [rad]."""
-    before, there, after = contact.separation(np.array([place - step, place, place + step])).tolist()
+    before, there, after = contact.separation_at(np.array([place - step, place, place + step])).tolist()
     return float((after - there) / step + (before - there) / step) if np.isfinite(there) else 0.0
 
 

@@ -133,5 +133,5 @@ def _peaks_at_kink(contact: Contact, problem: Problem, state: State, ends: Array
     width = float(state.width[np.abs(state.y - y).argmin()])
     return any(
         abs(place - y) <= AT_CORNER * width and place not in ends
-        for place, _ in kinks(contact.separation, contact.bends, state)
+        for place, _ in kinks(contact.separation_at, contact.bends, state)
     )

@@ -404,7 +404,7 @@ class Solution(ContactResult):
     @property
     def interference(self) -> Array:
         """Undeformed interference d = approach + tilt y - separation [mm] at each strip."""
-        return self.approach + self.tilt * self.y - self.contact.separation(self.y)
+        return self.approach + self.tilt * self.y - self.contact.separation_at(self.y)
 
     @property
     def displacement(self) -> Array:

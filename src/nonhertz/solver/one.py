@@ -109,7 +109,7 @@ def problem_of(contact: Contact, given: Prescription, element: Element) -> Probl
     prescribed, target = np.array(given.by_force), np.array(given.target(contact.compliance))
     influence = influence_of(contact, element)
     return Problem(
-        contact.separation, contact.curvature, element, prescribed, target, influence, contact.compliance,
+        contact.separation_at, contact.curvature_at, element, prescribed, target, influence, contact.compliance,
         partial(getattr, contact, "crests"),
     )  # fmt: skip
 

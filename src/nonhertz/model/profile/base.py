@@ -42,6 +42,10 @@ class Profile(ABC):
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm] at the axial positions ``y`` [mm], an array of the same shape."""
 
+    def at(self, y: Array) -> Array:
+        """Return the relief at positions that are known to be finite numbers: what the solver calls again and again."""
+        return self.relief(y)
+
     @property
     def bends(self) -> tuple[float, ...]:
         """Axial positions [mm] where slope or curvature of the relief jumps."""
@@ -80,27 +84,38 @@ def _parts(profile: Profile) -> tuple[Profile, ...]:
     return () if isinstance(profile, Straight) else (profile,)
 
 
-@dataclass(frozen=True)
-class Straight(Profile):
-    """No relief."""
+class Formula(Profile):
+    """A profile of this package, which computes its relief at positions that are checked once."""
 
     def relief(self, y: ArrayLike) -> Array:
-        """Return zeros."""
-        return np.zeros_like(places(y))
+        """Return the relief [mm] at the axial positions ``y`` [mm], an array of the same shape."""
+        return self.at(places(y))
+
+    @abstractmethod
+    def at(self, y: Array) -> Array:
+        """Return the relief at positions that are known to be finite numbers."""
 
 
 @dataclass(frozen=True)
-class Sum(Profile):
+class Straight(Formula):
+    """No relief."""
+
+    def at(self, y: Array) -> Array:
+        """Return zeros."""
+        return np.zeros_like(y)
+
+
+@dataclass(frozen=True)
+class Sum(Formula):
     """Several profiles on top of one another."""
 
     parts: tuple[Profile, ...]
 
-    def relief(self, y: ArrayLike) -> Array:
+    def at(self, y: Array) -> Array:
         """Return the sum of the parts' reliefs."""
-        y = places(y)
         total = np.zeros_like(y)
         for part in self.parts:
-            total += part.relief(y)
+            total += part.at(y)
         return total
 
     @property
@@ -121,15 +136,15 @@ class Sum(Profile):
 
 
 @dataclass(frozen=True)
-class Shifted(Profile):
+class Shifted(Formula):
     """A profile moved along the axis."""
 
     profile: Profile
     by: float
 
-    def relief(self, y: ArrayLike) -> Array:
+    def at(self, y: Array) -> Array:
         """Return the relief of the profile ``by`` further back."""
-        return self.profile.relief(moved_back(y, self.by, self.profile.extent))
+        return self.profile.at(moved_back(y, self.by, self.profile.extent))
 
     @property
     def crests(self) -> tuple[float, ...]:
@@ -148,27 +163,28 @@ class Shifted(Profile):
         return (low + self.by, high + self.by)
 
 
-def moved_back(y: ArrayLike, by: float, extent: tuple[float, float]) -> Array:
+def moved_back(y: Array, by: float, extent: tuple[float, float]) -> Array:
     """Return positions [mm] moved back ``by``; those within the moved ``extent``, ends included, stay within it.
 
     A plain difference could put an end outside by rounding, where there is no body.
     """
-    y = places(y)
+    if by == 0.0:
+        return y
     low, high = extent
     within = (y >= low + by) & (y <= high + by)
     return np.where(within, np.clip(y - by, low, high), y - by)
 
 
 @dataclass(frozen=True)
-class Scaled(Profile):
+class Scaled(Formula):
     """A profile with its relief multiplied; where that is infinite there is no body, whatever the factor."""
 
     profile: Profile
     by: float
 
-    def relief(self, y: ArrayLike) -> Array:
+    def at(self, y: Array) -> Array:
         """Return ``by`` times the profile's relief."""
-        relief = self.profile.relief(y)
+        relief = self.profile.at(y)
         # A plain product would turn "no body here" into NaN (factor 0) or an infinite peak (factor < 0).
         present = np.isfinite(relief)
         return np.where(present, self.by * np.where(present, relief, 0.0), np.inf)

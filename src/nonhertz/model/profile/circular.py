@@ -10,12 +10,12 @@ from numpy.typing import ArrayLike
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, flag, not_negative, positive
-from nonhertz.model.profile.base import Array, Profile, places
+from nonhertz.model.profile.base import Array, Formula, Profile
 
 
 def _drop(radius: float, y: ArrayLike) -> Array:
     """Drop [mm] of a circle at the distance ``y`` from its summit; infinite beyond the circle."""
-    size, distance = abs(radius), np.abs(places(y))
+    size, distance = abs(radius), np.abs(y)
     inside = np.maximum((size - distance) * (size + distance), 0.0)
     # R - sqrt(R^2 - y^2) would lose to cancellation the few micrometres that matter beside metres of radius.
     drop = distance**2 / (size + np.sqrt(inside))
@@ -23,7 +23,7 @@ def _drop(radius: float, y: ArrayLike) -> Array:
 
 
 @dataclass(frozen=True)
-class Arcs(Profile):
+class Arcs(Formula):
     """A middle and two ends, each a circular arc, the same on both sides.
 
     The middle has its summit at y = 0 and ends at ``junction``; the arc of the positive end has its summit at
@@ -35,9 +35,9 @@ class Arcs(Profile):
     junction: float
     end_summit: float
 
-    def relief(self, y: ArrayLike) -> Array:
+    def at(self, y: Array) -> Array:
         """Return the relief [mm]; infinite beyond the point where an arc becomes vertical."""
-        distance = np.abs(places(y))
+        distance = np.abs(y)
         middle = _drop(self.radius, np.minimum(distance, self.junction))
         end = _drop(self.end_radius, np.maximum(distance, self.junction) - self.end_summit)
         return np.asarray(middle + end - _drop(self.end_radius, self.junction - self.end_summit))

@@ -6,36 +6,35 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, not_negative, positive
-from nonhertz.model.profile.base import Array, Profile, Straight, places
+from nonhertz.model.profile.base import Array, Formula, Profile, Straight
 
 _ANGLE_REMEDY = "give the angle in rad, 1 degree is 0.01745"
 
 
 @dataclass(frozen=True)
-class Conical(Profile):
+class Conical(Formula):
     """A relief that grows along the whole axis at a constant angle."""
 
     angle: float
 
-    def relief(self, y: ArrayLike) -> Array:
+    def at(self, y: Array) -> Array:
         """Return ``tan(angle) * y`` [mm]."""
-        return np.asarray(math.tan(self.angle) * places(y))
+        return np.asarray(math.tan(self.angle) * y)
 
 
 @dataclass(frozen=True)
-class TaperedEnds(Profile):
+class TaperedEnds(Formula):
     """A straight middle and two conical ends."""
 
     straight: float
     angle: float
 
-    def relief(self, y: ArrayLike) -> Array:
+    def at(self, y: Array) -> Array:
         """Return the relief [mm], zero in the straight middle."""
-        past = np.maximum(np.abs(places(y)) - 0.5 * self.straight, 0.0)
+        past = np.maximum(np.abs(y) - 0.5 * self.straight, 0.0)
         return np.asarray(math.tan(self.angle) * past)
 
     @property

@@ -6,11 +6,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, not_negative, positive
-from nonhertz.model.profile.base import Array, Profile, places
+from nonhertz.model.profile.base import Array, Formula, Profile
 from nonhertz.model.profile.design_load import design_amplitude, design_half_width
 
 # The factor with which Johns and Gohar fitted their logarithm to Lundberg's drop at the end; -ln 0.3033 = 1.1930.
@@ -22,7 +21,7 @@ _LEAST_SHARE = 1e-9  # of the length that is crowned; less would be lost in the 
 
 
 @dataclass(frozen=True)
-class Logarithmic(Profile):
+class Logarithmic(Formula):
     """Relief ``amplitude * ln(1 / (1 - (1 - rest) s^2))`` with s measured from a straight middle to the end.
 
     ``s = max(0, |y| - straight / 2) / (curved / 2)`` is 1 at the ends, ``|y| = length / 2``; ``curved`` is the length
@@ -42,9 +41,9 @@ class Logarithmic(Profile):
         """Length of the straight middle [mm]."""
         return self.length - self.curved
 
-    def relief(self, y: ArrayLike) -> Array:
+    def at(self, y: Array) -> Array:
         """Return the relief [mm]; infinite at and beyond the pole of the logarithm."""
-        distance = np.minimum(np.abs(places(y)), _FAR)
+        distance = np.minimum(np.abs(y), _FAR)
         half = 0.5 * self.curved
         share = np.minimum(np.maximum(distance - 0.5 * self.straight, 0.0) / half, _BEYOND)
         # 1 - s, measured from the end: a difference of nearly equal numbers is exact, so it is zero at the end itself

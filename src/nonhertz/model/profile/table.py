@@ -12,12 +12,11 @@ from pathlib import Path
 from typing import Any, Literal, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import MOST, one_of
 from nonhertz.inputs.files import content, legible, special
-from nonhertz.model.profile.base import Array, Profile, places
+from nonhertz.model.profile.base import Array, Formula, Profile
 
 #: The curve through tabulated points.
 Interpolation = Literal["pchip", "linear", "cubic"]
@@ -31,7 +30,7 @@ _SMALL_UNIT = re.compile(r"(?<![a-z])(um|µm|μm|nm|microns?|micromet(?:er|re)s?
 
 
 @dataclass(frozen=True)
-class Tabulated(Profile):
+class Tabulated(Formula):
     """A curve through given points; outside them there is no body."""
 
     y: tuple[float, ...]
@@ -43,9 +42,8 @@ class Tabulated(Profile):
         """The kind and the points, wherever they came from."""
         return "tabulated", {"y": self.y, "relief": self.values, "interpolation": self.interpolation}
 
-    def relief(self, y: ArrayLike) -> Array:
+    def at(self, y: Array) -> Array:
         """Return the relief [mm]; infinite outside the table."""
-        y = places(y)
         inside = (y >= self.y[0]) & (y <= self.y[-1])
         return np.where(inside, self._curve(np.where(inside, y, self.y[0])), np.inf)
 

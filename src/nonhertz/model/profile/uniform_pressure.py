@@ -17,9 +17,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from nonhertz.model.profile.base import Array, Profile, places
+from nonhertz.model.profile.base import Array, Formula, Profile
 from nonhertz.model.profile.design_load import design_amplitude, design_half_width
 
 # The table's range in t and its step in ln t. Outside, the first terms of the series are exact to 1e-11.
@@ -27,16 +26,15 @@ _NEAR, _FAR, _STEP = 1e-5, 64.0, 0.01
 
 
 @dataclass(frozen=True)
-class UniformPressure(Profile):
+class UniformPressure(Formula):
     """The relief that makes the pressure uniform along a contact of given length and half-width."""
 
     amplitude: float
     length: float
     half_width: float
 
-    def relief(self, y: ArrayLike) -> Array:
+    def at(self, y: Array) -> Array:
         """Return the relief [mm]; finite everywhere, with a vertical tangent at both ends of the length."""
-        y = places(y)
         half = 0.5 * self.length
         ends = np.stack([half - y, half + y]) / self.half_width
         middle = _displacement(np.array(half / self.half_width))
