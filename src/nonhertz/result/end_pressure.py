@@ -22,9 +22,9 @@ from nonhertz.bodies.ends import FINITE_FROM, edge_exponent
 from nonhertz.model.contact import Contact
 from nonhertz.result.ends import corner_ends
 from nonhertz.result.solution import EdgeKind, EdgePressure
-from nonhertz.strip.batch import States
-from nonhertz.strip.grid import reaches, reaching
-from nonhertz.strip.state import Problem, State
+from nonhertz.strip.grid import contact_of, reaching
+from nonhertz.strip.problem import Problem
+from nonhertz.strip.records import States
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -35,12 +35,12 @@ LEAST_EXPONENT = 0.1
 AT_ONE_PLACE = 0.01  # of the last strip
 
 
-def edge_pressures(contact: Contact, problem: Problem, state: State) -> tuple[EdgePressure, EdgePressure]:
+def edge_pressures(contact: Contact, problem: Problem, state: States) -> tuple[EdgePressure, EdgePressure]:
     """Return the pressures at the low and the high end of a solved contact."""
     return _edge_pressure(contact, problem, state, -1), _edge_pressure(contact, problem, state, 1)
 
 
-def corners(contact: Contact, problem: Problem, state: State) -> tuple[float, ...]:
+def corners(contact: Contact, problem: Problem, state: States) -> tuple[float, ...]:
     """Return the corners of the profile at which a contact ends under pressure [mm], ascending."""
     if not contact.bends:
         return ()
@@ -48,7 +48,7 @@ def corners(contact: Contact, problem: Problem, state: State) -> tuple[float, ..
     return corner_ends(contact, state.edges, centre_pressure(contact, problem, state), half_width)
 
 
-def centre_pressure(contact: Contact, problem: Problem, state: State) -> Array:
+def centre_pressure(contact: Contact, problem: Problem, state: States) -> Array:
     """Return the pressure on the centre line of every strip [MPa]."""
     pressure: Array = 2.0 * state.pressure / (np.pi * problem.element.hertz_ratio * contact.compliance)
     return pressure
@@ -62,12 +62,13 @@ def singular_places(contact: Contact, problem: Problem, states: States) -> Array
     ndarray, shape (cases, k)
         Padded with nan where a case has fewer such ends than others, or none.
     """
-    columns = []
+    columns: list[Array] = []
     for side in (-1, 1):
-        sharp = _is_sharp(contact, problem, states.edges, side)
-        place = states.edges[-1 if side > 0 else 0]
-        ends_there = reaching(states.edges, states.m, side) & pressed(problem, states.edges, states.rigid, side)
-        columns.append(np.where(sharp & ends_there, place, np.nan))
+        place = states.edges[:, -1 if side > 0 else 0]
+        ends_there = reaching(states, side) & pressed(problem, states.edges, states.rigid, side)
+        sharp = {row: _is_sharp(contact, problem, states.strips(row), side) for row in states.rows(ends_there)}
+        here = np.broadcast_to([sharp.get(row, False) for row in range(place.size)], ends_there.shape)
+        columns.append(np.where(here & ends_there, place, np.nan))
     if contact.bends:
         of_cases = [corners(contact, problem, states.one(case)) for case in range(states.status.size)]
         most = max(map(len, of_cases))
@@ -84,16 +85,16 @@ def pressed(problem: Problem, edges: Array, rigid: Array, side: int) -> Flags:
     ----------
     problem : Problem
         The problem solved.
-    edges : ndarray, shape (n + 1,)
+    edges : ndarray, shape (n + 1,) or (cases, n + 1) or (1, n + 1)
         Edges of the strips [mm].
-    rigid : ndarray, shape (..., 2)
+    rigid : ndarray, shape (2,) or (cases, 2)
         Approach and tilt [mm, rad].
     side : int
         -1 at the low, 1 at the high end.
     """
-    place = edges[-1 if side > 0 else 0]
-    overlap: Flags = rigid[..., 0] + rigid[..., 1] * place > problem.separation(np.array([place]))[0]
-    return overlap
+    place = np.atleast_1d(edges[..., -1 if side > 0 else 0])
+    overlap: Flags = rigid[..., 0] + rigid[..., 1] * place > problem.separation(place)
+    return overlap if rigid.ndim > 1 else overlap[0]
 
 
 def _is_sharp(contact: Contact, problem: Problem, edges: Array, side: int) -> bool:
@@ -119,11 +120,12 @@ def _image_weight(problem: Problem, place: float, side: int, reach: float) -> fl
     return min(sum(found), 1.0)
 
 
-def _edge_pressure(contact: Contact, problem: Problem, state: State, side: int) -> EdgePressure:
+def _edge_pressure(contact: Contact, problem: Problem, state: States, side: int) -> EdgePressure:
     at = -1 if side > 0 else 0
     place, width = float(state.edges[at]), float(state.width[at])
-    if not reaches(state, side) or not pressed(problem, state.edges, state.rigid, side):
-        y = state.contact[at][(side + 1) // 2] if state.contact else place
+    if not reaching(state, side) or not pressed(problem, state.edges, state.rigid, side):
+        touched = contact_of(state)
+        y = touched[at][(side + 1) // 2] if touched else place
         words = "the contact ends before both bodies do"
         return EdgePressure(y, EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, None, words)
     pressure = centre_pressure(contact, problem, state)[::-side]

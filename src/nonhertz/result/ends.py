@@ -11,7 +11,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.result.maximum import distance_beyond, singular_y
 from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import EdgeKind, SingularEnd
-from nonhertz.strip.state import runs
+from nonhertz.strip.overlaps import runs
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]

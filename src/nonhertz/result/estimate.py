@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 from nonhertz.result.end_pressure import SHARP_END_ERROR, sharp_end_error
 from nonhertz.result.maximum import distance_beyond, largest_pressure
 from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate
-from nonhertz.strip.batch import States
+from nonhertz.strip.grid import contact_of, reaching
 from nonhertz.strip.levels import SAFETY, Levels
-from nonhertz.strip.newton import CONVERGED
+from nonhertz.strip.problem import Problem
+from nonhertz.strip.records import States
 from nonhertz.strip.resolution import departures, roughness, within
-from nonhertz.strip.state import Problem, State
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -49,7 +49,7 @@ def error_estimate(
     if not state.converged:
         return ErrorEstimate(math.inf, math.inf, math.inf)
     by_load = bool(problem.prescribed[0])
-    floor = sharp_end_error(edges, sum(high - low for low, high in state.contact))
+    floor = sharp_end_error(edges, sum(high - low for low, high in contact_of(state)))
     unlimited = at_corner or any(edge.kind is EdgeKind.CUT_OFF for edge in edges)
     largest = partial(_largest, problem.element.hertz_ratio, singular)
     places, separation = within(problem, state.edges)
@@ -67,7 +67,7 @@ def error_estimate(
     )
 
 
-def _beside_strips(problem: Problem, state: State, singular: Array, ripples: Array) -> float:
+def _beside_strips(problem: Problem, state: States, singular: Array, ripples: Array) -> float:
     """Return the relative error of the largest pressure caused by what strips do not resolve.
 
     Flattening the departure from a parabola within each strip takes ripples of pressure. And on strips as wide as the
@@ -87,7 +87,7 @@ def _beside_strips(problem: Problem, state: State, singular: Array, ripples: Arr
     return hidden + float(np.max(np.where(counted, ripples, 0.0))) / highest
 
 
-def _falls_away(problem: Problem, state: State, end: float, half_width: float) -> bool:
+def _falls_away(problem: Problem, state: States, end: float, half_width: float) -> bool:
     """Return whether the bodies overlap less at an end than a half-width inside."""
     inside = end + math.copysign(half_width, float(np.mean(state.edges)) - end)
     places = np.array([end, inside])
@@ -95,19 +95,19 @@ def _falls_away(problem: Problem, state: State, end: float, half_width: float) -
     return bool(at_end < (1.0 - FALLS_AWAY) * before)
 
 
-def _relative(part: Array, whole: float) -> float:
+def _relative(part: Array, whole: Array) -> float:
     return float(part) / abs(float(whole)) if whole != 0.0 else math.inf
 
 
-def _approach(state: State) -> float:
+def _approach(state: States) -> float:
     return float(state.rigid[0])
 
 
-def _load(state: State) -> float:
-    return state.load
+def _load(state: States) -> float:
+    return float(state.load)
 
 
-def _largest(hertz_ratio: float, singular: Array, state: State) -> float:
+def _largest(hertz_ratio: float, singular: Array, state: States) -> float:
     return float(largest_pressure(state.y, state.pressure, hertz_ratio * np.sqrt(state.m), singular)[0])
 
 
@@ -119,18 +119,19 @@ def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array
     finest = levels[0]
     highest = partial(_pressures, problem.element.hertz_ratio, singular)
     unsure: Flags = np.full(finest.status.shape, len(levels) == 1)
-    width = np.diff(finest.edges)
-    few = FEW_AT_END * max(width[0], width[-1]) > problem.element.hertz_ratio * np.sqrt(finest.m.max(axis=1))
+    width = finest.width
+    last = np.stack([width[:, 0], np.take_along_axis(width, finest.counts[:, None] - 1, axis=1)[:, 0]])
+    few = FEW_AT_END * last.max(axis=0) > problem.element.hertz_ratio * np.sqrt(finest.m.max(axis=1))
     unsure |= few & np.any(np.isfinite(singular), axis=1)
     loads = finest.r * finest.m * width
     mean, ripples = roughness(departures(within(problem, finest.edges)[1]), width, loads)
     for known, left in ((finest.rigid[:, 0], mean), (np.sum(loads, axis=1), finest.stiffness[:, 0, 0] * mean)):
         unsure |= left > 0.5 * LARGE_ERROR * np.abs(known)
     unsure |= np.max(np.where(loads > 0.0, ripples, 0.0), axis=1) > 0.5 * LARGE_PRESSURE_ERROR * highest(finest)
-    ends = SHARP_END_ERROR * (width[0] * (loads[:, 0] > 0.0) + width[-1] * (loads[:, -1] > 0.0))
-    unsure |= ends > 0.5 * LARGE_ERROR * ((finest.m > 0.0) @ width)
+    ends = SHARP_END_ERROR * sum(each * reaching(finest, side) for each, side in zip(last, (-1, 1), strict=True))
+    unsure |= ends > 0.5 * LARGE_ERROR * np.sum((finest.m > 0.0) * width, axis=1)
     for fine, coarse in itertools.pairwise(levels[:3]):
-        unsure |= coarse.status != CONVERGED
+        unsure |= ~coarse.converged
         for value, large in ((_approaches, LARGE_ERROR), (_loads, LARGE_ERROR), (highest, LARGE_PRESSURE_ERROR)):
             with np.errstate(invalid="ignore"):
                 unsure |= ~(SAFETY * np.abs(value(fine) - value(coarse)) <= 0.5 * large * np.abs(value(finest)))
@@ -142,25 +143,36 @@ def _approaches(states: States) -> Array:
 
 
 def _loads(states: States) -> Array:
-    loads: Array = (states.r * states.m) @ np.diff(states.edges)
-    return loads
+    return states.load
 
 
 def _pressures(hertz_ratio: float, singular: Array, states: States) -> Array:
-    y, a = 0.5 * (states.edges[1:] + states.edges[:-1]), np.sqrt(states.m)
-    return largest_pressure(y, states.r * a, hertz_ratio * a, singular)[0]
+    a = np.sqrt(states.m)
+    return largest_pressure(states.y, states.r * a, hertz_ratio * a, singular)[0]
 
 
 def may_miss_contact(problem: Problem, finest: States) -> Flags:
     """Return which cases may touch away from the centres of strips that are out of contact."""
     places, separation = within(problem, finest.edges)
-    y = 0.5 * (finest.edges[1:] + finest.edges[:-1])
+    y = finest.y
+    at_centres = problem.separation(y.ravel()).reshape(y.shape)
+    rigid = finest.rigid[..., None]
     with np.errstate(invalid="ignore"):  # both infinite
-        lower = np.nan_to_num(np.interp(places, y, problem.separation(y)) - separation, posinf=np.inf)
-    deepest = np.max(finest.rigid[:, :1] + finest.rigid[:, 1:] * y - problem.separation(y), axis=1)
-    missed: Flags = np.zeros(deepest.shape, dtype=bool)
-    for strip in np.flatnonzero(np.max(lower, axis=1) > MISSED * np.min(deepest)):
-        depth = finest.rigid[:, :1] + finest.rigid[:, 1:] * places[strip] - separation[strip]
-        bump = (depth > 0.0) & (lower[strip] > MISSED * deepest[:, None])
-        missed |= (finest.m[:, strip] == 0.0) & np.any(bump, axis=1)
+        lower = np.nan_to_num(_between_centres(y, at_centres, places) - separation, posinf=np.inf)
+        deepest = np.max(rigid[:, 0] + rigid[:, 1] * y - at_centres, axis=1)
+        depth = rigid[:, 0, None] + rigid[:, 1, None] * places - separation
+        bump = (depth > 0.0) & (lower > MISSED * deepest[:, None, None])
+    idle = (finest.m == 0.0) & (finest.width > 0.0)
+    missed: Flags = np.any(idle[..., None] & bump, axis=(1, 2))
     return missed
+
+
+def _between_centres(y: Array, values: Array, places: Array) -> Array:
+    """Return values at places within every strip, on straight lines between the centres; constant beyond these."""
+    step = np.diff(y, axis=1)
+    slope = np.divide(np.diff(values, axis=1), step, out=np.zeros_like(step), where=step > 0.0)
+    nothing = np.zeros_like(slope[:, :1])
+    before, after = (np.concatenate(pair, axis=1)[..., None] for pair in ((nothing, slope), (slope, nothing)))
+    away = places - y[..., None]
+    between: Array = values[..., None] + np.where(away > 0.0, after, before) * away
+    return between

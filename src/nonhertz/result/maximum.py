@@ -27,7 +27,7 @@ def distance_beyond(y: Array, half_width: Array, ends: Array) -> Array:
 
     Parameters
     ----------
-    y : ndarray, shape (n,)
+    y : ndarray, shape (n,) or (..., n)
         Places [mm].
     half_width : ndarray, shape (..., n)
         Half-widths there [mm].
@@ -49,7 +49,7 @@ def largest_pressure(y: Array, pressure: Array, half_width: Array, ends: Array) 
 
     Parameters
     ----------
-    y : ndarray, shape (n,)
+    y : ndarray, shape (n,) or (..., n)
         Centres of strips or rows of cells [mm], ascending.
     pressure, half_width : ndarray, shape (..., n)
         Of each [MPa, mm], zero out of contact.
@@ -81,8 +81,8 @@ def counted(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[
     short = (values.max(axis=-1) == 0.0) & (pressure.max(axis=-1) > 0.0)
     if np.any(short):
         of_width = np.where(pressure > 0.0, nearest / np.where(half_width > 0.0, half_width, 1.0), -1.0)
-        farthest = np.arange(y.size) == of_width.argmax(axis=-1)[..., None]
-        values[..., : y.size] = np.where(short[..., None] & farthest, pressure, values[..., : y.size])
+        farthest = np.arange(y.shape[-1]) == of_width.argmax(axis=-1)[..., None]
+        values[..., : y.shape[-1]] = np.where(short[..., None] & farthest, pressure, values[..., : y.shape[-1]])
     return places, values
 
 
@@ -96,7 +96,8 @@ def _at_borders(
     """
     *case, left = crossing
     right = (*case, left + 1)
-    first, second = ((y[index[-1]], half_width[index], pressure[index]) for index in (crossing, right))
+    at = np.broadcast_to(y, pressure.shape)
+    first, second = ((at[index], half_width[index], pressure[index]) for index in (crossing, right))
     of_case = ends[tuple(case)] if case else np.broadcast_to(ends, (left.size, ends.size))
     distances = np.abs(np.stack([first[0], second[0]])[..., None] - of_case)
     distances = np.where(np.isnan(distances), np.inf, distances)
@@ -143,7 +144,7 @@ def singular_y(solution: Solved) -> Array:
 def _nearest(y: Array, ends: Array) -> Array:
     """Return how far places are from the nearest end, infinite where there is none."""
     if ends.shape[-1] == 0:
-        return np.full((*ends.shape[:-1], y.size), np.inf)
-    distance = np.abs(y[:, None] - ends[..., None, :])
+        return np.full((*ends.shape[:-1], y.shape[-1]), np.inf)
+    distance = np.abs(y[..., None] - ends[..., None, :])
     nearest: Array = np.where(np.isnan(distance), np.inf, distance).min(axis=-1)
     return nearest

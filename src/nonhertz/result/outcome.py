@@ -24,10 +24,10 @@ from nonhertz.result.validity import (
     strains,
 )
 from nonhertz.strip.acceptance import shortfall, steady
-from nonhertz.strip.grid import kinks
+from nonhertz.strip.grid import contact_of, kinks_of
 from nonhertz.strip.levels import Levels
-from nonhertz.strip.newton import CONVERGED, ITERATION_LIMIT, STAGNATED
-from nonhertz.strip.state import Problem, State
+from nonhertz.strip.problem import Problem
+from nonhertz.strip.records import CONVERGED, ITERATION_LIMIT, STAGNATED, States
 
 Array = NDArray[np.float64]
 
@@ -77,25 +77,25 @@ def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
     sharp = (edge.y for edge in edges if edge.kind is EdgeKind.SINGULAR)
     singular = singular_ends(sharp, at_corners, float(np.ptp(state.edges)))
     places = np.array([end.y for end in singular])
-    within = state.converged and _peaks_at_kink(contact, problem, state, places)
+    within = bool(state.converged) and _peaks_at_kink(contact, problem, state, places)
     return Solution(
         contact=contact,
         element=problem.element,
-        status=_STATUS[state.status],
+        status=_STATUS[int(state.status)],
         approach=float(state.rigid[0]),
         tilt=float(state.rigid[1]),
-        load=state.load / compliance,
-        moment=state.moment / compliance,
+        load=float(state.load) / compliance,
+        moment=float(state.moment) / compliance,
         stiffness=stiffness,
         edges=state.edges.copy(),
         line_load=line_load,
         element_half_width=np.sqrt(state.m),
-        gap=state.gap,
-        contact_y=state.contact,
+        gap=state.gap.copy(),
+        contact_y=contact_of(state),
         edge_pressure=edges,
         singular_ends=singular,
         peaks_at_corner=within,
-        iterations=state.steps,
+        iterations=int(state.steps),
         error_estimate=error_estimate(problem, levels, edges, places, within),
         warnings=(),
     )
@@ -104,7 +104,7 @@ def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
 def _with_corners(
     contact: Contact,
     problem: Problem,
-    state: State,
+    state: States,
     ends: tuple[EdgePressure, EdgePressure],
     at_corners: tuple[float, ...],
 ) -> tuple[EdgePressure, EdgePressure]:
@@ -126,12 +126,12 @@ def _at_corner(end: EdgePressure, corner: float, pressure: float, width: float) 
     return replace(end, y=corner, kind=EdgeKind.CORNER, pressure=pressure, strip_width=width, convention=why)
 
 
-def _peaks_at_kink(contact: Contact, problem: Problem, state: State, ends: Array) -> bool:
+def _peaks_at_kink(contact: Contact, problem: Problem, state: States, ends: Array) -> bool:
     """Return whether the largest pressure is at a corner of the profile, where it has no limit either."""
     half_width = problem.element.hertz_ratio * np.sqrt(state.m)
     y = float(largest_pressure(state.y, state.pressure, half_width, ends)[1])
     width = float(state.width[np.abs(state.y - y).argmin()])
     return any(
         abs(place - y) <= AT_CORNER * width and place not in ends
-        for place, _ in kinks(contact.separation_at, contact.bends, state)
+        for place, _ in kinks_of(contact.separation_at, contact.bends, state)
     )

@@ -23,10 +23,11 @@ from nonhertz.result.checks import (
 from nonhertz.result.ends import step_at
 from nonhertz.result.estimate import LARGE_ERROR, LARGE_PRESSURE_ERROR, MISSED, may_be_uncertain, may_miss_contact
 from nonhertz.result.solution import EdgeKind, Solution, Status
-from nonhertz.strip.batch import States
 from nonhertz.strip.grid import reaching
-from nonhertz.strip.resolution import overlapping
-from nonhertz.strip.state import SCARCELY, Problem, State, runs, sprung
+from nonhertz.strip.overlaps import overlapping, runs
+from nonhertz.strip.problem import Problem, sprung
+from nonhertz.strip.records import States
+from nonhertz.strip.settle import SCARCELY
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -52,28 +53,30 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States], sing
         Where their largest pressures are [mm].
     """
     finest = levels[0]
-    y, width = 0.5 * (finest.edges[1:] + finest.edges[:-1]), np.diff(finest.edges)
+    y, width = finest.y, finest.width
     half_width = problem.element.hertz_ratio * np.sqrt(finest.m)
     # The summed strip width overestimates the length of a split contact, but split contacts are rarely wide.
-    wide = 2.0 * half_width.max(axis=1) > 0.25 * ((finest.m > 0.0) @ width)
-    flat = np.any(half_width * sharper_curvature(contact, y) > MOST_OF_RADIUS, axis=1)
-    loads, areas = (finest.r * finest.m) @ width, 2.0 * half_width @ width
+    wide = 2.0 * half_width.max(axis=1) > 0.25 * np.sum((finest.m > 0.0) * width, axis=1)
+    sharper = sharper_curvature(contact, y.ravel()).reshape(y.shape)
+    flat = np.any(half_width * sharper > MOST_OF_RADIUS, axis=1)
+    areas = np.sum(2.0 * half_width * width, axis=1)
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
-    hard = loads / problem.compliance > 0.5 * MOST_OF_MODULUS * softer * areas
+    hard = finest.load / problem.compliance > 0.5 * MOST_OF_MODULUS * softer * areas
     thin = np.any(problem.influence.shallowest(y) < LEAST_DEPTH * half_width, axis=1)
     coarse = may_be_uncertain(problem, levels, singular) | may_miss_contact(problem, finest)
-    for side, place in ((-1, finest.edges[0]), (1, finest.edges[-1])):
-        if place not in contact.interval:
-            coarse |= reaching(finest.edges, finest.m, side)
+    for side in (-1, 1):
+        place = finest.edges[:, -1 if side > 0 else 0]
+        coarse |= reaching(finest, side) & ~np.isin(place, contact.interval)
     if contact.bends:
         nearest = np.abs(peak[:, None] - np.array(contact.bends)).min(axis=1)
-        coarse |= nearest <= AT_CORNER * width[np.abs(y - peak[:, None]).argmin(axis=1)]
+        beside = np.abs(y - peak[:, None]).argmin(axis=1)
+        coarse |= nearest <= AT_CORNER * np.broadcast_to(width, finest.m.shape)[np.arange(peak.size), beside]
     heavy = any(end.requested > HEAVIEST for end in problem.influence.ends)
     suspects: Flags = wide | flat | hard | thin | coarse | heavy
     return suspects
 
 
-def strains(solution: Solution, problem: Problem, state: State) -> tuple[str, ...]:
+def strains(solution: Solution, problem: Problem, state: States) -> tuple[str, ...]:
     """Return a sentence for every way in which the result leaves the model's validity."""
     return (
         *(sentence for check in checks(solution, problem.influence.ends) for sentence in check.sentences),
@@ -101,7 +104,7 @@ def _uncertain(quantity: str, error: float, least: float = LARGE_ERROR) -> str:
     return f"The {quantity} is uncertain: its discretisation error is estimated at {size}; give more strips."
 
 
-def _missed_contact(solution: Solution, problem: Problem, state: State) -> list[str]:
+def _missed_contact(solution: Solution, problem: Problem, state: States) -> list[str]:
     """Return a sentence where the bodies overlap although no strip there is in contact."""
     low, high = float(state.edges[0]), float(state.edges[-1])
     interval = solution.contact.interval
@@ -118,7 +121,7 @@ def _missed_contact(solution: Solution, problem: Problem, state: State) -> list[
     ]
 
 
-def _next_to_contact(state: State, y: Array) -> Flags:
+def _next_to_contact(state: States, y: Array) -> Flags:
     """Return which places lie in strips in contact, or within a strip width beside them, where the contact ends."""
     found: Flags = np.zeros(y.shape, dtype=bool)
     for first, last in runs(state.m > 0.0):
@@ -184,7 +187,7 @@ def refuse_thin(solution: Solution, problem: Problem) -> None:
 
 def wider_than_round(contact: Contact, y: Array, half_width: Array) -> Flags:
     """Return where the half-width exceeds the radius of the more sharply curved body: its surface ends before."""
-    beyond: Flags = half_width * sharper_curvature(contact, y) > 1.0
+    beyond: Flags = half_width * sharper_curvature(contact, y.ravel()).reshape(y.shape) > 1.0
     return beyond
 
 

@@ -7,10 +7,11 @@ grid every case has its own grid, so each is solved separately, in parallel. Eit
 
 from __future__ import annotations
 
+import contextlib
 import warnings
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,12 +22,12 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
 from nonhertz.result.outcome import outcome
 from nonhertz.result.validity import wider_than_round
-from nonhertz.solver.one import Strips, levels_of, problem_of, refuse_no_element, requested_strips
+from nonhertz.solver.one import Strips, levels_of, problem_of, refuse_no_element, requested_strips, states_of
 from nonhertz.solver.solutions import Block, Solutions, case_label
-from nonhertz.strip.batch import States, settle_all
+from nonhertz.strip.acceptance import met_by
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
-from nonhertz.strip.levels import equal_grids, given_grids
-from nonhertz.strip.state import Problem
+from nonhertz.strip.problem import Problem
+from nonhertz.strip.records import Indices, States
 
 Array = NDArray[np.float64]
 
@@ -125,33 +126,29 @@ class _Task:
     strips: Strips
 
     def solved(self) -> list[Block]:
-        """Solve the cases; return those solved together in one block, the others in a block each."""
-        grids = self._grids()
-        if grids is None:
-            return [self._alone(row) for row in range(len(self.numbers))]
-        try:
-            states = tuple(settle_all(self.problem, grids, self.targets))
-        # Whatever the bodies refuse or raise is attributed to each case by solving it alone.
-        except Exception:  # noqa: BLE001
-            return [self._alone(row) for row in range(len(self.numbers))]
-        done = np.flatnonzero(states[0].converged & ~self._too_wide(states[0]))
-        blocks = [self._alone(row) for row in range(len(self.numbers)) if row not in done]
-        if done.size:
-            numbers, kept = [self.numbers[row] for row in done], tuple(level.only(done) for level in states)
-            blocks.append(Block(self.contact, self.problem, numbers, self.targets[done], kept))
-        return blocks
+        """Solve the cases; return those solved together in one block or a few, the others in a block each."""
+        together: list[Block] = []
+        # The length on which unbounded bodies touch depends on the case.
+        if np.all(np.isfinite(self.contact.interval)) or not isinstance(self.strips, int | str | None):
+            # Whatever the bodies refuse or raise is attributed to each case by solving it alone.
+            with contextlib.suppress(Exception):
+                groups = states_of(self.contact, self.problem, self.strips, self.targets)
+                together = [self._block(rows, levels) for rows, levels in groups]
+        done = {number for block in together for number in block.numbers}
+        alone = [self._alone(row) for row, number in enumerate(self.numbers) if number not in done]
+        return [*alone, *(block for block in together if block.numbers)]
 
-    def _grids(self) -> list[Array] | None:
-        """Return the grids that the cases share, or None where each has its own."""
-        count, edges = requested_strips(self.contact, self.strips)
-        low, high = self.contact.interval
-        if count is not None and np.isfinite(high - low):
-            return equal_grids(self.problem, self.contact.interval, count)
-        return given_grids(edges) if edges is not None else None
+    def _block(self, rows: Indices, levels: list[States]) -> Block:
+        """Return those of some cases that have a solution."""
+        finest = levels[0]
+        sound = finest.converged & ~self._too_wide(finest) & met_by(self.problem, finest, self.targets[rows])
+        done = np.flatnonzero(sound)
+        numbers, kept = [self.numbers[row] for row in rows[done]], tuple(level.only(done) for level in levels)
+        return Block(self.contact, self.problem, numbers, self.targets[rows[done]], kept)
 
     def _too_wide(self, states: States) -> NDArray[np.bool_]:
         """Return which contacts are wider than their bodies are thick or round; solved alone, each is refused."""
-        y = 0.5 * (states.edges[1:] + states.edges[:-1])
+        y = states.y
         half_width = self.problem.element.hertz_ratio * np.sqrt(states.m)
         beyond = wider_than_round(self.contact, y, half_width) | (self.problem.influence.shallowest(y) < half_width)
         wide: NDArray[np.bool_] = np.any(beyond, axis=1)
@@ -159,7 +156,7 @@ class _Task:
 
     def _alone(self, row: int) -> Block:
         """Return one case, solved as `nonhertz.solve` does."""
-        problem = replace(self.problem, target=self.targets[row], _sampled={})
+        problem = self.problem.of(self.targets[row])
         at = [self.numbers[row]], self.targets[row : row + 1]
         try:
             levels = levels_of(self.contact, problem, self.strips)
@@ -167,7 +164,7 @@ class _Task:
         # Whatever a case raises, even from a user-written profile, must not stop the others.
         except Exception as error:  # noqa: BLE001
             return Block(self.contact, self.problem, *at, (), error.with_traceback(None))
-        return Block(self.contact, self.problem, *at, tuple(States.of(state) for state in levels.states))
+        return Block(self.contact, self.problem, *at, tuple(state.row() for state in levels.states))
 
 
 def _several(contacts: Contact | Iterable[Contact]) -> list[Contact]:

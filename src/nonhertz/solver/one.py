@@ -18,8 +18,10 @@ from nonhertz.model.prescription import Prescription
 from nonhertz.result.outcome import outcome
 from nonhertz.result.solution import Solution
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
-from nonhertz.strip.levels import Levels, on_automatic_strips, on_equal_strips, on_given_strips
-from nonhertz.strip.state import Problem
+from nonhertz.strip.feasible import refuse_infeasible
+from nonhertz.strip.levels import Levels, equal_grids, given_grids, on_automatic_strips, on_given_strips
+from nonhertz.strip.problem import Problem
+from nonhertz.strip.records import Indices, States
 
 Array = NDArray[np.float64]
 #: A number of equal strips, the edges of strips, or an automatic grid.
@@ -122,13 +124,44 @@ def refuse_no_element(element: object) -> None:
 
 
 def levels_of(contact: Contact, problem: Problem, strips: Strips) -> Levels:
-    """Return the states on the requested strips and on coarser ones."""
+    """Return the states of one case on the requested strips and on coarser ones."""
+    ((_, levels),) = states_of(contact, problem, strips, problem.target[None])
+    finest, *coarser = (level.one(0) for level in levels)
+    return Levels((finest, *(state for state in coarser if state.converged)))
+
+
+def states_of(contact: Contact, problem: Problem, strips: Strips, targets: Array) -> list[tuple[Indices, list[States]]]:
+    """Return the states of cases on the requested strips and on coarser ones, finest first.
+
+    Parameters
+    ----------
+    contact, problem
+        What the cases share.
+    strips : int or array_like or "auto"
+        As in `solve`.
+    targets : ndarray, shape (cases, 2)
+        As `Problem.target`.
+
+    Returns
+    -------
+    list of tuple
+        Groups of cases that took the same number of levels: their numbers and their states.
+
+    Raises
+    ------
+    InputError
+        If no strips can meet what is prescribed in some case.
+    """
     count, edges = requested_strips(contact, strips)
-    if count is not None:
-        return on_equal_strips(problem, contact.interval, count)
     if edges is not None:
-        return on_given_strips(problem, edges)
-    return on_automatic_strips(problem, contact.interval, contact.bends)
+        grids = given_grids(edges)
+    elif count is not None:
+        grids = equal_grids(problem, contact.interval, count)
+    else:
+        return on_automatic_strips(problem, contact.interval, contact.bends, targets)
+    if len(targets) == 1:
+        refuse_infeasible(problem.of(targets[0]), grids[0])
+    return [(np.arange(len(targets)), on_given_strips(problem, grids, targets))]
 
 
 def requested_strips(contact: Contact, strips: Strips) -> tuple[int | None, Array | None]:

@@ -6,7 +6,7 @@ import contextlib
 import copy
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -24,9 +24,10 @@ from nonhertz.result.outcome import outcome
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution, read_only
 from nonhertz.result.validity import singularities, suspected
-from nonhertz.strip.batch import States
+from nonhertz.strip.grid import contact_of
 from nonhertz.strip.levels import Levels
-from nonhertz.strip.state import Problem
+from nonhertz.strip.problem import Problem
+from nonhertz.strip.records import States
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -235,27 +236,25 @@ class Block:
     def columns(self) -> tuple[Array, ...]:
         """Return the results named in `_COLUMNS`, computed by the formulas of `Solution`."""
         states, compliance = self.finest, self.contact.compliance
-        y, width = 0.5 * (states.edges[1:] + states.edges[:-1]), np.diff(states.edges)
-        line_load = states.r * states.m / compliance
+        widest = self.problem.element.hertz_ratio * np.sqrt(states.m.max(axis=1))
         return (
-            states.rigid[:, 0], states.rigid[:, 1], line_load @ width, line_load @ (width * y),
-            *self.largest, self.problem.element.hertz_ratio * np.sqrt(states.m.max(axis=1)), self._contact_lengths(),
+            states.rigid[:, 0], states.rigid[:, 1], states.load / compliance, states.moment / compliance,
+            *self.largest, widest, self._contact_lengths(),
         )  # fmt: skip
 
     def _contact_lengths(self) -> Array:
-        intervals = (self.finest.one(row).contact for row in range(len(self.numbers)))
+        intervals = (contact_of(self.finest.one(row)) for row in range(len(self.numbers)))
         return np.array([math.fsum(high - low for low, high in each) for each in intervals])
 
     @cached_property
     def largest(self) -> tuple[Array, Array]:
         """Largest pressures [MPa] and where they are [mm], shape (cases,)."""
         states = self.finest
-        y = 0.5 * (states.edges[1:] + states.edges[:-1])
         half_width = self.problem.element.hertz_ratio * np.sqrt(states.m)
         line_load, pressure = states.r * states.m / self.contact.compliance, np.zeros_like(states.m)
         touching = half_width > 0.0
         pressure[touching] = 2.0 * line_load[touching] / (np.pi * half_width[touching])
-        return largest_pressure(y, pressure, half_width, self.singular)
+        return largest_pressure(states.y, pressure, half_width, self.singular)
 
     @cached_property
     def singular(self) -> Array:
@@ -273,7 +272,7 @@ class Block:
         if self.error is not None:
             # A copy, because every raise extends an error's traceback.
             raise copy.copy(self.error)
-        problem = replace(self.problem, target=self.targets[row])
+        problem = self.problem.of(self.targets[row])
         states = [states.one(row) for states in self.states]
         levels = Levels((states[0], *(state for state in states[1:] if state.converged)))
         return outcome(self.contact, problem, levels)

@@ -10,16 +10,15 @@ if the loop reported convergence.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled
 from nonhertz.strip.element import evaluate
-from nonhertz.strip.state import Problem
-
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
+from nonhertz.strip.problem import Problem, row_of
+from nonhertz.strip.records import Array, Flags, Given, Grids, Law, States, Strips
+from nonhertz.strip.settle import strips_of
 
 MET, NOT_FINITE, FIRST, SECOND, TENSION, UNCLOSED, OVERLAP, BENT, HIDDEN = range(9)
 
@@ -49,13 +48,11 @@ def shortfall(
     motion : ndarray, shape (2,)
         Approach [mm] and tilt [rad].
     """
-    y = 0.5 * (edges[1:] + edges[:-1])
-    influence, compliance = problem.influence, problem.compliance
-    condition, found, at = first_unmet(
-        y, edges[:-1], edges[1:], problem.curvature(y), problem.separation(y), problem.prescribed, problem.target,
-        influence.terms, influence.at_depth(y, edges), problem.element.table, compliance * line_load, half_width, gap,
-        motion,
-    )  # fmt: skip
+    y, compliance = 0.5 * (edges[1:] + edges[:-1]), problem.compliance
+    grids, given = problem.grids(*row_of(edges)), Given(problem.prescribed, problem.target)
+    condition, found, at = _first_unmet_of(
+        grids, given, problem.law, Answer(compliance * line_load, half_width, gap, motion)
+    )
     if condition == MET:
         return None
     if condition in {FIRST, SECOND}:
@@ -77,49 +74,68 @@ def shortfall(
     }[condition]
 
 
-@compiled
-def first_unmet(  # noqa: PLR0911  (one return per condition)
-    y: Array,
-    low: Array,
-    high: Array,
-    curvature: Array,
-    separation: Array,
-    prescribed: Flags,
-    target: Array,
-    terms: Array,
-    at_depth: Array,
-    table: Array,
-    q: Array,
-    half_width: Array,
-    gap: Array,
-    motion: Array,
-) -> tuple[int, float, int]:
-    """Return the first condition that is not met, the value found, and the strip where it was found.
+def met_by(problem: Problem, states: States, targets: Array) -> Flags:
+    """Return which of many states meet everything; ``targets`` as `Problem.target`, shape (cases, 2)."""
+    met = np.zeros(len(targets), dtype=bool)
+    grids, given = problem.grids(states.counts, states.edges), Given(problem.prescribed, np.ascontiguousarray(targets))
+    met_by_all(grids, given, problem.law, states, met)
+    return met
 
-    Parameters as in `nonhertz.strip.newton.newton`, except ``q``, K times the load per length [mm], and
-    ``half_width``, a [mm], which belong to the solution.
-    """
-    condition, at = _unusable(q, half_width, gap, separation, motion)
+
+class Answer(NamedTuple):
+    """What is claimed to be a solution: K times the load per length, half-width a and gap of every strip, motion."""
+
+    q: Array
+    half_width: Array
+    gap: Array
+    motion: Array
+
+
+@compiled
+def met_by_all(grids: Grids, given: Given, law: Law, states: States, met: Flags) -> None:
+    """Fill in which of many states meet everything; ``given`` has a row of targets for each, as in `settle_all`."""
+    for case in range(met.size):
+        strips = strips_of(grids, 0 if grids.counts.size == 1 else case)
+        n = strips.y.size
+        q, half_width = np.empty(n), np.empty(n)
+        for i in range(n):
+            q[i], half_width[i] = states.r[case, i] * states.m[case, i], math.sqrt(states.m[case, i])
+        answer = Answer(q, half_width, states.gap[case, :n], states.rigid[case])
+        condition, _, _ = first_unmet(strips, Given(given.by_force, given.target[case]), law, answer)
+        reach = max(abs(strips.low[0]), abs(strips.high[-1]))
+        met[case] = condition == MET and steady(states.stiffness[case], reach)
+
+
+@compiled
+def _first_unmet_of(grids: Grids, given: Given, law: Law, answer: Answer) -> tuple[int, float, int]:
+    return first_unmet(strips_of(grids, 0), given, law, answer)
+
+
+@compiled
+def first_unmet(strips: Strips, given: Given, law: Law, answer: Answer) -> tuple[int, float, int]:  # noqa: PLR0911  (one return per condition)
+    """Return the first condition that is not met, the value found, and the strip where it was found."""
+    condition, at = _unusable(strips, answer)
     if condition != MET:
-        return condition, q[at], at
-    condition, found = _unbalanced(y, high - low, prescribed, target, q, motion)
+        return condition, answer.q[at], at
+    condition, found = _unbalanced(strips, given, answer)
     if condition != MET:
         return condition, found, 0
-    deepest, longest = _lengths(y, separation, q, motion)
+    deepest, longest = _lengths(strips, answer)
     if ROUNDING * longest > MOST_HIDDEN * deepest:
         return HIDDEN, deepest, 0
+    q, gap, motion = answer.q, answer.gap, answer.motion
     allowed = TOLERANCE * deepest + ROUNDING * longest
-    for i in range(y.size):
-        if not math.isfinite(separation[i]) and q[i] == 0.0:
+    for i in range(q.size):
+        if not math.isfinite(strips.separation[i]) and q[i] == 0.0:
             continue
-        lift, bend = _lift_and_bend(i, y, low, high, terms, at_depth, table, q, half_width)
-        opening = lift - (motion[0] + motion[1] * y[i] - separation[i])
+        lift, bend = _lift_and_bend(i, strips, law, answer)
+        opening = lift - (motion[0] + motion[1] * strips.y[i] - strips.separation[i])
         if not abs(opening - gap[i]) <= allowed + TOLERANCE * abs(opening) or (q[i] > 0.0 and abs(opening) > allowed):
             return UNCLOSED, opening, i
         if opening < -allowed:
             return OVERLAP, -opening, i
-        if q[i] > 0.0 and not abs(bend - curvature[i]) <= CURVATURE_TOLERANCE * curvature[i]:
-            return BENT, bend / curvature[i] - 1.0, i
+        if q[i] > 0.0 and not abs(bend - strips.curvature[i]) <= CURVATURE_TOLERANCE * strips.curvature[i]:
+            return BENT, bend / strips.curvature[i] - 1.0, i
     return MET, 0.0, 0
 
 
@@ -137,16 +153,18 @@ def steady(stiffness: Array, reach: float) -> bool:
     reach : float
         Largest distance from y = 0 [mm].
     """
-    if not np.all(np.isfinite(stiffness)):
-        return False
+    for i in range(4):
+        if not math.isfinite(stiffness[i // 2, i % 2]):
+            return False
     return bool(stiffness[0, 0] > 0.0 and stiffness[1, 1] >= UNSTEADY * stiffness[0, 0] * reach * reach)
 
 
 @compiled
-def _unusable(q: Array, half_width: Array, gap: Array, separation: Array, motion: Array) -> tuple[int, int]:
+def _unusable(strips: Strips, answer: Answer) -> tuple[int, int]:
     """Return why the arrays cannot describe a contact, and at which strip; MET if they can."""
+    q, half_width, gap, motion = answer.q, answer.half_width, answer.gap, answer.motion
     for i in range(q.size):
-        unknown = math.isnan(gap[i]) or math.isnan(separation[i]) or not math.isfinite(motion[0] + motion[1])
+        unknown = math.isnan(gap[i]) or math.isnan(strips.separation[i]) or not math.isfinite(motion[0] + motion[1])
         if unknown or not (math.isfinite(q[i]) and math.isfinite(half_width[i])):
             return NOT_FINITE, i
         if q[i] > 0.0 and not half_width[i] > 0.0:
@@ -157,47 +175,54 @@ def _unusable(q: Array, half_width: Array, gap: Array, separation: Array, motion
 
 
 @compiled
-def _unbalanced(y: Array, width: Array, prescribed: Flags, target: Array, q: Array, motion: Array) -> tuple[int, float]:
+def _unbalanced(strips: Strips, given: Given, answer: Answer) -> tuple[int, float]:
     """Return which of the two prescribed quantities is missed, and the value found instead."""
-    load, moment = np.sum(q * width), np.sum(q * width * y)
-    first = load if prescribed[0] else motion[0]
+    load = moment = 0.0
+    for i in range(answer.q.size):
+        carried = answer.q[i] * (strips.high[i] - strips.low[i])
+        load += carried
+        moment += carried * strips.y[i]
+    target = given.target
+    first = load if given.by_force[0] else answer.motion[0]
     if not abs(first - target[0]) <= TOLERANCE * abs(target[0]):
         return FIRST, first
-    second = moment if prescribed[1] else motion[1]
+    second = moment if given.by_force[1] else answer.motion[1]
     # A moment is as accurate as the load at the longest lever arm.
-    scale = load * max(abs(y[0]), abs(y[-1])) if prescribed[1] else abs(target[1])
+    scale = load * max(abs(strips.y[0]), abs(strips.y[-1])) if given.by_force[1] else abs(target[1])
     if not abs(second - target[1]) <= TOLERANCE * scale:
         return SECOND, second
     return MET, 0.0
 
 
 @compiled
-def _lengths(y: Array, separation: Array, q: Array, motion: Array) -> tuple[float, float]:
+def _lengths(strips: Strips, answer: Answer) -> tuple[float, float]:
     """Return the deepest interference in contact, and the largest of the lengths whose differences are the gaps."""
-    deepest, longest = 0.0, abs(motion[0]) + abs(motion[1]) * max(abs(y[0]), abs(y[-1]))
-    for i in range(y.size):
-        if q[i] > 0.0:
-            deepest = max(deepest, motion[0] + motion[1] * y[i] - separation[i])
-            longest = max(longest, abs(separation[i]))
+    motion = answer.motion
+    deepest, longest = 0.0, abs(motion[0]) + abs(motion[1]) * max(abs(strips.y[0]), abs(strips.y[-1]))
+    for i in range(answer.q.size):
+        if answer.q[i] > 0.0:
+            deepest = max(deepest, motion[0] + motion[1] * strips.y[i] - strips.separation[i])
+            longest = max(longest, abs(strips.separation[i]))
     return (deepest if deepest > 0.0 else longest), longest
 
 
 @compiled
-def _lift_and_bend(
-    i: int, y: Array, low: Array, high: Array, terms: Array, at_depth: Array, table: Array, q: Array, half_width: Array
-) -> tuple[float, float]:
+def _lift_and_bend(i: int, strips: Strips, law: Law, answer: Answer) -> tuple[float, float]:
     """Return displacement [mm] and curvature [1/mm] of both surfaces together at strip ``i``, on the centre line."""
     lift = bend = 0.0
-    for j in range(y.size):
+    terms, q = law.terms, answer.q
+    for j in range(q.size):
         if q[j] > 0.0:
-            inverse = 1.0 / half_width[j]
+            inverse = 1.0 / answer.half_width[j]
             risen = curved = 0.0
             for k in range(terms.shape[0]):
-                sign, offset = terms[k, 0], terms[k, 1] - y[i]
-                upper = evaluate((sign * high[j] + offset) * inverse, table)
-                lower = evaluate((sign * low[j] + offset) * inverse, table)
+                sign, offset = terms[k, 0], terms[k, 1] - strips.y[i]
+                upper = evaluate((sign * strips.high[j] + offset) * inverse, law.table)
+                lower = evaluate((sign * strips.low[j] + offset) * inverse, law.table)
                 risen += sign * terms[k, 2] * (upper[0] - lower[0])
                 curved += sign * terms[k, 2] * (upper[2] - lower[2])
-            lift += q[j] * (risen - at_depth[i, j])
+            if strips.at_depth.size:
+                risen -= strips.at_depth[i, j]
+            lift += q[j] * risen
             bend += q[j] * curved * inverse * inverse
     return lift, bend

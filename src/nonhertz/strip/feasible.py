@@ -5,13 +5,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.strip.grid import uniform
-from nonhertz.strip.state import Problem, sprung
-
-Array = NDArray[np.float64]
+from nonhertz.strip.problem import Problem, sprung
+from nonhertz.strip.records import Array
 
 LOOKS, CLOSER_LOOKS = 20000, 4
 FINE_STRIPS = 2000  # spring strips, to find a contact that falls between a grid's strip centres

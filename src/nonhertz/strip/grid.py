@@ -4,73 +4,111 @@ A grid is made from a *size function*, the target strip width at each y: small w
 ends, at kinks and where the profile bends sharply, growing in proportion to the distance from there, and nowhere
 narrower than a fraction of the half-width, below which the strip model breaks down. The edges then follow from
 walking along y in steps of that width. A strip is centred on y = 0 where that is in contact, so that the centre
-pressure is a strip's own value, and edges lie on the ends of the bodies and on kinks.
+pressure is a strip's own value, and edges lie on the ends of the contact and of the bodies and on kinks.
 
 The sizes come from a solution on a coarser grid, beginning with equal strips on the part of the bodies that
-touches.
+touches. All widths but the narrowest are in proportion to a `coarseness`, from which the accuracy follows.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled
-from nonhertz.strip.resolution import SAMPLES, overlapping
-from nonhertz.strip.state import Problem, State, runs
+from nonhertz.strip.records import Array, Flags, Indices, States
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
-
-# Tuned on Hertz contacts and on sharp ends over two decades of load; docs/explain/grid.md has the figures.
-STRIPS_PER_CONTACT = 72.0  # sets the widest strip in contact
+# At a coarseness of 1, tuned on random contacts of all profiles; docs/explain/grid.md has the figures.
+STRIPS_PER_CONTACT = 8.0  # sets the widest strip in contact
 NARROWEST = 1.0 / 40.0  # of the half-width, at sharp ends and kinks
-END_SHARE = 0.068  # of the distance over which m falls from half its peak to zero
-GROWTH = 0.15  # of the distance from a feature
-GROWTH_OUTSIDE = 0.8
-SAG = 1e-3  # of the interference: the largest sagitta of the profile over one strip
-KINK_SHARE = 0.05
+END_SHARE = 0.2  # of the distance over which m falls from half its peak to zero
+GROWTH = 0.6  # of the distance from a feature
+GROWTH_AT_SHARP_ENDS = 0.3  # up to a half-width from them, where the strength of the singularity is fitted
+GROWTH_OUTSIDE = 1.2
+SAG = 0.016  # of the interference: the largest sagitta of the profile over one strip
+KINK_SHARE = 0.15
 LOOSEST = 64.0
 LEAST_STRIP = 0.4  # of the target width, for a strip between two corners
 # No target width is below this fraction of the region, or below this many times the spacing of floating-point numbers
 # there: edges ascend, by steps large enough for rounding not to matter.
 NARROWEST_EVER, ROUNDINGS = 1e-9, 1e4
 MOST_BENDS = 12
-STRIPS_PER_OVERLAP = 5.0
 EXTENSION = 0.3  # of the contact's length, added where the strips end before the contact does
 LEAST_KINK = 1e-7  # rad
 NEAREST = 3  # strips whose largest half-width is taken as the local one
+STEPS_PER_STRIP, MOST_STEPS = 3.0, 6000
 
 
-@dataclass(frozen=True)
-class Sizes:
+class Terrain(NamedTuple):
+    """What is known of the bodies along y.
+
+    Attributes
+    ----------
+    low, high : float
+        Between these, finite, bodies may touch [mm].
+    kinks, turns : ndarray, shape (k,)
+        Where the slope of the separation jumps [mm], ascending, and by how much [rad].
+    sampled_low, sampled_high : ndarray, shape (cases,)
+        Between these the separation is sampled evenly, for each case [mm].
+    row : ndarray of int, shape (cases,)
+        Row of its samples.
+    samples : ndarray, shape (rows, n)
+        The separation there [mm].
+    """
+
+    low: float
+    high: float
+    kinks: Array
+    turns: Array
+    sampled_low: Array
+    sampled_high: Array
+    row: Indices
+    samples: Array
+
+    def only(self, cases: Indices) -> Terrain:
+        """Return what is known for some cases."""
+        return self._replace(
+            sampled_low=self.sampled_low[cases], sampled_high=self.sampled_high[cases], row=self.row[cases]
+        )
+
+
+class Fineness(NamedTuple):
+    """How fine a grid is to be.
+
+    Attributes
+    ----------
+    coarseness : ndarray, shape (cases,)
+        Widths over those above.
+    share : float
+        Strips over those that the size function asks for.
+    limit : int
+        The most strips on one interval of contact.
+    """
+
+    coarseness: Array
+    share: float
+    limit: int
+
+
+class _Sizes(NamedTuple):
     """A size function between two ends: features, a sampled bound, and the intervals in contact."""
 
     low: float
     high: float
     places: Array
     widths: Array
-    corners: Array
-    sample_y: Array
+    slow: Array
+    marks: Array
+    sample_low: float
+    sample_step: float
     sample_width: Array
     contact: Array
     largest: float
     largest_outside: float
     growth: float
-
-    def loosened(self, by: float) -> Sizes:
-        """Return the function with wider strips away from the features, the features themselves kept."""
-        return replace(
-            self,
-            sample_width=self.sample_width * np.sqrt(by),
-            largest=self.largest * by,
-            largest_outside=self.largest_outside * by,
-            growth=min(self.growth * np.sqrt(by), 1.0),
-        )
 
 
 def uniform(low: float, high: float, count: int) -> Array:
@@ -78,179 +116,54 @@ def uniform(low: float, high: float, count: int) -> Array:
     return np.linspace(low, high, count + 1)
 
 
-def reaches(state: State, side: int) -> bool:
-    """Return whether the contact extends to the outer edge of the strips on that side."""
-    return bool(reaching(state.edges, state.m, side))
-
-
-def reaching(edges: Array, m: Array, side: int) -> Flags:
-    """Return the same for many contacts on the same strips, with their m in rows."""
-    at = -1 if side > 0 else 0
-    touching: Flags = m[..., at] > 0.0
-    if edges.size < 3:
-        return touching
-    next_in = -2 if side > 0 else 1
-    y, width = 0.5 * (edges[1:] + edges[:-1]), abs(edges[at] - edges[next_in])
-    fall = (m[..., next_in] - m[..., at]) / abs(y[next_in] - y[at])
-    open_there: Flags = touching & (m[..., at] - 0.5 * fall * width > 0.0)
+def reaching(states: States, side: int) -> Flags:
+    """Return whether the contact extends to the outer edge of the strips on that side, for one case or many."""
+    at = states.counts - 1 if side > 0 else np.zeros_like(states.counts)
+    beside = np.abs(at - 1) if side > 0 else np.minimum(at + 1, states.counts - 1)
+    edges, last, next_in = states.edges, _taken(states.m, at), _taken(states.m, beside)
+    touching: Flags = last > 0.0
+    y, y_in = (0.5 * (_taken(edges, where) + _taken(edges, where + 1)) for where in (at, beside))
+    distance = np.abs(y - y_in)
+    width = _taken(edges, at + 1) - _taken(edges, at)
+    fall = np.divide(next_in - last, distance, out=np.zeros(np.shape(last)), where=distance > 0.0)
+    open_there: Flags = touching & ((last - 0.5 * fall * width > 0.0) | (states.counts == 1))
     return open_there
 
 
-def cut_off(state: State, interval: tuple[float, float]) -> tuple[bool, bool]:
-    """Return whether the strips end at low and at high y while both contact and bodies continue."""
-    low, high = float(state.edges[0]), float(state.edges[-1])
-    return reaches(state, -1) and low > interval[0], reaches(state, 1) and high < interval[1]
+def _taken(rows: Array, at: Indices) -> Array:
+    """Return one number of every row, or of the only one."""
+    where = np.broadcast_to(np.expand_dims(at, -1), (*rows.shape[:-1], 1))
+    taken: Array = np.take_along_axis(rows, where, axis=-1)[..., 0]
+    return taken
 
 
-def sizes(problem: Problem, state: State, bends: tuple[float, ...], interval: tuple[float, float]) -> Sizes:
-    """Return the size function that a coarse solution calls for.
+def kinks_of(
+    separation: Callable[[Array], Array], bends: tuple[float, ...], state: States
+) -> list[tuple[float, float]]:
+    """Return places in contact of one case, or next to it, where the slope of the separation jumps, and the jump [rad].
 
-    Parameters
-    ----------
-    problem : Problem
-        The problem to solve.
-    state : State
-        A solution on coarser strips, which may cover less than the bodies.
-    bends : tuple of float
-        Where the profiles bend [mm].
-    interval : tuple of float
-        Where the bodies may touch [mm], finite.
+    None if there are so many that none stands out.
     """
-    contact = np.array(state.contact)
-    length = float(contact[-1, 1] - contact[0, 0])
-    low, high = float(state.edges[0]), float(state.edges[-1])
-    cut = cut_off(state, interval)
-    places, widths = [], []
-    for touched in state.contact:
-        for end, last, side, cut_here in zip(touched, (low, high), (-1, 1), cut, strict=True):
-            floor = NARROWEST * _near(state.y, state.m, end)
-            sharp = end == last and reaches(state, side) and not cut_here
-            places.append(end)
-            widths.append(floor if sharp else max(floor, END_SHARE * _fall(state.y, state.m, *touched, side)))
-    depth = float(np.max(state.rigid[0] + state.rigid[1] * state.y - problem.separation(state.y)))
-    corners = kinks(problem.separation, bends, state)
-    for place, turn in corners:
-        places.append(place)
-        widths.append(max(KINK_SHARE * depth / turn, NARROWEST * _near(state.y, state.m, place)))
-    if cut[0]:
-        low = max(low - EXTENSION * length, interval[0])
-    if cut[1]:
-        high = min(high + EXTENSION * length, interval[1])
-    for place, width in overlaps(problem, state, interval):
-        places.append(place)
-        widths.append(width)
-        low, high = min(low, max(place - 5.0 * width, interval[0])), max(high, min(place + 5.0 * width, interval[1]))
-    sample_y, sample_width = _bending(problem, state)
-    return Sizes(
-        float(low),
-        float(high),
-        np.array(places),
-        np.maximum(np.minimum(widths, length / 8.0), _resolved(low, high)),
-        np.array([place for place, _ in corners]),
-        sample_y,
-        sample_width,
-        contact,
-        length / STRIPS_PER_CONTACT,
-        float(high - low) / 24.0,
-        GROWTH,
-    )
-
-
-def _resolved(low: float, high: float) -> float:
-    """Return the narrowest strip width that floating-point numbers between ``low`` and ``high`` resolve."""
-    spacing = float(np.spacing(max(abs(low), abs(high))))
-    return max(NARROWEST_EVER * (high - low), ROUNDINGS * spacing)
-
-
-@compiled
-def _near(y: Array, m: Array, place: float) -> float:
-    """Return the largest half-width of the few strips in contact nearest to ``place``."""
-    widest, beyond = 0.0, -1.0
-    for _ in range(NEAREST):
-        at, closest = -1, np.inf
-        for i in range(m.size):
-            if m[i] > 0.0 and beyond < abs(y[i] - place) < closest:
-                at, closest = i, abs(y[i] - place)
-        if at < 0:
-            break
-        widest, beyond = max(widest, m[at]), closest
-    return math.sqrt(widest)
-
-
-@compiled
-def _fall(y: Array, m: Array, low: float, high: float, side: int) -> float:
-    """Return the distance from one end of a contact at which m is half its value at the nearest peak."""
-    inside = np.flatnonzero((y >= low) & (y <= high) & (m > 0.0))
-    end = high if side > 0 else low
-    if side > 0:
-        inside = inside[::-1].copy()
-    summit = 0
-    while summit + 1 < inside.size and m[inside[summit + 1]] >= m[inside[summit]]:
-        summit += 1
-    half = 0.5 * m[inside[summit]]
-    at = 0
-    while m[inside[at]] < half:
-        at += 1
-    distance = abs(y[inside[at]] - end)
-    if at == 0:
-        return float(distance)
-    before = abs(y[inside[at - 1]] - end)
-    share = (half - m[inside[at - 1]]) / (m[inside[at]] - m[inside[at - 1]])
-    return float(before + share * (distance - before))
-
-
-def overlaps(problem: Problem, state: State, interval: tuple[float, float]) -> list[tuple[float, float]]:
-    """Return the midpoints of intervals where the surfaces overlap between strips out of contact, and widths for them.
-
-    A wide strip out of contact sees the gap only at its centre; there may be another contact off centre.
-    """
-    y, overlap = overlapping(problem, state, interval)
-    if not np.any(overlap > 0.0):
+    low, high = state.edges[0], state.edges[-1]
+    inside = tuple(bend for bend in bends if low < bend < high and nearly_touching(state.edges, state.m, bend))
+    if len(inside) > MOST_BENDS:
         return []
-    step = (interval[1] - interval[0]) / SAMPLES
-    found = []
-    for i, j in runs(overlap > 0.0):
-        # No wider than the neighbouring places without overlap allow: crests may be much closer together than the
-        # samples, and much narrower.
-        low, high = _reach(y, overlap, i, -1), _reach(y, overlap, j, 1)
-        extent = max(float(y[j] - y[i]), min(step, low + float(y[j] - y[i]) + high))
-        found.append((float(0.5 * (y[i] + y[j])), extent / STRIPS_PER_OVERLAP))
-    return found
+    places, turns = turns_at(separation, inside, float(high - low))
+    return list(zip(places.tolist(), turns.tolist(), strict=True))
 
 
-def _reach(y: Array, overlap: Array, at: int, side: int) -> float:
-    """Return how far an overlap may extend beyond its last place: twice as far as a straight line to the next."""
-    beside = at + side
-    if not 0 <= beside < y.size:
-        return 0.0
-    distance = abs(float(y[beside] - y[at]))
-    falls = -math.inf < overlap[beside] < 0.0
-    share = overlap[at] / (overlap[at] - overlap[beside]) if falls else 1.0
-    return distance * min(2.0 * float(share), 0.5)
-
-
-def kinks(separation: Callable[[Array], Array], bends: tuple[float, ...], state: State) -> list[tuple[float, float]]:
-    """Return places in contact, or next to it, where the slope of the separation jumps, and the jump [rad].
+def turns_at(separation: Callable[[Array], Array], bends: tuple[float, ...], length: float) -> tuple[Array, Array]:
+    """Return places where the slope of the separation jumps, among ``bends``, and the jumps [rad].
 
     Where only the curvature jumps, the slope change shrinks in proportion to the step; at a kink it does not.
     """
-    low, high = state.edges[0], state.edges[-1]
-    inside = [bend for bend in bends if low < bend < high and _nearly_touching(state, bend)]
-    if not inside or len(inside) > MOST_BENDS:
-        return []
-    step = 1e-5 * (high - low)
-    wide, narrow = (_turn(separation, np.array(inside), by) for by in (step, 0.1 * step))
-    return [
-        (float(place), float(turn))
-        for place, turn, before in zip(inside, narrow, wide, strict=True)
-        if turn > 0.5 * before and turn > LEAST_KINK
-    ]
-
-
-def _nearly_touching(state: State, place: float) -> bool:
-    """Return whether the strip around ``place`` or one of its neighbours is in contact."""
-    at = int(np.searchsorted(state.edges, place)) - 1
-    return bool(np.any(state.m[max(at - 1, 0) : at + 2] > 0.0))
+    places = np.array(bends)
+    if not places.size:
+        return np.zeros(0), np.zeros(0)
+    step = 1e-5 * length
+    wide, narrow = (_turn(separation, places, by) for by in (step, 0.1 * step))
+    sharp = (narrow > 0.5 * wide) & (narrow > LEAST_KINK)
+    return places[sharp], narrow[sharp]
 
 
 def _turn(separation: Callable[[Array], Array], places: Array, step: float) -> Array:
@@ -260,183 +173,437 @@ def _turn(separation: Callable[[Array], Array], places: Array, step: float) -> A
     return turn
 
 
-def _bending(problem: Problem, state: State) -> tuple[Array, Array]:
-    """Return samples along y and the width at which the profile sags by no more than SAG of the interference."""
-    y, h = problem.sampled(float(state.edges[0]), float(state.edges[-1]), SAMPLES)
-    narrowest = max(NARROWEST * math.sqrt(float(np.max(state.m))), _resolved(float(y[0]), float(y[-1])))
-    return y[1:-1], _sagging(y, h, state.rigid, narrowest)
+def contact_of(state: States) -> tuple[tuple[float, float], ...]:
+    """Return the intervals in contact of one case [mm]."""
+    return tuple(map(tuple, intervals(state.edges, state.m).tolist()))
 
 
 @compiled
-def _sagging(y: Array, h: Array, rigid: Array, narrowest: float) -> Array:
-    step = y[1] - y[0]
-    deepest = np.max(rigid[0] + rigid[1] * y - h)
-    width = np.empty(y.size - 2)
-    for i in range(width.size):
-        bend = abs(h[i + 2] - 2.0 * h[i + 1] + h[i]) / step**2
-        requested = y[-1] - y[0]
-        if math.isfinite(bend) and bend > 0.0 and rigid[0] + rigid[1] * y[i + 1] >= h[i + 1]:
-            requested = min(requested, math.sqrt(8.0 * SAG * deepest / bend))
-        width[i] = max(requested, narrowest)
+def intervals(edges: Array, m: Array) -> Array:
+    """Return the two ends of every interval in contact, where m, continued linearly, vanishes; shape (k, 2)."""
+    n = m.size
+    found = np.empty((n, 2))
+    count, first = 0, -1
+    for i in range(n):
+        if m[i] > 0.0 and first < 0:
+            first = i
+        if m[i] > 0.0 and (i + 1 == n or not m[i + 1] > 0.0):
+            found[count, 0] = _end(edges, m, first, i, -1)
+            found[count, 1] = _end(edges, m, i, first, 1)
+            count, first = count + 1, -1
+    return found[:count]
+
+
+@compiled
+def _end(edges: Array, m: Array, at: int, other: int, side: int) -> float:
+    """Return where the contact around strip ``at`` ends on the given side, at most one strip away."""
+    edge = edges[at + 1] if side > 0 else edges[at]
+    next_in, next_out = at - side, at + side
+    if at == other or m[next_in] <= m[at]:
+        return float(edge)
+    y = 0.5 * (edges[at] + edges[at + 1])
+    y_in = 0.5 * (edges[next_in] + edges[next_in + 1])
+    limit = 0.5 * (edges[next_out] + edges[next_out + 1]) if 0 <= next_out < m.size else edge
+    run = m[at] * abs(y - y_in) / (m[next_in] - m[at])
+    return float(side * min(side * (y + side * run), side * limit))
+
+
+@compiled
+def lay_all(states: States, terrain: Terrain, extras: Array, fineness: Fineness, count: Indices, edges: Array) -> None:
+    """Lay the strips that coarser solutions call for.
+
+    Parameters
+    ----------
+    states : States
+        A solution of every case, which may cover less than the bodies.
+    terrain : Terrain
+        The bodies.
+    extras : ndarray, shape (cases, 2, k)
+        Further places that need strips and the widths wanted there [mm], nan for none.
+    fineness : Fineness
+        How fine the grids are to be.
+    count : ndarray of int, shape (cases,)
+        Result: numbers of strips; zero for a state that has not converged.
+    edges : ndarray, shape (cases, n)
+        Result: edges [mm], padded with the last one.
+    """
+    shared = states.edges.shape[0] == 1
+    for case in range(count.size):
+        count[case] = 0
+        row = 0 if shared else case
+        n = states.counts[row]
+        if states.status[case] != 0:
+            continue
+        found = _laid(
+            states.edges[row, : n + 1], states.m[case, :n], states.rigid[case], terrain, case, extras[case], fineness
+        )
+        used = min(found.size, edges.shape[1])
+        count[case] = used - 1
+        for i in range(edges.shape[1]):
+            edges[case, i] = found[min(i, used - 1)]
+
+
+@compiled
+def _laid(
+    edges: Array, m: Array, rigid: Array, terrain: Terrain, case: int, extras: Array, fineness: Fineness
+) -> Array:
+    """Return the edges of a grid; where the sizes call for too many strips, those away from features are widened."""
+    contact = intervals(edges, m)
+    sizes = _sizes(edges, m, rigid, contact, terrain, case, extras, fineness.coarseness[case])
+    limit = fineness.limit * min(contact.shape[0], 2)
+    by = 1.0
+    centre = _centre(sizes)
+    right = _walk(centre, sizes.high, sizes, 1.0)
+    left = _walk(centre, sizes.low, sizes, 1.0)
+    wanted = right[1, -1] + left[1, -1]
+    while wanted > limit and by < LOOSEST:
+        by *= max(1.03, (wanted / limit) ** 1.5)
+        right = _walk(centre, sizes.high, sizes, by)
+        left = _walk(centre, sizes.low, sizes, by)
+        wanted = right[1, -1] + left[1, -1]
+    share = fineness.share * min(1.0, limit / wanted)
+    half = 0.5 / share
+    # Too close to an end for half a strip and another one beside it.
+    if min(right[1, -1], left[1, -1]) < half + LEAST_STRIP / share:
+        return _from_end(left, right, sizes.marks, share)
+    reach = min(_read(right[1], right[0], half) - centre, centre - _read(left[1], left[0], half))
+    after, before = _cut(right, centre + reach, sizes.marks, share), _cut(left, centre - reach, sizes.marks, share)
+    joined = np.empty(after.size + before.size)
+    for i in range(before.size):
+        joined[i] = before[before.size - 1 - i]
+    for i in range(after.size):
+        joined[before.size + i] = after[i]
+    return joined
+
+
+@compiled
+def _sizes(
+    edges: Array, m: Array, rigid: Array, contact: Array, terrain: Terrain, case: int, extras: Array, coarseness: float
+) -> _Sizes:
+    """Return the size function that a coarse solution calls for."""
+    n, touched = m.size, contact.shape[0]
+    length = contact[touched - 1, 1] - contact[0, 0]
+    low, high = edges[0], edges[n]
+    room = 2 * touched + terrain.kinks.size + extras.shape[1]
+    places, widths, slow, marks = np.empty(room), np.empty(room), np.zeros(room), np.empty(room)
+    used = marked = 0
+    for k in range(touched):
+        for end in range(2):
+            place, side = contact[k, end], 2 * end - 1
+            local = _near(edges, m, place)
+            floor = NARROWEST * local
+            reached = place == (low if end == 0 else high) and reaches(edges, m, side)
+            cut = reached and (low > terrain.low if end == 0 else high < terrain.high)
+            places[used], widths[used], slow[used] = place, floor, local
+            if not reached or cut:
+                slow[used] = 0.0
+                widths[used] = max(floor, END_SHARE * coarseness * _fall(edges, m, contact[k, 0], contact[k, 1], side))
+            if not reached:
+                marks[marked] = place
+                marked += 1
+            if cut and end == 0:
+                low = max(low - EXTENSION * length, terrain.low)
+            elif cut:
+                high = min(high + EXTENSION * length, terrain.high)
+            used += 1
+    sample_low = terrain.sampled_low[case]
+    samples = terrain.samples[terrain.row[case]]
+    step = (terrain.sampled_high[case] - sample_low) / (samples.size - 1)
+    deepest = _deepest(sample_low, step, samples, rigid)
+    used, marked = _at_kinks(edges, m, terrain, coarseness * deepest, places, widths, marks, used, marked)
+    for k in range(extras.shape[1]):
+        if math.isfinite(extras[0, k]):
+            places[used], widths[used] = extras[0, k], extras[1, k]
+            low = min(low, max(extras[0, k] - 5.0 * extras[1, k], terrain.low))
+            high = max(high, min(extras[0, k] + 5.0 * extras[1, k], terrain.high))
+            used += 1
+    finest = _resolved(low, high)
+    for k in range(used):
+        widths[k] = max(min(widths[k], length / 8.0), finest)
+    widest = 0.0
+    for i in range(n):
+        widest = max(widest, m[i])
+    narrowest = max(NARROWEST * math.sqrt(widest), _resolved(sample_low, sample_low + step * samples.size))
+    bound = _sagging(step, sample_low, samples, rigid, deepest, coarseness, narrowest)
+    return _Sizes(
+        low, high, places[:used], widths[:used], slow[:used], _ascending(marks[:marked]), sample_low + step, step, bound,
+        contact, coarseness * length / STRIPS_PER_CONTACT, (high - low) / 8.0, min(GROWTH * coarseness, 1.0),
+    )  # fmt: skip
+
+
+@compiled
+def _ascending(values: Array) -> Array:
+    """Return values in ascending order."""
+    for i in range(1, values.size):
+        k, value = i, values[i]
+        while k > 0 and values[k - 1] > value:
+            values[k] = values[k - 1]
+            k -= 1
+        values[k] = value
+    return values
+
+
+@compiled
+def _at_kinks(
+    edges: Array, m: Array, terrain: Terrain, depth: float, places: Array, widths: Array, marks: Array, used: int,
+    marked: int,
+) -> tuple[int, int]:  # fmt: skip
+    """Add features and marks at kinks in or beside contact, unless they are too many for any to stand out."""
+    beside = 0
+    for k in range(terrain.kinks.size):
+        beside += 1 if nearly_touching(edges, m, terrain.kinks[k]) else 0
+    if beside > MOST_BENDS:
+        return used, marked
+    for k in range(terrain.kinks.size):
+        place = terrain.kinks[k]
+        if edges[0] < place < edges[m.size] and nearly_touching(edges, m, place):
+            places[used] = marks[marked] = place
+            widths[used] = max(KINK_SHARE * depth / terrain.turns[k], NARROWEST * _near(edges, m, place))
+            used, marked = used + 1, marked + 1
+    return used, marked
+
+
+@compiled
+def reaches(edges: Array, m: Array, side: int) -> bool:
+    """Return whether a contact extends to the outer edge of its strips on that side."""
+    n = m.size
+    at, next_in = (n - 1, n - 2) if side > 0 else (0, 1)
+    if not m[at] > 0.0:
+        return False
+    if n < 2:
+        return True
+    distance = 0.5 * abs(edges[at] + edges[at + 1] - edges[next_in] - edges[next_in + 1])
+    return bool(m[at] - 0.5 * (m[next_in] - m[at]) / distance * (edges[at + 1] - edges[at]) > 0.0)
+
+
+@compiled
+def _resolved(low: float, high: float) -> float:
+    """Return the narrowest strip width that floating-point numbers between ``low`` and ``high`` resolve."""
+    largest = max(abs(low), abs(high))
+    return max(NARROWEST_EVER * (high - low), ROUNDINGS * 2.3e-16 * largest)
+
+
+@compiled
+def _near(edges: Array, m: Array, place: float) -> float:
+    """Return the largest half-width of the few strips in contact nearest to ``place``."""
+    widest, beyond = 0.0, -1.0
+    for _ in range(NEAREST):
+        at, closest = -1, np.inf
+        for i in range(m.size):
+            distance = abs(0.5 * (edges[i] + edges[i + 1]) - place)
+            if m[i] > 0.0 and beyond < distance < closest:
+                at, closest = i, distance
+        if at < 0:
+            break
+        widest, beyond = max(widest, m[at]), closest
+    return math.sqrt(widest)
+
+
+@compiled
+def _fall(edges: Array, m: Array, low: float, high: float, side: int) -> float:
+    """Return the distance from one end of a contact at which m is half its value at the nearest peak."""
+    n, end = m.size, high if side > 0 else low
+    summit, at_summit, first = 0.0, -1, -1
+    for k in range(n):
+        i = n - 1 - k if side > 0 else k
+        y = 0.5 * (edges[i] + edges[i + 1])
+        if m[i] > 0.0 and low <= y <= high:
+            first = i if first < 0 else first
+            if m[i] < summit:
+                break
+            summit, at_summit = m[i], i
+    if at_summit < 0:
+        return high - low
+    i = first
+    while m[i] < 0.5 * summit:
+        i -= side
+    distance = abs(0.5 * (edges[i] + edges[i + 1]) - end)
+    if i == first:
+        return float(distance)
+    out = i + side
+    before = abs(0.5 * (edges[out] + edges[out + 1]) - end)
+    share = (0.5 * summit - m[out]) / (m[i] - m[out])
+    return float(before + share * (distance - before))
+
+
+@compiled
+def nearly_touching(edges: Array, m: Array, place: float) -> bool:
+    """Return whether the strip around ``place`` or one of its neighbours is in contact."""
+    found = False
+    for i in range(m.size):
+        found = found or (m[i] > 0.0 and edges[max(i - 1, 0)] <= place <= edges[min(i + 2, m.size)])
+    return found
+
+
+@compiled
+def _deepest(low: float, step: float, samples: Array, rigid: Array) -> float:
+    """Return the largest interference at the samples."""
+    deepest = -np.inf
+    for i in range(samples.size):
+        deepest = max(deepest, rigid[0] + rigid[1] * (low + i * step) - samples[i])
+    return deepest
+
+
+@compiled
+def _sagging(
+    step: float, low: float, samples: Array, rigid: Array, deepest: float, coarseness: float, narrowest: float
+) -> Array:
+    """Return the width, at every sample but the outermost, at which the profile sags by no more than its share."""
+    n = samples.size - 2
+    width = np.empty(n)
+    sag = 8.0 * SAG * coarseness * coarseness * max(deepest, 0.0)
+    for i in range(n):
+        bend = abs(samples[i + 2] - 2.0 * samples[i + 1] + samples[i]) / (step * step)
+        wanted = step * (n + 1)
+        overlaps = rigid[0] + rigid[1] * (low + (i + 1) * step) >= samples[i + 1]
+        if math.isfinite(bend) and bend > 0.0 and overlaps:
+            wanted = min(wanted, math.sqrt(sag / bend))
+        width[i] = max(wanted, narrowest)
     # Away from every sample it may grow no faster than from a feature.
-    for i in range(1, width.size):
-        width[i] = min(width[i], width[i - 1] + GROWTH * step)
-    for i in range(width.size - 2, -1, -1):
-        width[i] = min(width[i], width[i + 1] + GROWTH * step)
+    growth = GROWTH * coarseness * step
+    for i in range(1, n):
+        width[i] = min(width[i], width[i - 1] + growth)
+    for i in range(n - 2, -1, -1):
+        width[i] = min(width[i], width[i + 1] + growth)
     return width
 
 
-def graded(requested: Sizes, limit: int) -> Grading:
-    """Return the graded grids of a size function, of at most ``limit`` strips.
-
-    Where the sizes call for more, they are loosened away from the features until they do not.
-    """
-    by = 1.0
-    grading = Grading(requested, limit)
-    while grading.count > limit and by < LOOSEST:
-        by *= max(1.03, (grading.count / limit) ** 1.5)
-        grading = Grading(requested.loosened(by), limit)
-    return grading
-
-
-def _centre(requested: Sizes) -> float:
+@compiled
+def _centre(sizes: _Sizes) -> float:
     """Return y = 0 where it is in contact, else the middle of the longest interval in contact."""
-    contact = requested.contact
-    if np.any((contact[:, 0] < 0.0) & (contact[:, 1] > 0.0)) and requested.low < 0.0 < requested.high:
-        return 0.0
-    longest = contact[np.argmax(contact[:, 1] - contact[:, 0])]
-    return float(0.5 * (longest[0] + longest[1]))
-
-
-class Grading:
-    """A walk along y in steps of the target width, and the grids of any number of strips that it yields."""
-
-    def __init__(self, requested: Sizes, limit: int) -> None:
-        self.limit = limit
-        self.centre, self.corners = _centre(requested), requested.corners
-        arguments = (
-            requested.places, requested.widths, requested.sample_y, requested.sample_width, requested.contact,
-            requested.largest, requested.largest_outside, requested.growth,
-        )  # fmt: skip
-        self.right = _walk(self.centre, requested.high, *arguments)
-        self.left = _walk(self.centre, requested.low, *arguments)
-        self.count = float(self.right[1][-1] + self.left[1][-1])
-
-    def edges(self, share: float) -> Array:
-        """Return the edges of a grid with ``share`` times as many strips as requested, or as the limit allows."""
-        share *= min(1.0, self.limit / self.count)
-        half = 0.5 / share
-        # Too close to an end for half a strip and another one beside it.
-        if min(self.right[1][-1], self.left[1][-1]) < half + LEAST_STRIP / share:
-            return self._edges_from_end(share)
-        reach = min(
-            float(np.interp(half, self.right[1], self.right[0])) - self.centre,
-            self.centre - float(np.interp(half, self.left[1], self.left[0])),
-        )
-        right = _cut(*self.right, self.centre + reach, self.corners, share)
-        left = _cut(*self.left, self.centre - reach, self.corners, share)
-        return np.concatenate([left[::-1], right])
-
-    def _edges_from_end(self, share: float) -> Array:
-        """Return the edges of a grid without a centred strip, cut from the end nearest to the centre."""
-        near, far = (self.left, self.right) if self.left[1][-1] <= self.right[1][-1] else (self.right, self.left)
-        y = np.concatenate([near[0][:0:-1], far[0]])
-        count = np.concatenate([near[1][-1] - near[1][:0:-1], near[1][-1] + far[1]])
-        edges: Array = np.sort(_cut(y, count, float(y[0]), self.corners, share))
-        return edges
+    contact = sizes.contact
+    longest, middle = -1.0, 0.0
+    for k in range(contact.shape[0]):
+        if contact[k, 0] < 0.0 < contact[k, 1] and sizes.low < 0.0 < sizes.high:
+            return 0.0
+        if contact[k, 1] - contact[k, 0] > longest:
+            longest, middle = contact[k, 1] - contact[k, 0], 0.5 * (contact[k, 0] + contact[k, 1])
+    return middle
 
 
 @compiled
-def _cut(y: Array, count: Array, start: float, corners: Array, share: float) -> Array:
-    """Return edges from ``start`` outward, a whole number of strips to every corner and to the end."""
-    outward = 1.0 if y[-1] > y[0] else -1.0
-    along = outward * y
-    begin = np.interp(outward * start, along, count)
-    marks = np.append(outward * (corners if outward > 0.0 else corners[::-1]), along[-1])
-    edges = np.empty(int(share * count[-1]) + marks.size + 3)
-    edges[0] = start
-    used = 1
-    for k in range(marks.size):
-        last = k == marks.size - 1
-        reached = np.interp(marks[k], along, count)
-        # A corner close to another edge would cut off a sliver.
-        if not last and min(share * (reached - begin), share * (count[-1] - reached)) < LEAST_STRIP:
-            continue
-        strips = max(1, round(share * (reached - begin)))
-        for strip in range(1, strips):
-            edges[used] = np.interp(begin + (reached - begin) / strips * strip, count, y)
-            used += 1
-        edges[used] = outward * marks[k]
-        used += 1
-        begin = reached
-    return edges[:used].copy()
+def _walk(start: float, stop: float, sizes: _Sizes, by: float) -> Array:
+    """Return positions from ``start`` to ``stop`` and how many strips lie between ``start`` and each, shape (2, n).
 
-
-@compiled
-def _walk(
-    start: float,
-    stop: float,
-    places: Array,
-    widths: Array,
-    sample_y: Array,
-    sample_width: Array,
-    contact: Array,
-    largest: float,
-    largest_outside: float,
-    growth: float,
-) -> tuple[Array, Array]:
-    """Return positions from ``start`` to ``stop`` and how many strips lie between ``start`` and each."""
+    Strips are ``by`` times as wide as the size function says, away from the features; the features themselves are kept.
+    """
     outward = 1.0 if stop > start else -1.0
-    steps_per_strip = 3.0
-    room = 6000
-    y, count = np.empty(room), np.empty(room)
-    y[0], count[0] = start, 0.0
+    walked = np.empty((2, MOST_STEPS))
+    walked[0, 0], walked[1, 0] = start, 0.0
     used = 1
-    while used < room:
-        here = y[used - 1]
-        step = _size(here, places, widths, sample_y, sample_width, contact, largest, largest_outside, growth)
-        if used > room // 2:  # more strips than any grid has: cover the rest in even steps
-            step = max(step, steps_per_strip * abs(stop - here) / (room - used))
-        there = here + outward * step / steps_per_strip
-        last = outward * (there - stop) >= 0.0 or used == room - 1
+    while used < MOST_STEPS:
+        here = walked[0, used - 1]
+        step = _size(here, sizes, by)
+        if used > MOST_STEPS // 2:  # more strips than any grid has: cover the rest in even steps
+            step = max(step, STEPS_PER_STRIP * abs(stop - here) / (MOST_STEPS - used))
+        there = here + outward * step / STEPS_PER_STRIP
+        last = outward * (there - stop) >= 0.0 or used == MOST_STEPS - 1
         if last:
             there = stop
-        middle = _size(
-            0.5 * (here + there), places, widths, sample_y, sample_width, contact, largest, largest_outside, growth
-        )
-        y[used] = there
-        count[used] = count[used - 1] + abs(there - here) / middle
+        walked[0, used] = there
+        walked[1, used] = walked[1, used - 1] + abs(there - here) / _size(0.5 * (here + there), sizes, by)
         used += 1
         if last:
             break
-    return y[:used].copy(), count[:used].copy()
+    path = np.empty((2, used))
+    for i in range(used):
+        path[0, i], path[1, i] = walked[0, i], walked[1, i]
+    return path
 
 
 @compiled
-def _size(
-    y: float,
-    places: Array,
-    widths: Array,
-    sample_y: Array,
-    sample_width: Array,
-    contact: Array,
-    largest: float,
-    largest_outside: float,
-    growth: float,
-) -> float:
+def _size(y: float, sizes: _Sizes, by: float) -> float:
     """Return the target strip width at ``y``."""
     inside = False
+    contact, places, widths = sizes.contact, sizes.places, sizes.widths
     for k in range(contact.shape[0]):
         inside = inside or (contact[k, 0] <= y <= contact[k, 1])
+    growth = min(sizes.growth * math.sqrt(by), 1.0)
     rate = growth if inside else GROWTH_OUTSIDE
-    width = largest if inside else largest_outside
+    width = by * (sizes.largest if inside else sizes.largest_outside)
     for k in range(places.size):
-        width = min(width, widths[k] + rate * abs(y - places[k]))
+        away = abs(y - places[k])
+        near = min(away, sizes.slow[k])
+        width = min(width, widths[k] + min(GROWTH_AT_SHARP_ENDS, rate) * near + rate * (away - near))
     if inside:
         # The narrower of the two samples around y, so that a symmetric profile has a symmetric grid. But a kink shows
         # at one sample only, however far away the next is, so its width grows with the distance.
-        place = (y - sample_y[0]) / (sample_y[1] - sample_y[0])
-        for beside in (math.floor(place), math.ceil(place)):
-            sample = min(max(beside, 0), sample_y.size - 1)
-            width = min(width, max(sample_width[sample], GROWTH * abs(y - sample_y[sample])))
+        place = (y - sizes.sample_low) / sizes.sample_step
+        for beside in range(2):
+            nearest = math.floor(place) if beside == 0 else math.ceil(place)
+            sample = min(max(int(nearest), 0), sizes.sample_width.size - 1)
+            away = abs(y - sizes.sample_low - sample * sizes.sample_step)
+            width = min(width, max(math.sqrt(by) * sizes.sample_width[sample], sizes.growth * away))
     return width
+
+
+@compiled
+def _read(x: Array, values: Array, at: float) -> float:
+    """Return the value at ``at`` on the line through points with ascending ``x``."""
+    low, high = 0, x.size - 1
+    if at <= x[low]:
+        return float(values[low])
+    if at >= x[high]:
+        return float(values[high])
+    while high - low > 1:
+        middle = (low + high) // 2
+        if x[middle] <= at:
+            low = middle
+        else:
+            high = middle
+    return float(values[low] + (at - x[low]) / (x[high] - x[low]) * (values[high] - values[low]))
+
+
+@compiled
+def _from_end(left: Array, right: Array, marks: Array, share: float) -> Array:
+    """Return the edges of a grid without a centred strip, cut from the end nearest to the centre."""
+    near, far = (left, right) if left[1, -1] <= right[1, -1] else (right, left)
+    n = near.shape[1] - 1
+    path = np.empty((2, n + far.shape[1]))
+    for i in range(n):
+        path[0, i], path[1, i] = near[0, n - i], near[1, n] - near[1, n - i]
+    for i in range(far.shape[1]):
+        path[0, n + i], path[1, n + i] = far[0, i], near[1, n] + far[1, i]
+    edges = _cut(path, path[0, 0], marks, share)
+    return edges if edges[0] < edges[edges.size - 1] else _reversed(edges)
+
+
+@compiled
+def _reversed(values: Array) -> Array:
+    n = values.size
+    turned = np.empty(n)
+    for i in range(n):
+        turned[i] = values[n - 1 - i]
+    return turned
+
+
+@compiled
+def _cut(path: Array, start: float, marks: Array, share: float) -> Array:
+    """Return edges from ``start`` outward, a whole number of strips to every mark and to the end."""
+    n = path.shape[1]
+    outward = 1.0 if path[0, n - 1] > path[0, 0] else -1.0
+    along = np.empty(n)
+    for i in range(n):
+        along[i] = outward * path[0, i]
+    counted = path[1]
+    begin = _read(along, counted, outward * start)
+    edges = np.empty(int(share * counted[n - 1]) + marks.size + 4)
+    edges[0] = start
+    used = 1
+    for k in range(marks.size + 1):
+        last = k == marks.size
+        mark = along[n - 1] if last else outward * marks[k if outward > 0.0 else marks.size - 1 - k]
+        if not last and mark <= outward * start:
+            continue
+        reached = _read(along, counted, mark)
+        # A mark close to another edge would cut off a sliver.
+        if not last and min(share * (reached - begin), share * (counted[n - 1] - reached)) < LEAST_STRIP:
+            continue
+        strips = max(1, round(share * (reached - begin)))
+        for strip in range(1, strips):
+            edges[used] = _read(counted, path[0], begin + (reached - begin) / strips * strip)
+            used += 1
+        edges[used] = outward * mark
+        used += 1
+        begin = reached
+    return edges[:used]

@@ -13,66 +13,54 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.bodies.influence import Influence
 from nonhertz.compiled import compiled
 from nonhertz.strip.element import evaluate, evaluate_displacement
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
+from nonhertz.strip.records import Array, Indices, Law, Strips
 
 EQUAL = 1e-12  # fraction of their width by which strips may differ and still count as equal
 
 
 @compiled
-def coefficients(
-    y: Array,
-    low: Array,
-    high: Array,
-    m: Array,
-    active: Indices,
-    terms: Array,
-    at_depth: Array,
-    table: Array,
-    out: Array,
-) -> None:
+def coefficients(strips: Strips, m: Array, active: Indices, law: Law, out: Array) -> None:
     """Fill ``out[:, i, j]`` with [A], [t A'], [B], [t B'] of strip j at the centre of strip i.
 
     Parameters
     ----------
-    y, low, high : ndarray, shape (n,)
-        Strip centres and edges [mm].
+    strips : Strips
+        All strips.
     m : ndarray, shape (n,)
         Squared half-widths [mm^2].
     active : ndarray of int, shape (k,)
         The strips that take part.
-    terms : ndarray, shape (terms, 3)
-        Rows (sign, offset, weight); see the module.
-    at_depth : ndarray, shape (n, n)
-        Displacement of the points at depth; see the module.
-    table : ndarray
-        The element's table.
+    law : Law
+        How they act.
     out : ndarray, shape (4, k, k)
         Result.
     """
-    widths = high - low
-    equal = np.max(widths) - np.min(widths) < EQUAL * widths[0] and active[-1] - active[0] == active.size - 1
+    low, high = strips.low, strips.high
+    equal = active[-1] - active[0] == active.size - 1
+    for i in range(low.size):
+        equal = equal and abs((high[i] - low[i]) - (high[0] - low[0])) < EQUAL * (high[0] - low[0])
     for j in range(active.size):
         source = active[j]
         inverse = 1.0 / math.sqrt(m[source])
         if equal:
-            _seen_from_equal_strips(y, low[source], high[source], inverse, active, terms, table, out[:, :, j])
+            _seen_from_equal_strips(strips.y, low[source], high[source], inverse, active, law, j, out)
         else:
-            _seen_from_any_strips(y, low[source], high[source], inverse, active, terms, table, out[:, :, j])
-        for i in range(active.size):
-            out[0, i, j] -= at_depth[active[i], source]
+            _seen_from_any_strips(strips.y, low[source], high[source], inverse, active, law, j, out)
+        if strips.at_depth.size:
+            for i in range(active.size):
+                out[0, i, j] -= strips.at_depth[active[i], source]
 
 
 @compiled
 def _seen_from_any_strips(
-    y: Array, low: float, high: float, inverse: float, active: Indices, terms: Array, table: Array, out: Array
+    y: Array, low: float, high: float, inverse: float, active: Indices, law: Law, j: int, out: Array
 ) -> None:
+    """Fill column j of every block, from any strip."""
+    terms, table = law.terms, law.table
     for i in range(active.size):
         a = ta = b = tb = 0.0
         for k in range(terms.shape[0]):
@@ -84,15 +72,17 @@ def _seen_from_any_strips(
             ta += weight * (ta1 - ta0)
             b += weight * (b1 - b0)
             tb += weight * (tb1 - tb0)
-        out[0, i], out[1, i], out[2, i], out[3, i] = a, ta, b, tb
+        out[0, i, j], out[1, i, j], out[2, i, j], out[3, i, j] = a, ta, b, tb
 
 
 @compiled
 def _seen_from_equal_strips(
-    y: Array, low: float, high: float, inverse: float, active: Indices, terms: Array, table: Array, out: Array
+    y: Array, low: float, high: float, inverse: float, active: Indices, law: Law, j: int, out: Array
 ) -> None:
-    """Equal strips: neighbours share an edge, so each edge is evaluated once."""
-    out[:] = 0.0
+    """Fill column j of every block, from equal strips: neighbours share an edge, so each edge is evaluated once."""
+    terms, table = law.terms, law.table
+    for i in range(active.size):
+        out[0, i, j] = out[1, i, j] = out[2, i, j] = out[3, i, j] = 0.0
     for k in range(terms.shape[0]):
         sign, weight = terms[k, 0], terms[k, 2]
         # The edge shared with the next strip, and the other one.
@@ -101,10 +91,10 @@ def _seen_from_equal_strips(
         for i in range(active.size):
             a1, ta1, b1, tb1 = a0, ta0, b0, tb0
             a0, ta0, b0, tb0 = evaluate((sign * near + terms[k, 1] - y[active[i]]) * inverse, table)
-            out[0, i] += weight * (a1 - a0)
-            out[1, i] += weight * (ta1 - ta0)
-            out[2, i] += weight * (b1 - b0)
-            out[3, i] += weight * (tb1 - tb0)
+            out[0, i, j] += weight * (a1 - a0)
+            out[1, i, j] += weight * (ta1 - ta0)
+            out[2, i, j] += weight * (b1 - b0)
+            out[3, i, j] += weight * (tb1 - tb0)
 
 
 @compiled
@@ -114,11 +104,19 @@ def displacement(
     """Return the surface's displacement at ``y`` under ``active`` strips with 1/a = ``inverse`` and loads K ``q``."""
     total = 0.0
     for source in active:
-        for k in range(terms.shape[0]):
-            sign, offset = terms[k, 0], terms[k, 1] - y
-            upper = evaluate_displacement((sign * high[source] + offset) * inverse[source], table)
-            lower = evaluate_displacement((sign * low[source] + offset) * inverse[source], table)
-            total += q[source] * sign * terms[k, 2] * (upper - lower)
+        total += q[source] * seen(y, low[source], high[source], inverse[source], terms, table)
+    return total
+
+
+@compiled
+def seen(y: float, low: float, high: float, inverse: float, terms: Array, table: Array) -> float:
+    """Return [A] at ``y`` of one strip with 1/a = ``inverse``, its images included."""
+    total = 0.0
+    for k in range(terms.shape[0]):
+        sign, offset = terms[k, 0], terms[k, 1] - y
+        upper = evaluate_displacement((sign * high + offset) * inverse, table)
+        lower = evaluate_displacement((sign * low + offset) * inverse, table)
+        total += sign * terms[k, 2] * (upper - lower)
     return total
 
 
@@ -130,11 +128,12 @@ def displacements(influence: Influence, y: Array, edges: Array, r: Array, m: Arr
 
 @compiled
 def _on_the_surface(places: Array, low: Array, high: Array, r: Array, m: Array, terms: Array, table: Array) -> Array:
-    active = np.flatnonzero(m > 0.0)
-    inverse, q = 1.0 / np.sqrt(m), r * m
-    result = np.empty(places.size)
-    for i in range(places.size):
-        result[i] = displacement(places[i], low, high, inverse, q, active, terms, table)
+    result = np.zeros(places.size)
+    for j in range(m.size):
+        if m[j] > 0.0:
+            inverse, q = 1.0 / math.sqrt(m[j]), r[j] * m[j]
+            for i in range(places.size):
+                result[i] += q * seen(places[i], low[j], high[j], inverse, terms, table)
     return result
 
 

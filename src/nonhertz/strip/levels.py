@@ -4,17 +4,18 @@ On strips that are wide compared with the half-width the Newton loop converges f
 start that has the shape of the contact, which a coarser level provides. An automatic grid is made in the same way:
 equal strips find the contact, a rough graded grid locates its ends and bends, and the final grid is solved
 with half its strips and with all. The levels also give an error estimate: see `Levels.difference`.
+
+Every level is taken for all cases before the next; a single case is a batch of one.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.strip.acceptance import steady
@@ -26,14 +27,15 @@ from nonhertz.strip.feasible import (
     refuse_infeasible,
     refuse_no_contact,
 )
-from nonhertz.strip.grid import Grading, cut_off, graded, overlaps, sizes, uniform
+from nonhertz.strip.grid import Fineness, Terrain, intervals, lay_all, reaching, turns_at, uniform
 from nonhertz.strip.newton import ROUGH_TOLERANCE, TOLERANCE
-from nonhertz.strip.state import Problem, State, settle, sprung
+from nonhertz.strip.overlaps import SAMPLES, overlaps
+from nonhertz.strip.problem import Problem, padded_rows, row_of, settled, sprung
+from nonhertz.strip.records import Array, Flags, Indices, States
 
-Array = NDArray[np.float64]
 Interval = tuple[float, float]
 
-STRIP_LIMIT = 87  # of an automatic grid on one interval of contact
+STRIP_LIMIT = 87  # of an automatic grid of coarseness 1 on one interval of contact
 COARSE_STRIPS = 24
 COARSEST_LEVEL = 5
 PATIENT_STRIPS = 400
@@ -41,7 +43,7 @@ MORE_STRIPS = (1, 5, 25)  # times as many to begin with, in case fewer miss the 
 FEWER_STRIPS = (1.0, 0.94, 0.88, 0.82, 0.76)  # tried in turn where a grid has no solution
 # Fractions of the strips: a rough grid that grades the final one, then half of the final one and all of it; and these
 # again, if the solution shows that another contact was missed.
-LESSONS = ((0.35,), (0.5, 1.0))
+LESSONS = ((0.35,), (0.5,), (0.5, 1.0))
 REPEATS = (LESSONS[-1], LESSONS[-1])
 WELL_FILLED = 0.4  # fraction of the region that the contact must fill before a grid is graded from it
 SAFETY = 2.0
@@ -51,14 +53,14 @@ SAFETY = 2.0
 class Levels:
     """The solution and those on coarser grids, finest first; coarser ones that did not converge are left out."""
 
-    states: tuple[State, ...]
+    states: tuple[States, ...]
 
     @property
-    def finest(self) -> State:
+    def finest(self) -> States:
         """The state on the grid of the result."""
         return self.states[0]
 
-    def difference(self, quantity: Callable[[State], float]) -> float:
+    def difference(self, quantity: Callable[[States], float]) -> float:
         """Return an estimate of the relative error of a quantity.
 
         An error that halves when the strips are halved is as large as the last change. At sharp ends it falls a little
@@ -90,91 +92,184 @@ def given_grids(edges: Array) -> list[Array]:
     return grids
 
 
-def on_equal_strips(problem: Problem, interval: Interval, count: int) -> Levels:
-    """Return the solution on ``count`` equal strips over the interval on which the bodies can touch."""
-    return _raised(problem, equal_grids(problem, interval, count))
+def on_given_strips(problem: Problem, grids: Sequence[Array], targets: Array) -> list[States]:
+    """Return the states of all cases on several grids, finest first."""
+    found: list[States] = []
+    for edges in reversed(grids):
+        last = edges is grids[0]
+        # Where no coarser grid has a solution, hours of retries on very many strips would not find one either.
+        patient = last and (edges.size <= PATIENT_STRIPS or any(bool(np.any(level.converged)) for level in found))
+        tolerance = TOLERANCE if last else ROUGH_TOLERANCE
+        near = found[0] if found else None
+        found.insert(0, settled(problem, *row_of(edges), targets, near, tolerance=tolerance, patient=patient))
+    return found
 
 
-def on_given_strips(problem: Problem, edges: Array) -> Levels:
-    """Return the solution on the strips between ``edges``."""
-    return _raised(problem, given_grids(edges))
+def on_automatic_strips(
+    problem: Problem, interval: Interval, bends: tuple[float, ...], targets: Array, coarseness: float = 1.0
+) -> list[tuple[Indices, list[States]]]:
+    """Return the states of cases on graded grids, in groups that took the same number of levels.
 
+    Parameters
+    ----------
+    problem : Problem
+        What the cases share.
+    interval : tuple of float
+        Where the bodies may touch [mm].
+    bends : tuple of float
+        Where the profiles bend [mm].
+    targets : ndarray, shape (cases, 2)
+        As `Problem.target`.
 
-def on_automatic_strips(problem: Problem, interval: Interval, bends: tuple[float, ...]) -> Levels:
-    """Return the solution on a graded grid; ``bends`` are where the profiles bend."""
-    finite = bounded(problem, interval)
-    states = [_located(problem, interval, finite)]
-    for lesson, shares in enumerate(LESSONS + REPEATS):
-        complete = lesson >= len(LESSONS)
-        if not states[0].converged:
-            break
-        if complete and not any(cut_off(states[0], interval)) and not overlaps(problem, states[0], finite):
-            break
-        requested = sizes(problem, states[0], bends, finite)
-        grading = graded(requested, STRIP_LIMIT if len(requested.contact) == 1 else 2 * STRIP_LIMIT)
-        for share in shares:
-            states.insert(0, _settled(problem, grading, states[0], share))
-    # The equal strips that found the contact are too few to say anything about the error.
-    return Levels(tuple(states[:-1]) or tuple(states))
-
-
-def _raised(problem: Problem, grids: list[Array]) -> Levels:
-    """Solve on every grid, the last and coarsest first."""
-    refuse_infeasible(problem, grids[0])
-    states: list[State] = []
-    for edges in reversed(grids[1:]):
-        if feasible(problem, edges):
-            state = settle(problem, edges, states[0] if states else None, patient=False, tolerance=ROUGH_TOLERANCE)
-            if state.converged:
-                states.insert(0, state)
-    # Where no coarser grid has a solution, hours of retries on very many strips would not find one either.
-    patient = bool(states) or grids[0].size <= PATIENT_STRIPS
-    return Levels((settle(problem, grids[0], states[0] if states else None, patient=patient), *states))
-
-
-def _settled(problem: Problem, grading: Grading, near: State, share: float) -> State:
-    """Return the solution on a graded grid, or on a slightly coarser one if there is none.
-
-    Where a blunt contact ends just at the edge of a strip, that strip can be unable to carry load (its neighbours
-    alone curve the surface more than the bodies do) and yet overlap without it. The next grid has its edges
-    elsewhere. It is also tried when the solution found is unstable, as spurious ones are in contacts several times as
-    wide as long.
+    Returns
+    -------
+    list of tuple
+        The numbers of the cases, and their states, finest first. A case that has not converged on some grid is left
+        in that state.
     """
-    state = near
-    tolerance = TOLERANCE if share == 1.0 else ROUGH_TOLERANCE
-    for fewer in FEWER_STRIPS:
-        last = fewer == FEWER_STRIPS[-1]
-        state = settle(problem, grading.edges(fewer * share), near, patient=last, tolerance=tolerance)
-        if state.converged and steady(state.stiffness, float(np.max(np.abs(state.edges)))):
-            break
-    return state
+    finite = bounded(problem, interval)
+    refuse_endless_relief(*problem.sampled(*finite, COARSE_STRIPS))
+    kinks = turns_at(problem.separation, tuple(bend for bend in bends if finite[0] < bend < finite[1]), np.ptp(finite))
+    rows, states = np.arange(len(targets)), [_located(problem, interval, finite, targets)]
+    groups = []
+    for lesson, shares in enumerate(LESSONS + REPEATS):
+        learning = _Learning(problem, interval, finite, kinks, targets[rows], np.full(rows.size, coarseness))
+        if lesson >= len(LESSONS):
+            again = states[0].converged & learning.incomplete(states[0])
+            groups.append((rows[~again], [level.only(np.flatnonzero(~again)) for level in states]))
+            rows, states = rows[again], [level.only(np.flatnonzero(again)) for level in states]
+            if not rows.size:
+                break
+            learning = _Learning(problem, interval, finite, kinks, targets[rows], np.full(rows.size, coarseness))
+        learnt_from = states[0]
+        for share in shares:
+            states.insert(0, learning.finer(learnt_from, states[0], share))
+    if rows.size:
+        groups.append((rows, states))
+    # The equal strips that found the contact are too few to say anything about the error.
+    return [(cases, levels[:-1]) for cases, levels in groups if cases.size]
 
 
-def _located(problem: Problem, interval: Interval, finite: Interval) -> State:
-    """Return a solution on equal strips of a region that the contact fills well, searching from ``finite`` inwards."""
-    edges = _first_strips(problem, finite)
-    state = settle(problem, edges, tolerance=ROUGH_TOLERANCE)
+@dataclass(frozen=True)
+class _Learning:
+    """Cases whose grids are learnt from coarser solutions."""
+
+    problem: Problem
+    interval: Interval
+    finite: Interval
+    kinks: tuple[Array, Array]
+    targets: Array
+    coarseness: Array
+
+    def finer(self, states: States, near: States, share: float) -> States:
+        """Return solutions on graded grids, or on slightly coarser ones where these have none.
+
+        Cases that had not converged before are left as they were.
+
+        Where a blunt contact ends just at the edge of a strip, that strip can be unable to carry load (its neighbours
+        alone curve the surface more than the bodies do) and yet overlap without it. The next grid has its edges
+        elsewhere. It is also tried when the solution found is unstable, as spurious ones are in contacts several times
+        as wide as long.
+        """
+        left = np.flatnonzero(states.converged)
+        if not left.size:
+            return states
+        terrain, extras, found = self._terrain(states), self._extras(states), near
+        for fewer in FEWER_STRIPS:
+            laid = states.only(left)
+            limit = int(STRIP_LIMIT / min(float(self.coarseness.min()), 1.0))
+            fineness = Fineness(self.coarseness[left], fewer * share, limit)
+            count, edges = np.zeros(left.size, dtype=np.int64), np.empty((left.size, 3 * limit))
+            lay_all(laid, terrain.only(left), extras[left], fineness, count, edges)
+            tried = settled(
+                self.problem, count, np.ascontiguousarray(edges[:, : count.max() + 1]), self.targets[left], near.only(left),
+                tolerance=TOLERANCE if share == 1.0 else ROUGH_TOLERANCE, patient=fewer == FEWER_STRIPS[-1],
+            )  # fmt: skip
+            found = found.replaced(left, tried)
+            left = left[~(tried.converged & steadily(tried))]
+            if not left.size:
+                break
+        return found
+
+    def incomplete(self, states: States) -> Flags:
+        """Return which cases end where the bodies do not, or overlap where no strip is in contact."""
+        ends = np.broadcast_to(_ends(states), (states.status.size, 2))
+        low, high = self.interval
+        missing: Flags = (reaching(states, -1) & (ends[:, 0] > low)) | (reaching(states, 1) & (ends[:, 1] < high))
+        for row in np.flatnonzero(states.converged & ~missing):
+            missing[row] = bool(overlaps(self.problem, states.one(int(row)), self.finite))
+        return missing
+
+    def _terrain(self, states: States) -> Terrain:
+        low, high = np.broadcast_to(_ends(states), (states.status.size, 2)).T
+        regions, row = np.unique(np.stack([low, high]), axis=1, return_inverse=True)
+        if np.array_equal(regions.T, [self.finite]):
+            samples = self.problem.sampled(*self.finite, SAMPLES)[1][None]
+        else:
+            places = np.linspace(regions[0], regions[1], SAMPLES + 1, axis=1)
+            samples = self.problem.separation(places.ravel()).reshape(places.shape)
+        return Terrain(*self.finite, *self.kinks, low.copy(), high.copy(), row.ravel(), samples)
+
+    def _extras(self, states: States) -> Array:
+        cases = range(states.status.size)
+        found = [overlaps(self.problem, states.one(row), self.finite) if states.converged[row] else [] for row in cases]
+        extras = np.full((len(cases), 2, max(map(len, found))), np.nan)
+        for row, places in enumerate(found):
+            extras[row, :, : len(places)] = np.array(places).reshape(-1, 2).T
+        return extras
+
+
+def _ends(states: States) -> Array:
+    """Return where the strips of every grid begin and end [mm], shape (grids, 2)."""
+    return np.stack([states.edges[:, 0], states.edges[:, -1]], axis=1)
+
+
+def steadily(states: States) -> Flags:
+    """Return for which cases the bodies resist being pressed together and being tilted."""
+    reach = np.broadcast_to(np.abs(_ends(states)).max(axis=1), states.status.shape)
+    return np.array([steady(*each) for each in zip(states.stiffness, reach, strict=True)])
+
+
+def _located(problem: Problem, interval: Interval, finite: Interval, targets: Array) -> States:
+    """Return solutions on equal strips of regions that the contacts fill well, searching from ``finite`` inwards."""
+    count, edges = padded_rows([_first_strips(problem.of(target), finite) for target in targets])
+    if np.all(edges == edges[0]):
+        count, edges = count[:1], edges[:1]
+    states = settled(problem, count, edges, targets, tolerance=ROUGH_TOLERANCE)
+    rows = np.flatnonzero(states.converged)
     for _ in range(40):
-        if not state.converged:
+        narrower = {row: _narrower(states.one(row), interval) for row in rows.tolist()}
+        grids = {row: region for row, region in narrower.items() if region is not None}
+        if not grids:
             break
-        ends = state.contact
-        first, last = ends[0][0], ends[-1][1]
-        span = last - first
-        low, high = float(state.edges[0]), float(state.edges[-1])
-        cut = (state.m[0] > 0.0 and low > interval[0]) or (state.m[-1] > 0.0 and high < interval[1])
-        if not cut and span > WELL_FILLED * (high - low):
-            break
-        margin = max(0.3 * span, 2.0 * float(np.min(state.width))) * (4.0 if cut else 1.0)
-        edges = uniform(max(first - margin, interval[0]), min(last + margin, interval[1]), COARSE_STRIPS)
-        state = settle(problem, edges, tolerance=ROUGH_TOLERANCE)
-    return state
+        rows = np.array(list(grids))
+        found = settled(
+            problem, *padded_rows([uniform(*region, COARSE_STRIPS) for region in grids.values()]), targets[rows],
+            tolerance=ROUGH_TOLERANCE,
+        )  # fmt: skip
+        states = states.replaced(rows, found)
+        rows = rows[found.converged]
+    return states
+
+
+def _narrower(state: States, interval: Interval) -> Interval | None:
+    """Return where to look again for a contact that fills little of its strips or is cut off; None if it need not."""
+    contact = intervals(state.edges, state.m)
+    first, last = float(contact[0, 0]), float(contact[-1, 1])
+    low, high = float(state.edges[0]), float(state.edges[-1])
+    cut = (state.m[0] > 0.0 and low > interval[0]) or (state.m[-1] > 0.0 and high < interval[1])
+    if not cut and last - first > WELL_FILLED * (high - low):
+        return None
+    margin = max(0.3 * (last - first), 2.0 * float(np.min(state.width))) * (4.0 if cut else 1.0)
+    return max(first - margin, interval[0]), min(last + margin, interval[1])
 
 
 def _first_strips(problem: Problem, finite: Interval) -> Array:
     """Return equal strips that can meet what is prescribed: all along the bodies, or near where they touch."""
     edges = uniform(*finite, COARSE_STRIPS)
-    y = 0.5 * (edges[1:] + edges[:-1])
-    refuse_endless_relief(y, problem.separation(y))
+    # Where the load is given and the moment is not, any strips will do.
+    if problem.prescribed[0] and not problem.prescribed[1]:
+        return edges
     # A prescribed approach may bring only a tiny spot into contact, a moment only the very end.
     if problem.prescribed[0] and feasible(problem, edges):
         return edges

@@ -64,7 +64,7 @@ def solve_in_place(equations: Array) -> None:
         for k in range(first + BLOCK - 1, first - 1, -1):
             for other in range(k + 1, first + BLOCK):
                 _subtract(equations[k, n:], equations[other, n:], equations[k, other])
-            equations[k, n:] *= 1.0 / equations[k, k]
+            _scale(equations[k, n:], 1.0 / equations[k, k])
         _subtract_tiles(equations, equations, equations, 0, first, n, columns, first, first, 0, BLOCK)
 
 
@@ -101,12 +101,18 @@ def _pivot(equations: Array, first: int, panel: Array) -> None:
                 equations[k, j], equations[largest, j] = equations[largest, j], equations[k, j]
             for other in range(BLOCK):
                 panel[other, k], panel[other, largest] = panel[other, largest], panel[other, k]
-        panel[c, k + 1 :] *= 1.0 / panel[c, k]
+        _scale(panel[c, k + 1 :], 1.0 / panel[c, k])
         for other in range(c + 1, BLOCK):
             _subtract(panel[other, k + 1 :], panel[c, k + 1 :], panel[other, k])
     for i in range(first, n):
         for c in range(BLOCK):
             equations[i, first + c] = panel[c, i]
+
+
+@compiled
+def _scale(row: Array, factor: float) -> None:
+    for j in range(row.size):
+        row[j] *= factor
 
 
 @compiled

@@ -9,126 +9,109 @@ tilt.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled
-
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
+from nonhertz.strip.newton import touching
+from nonhertz.strip.records import Array, Given, Law, Sought, Strips
 
 SECANTS = 30
 
 
-@compiled
-def started(
-    y: Array,
-    width: Array,
-    curvature: Array,
-    separation: Array,
-    line_factor: float,
-    prescribed: Flags,
-    target: Array,
-    near_y: Array,
-    near_r: Array,
-    near_m: Array,
-    near_rigid: Array,
-) -> tuple[Array, Array, Array]:
-    """Return r, m and the rigid motion from a solution on other strips, or from springs if there is none."""
-    if near_y.size > 0:
-        r, m = prolong(near_y, near_r, near_m, y)
-        m[~np.isfinite(separation)] = 0.0
-        if np.any(m > 0.0):
-            return r, m, np.where(prescribed, near_rigid, target)
-    return springs(y, width, curvature, separation, line_factor, prescribed, target)
+class Bed(NamedTuple):
+    """Springs side by side: where they are, how wide, and how far the other body is above them, shape (n,) each."""
+
+    y: Array
+    width: Array
+    height: Array
 
 
 @compiled
-def springs(
-    y: Array,
-    width: Array,
-    curvature: Array,
-    separation: Array,
-    line_factor: float,
-    prescribed: Flags,
-    target: Array,
-) -> tuple[Array, Array, Array]:
-    """Return r, m and the rigid motion of independent springs; arguments as in `nonhertz.strip.newton`."""
-    if not (prescribed[1] and target[1] < 0.0):
-        return _springs(y, width, curvature, separation, line_factor, prescribed, target)
-    # Mirrored, so that two cases that are mirror images of each other start identically to the last bit.
-    r, m, rigid = _springs(
-        -y[::-1].copy(), width[::-1].copy(), curvature[::-1].copy(), separation[::-1].copy(), line_factor, prescribed,
-        target * np.array([1.0, -1.0]),
-    )  # fmt: skip
-    return r[::-1].copy(), m[::-1].copy(), rigid * np.array([1.0, -1.0])
-
-
-@compiled
-def _springs(
-    y: Array,
-    width: Array,
-    curvature: Array,
-    separation: Array,
-    line_factor: float,
-    prescribed: Flags,
-    target: Array,
-) -> tuple[Array, Array, Array]:
-    half = 0.5 * float(np.sum(width))
-    usable = np.flatnonzero(np.isfinite(separation))
-    beds = y[usable], width[usable], separation[usable]
-    r = curvature / line_factor
-    m = np.zeros_like(y)
-    rigid = np.zeros(2)
-    if usable.size == 0:
-        return r, m, rigid
+def springs(strips: Strips, given: Given, law: Law, sought: Sought) -> None:
+    """Fill ``sought`` with r, m and the rigid motion of independent springs."""
+    # Mirrored where the moment is negative, so that two cases that are mirror images of each other start identically
+    # to the last bit.
+    side = -1.0 if given.by_force[1] and given.target[1] < 0.0 else 1.0
+    n = strips.y.size
+    half, count = 0.0, 0
+    for i in range(n):
+        half += 0.5 * (strips.high[i] - strips.low[i])
+        count += 1 if math.isfinite(strips.separation[i]) else 0
+        sought.r[i] = strips.curvature[i] / law.line_factor
+        sought.m[i] = 0.0
+    sought.rigid[0] = sought.rigid[1] = 0.0
+    if count == 0:
+        return
+    bed = Bed(np.empty(count), np.empty(count), np.empty(count))
+    count = 0
+    for k in range(n):
+        i = k if side > 0.0 else n - 1 - k
+        if math.isfinite(strips.separation[i]):
+            bed.y[count] = side * strips.y[i]
+            bed.width[count] = strips.high[i] - strips.low[i]
+            bed.height[count] = strips.separation[i]
+            count += 1
+    target = np.empty(2)
+    target[0], target[1] = given.target[0], side * given.target[1]
+    turned = Given(given.by_force, target)
     largest = 0.05 * half
     for _ in range(3):
         stiffness = 1.0 / (2.0 * (math.log(max(2.0 * half / largest, 1.5)) + 1.2))
-        rigid = _balance(beds, stiffness, prescribed, target)
-        m = np.maximum(rigid[0] + rigid[1] * y - separation, 0.0) * stiffness / r
-        largest = max(math.sqrt(np.max(m)), 1e-6 * half)
-    return r, m, rigid
+        approach, tilt = _balance(bed, stiffness, turned)
+        sought.rigid[0], sought.rigid[1] = approach, side * tilt
+        widest = 0.0
+        for i in range(n):
+            depth = approach + side * tilt * strips.y[i] - strips.separation[i]
+            sought.m[i] = depth * stiffness / sought.r[i] if depth > 0.0 else 0.0
+            widest = max(widest, sought.m[i])
+        largest = max(math.sqrt(widest), 1e-6 * half)
 
 
 @compiled
-def _balance(beds: tuple[Array, Array, Array], stiffness: float, prescribed: Flags, target: Array) -> Array:
-    """Return approach and tilt of spring ``beds`` (place, width, separation) of this stiffness per unit length."""
-    tilt = other = float(target[1])
-    if prescribed[1]:
-        tilt, other = _tilts(beds, stiffness, prescribed, target)
-    approach = _approach(beds, stiffness, tilt, prescribed, target)
+def _balance(bed: Bed, stiffness: float, given: Given) -> tuple[float, float]:
+    """Return approach and tilt of springs of this stiffness per unit length."""
+    tilt = other = float(given.target[1])
+    if given.by_force[1]:
+        tilt, other = _tilts(bed, stiffness, given)
+    approach = _approach(bed, stiffness, tilt, given)
     # With nothing in contact the moment is zero too. For a nonzero target take the end of the bracket in contact.
-    if target[1] != 0.0 and not np.max(approach + tilt * beds[0] - beds[2]) > 0.0:
+    deepest = -np.inf
+    for i in range(bed.y.size):
+        deepest = max(deepest, approach + tilt * bed.y[i] - bed.height[i])
+    if given.target[1] != 0.0 and not deepest > 0.0:
         tilt = other
-        approach = _approach(beds, stiffness, tilt, prescribed, target)
-    return np.array([approach, tilt])
+        approach = _approach(bed, stiffness, tilt, given)
+    return approach, tilt
 
 
 @compiled
-def _tilts(beds: tuple[Array, Array, Array], stiffness: float, prescribed: Flags, target: Array) -> tuple[float, float]:
+def _tilts(bed: Bed, stiffness: float, given: Given) -> tuple[float, float]:
     """Return the two ends of a short bracket around the tilt at which the moment is met."""
-    low, excess = 0.0, _excess_moment(beds, stiffness, 0.0, prescribed, target)
+    low, excess = 0.0, _excess_moment(bed, stiffness, 0.0, given)
     if excess == 0.0:
         return 0.0, 0.0
-    reach = np.max(np.abs(beds[0]))
-    step = abs(target[0]) + abs(target[1]) / reach
-    if prescribed[0]:
-        step /= stiffness * np.sum(beds[1])
+    reach = length = 0.0
+    for i in range(bed.y.size):
+        reach = max(reach, abs(bed.y[i]))
+        length += bed.width[i]
+    step = abs(given.target[0]) + abs(given.target[1]) / reach
+    if given.by_force[0]:
+        step /= stiffness * length
     high = -math.copysign(step / reach, excess)
-    over = _excess_moment(beds, stiffness, high, prescribed, target)
+    over = _excess_moment(bed, stiffness, high, given)
     for _ in range(200):
         if over * excess <= 0.0:
             break
         low, excess, high = high, over, 2.0 * high
-        over = _excess_moment(beds, stiffness, high, prescribed, target)
+        over = _excess_moment(bed, stiffness, high, given)
     # False position (Illinois variant): halve the value at an end that stays put.
     for _ in range(SECANTS):
         if over == 0.0 or abs(high - low) <= 1e-10 * (abs(high) + abs(low)):
             break
         middle = high - over * (high - low) / (over - excess)
-        found = _excess_moment(beds, stiffness, middle, prescribed, target)
+        found = _excess_moment(bed, stiffness, middle, given)
         if found * over < 0.0:
             low, excess = high, over
         else:
@@ -138,26 +121,23 @@ def _tilts(beds: tuple[Array, Array, Array], stiffness: float, prescribed: Flags
 
 
 @compiled
-def _approach(
-    beds: tuple[Array, Array, Array], stiffness: float, tilt: float, prescribed: Flags, target: Array
-) -> float:
+def _approach(bed: Bed, stiffness: float, tilt: float, given: Given) -> float:
     """Return the approach at this tilt: the prescribed one, or the one at which the springs carry the load.
 
     With all springs acting, in tension where they are too short, the approach is too large. Dropping those in tension
     lowers it, and so on: the load is a convex, piecewise linear function of the approach, on which Newton's method
     descends to the exact answer.
     """
-    if not prescribed[0]:
-        return float(target[0])
-    y, width, separation = beds
+    if not given.by_force[0]:
+        return float(given.target[0])
     approach = np.inf
-    for _ in range(y.size + 1):
-        carried, bearing = target[0], 0.0
-        for k in range(y.size):
-            height = separation[k] - tilt * y[k]
+    for _ in range(bed.y.size + 1):
+        carried, bearing = given.target[0], 0.0
+        for k in range(bed.y.size):
+            height = bed.height[k] - tilt * bed.y[k]
             if height < approach:
-                bearing += stiffness * width[k]
-                carried += stiffness * width[k] * height
+                bearing += stiffness * bed.width[k]
+                carried += stiffness * bed.width[k] * height
         lower = carried / bearing
         if not lower < approach:
             break
@@ -166,34 +146,61 @@ def _approach(
 
 
 @compiled
-def _excess_moment(
-    beds: tuple[Array, Array, Array], stiffness: float, tilt: float, prescribed: Flags, target: Array
-) -> float:
-    y, width, separation = beds
-    depth = np.maximum(_approach(beds, stiffness, tilt, prescribed, target) + tilt * y - separation, 0.0)
-    return float(stiffness * np.sum(width * y * depth) - target[1])
+def _excess_moment(bed: Bed, stiffness: float, tilt: float, given: Given) -> float:
+    approach, moment = _approach(bed, stiffness, tilt, given), 0.0
+    for i in range(bed.y.size):
+        moment += bed.width[i] * bed.y[i] * max(approach + tilt * bed.y[i] - bed.height[i], 0.0)
+    return float(stiffness * moment - given.target[1])
 
 
 @compiled
-def prolong(y_from: Array, r_from: Array, m_from: Array, y: Array) -> tuple[Array, Array]:
-    """Return r and m interpolated to other strips.
+def prolong(near_y: Array, near: Sought, strips: Strips, given: Given, sought: Sought) -> bool:
+    """Fill ``sought`` from a solution on other strips, at ``near_y``; return whether any strip is in contact.
 
     m passes linearly through zero where the contact ends: the first idle strip is given the value that continues
     the line, so that strips of the other grid are in or out of contact according to where it really ends.
     """
-    extended = m_from.copy()
-    _continue_past_ends(y_from, m_from, extended)
-    # The same from the other side.
-    _continue_past_ends(y_from[::-1], m_from[::-1], extended[::-1])
-    touching = np.flatnonzero(m_from > 0.0)
-    m = np.maximum(np.interp(y, y_from, extended), 0.0)
-    return np.interp(y, y_from[touching], r_from[touching]), m
+    extended = near.m.copy()
+    _continue_past_ends(near_y, near.m, 1, extended)
+    _continue_past_ends(near_y, near.m, -1, extended)
+    bearing = touching(near.m)
+    any_touches = False
+    left, left_bearing = 0, 0
+    for i in range(strips.y.size):
+        y = strips.y[i]
+        while left + 2 < near_y.size and near_y[left + 1] <= y:
+            left += 1
+        while left_bearing + 2 < bearing.size and near_y[bearing[left_bearing + 1]] <= y:
+            left_bearing += 1
+        m = _between(near_y, extended, left, min(left + 1, near_y.size - 1), y)
+        if not (m > 0.0 and math.isfinite(strips.separation[i])):
+            m = 0.0
+        beside = bearing[min(left_bearing + 1, bearing.size - 1)]
+        sought.r[i] = _between(near_y, near.r, bearing[left_bearing], beside, y)
+        sought.m[i] = m
+        any_touches = any_touches or m > 0.0
+    for k in range(2):
+        sought.rigid[k] = near.rigid[k] if given.by_force[k] else given.target[k]
+    return any_touches
 
 
 @compiled
-def _continue_past_ends(y: Array, m: Array, extended: Array) -> None:
+def _between(y_of: Array, values: Array, left: int, right: int, y: float) -> float:
+    """Return the value at ``y`` on the straight line between two neighbours, constant beyond both."""
+    if y <= y_of[left] or left == right:
+        return float(values[left])
+    if y >= y_of[right]:
+        return float(values[right])
+    share = (y - y_of[left]) / (y_of[right] - y_of[left])
+    return float(values[left] + share * (values[right] - values[left]))
+
+
+@compiled
+def _continue_past_ends(y: Array, m: Array, step: int, extended: Array) -> None:
     """Extrapolate m into the first idle strip after two in contact, if that gives less than the value there."""
-    for at in range(2, m.size):
-        if m[at] == 0.0 and m[at - 1] > 0.0 and m[at - 2] > 0.0:
-            slope = (m[at - 1] - m[at - 2]) / (y[at - 1] - y[at - 2])
-            extended[at] = min(extended[at], m[at - 1] + slope * (y[at] - y[at - 1]))
+    for k in range(2, m.size):
+        at = k if step > 0 else m.size - 1 - k
+        before, second = at - step, at - 2 * step
+        if m[at] == 0.0 and m[before] > 0.0 and m[second] > 0.0:
+            slope = (m[before] - m[second]) / (y[before] - y[second])
+            extended[at] = min(extended[at], m[before] + slope * (y[at] - y[before]))

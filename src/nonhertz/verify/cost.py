@@ -19,6 +19,7 @@ from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import SEMI_ELLIPTIC
 from nonhertz.strip.influence import coefficients
+from nonhertz.strip.records import Law, Strips
 from nonhertz.verify.claim import Check, Picture, Section
 
 if TYPE_CHECKING:
@@ -82,13 +83,13 @@ def _solve(contact: Contact, count: int) -> Solution:
 
 
 def _assemble(contact: Contact, solution: Solution) -> None:
-    terms = influence_of(contact, SEMI_ELLIPTIC).terms
+    element, y, edges = SEMI_ELLIPTIC, solution.y, solution.edges
+    law = Law(influence_of(contact, element).terms, element.table, element.line_factor, element.hertz_ratio)
+    at_rest = np.zeros((0, 0))
+    strips = Strips(y, edges[:-1], edges[1:], contact.curvature(y), contact.separation(y), at_rest)
     active = np.flatnonzero(solution.line_load > 0.0)
-    edges, n = solution.edges, solution.strips
     square = np.maximum(solution.element_half_width, 1e-3) ** 2
-    out = np.empty((4, active.size, active.size))
-    table = SEMI_ELLIPTIC.table
-    coefficients(solution.y, edges[:-1], edges[1:], square, active, terms, np.zeros((n, n)), table, out)
+    coefficients(strips, square, active, law, np.empty((4, active.size, active.size)))
 
 
 def _median(run: Callable[[], object]) -> float:

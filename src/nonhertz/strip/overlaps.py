@@ -1,0 +1,111 @@
+"""Where the surfaces overlap although no strip is in contact: another contact that the strips have missed.
+
+Contact conditions are enforced only at strip centres. So the bodies are sampled again along their whole length,
+including every crest of the profiles and the vertices of parabolas through the samples.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from nonhertz.strip.grid import intervals
+from nonhertz.strip.influence import displacements
+from nonhertz.strip.problem import Problem
+from nonhertz.strip.records import Array, Flags, States
+
+SAMPLES = 600  # along the bodies
+BESIDE = 0.02  # of an interval in contact: an overlap this close to it only shows where the contact ends
+NOTICED = 1e-9  # of the deepest interference; a smaller overlap is rounding
+STRIPS_PER_OVERLAP = 5.0
+
+
+def runs(flags: Flags) -> list[tuple[int, int]]:
+    """Return the first and last index of every run of true flags."""
+    change = (np.flatnonzero(flags[1:] != flags[:-1]) + 1).tolist()
+    if flags[0]:
+        change.insert(0, 0)
+    if flags[-1]:
+        change.append(flags.size)
+    return [(first, beyond - 1) for first, beyond in zip(change[::2], change[1::2], strict=True)]
+
+
+def overlaps(problem: Problem, state: States, interval: tuple[float, float]) -> list[tuple[float, float]]:
+    """Return the midpoints of intervals where the surfaces overlap between strips out of contact, and widths for them.
+
+    A wide strip out of contact sees the gap only at its centre; there may be another contact off centre.
+    """
+    y, overlap = overlapping(problem, state, interval)
+    if not np.any(overlap > 0.0):
+        return []
+    step = (interval[1] - interval[0]) / SAMPLES
+    found = []
+    for i, j in runs(overlap > 0.0):
+        # No wider than the neighbouring places without overlap allow: crests may be much closer together than the
+        # samples, and much narrower.
+        low, high = _reach(y, overlap, i, -1), _reach(y, overlap, j, 1)
+        extent = max(float(y[j] - y[i]), min(step, low + float(y[j] - y[i]) + high))
+        found.append((float(0.5 * (y[i] + y[j])), extent / STRIPS_PER_OVERLAP))
+    return found
+
+
+def _reach(y: Array, overlap: Array, at: int, side: int) -> float:
+    """Return how far an overlap may extend beyond its last place: twice as far as a straight line to the next."""
+    beside = at + side
+    if not 0 <= beside < y.size:
+        return 0.0
+    distance = abs(float(y[beside] - y[at]))
+    falls = -math.inf < overlap[beside] < 0.0
+    share = overlap[at] / (overlap[at] - overlap[beside]) if falls else 1.0
+    return distance * min(2.0 * float(share), 0.5)
+
+
+def _summits(y: Array, depth: Array) -> Array:
+    """Return the vertices of parabolas through three neighbouring places each, where they are deeper than zero."""
+    left, here, right = depth[:-2], depth[1:-1], depth[2:]
+    at = np.flatnonzero((here >= left) & (here > right) & np.isfinite(left) & np.isfinite(right)) + 1
+    before, after = ((depth[to] - depth[of]) / (y[to] - y[of]) for of, to in ((at - 1, at), (at, at + 1)))
+    bend = (after - before) / (y[at + 1] - y[at - 1])
+    place = 0.5 * (y[at - 1] + y[at]) - 0.5 * before / bend
+    highest = depth[at] - bend * (place - y[at]) ** 2
+    found: Array = place[(highest > 0.0) & (place > y[at - 1]) & (place < y[at + 1])]
+    return found
+
+
+def overlapping(problem: Problem, state: States, interval: tuple[float, float]) -> tuple[Array, Array]:
+    """Return places, and by how much the surfaces overlap there although no strip is in contact.
+
+    Parameters
+    ----------
+    problem, state
+        The problem, and a solution of it.
+    interval : tuple of float
+        Where the bodies can touch [mm], finite.
+
+    Returns
+    -------
+    tuple of two ndarray, shape (places,)
+        Places [mm], ascending, and depths [mm]: zero in contact and beside it, negative where the undeformed surfaces
+        are apart.
+    """
+    contact = intervals(state.edges, state.m)
+    margin = BESIDE * (contact[:, 1:] - contact[:, :1])
+    if len(contact) == 1 and contact[0, 0] - margin[0] <= interval[0] and contact[0, 1] + margin[0] >= interval[1]:
+        return np.zeros(0), np.zeros(0)
+    y, h = problem.surveyed(*interval, SAMPLES)
+    depth = state.rigid[0] + state.rigid[1] * y - h
+    summits = _summits(y, depth)
+    if summits.size:
+        # A bump may touch between two places where the surfaces are apart.
+        h = np.concatenate([h, problem.separation(summits)])
+        y, first = np.unique(np.concatenate([y, summits]), return_index=True)
+        depth = state.rigid[0] + state.rigid[1] * y - h[first]
+    apart = np.all((y < contact[:, :1] - margin) | (y > contact[:, 1:] + margin), axis=0)
+    overlap = np.where(apart & (depth <= 0.0), depth, 0.0)
+    suspect = np.flatnonzero(apart & (depth > 0.0))
+    if suspect.size:
+        lift = displacements(problem.influence, y[suspect], state.edges, state.r, state.m, problem.element.table)
+        overlap[suspect] = depth[suspect] - lift
+    overlap[(overlap > 0.0) & (overlap < NOTICED * np.max(depth))] = 0.0
+    return y, overlap

@@ -1,0 +1,173 @@
+"""What strips have to satisfy, and the state that the Newton loop leaves them in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+
+from nonhertz.bodies.influence import Influence
+from nonhertz.compiled import compiled
+from nonhertz.strip.element import Element
+from nonhertz.strip.newton import TOLERANCE
+from nonhertz.strip.records import ITERATION_LIMIT, Array, Flags, Given, Grids, Indices, Law, States
+from nonhertz.strip.settle import settle_all, sought_of, strips_of
+from nonhertz.strip.start import springs
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What the strips have to satisfy, on any grid.
+
+    Attributes
+    ----------
+    separation, curvature : callable
+        y [mm] -> h [mm] and 1/rho [1/mm].
+    element : Element
+        The strip element.
+    prescribed : ndarray of bool, shape (2,)
+        Whether the load (else the approach) and the moment (else the tilt) are given.
+    target : ndarray, shape (2,)
+        K Q [mm^2] or delta [mm]; K T [mm^3] or gamma [rad].
+    influence : Influence
+        How strips act.
+    compliance : float
+        K [1/MPa], by which loads are multiplied.
+    crests : callable
+        () -> where profiles may stand out between sampled places [mm]. A measured line has thousands of them, and
+        many solves do not need them: hence a callable.
+    """
+
+    separation: Callable[[Array], Array]
+    curvature: Callable[[Array], Array]
+    element: Element
+    prescribed: Flags
+    target: Array
+    influence: Influence
+    compliance: float
+    crests: Callable[[], tuple[float, ...]] = tuple
+    _sampled: dict[tuple[float, float, int], tuple[Array, Array]] = field(default_factory=dict, repr=False)
+
+    def sampled(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
+        """Return evenly spaced places and the separation there, cached."""
+        key = (low, high, intervals)
+        if key not in self._sampled:
+            y = np.linspace(low, high, intervals + 1)
+            self._sampled[key] = y, self.separation(y)
+        return self._sampled[key]
+
+    def surveyed(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
+        """Return the places of `sampled` and the crests between them, ascending, and the separation there."""
+        key = (low, high, -intervals)  # distinct from the key of the samples alone
+        if key not in self._sampled:
+            y, h = self.sampled(low, high, intervals)
+            crests = np.array(self.crests())
+            crests = crests[(crests > low) & (crests < high)]
+            if crests.size:
+                y = np.unique(np.concatenate([y, crests]))
+                h = self.separation(y)
+            self._sampled[key] = y, h
+        return self._sampled[key]
+
+    def of(self, target: Array) -> Problem:
+        """Return the problem with another target."""
+        return replace(self, target=target)
+
+    @cached_property
+    def law(self) -> Law:
+        """How strips act, for the compiled core."""
+        return Law(self.influence.terms, self.element.table, self.element.line_factor, self.element.hertz_ratio)
+
+    def grids(self, count: Indices, edges: Array) -> Grids:
+        """Return grids with everything that is known about them before their loads are.
+
+        Parameters
+        ----------
+        count : ndarray of int, shape (grids,)
+            Numbers of strips.
+        edges : ndarray, shape (grids, n + 1)
+            Their edges [mm], padded with the last one.
+        """
+        y = 0.5 * (edges[:, 1:] + edges[:, :-1])
+        flat = y.ravel()
+        curvature, separation, shallowest = (
+            asked(flat).reshape(y.shape) for asked in (self.curvature, self.separation, self.influence.shallowest)
+        )
+        at_depth = np.zeros((*y.shape, y.shape[1]) if self.influence.references else (len(y), 0, 0))
+        if self.influence.references:
+            for row, n in enumerate(count.tolist()):
+                at_depth[row, :n, :n] = self.influence.at_depth(y[row, :n], edges[row, : n + 1])
+        return Grids(count, edges, y, curvature, separation, shallowest, at_depth)
+
+
+def row_of(edges: Array) -> tuple[Indices, Array]:
+    """Return one grid as count and edges of a single row."""
+    return np.array([edges.size - 1]), np.ascontiguousarray(edges)[None]
+
+
+def padded_rows(grids: Sequence[Array]) -> tuple[Indices, Array]:
+    """Return several grids as counts and rows of edges, padded with the last edge of each."""
+    count = np.array([edges.size - 1 for edges in grids])
+    rows = np.empty((len(grids), int(count.max()) + 1))
+    for row, edges in zip(rows, grids, strict=True):
+        row[: edges.size] = edges
+        row[edges.size :] = edges[-1]
+    return count, rows
+
+
+def settled(
+    problem: Problem,
+    count: Indices,
+    edges: Array,
+    targets: Array | None = None,
+    near: States | None = None,
+    *,
+    tolerance: float = TOLERANCE,
+    patient: bool = True,
+) -> States:
+    """Return the states of all cases on their strips.
+
+    Parameters
+    ----------
+    problem : Problem
+        What the cases share.
+    count : ndarray of int, shape (grids,)
+        Numbers of strips, of every case or of one grid for all.
+    edges : ndarray, shape (grids, n + 1)
+        Their edges [mm], padded with the last one.
+    targets : ndarray, shape (cases, 2), optional
+        As `Problem.target`; that of the problem if left out.
+    near : States, optional
+        Solutions of the cases on other strips.
+    tolerance : float
+        Largest relative residual of a solution.
+    patient : bool
+        Whether to try hard where the loop fails; see `nonhertz.strip.settle`.
+    """
+    targets = problem.target[None] if targets is None else targets
+    found = States.unsolved(count, edges, len(targets))
+    grids = problem.grids(count, edges)
+    given = Given(problem.prescribed, np.ascontiguousarray(targets, dtype=float))
+    settle_all(grids, given, problem.law, near or States.none(), found, tolerance, patient)
+    return found
+
+
+def settle(problem: Problem, edges: Array, near: States | None = None, *, tolerance: float = TOLERANCE) -> States:
+    """Return the state of one case on the strips between ``edges``; ``near`` is one row."""
+    return settled(problem, *row_of(edges), near=near, tolerance=tolerance).one(0)
+
+
+def sprung(problem: Problem, edges: Array) -> States:
+    """Return the response of independent springs between ``edges``, not a solution."""
+    count, rows = row_of(edges)
+    found = States.unsolved(count, rows, 1)
+    _sprung(problem.grids(count, rows), Given(problem.prescribed, problem.target), problem.law, found)
+    found.status[0] = ITERATION_LIMIT
+    return found.one(0)
+
+
+@compiled
+def _sprung(grids: Grids, given: Given, law: Law, found: States) -> None:
+    springs(strips_of(grids, 0), given, law, sought_of(found, 0, grids.counts[0]))

@@ -1,0 +1,239 @@
+"""Contacts on given strips, solved one after the other in one compiled loop: one case is a batch of one.
+
+Where the Newton loop fails from one start, the next is tried: the case before, if it is similar and on the same strips;
+the solution on another grid; springs; then, if ``patient``, springs with r and m stepped together, springs with
+shortened steps, and finally the load raised in steps from a small one.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from nonhertz.compiled import compiled
+from nonhertz.strip.newton import TOLERANCE, newton
+from nonhertz.strip.records import CONVERGED, STAGNATED, Array, Effort, Given, Grids, Law, Sought, States, Strips
+from nonhertz.strip.start import prolong, springs
+
+NEARBY = 0.1  # relative change up to which the previous case serves as the start
+LEAST_RISE = 1e-3  # of the load: a smaller increment is not attempted
+# Depths in half-widths of independent springs, which may be half of the true ones where bodies are thin. Below the
+# first no loop is started, below the second a failed start is not retried, below the third a failure is blamed on the
+# thin body.
+HOPELESS, BEYOND_HELP, SCARCELY = 0.7, 2.0, 4.0
+RISES = 40
+
+
+@compiled
+def settle_all(
+    grids: Grids, given: Given, law: Law, near: States, found: States, tolerance: float, patient: bool
+) -> None:
+    """Solve every case on its strips, overwriting ``found``.
+
+    Parameters
+    ----------
+    grids : Grids
+        The strips of every case, or one grid for all.
+    given : Given
+        What is prescribed; ``target`` has a row per case.
+    law : Law
+        How strips act.
+    near : States
+        Solutions on other strips, where they have converged; no rows if there are none.
+    found : States
+        Result, a row per case.
+    tolerance : float
+        Largest relative residual of a solution.
+    patient : bool
+        Whether to try hard.
+    """
+    shared = grids.counts.size == 1
+    for case in range(given.target.shape[0]):
+        strips = strips_of(grids, 0 if shared else case)
+        asked = Given(given.by_force, given.target[case])
+        n = strips.y.size
+        sought = sought_of(found, case, n)
+        if not within_reach(strips, asked):
+            continue
+        shallowest = grids.shallowest[0 if shared else case]
+        effort = Effort(tolerance, 1.0, True)
+        status, steps, residual = STAGNATED, 0, np.inf
+        before = case - 1
+        if shared and case > 0 and found.status[before] == CONVERGED:
+            half = 0.5 * (strips.high[-1] - strips.low[0])
+            previous = sought_of(found, before, n)
+            if nearby(asked, given.target[before], previous.rigid[0], half):
+                take(previous, sought)
+                for k in range(2):
+                    sought.rigid[k] = previous.rigid[k] if asked.by_force[k] else asked.target[k]
+                status, steps, residual = loop(strips, asked, law, sought, shallowest, effort)
+        if status != CONVERGED and near.status.size > 0 and near.status[case] == CONVERGED:
+            row = 0 if near.edges.shape[0] == 1 else case
+            count = near.counts[row]
+            near_y = np.empty(count)
+            for i in range(count):
+                near_y[i] = 0.5 * (near.edges[row, i + 1] + near.edges[row, i])
+            if prolong(near_y, sought_of(near, case, count), strips, asked, sought):
+                status, steps, residual = loop(strips, asked, law, sought, shallowest, effort)
+        if status != CONVERGED:
+            springs(strips, asked, law, sought)
+            status, steps, residual = loop(strips, asked, law, sought, shallowest, effort)
+        if status != CONVERGED and patient:
+            status, steps, residual = _helped(
+                strips, asked, law, sought, shallowest, tolerance, (status, steps, residual)
+            )
+        found.status[case], found.steps[case], found.residual[case] = status, steps, residual
+
+
+@compiled
+def loop(
+    strips: Strips, given: Given, law: Law, sought: Sought, shallowest: Array, effort: Effort
+) -> tuple[int, int, float]:
+    """Run the Newton loop from where ``sought`` stands, unless a body is thinner there than its contact is wide."""
+    for i in range(sought.m.size):
+        sought.gap[i] = 0.0
+    for i in range(4):
+        sought.stiffness[i // 2, i % 2] = 0.0
+    if too_thin(shallowest, law, sought.m, HOPELESS):
+        return STAGNATED, 0, np.inf
+    return newton(strips, given, law, sought, effort)
+
+
+@compiled
+def too_thin(shallowest: Array, law: Law, m: Array, least: float) -> bool:
+    """Return whether a body is less than ``least`` half-widths deep.
+
+    Points at a depth comparable to the contact width move more than the surface, and the equations then have
+    either no solution or meaningless ones.
+    """
+    thin = False
+    for i in range(m.size):
+        thin = thin or shallowest[i] < least * law.hertz_ratio * math.sqrt(m[i])
+    return thin
+
+
+@compiled
+def _helped(
+    strips: Strips,
+    given: Given,
+    law: Law,
+    sought: Sought,
+    shallowest: Array,
+    tolerance: float,
+    ended: tuple[int, int, float],
+) -> tuple[int, int, float]:
+    """Try harder at a case that did not converge; leave the best state that was reached."""
+    status, steps, residual = ended
+    other = blank_sought(sought.m.size)
+    for attempt in range(2):
+        springs(strips, given, law, other)
+        if attempt == 1 and too_thin(shallowest, law, other.m, BEYOND_HELP):
+            return status, steps, residual
+        effort = Effort(tolerance, 1.0, False) if attempt == 0 else Effort(tolerance, 0.5, True)
+        again, more, left = loop(strips, given, law, other, shallowest, effort)
+        if again == CONVERGED or left < residual:
+            take(other, sought)
+            status, steps, residual = again, more, left
+        if status == CONVERGED:
+            return status, steps, residual
+    if given.by_force[0]:
+        again, more, left = _raised(strips, given, law, other, shallowest)
+        if again == CONVERGED:
+            take(other, sought)
+            return again, more, left
+    return status, steps, residual
+
+
+@compiled
+def _raised(strips: Strips, given: Given, law: Law, sought: Sought, shallowest: Array) -> tuple[int, int, float]:
+    """Raise the load from a small one, in steps as large as the loop allows; return how it ended at the full load.
+
+    A state that converged only at a fraction of the load is not a solution and is not marked as one.
+    """
+    reached, share, steps = 0.0, 0.01, 0
+    last, target = blank_sought(sought.m.size), np.empty(2)
+    for _ in range(RISES):
+        for k in range(2):
+            target[k] = share * given.target[k] if given.by_force[k] else given.target[k]
+        asked = Given(given.by_force, target)
+        if reached > 0.0:
+            take(last, sought)
+        else:
+            springs(strips, asked, law, sought)
+        status, steps, residual = loop(strips, asked, law, sought, shallowest, Effort(TOLERANCE, 1.0, True))
+        if status == CONVERGED and share == 1.0:
+            return status, steps, residual
+        if share - reached < LEAST_RISE:
+            break
+        if status == CONVERGED:
+            take(sought, last)
+            reached, share = share, min(1.0, 2.0 * share)
+        else:
+            share = 0.5 * (reached + share)
+    return STAGNATED, steps, np.inf
+
+
+@compiled
+def blank_sought(n: int) -> Sought:
+    """Return unknowns of ``n`` strips, all zero."""
+    return Sought(np.zeros(n), np.zeros(n), np.zeros(2), np.zeros(n), np.zeros((2, 2)))
+
+
+@compiled
+def take(other: Sought, sought: Sought) -> None:
+    """Overwrite ``sought`` with another on the same strips."""
+    for i in range(sought.m.size):
+        sought.r[i], sought.m[i], sought.gap[i] = other.r[i], other.m[i], other.gap[i]
+    for k in range(2):
+        sought.rigid[k] = other.rigid[k]
+        for j in range(2):
+            sought.stiffness[k, j] = other.stiffness[k, j]
+
+
+@compiled
+def strips_of(grids: Grids, row: int) -> Strips:
+    """Return the strips of one grid."""
+    n = grids.counts[row]
+    edges = grids.edges[row]
+    return Strips(
+        grids.y[row, :n], edges[:n], edges[1 : n + 1], grids.curvature[row, :n], grids.separation[row, :n],
+        grids.at_depth[row],
+    )  # fmt: skip
+
+
+@compiled
+def sought_of(states: States, case: int, n: int) -> Sought:
+    """Return what is sought for one case on ``n`` strips, as views."""
+    return Sought(
+        states.r[case, :n], states.m[case, :n], states.rigid[case], states.gap[case, :n], states.stiffness[case]
+    )
+
+
+@compiled
+def within_reach(strips: Strips, given: Given) -> bool:
+    """Return whether the resultant of load and moment lies between the centres of strips that can touch."""
+    first, last = -1, -1
+    for i in range(strips.y.size):
+        if math.isfinite(strips.separation[i]):
+            last = i
+            first = i if first < 0 else first
+    if first < 0:
+        return False
+    if not (given.by_force[0] and given.by_force[1]):
+        return True
+    arm = given.target[1] / given.target[0]
+    return bool(strips.y[first] <= arm <= strips.y[last])
+
+
+@compiled
+def nearby(given: Given, before: Array, approach: float, half: float) -> bool:
+    """Return whether the case ``before``, with its ``approach``, is close enough to this one to be a good start."""
+    target = given.target
+    scale = abs(target[1])
+    if not given.by_force[1]:
+        scale = abs(approach) / half
+    elif given.by_force[0]:
+        scale = target[0] * half
+    near_first = abs(target[0] - before[0]) <= NEARBY * abs(target[0])
+    return bool(near_first and abs(target[1] - before[1]) <= NEARBY * scale)
