@@ -198,7 +198,7 @@ def test_many_at_once(fresh):
 
 
 # In the compiler, and between writing a file and moving it to its place.
-MOMENTS = ["nonhertz.compiled.decorator._OwnCopies._finalize_final_module", "pathlib.Path.replace"]
+MOMENTS = ["nonhertz.compiled.dispatching._OwnCopies._finalize_final_module", "pathlib.Path.replace"]
 
 
 def ending(moment: str, number: signal.Signals) -> str:

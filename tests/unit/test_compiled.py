@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from numba.core.codegen import JITCPUCodegen
 
-from nonhertz.compiled import compiled, decorator, folders, notices
+from nonhertz.compiled import compiled, dispatching, folders, notices
 from nonhertz.compiled.meaning import meanings
 
 SOURCE = """
@@ -44,7 +44,7 @@ def loaded(function):
 @pytest.fixture(autouse=True)
 def kept(tmp_path, monkeypatch):
     """The folder of machine code, empty at first; what has been said is said again."""
-    monkeypatch.setattr(numba.core.config, "CACHE_DIR", str(tmp_path))
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
     monkeypatch.setattr(notices, "_said", set())
     return tmp_path / "nonhertz"
 
@@ -71,7 +71,7 @@ def seen_while_compiling(monkeypatch, function):
 def test_settings_are_for_our_functions_alone(monkeypatch):
     before = numba.core.config.SLP_VECTORIZE
     ours, theirs = compiled(lambda x: x + 1.0), numba.njit(lambda x: x + 2.0)
-    assert seen_while_compiling(monkeypatch, lambda: ours(1.0)) == {(1, decorator._OwnCopies)}
+    assert seen_while_compiling(monkeypatch, lambda: ours(1.0)) == {(1, dispatching._OwnCopies)}
     assert before == numba.core.config.SLP_VECTORIZE
     assert seen_while_compiling(monkeypatch, lambda: theirs(1.0)) == {(before, JITCPUCodegen._library_class)}
 
@@ -130,7 +130,7 @@ def test_a_change_in_what_is_called_is_a_change(changed):
         lambda patch: patch.setattr(np, "__version__", "0.0"),
         lambda patch: patch.setattr(numba.core.config, "BOUNDSCHECK", 1),
         lambda patch: patch.setattr(JITCPUCodegen, "magic_tuple", lambda codegen: "another processor"),
-        lambda patch: patch.setattr("nonhertz.compiled.kept._ourselves", lambda: "compiled in another way"),
+        lambda patch: patch.setattr("nonhertz.compiled.kept.ourselves", lambda: "compiled in another way"),
     ],
     ids=["numba", "numpy", "settings", "processor", "decorator"],
 )
@@ -178,7 +178,7 @@ def test_a_whole_file_that_numba_cannot_use_is_compiled_anew(kept, monkeypatch):
     monkeypatch.setattr("nonhertz.compiled.kept.dumps", lambda parts: b"of another build")
     pair()(X)
     monkeypatch.undo()
-    monkeypatch.setattr(numba.core.config, "CACHE_DIR", str(kept.parent))
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(kept.parent))
     second, third = pair(), pair()
     assert second(X) == third(X) == ANSWER[2.0]
     assert not loaded(second)
@@ -200,7 +200,7 @@ def test_an_unreadable_file_is_replaced(kept):
 
 def test_nowhere_to_write_is_said_once_with_the_way_out(tmp_path, monkeypatch, caplog):
     (tmp_path / "file").touch()
-    monkeypatch.setattr(numba.core.config, "CACHE_DIR", str(tmp_path / "file"))
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "file"))
     assert pair()(X) == pair(rate=3.0)(X) - 4.0 == ANSWER[2.0]
     (record,) = caplog.records
     assert (record.name, record.levelno) == ("nonhertz", logging.WARNING)
@@ -242,7 +242,7 @@ def test_an_interrupted_compiler_starts_anew(kept, monkeypatch):
 
     outer = pair()
     with monkeypatch.context() as patch:
-        patch.setattr(decorator._OwnCopies, "_finalize_final_module", interrupted)
+        patch.setattr(dispatching._OwnCopies, "_finalize_final_module", interrupted)
         with pytest.raises(KeyboardInterrupt):
             outer(X)
     assert outer(X) == ANSWER[2.0]
@@ -276,7 +276,7 @@ def test_a_folder_has_room_for_what_is_used(kept, monkeypatch):
 
 
 def test_without_a_setting_the_package_and_then_the_user_keep(monkeypatch):
-    monkeypatch.setattr(numba.core.config, "CACHE_DIR", "")
+    monkeypatch.delenv("NUMBA_CACHE_DIR")
     monkeypatch.setenv("XDG_CACHE_HOME", "/home/of/cache")
     package = Path(folders.__file__).parents[1] / "__pycache__/machine-code"
     assert folders.folders() == (package, Path("/home/of/cache/nonhertz/machine-code"))

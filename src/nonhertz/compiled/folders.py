@@ -10,14 +10,10 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import os
+import sys
 import time
-import uuid
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
-
-import numba.core.config
-from numba.misc.appdirs import AppDirs
 
 LARGEST = 128 * 2**20
 """Bytes in a folder, of which a solver takes 8 million; beyond that the least recently used files are deleted."""
@@ -33,11 +29,11 @@ class UnwritableError(Exception):
 
 def folders() -> tuple[Path, ...]:
     """Return the cache folders: in ``NUMBA_CACHE_DIR`` if that is set, else beside the package and of the user."""
-    settings: Any = numba.core.config
-    if settings.CACHE_DIR:
-        return (Path(settings.CACHE_DIR).absolute() / "nonhertz",)
+    chosen = os.environ.get("NUMBA_CACHE_DIR")
+    if chosen:
+        return (Path(chosen).absolute() / "nonhertz",)
     # If no home directory is found the latter is relative, and would be created wherever the program runs.
-    places = Path(__file__).parents[1] / "__pycache__", Path(AppDirs("nonhertz", appauthor=False).user_cache_dir)
+    places = Path(__file__).parents[1] / "__pycache__", _of_user()
     return tuple(place / "machine-code" for place in places if place.is_absolute())
 
 
@@ -78,6 +74,17 @@ def held() -> list[tuple[Path, int]]:
     return [(folder, size) for folder, size in sizes if size]
 
 
+def _of_user() -> Path:
+    """Return the user's cache folder of this package, by the conventions of the operating system."""
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA", ""), "nonhertz", "Cache")
+    # Where no home is known, this leaves the tilde, and Path.expanduser raises an exception.
+    home = os.path.expanduser("~")  # noqa: PTH111
+    if sys.platform == "darwin":
+        return Path(home, "Library", "Caches", "nonhertz")
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path(home, ".cache"), "nonhertz")
+
+
 def _digest(key: bytes, content: bytes) -> bytes:
     return hashlib.sha256(hashlib.sha256(key).digest() + content).digest()
 
@@ -90,7 +97,7 @@ def _mark_used(path: Path) -> None:
 
 def _place(folder: Path, name: str, data: bytes) -> None:
     folder.mkdir(parents=True, exist_ok=True)
-    draft = folder / f"{_DRAFT}{uuid.uuid4().hex}"
+    draft = folder / f"{_DRAFT}{os.urandom(16).hex()}"
     try:
         # Closed before it is moved: a full disk may be reported only on closing.
         with draft.open("xb") as file:

@@ -7,13 +7,10 @@ damaged is recompiled and replaced.
 
 from __future__ import annotations
 
-import functools
 import hashlib
 import pickle
 import platform
-import weakref
 from collections.abc import Callable
-from importlib import resources
 from typing import Any
 
 import llvmlite
@@ -25,8 +22,9 @@ from numba.core.serialize import dumps
 from numba.core.types import Callable as CallableType
 
 from nonhertz.compiled.folders import UnwritableError, folders, read, write
-from nonhertz.compiled.meaning import meanings
+from nonhertz.compiled.meaning import lasting_meaning
 from nonhertz.compiled.notices import warn_unkept
+from nonhertz.compiled.origin import ourselves
 
 # Numba settings that change machine code.
 _SETTINGS = (
@@ -34,8 +32,6 @@ _SETTINGS = (
     "LLVM_REFPRUNE_FLAGS",
 )  # fmt: skip
 
-# Digests of functions when they were first compiled or read in this process. The compiler never looks at them again.
-_first_meanings: weakref.WeakKeyDictionary[Callable[..., object], str] = weakref.WeakKeyDictionary()
 # The keys of the symbols loaded in this process. A second symbol of the same name would never be called.
 _symbols: dict[str, bytes] = {}
 
@@ -88,29 +84,20 @@ class Kept:
 
     def _key(self, signature: Any, target: Any) -> bytes | None:
         """Return the unique key of this machine code, or None if it cannot be determined."""
-        found = meanings(self._function)
-        if any(_first_meanings.setdefault(each, meaning) != meaning for each, meaning in found.items()):
-            return None
-        if any(isinstance(each, CallableType) for each in signature):
+        meaning = lasting_meaning(self._function)
+        if meaning is None or any(isinstance(each, CallableType) for each in signature):
             return None
         codegen: Any = target.codegen()
-        return repr((found[self._function], signature, codegen.magic_tuple(), _compiler())).encode()
+        return repr((meaning, signature, codegen.magic_tuple(), _compiler())).encode()
 
 
 def _compiler() -> tuple[object, ...]:
     settings: Any = numba.core.config
     return (
         platform.python_implementation(), platform.python_version(), np.__version__, numba.__version__,
-        llvmlite.__version__, llvmlite.binding.llvm_version_info, _ourselves(),
+        llvmlite.__version__, llvmlite.binding.llvm_version_info, ourselves(),
         *(str(getattr(settings, name, None)) for name in _SETTINGS),
     )  # fmt: skip
-
-
-@functools.cache
-def _ourselves() -> str:
-    """Return a digest of this subpackage's own sources: how we compile."""
-    sources = {each.name: each.read_bytes() for each in resources.files(__package__).iterdir() if each.is_file()}
-    return hashlib.sha256(repr(sorted(sources.items())).encode()).hexdigest()
 
 
 def _revived(content: bytes, key: bytes, target: Any) -> Any:

@@ -8,6 +8,7 @@ show or that was made while the program ran; and they need no list of files.
 from __future__ import annotations
 
 import hashlib
+import weakref
 from collections.abc import Callable, Iterator
 from types import BuiltinFunctionType, CodeType, ModuleType
 from typing import Any
@@ -15,6 +16,15 @@ from typing import Any
 import numpy as np
 
 _RECURSIVE = "itself"
+# Digests of functions when they were first compiled or read in this process. The compiler never looks at them again.
+_first_meanings: weakref.WeakKeyDictionary[Callable[..., object], str] = weakref.WeakKeyDictionary()
+
+
+def lasting_meaning(function: Callable[..., object]) -> str | None:
+    """Return a digest of all that ``function`` is made from, or None if a part of it was compiled and then changed."""
+    found = meanings(function)
+    changed = [each for each, meaning in found.items() if _first_meanings.setdefault(each, meaning) != meaning]
+    return None if changed else found[function]
 
 
 def meanings(function: Callable[..., object]) -> dict[Callable[..., object], str]:

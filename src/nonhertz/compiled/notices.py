@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import logging
 import sys
 import threading
 from collections.abc import Iterator
@@ -39,6 +38,8 @@ def patience() -> Iterator[None]:
 def warn_unkept(places: str) -> None:
     """Log once that machine code cannot be written in ``places``; unless logging is set up, standard error shows it."""
     if _UNKEPT not in _said:
+        import logging
+
         _said.add(_UNKEPT)
         logging.getLogger("nonhertz").warning(_UNKEPT, places)
 
