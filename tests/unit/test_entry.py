@@ -172,6 +172,20 @@ def test_an_interrupt_leaves_nothing_behind(kept, monkeypatch):
     assert outcome(function) == outcome(example())
 
 
+@pytest.mark.parametrize("moment", ["_Draft._finalize_final_module", "_frame", "_memory"])
+def test_an_interrupted_compiler_starts_anew(monkeypatch, built, moment):
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    function = example()
+    with monkeypatch.context() as patch:
+        patch.setattr(f"nonhertz.compiled.target.{moment}", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            outcome(function)
+    assert outcome(function) == outcome(example())
+    assert built == ["whole", "whole"]
+
+
 def test_threads_compile_once_and_run_side_by_side(built):
     function = example()
     found = []

@@ -116,13 +116,16 @@ dispatcher_registry[_Entries] = _PartDispatcher
 jit_registry[_Entries] = _jit
 
 
-@overload(arrayobj.raise_with_shape_context, target=ENTRIES)
 def _raise_plainly(source: Any, index: Any) -> Any:
     # Numba's text with both shapes in it takes longer to compile than a solver, and needs Python.
     def implementation(source: Any, index: Any) -> None:
         raise ValueError("cannot assign slice from input of different size")
 
     return implementation
+
+
+if hasattr(arrayobj, "raise_with_shape_context"):  # older versions have no such text
+    overload(arrayobj.raise_with_shape_context, target=ENTRIES)(_raise_plainly)
 
 
 def part(function: Callable[..., object]) -> Any:
