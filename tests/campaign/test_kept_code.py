@@ -178,7 +178,8 @@ def test_permission_lost(machine):
 
 def test_a_full_disk(fresh):
     # Python leaves a cut file of its own bytecode where a disk is full, so all imports come before.
-    full = "import resource, press.outer; resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000))"
+    loaded = "import resource, press.outer, nonhertz.compiled.dispatching"
+    full = f"{loaded}; resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000))"
     said, complaints = fresh.run_complaining(full)
     assert said == COMPILED
     assert "File too large" in re.fullmatch(WAY_OUT, complaints)[1]
