@@ -61,7 +61,7 @@ GROUPS = {
         ("strip/*.py",),
         80,
         (
-            *(f"unit/test_{name}.py" for name in ("element", "influence", "linear", "newton", "start", "state")),
+            *(f"unit/test_{name}.py" for name in ("element", "influence", "linear", "newton", "settle", "start")),
             *(f"unit/test_{name}.py" for name in ("levels", "grid", "many", "edge", "solve_input", "acceptance")),
             "property/test_solution_properties.py",
             "convergence/test_error_estimate.py",

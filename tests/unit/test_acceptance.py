@@ -5,13 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from core_pieces import interpret
 
 import nonhertz as nh
 from nonhertz.model.prescription import Prescription
 from nonhertz.result.outcome import outcome
 from nonhertz.solver.one import levels_of, problem_of
-from nonhertz.strip import state as states
-from nonhertz.strip.newton import CONVERGED
+from nonhertz.strip.records import CONVERGED
 
 FINITE = nh.Contact(
     nh.Roller(diameter=20, length=20, profile=nh.profile.crown(2000), side_faces="calibrated"), nh.Ring(diameter=80)
@@ -28,8 +28,8 @@ def solved(given):
 
 def verdict(problem, levels, **changed):
     """What is said of the solution with some arrays of its state changed."""
-    finest = levels.finest
-    wrong = replace(levels, states=(replace(finest, **{k: v(finest) for k, v in changed.items()}), *levels.states[1:]))
+    finest, *coarser = levels.states
+    wrong = replace(levels, states=(finest._replace(**{k: v(finest) for k, v in changed.items()}), *coarser))
     with pytest.raises(nh.ConvergenceError) as caught:
         outcome(FINITE, problem, wrong)
     assert caught.value.solution.status is nh.Status.REFUTED
@@ -129,11 +129,11 @@ def test_surfaces_of_another_curvature_are_refuted():
 
 
 def test_a_loop_that_is_mistaken_of_itself_is_not_believed(monkeypatch):
-    monkeypatch.setattr(states, "newton", lambda *arguments: (CONVERGED, 1, 0.0))
+    interpret(monkeypatch, newton=lambda *arguments: (CONVERGED, 1, 0.0))
     with pytest.raises(nh.ConvergenceError, match="of the state reached is") as caught:
         nh.solve(FINITE, load=8e3, strips=31)
     assert caught.value.solution.status is nh.Status.REFUTED
-    many = nh.solve_many(FINITE, load=8e3)  # the automatic grid solves each case alone
+    many = nh.solve_many(FINITE, load=8e3)
     assert not np.any(many.converged)
     assert isinstance(many.failures[0], nh.ConvergenceError)
 

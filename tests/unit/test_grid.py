@@ -11,10 +11,10 @@ from nonhertz.bodies.influence import influence_of
 from nonhertz.model.prescription import Prescription
 from nonhertz.model.profile import Profile
 from nonhertz.solver.one import problem_of
-from nonhertz.strip import grid, resolution
-from nonhertz.strip.grid import cut_off
+from nonhertz.strip import grid, overlaps
 from nonhertz.strip.influence import displacements
-from nonhertz.strip.state import settle
+from nonhertz.strip.levels import _Learning
+from nonhertz.strip.problem import settle
 
 HALF = 10.0
 profile = nh.profile
@@ -343,33 +343,37 @@ def test_every_point_of_a_rough_table_is_looked_at():
 
 @pytest.mark.parametrize(("low", "high", "cut"), [(-10.0, 2.0, (False, True)), (-2.0, 10.0, (True, False))])
 def test_strips_that_end_within_the_contact_are_cut_off_there_and_not_at_the_bodies_ends(low, high, cut):
-    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=profile.crown(2000)), nh.Plate())
-    problem = problem_of(contact, Prescription.checked(0.01, None, None, None), nh.SEMI_ELLIPTIC)
-    state = settle(problem, np.linspace(low, high, 31))
-    assert cut_off(state, (-10.0, 10.0)) == cut
+    problem, state = crowned_on_part(low, high, 30)
+    # Overlaps are looked for within the strips only, or one beyond them would count as well.
+    on_bodies, on_strips = (
+        _Learning(problem, interval, (low, high), (np.zeros(0), np.zeros(0)), problem.target[None], np.ones(1))
+        for interval in ((-10.0, 10.0), (low, high))
+    )
+    assert (grid.reaching(state, -1), grid.reaching(state, 1)) == cut
+    assert on_bodies.incomplete(state.row()).tolist() == [True]
     # Where the bodies end too, nothing is cut off.
-    assert cut_off(state, (low, high)) == (False, False)
+    assert on_strips.incomplete(state.row()).tolist() == [False]
 
 
 def parabola(edges):
-    """Centres, and m = 1 - y^2 where that is positive."""
+    """Edges, and m = 1 - y^2 where that is positive."""
     y = 0.5 * (edges[1:] + edges[:-1])
-    return y, np.maximum(1.0 - y**2, 0.0)
+    return edges, np.maximum(1.0 - y**2, 0.0)
 
 
 def test_the_fall_towards_an_end_is_the_distance_at_which_half_the_summit_is_left():
-    y, m = parabola(np.linspace(-2.0, 2.0, 401))
+    edges, m = parabola(np.linspace(-2.0, 2.0, 401))
     for side in (-1, 1):
         # m = 1 - y^2 is a half at 0.7071; between centres it is interpolated.
-        np.testing.assert_allclose(grid._fall(y, m, -1.0, 1.0, side), 1.0 - np.sqrt(0.5), rtol=0.0, atol=2e-3)
+        np.testing.assert_allclose(grid._fall(edges, m, -1.0, 1.0, side), 1.0 - np.sqrt(0.5), rtol=0.0, atol=2e-3)
 
 
 def test_near_a_place_counts_the_widest_of_three_strips_in_contact():
-    y, m = parabola(np.linspace(-2.0, 2.0, 41))
+    edges, m = parabola(np.linspace(-2.0, 2.0, 41))
     bearing = np.flatnonzero(m > 0.0)
-    np.testing.assert_allclose(grid._near(y, m, 1.5), np.sqrt(m[bearing[-3:]].max()), rtol=1e-12, atol=0.0)
-    np.testing.assert_allclose(grid._near(y, m, -1.5), np.sqrt(m[bearing[:3]].max()), rtol=1e-12, atol=0.0)
-    assert grid._near(y, np.zeros_like(m), 0.0) == 0.0
+    np.testing.assert_allclose(grid._near(edges, m, 1.5), np.sqrt(m[bearing[-3:]].max()), rtol=1e-12, atol=0.0)
+    np.testing.assert_allclose(grid._near(edges, m, -1.5), np.sqrt(m[bearing[:3]].max()), rtol=1e-12, atol=0.0)
+    assert grid._near(edges, np.zeros_like(m), 0.0) == 0.0
 
 
 def crowned_on_part(low, high, strips):
@@ -382,7 +386,7 @@ def test_a_kink_counts_in_contact_and_in_the_strips_beside_it():
     _, state = crowned_on_part(-10.0, 10.0, 40)
     last = np.flatnonzero(state.m > 0.0)[-1]
     assert last < state.m.size - 4
-    near = [bool(grid._nearly_touching(state, float(state.y[at]))) for at in range(last, last + 4)]
+    near = [grid.nearly_touching(state.edges, state.m, float(state.y[at])) for at in range(last, last + 4)]
     assert near == [True, True, False, False]
 
 
@@ -393,7 +397,7 @@ def test_an_overlap_is_found_where_it_is_and_as_wide_as_it_is():
     contact = nh.Contact(nh.Roller(diameter=5, length=30, profile=profile.tabulated(y, relief, "linear")), nh.Plate())
     problem = problem_of(contact, Prescription.checked(-1.39e-4, None, None, None), nh.SEMI_ELLIPTIC)
     state = settle(problem, np.linspace(4.3, 4.6, 31))
-    ((place, width),) = grid.overlaps(problem, state, (-15.0, 15.0))
+    ((place, width),) = overlaps.overlaps(problem, state, (-15.0, 15.0))
     np.testing.assert_allclose(place, y[41], rtol=0.0, atol=1e-3)
     # One micrometre over a fall of 0.34 um (0.44 um) in 0.42 mm either way, seen twice as wide, in five strips.
     assert 1e-4 < width < 2e-3
@@ -418,6 +422,6 @@ def test_a_summit_between_samples_is_looked_at_and_where_there_is_no_body_none_i
     depth[y > 6.0] = -np.inf
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        np.testing.assert_allclose(resolution._summits(y, depth), [3.2], rtol=1e-12, atol=0.0)
-        assert resolution._summits(y, depth - 2e-3).size == 0
-        assert resolution._summits(y, np.full(21, -np.inf)).size == 0
+        np.testing.assert_allclose(overlaps._summits(y, depth), [3.2], rtol=1e-12, atol=0.0)
+        assert overlaps._summits(y, depth - 2e-3).size == 0
+        assert overlaps._summits(y, np.full(21, -np.inf)).size == 0

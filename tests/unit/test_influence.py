@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from core_pieces import NO_DEPTH, law_of, strips_between
 from scipy.integrate import quad
 
 import nonhertz as nh
@@ -19,11 +20,10 @@ INVERSE = np.array([1.0 / np.sqrt(m) if m > 0.0 else np.inf for m in M])
 both_elements = pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda e: e.name)
 
 
-def blocks(element, *, m=M, terms=HALF_SPACE, at_depth=None):
+def blocks(element, *, m=M, terms=HALF_SPACE, at_depth=NO_DEPTH):
     """[A], [t A'], [B], [t B'] of every active strip at every active centre."""
     values = np.empty((4, ACTIVE.size, ACTIVE.size))
-    at_depth = np.zeros((Y.size, Y.size)) if at_depth is None else at_depth
-    coefficients(Y, LOW, HIGH, m, ACTIVE, np.atleast_2d(terms), at_depth, element.table, values)
+    coefficients(strips_between(LOW, HIGH, at_depth=at_depth), m, ACTIVE, law_of(element, terms), values)
     return values
 
 
@@ -45,7 +45,7 @@ def test_equal_strips_share_edges_and_have_the_same_coefficients(element, active
     edges, m = np.linspace(-6.0, 6.0, 13), np.linspace(0.1, 0.4, 12)
     y, terms = 0.5 * (edges[1:] + edges[:-1]), np.array([[1.0, 0.0, 1.0], [-1.0, 13.0, 0.8], [1.0, 26.0, 0.3]])
     values, expected = np.empty((4, active.size, active.size)), np.zeros((4, active.size, active.size))
-    coefficients(y, edges[:-1], edges[1:], m, active, terms, np.zeros((12, 12)), element.table, values)
+    coefficients(strips_between(edges[:-1], edges[1:]), m, active, law_of(element, terms), values)
     a = np.sqrt(m[active])
     for sign, offset, weight in terms:
         ends = [
@@ -60,9 +60,9 @@ def test_a_distant_strip_is_the_point_load_of_boussinesq(element):
     # w = K Q / distance, and its curvature K Q / distance^3; the next terms are (width / distance)^2 = 6e-6.
     m, width, distance = 0.04, 0.5, 200.0
     values = np.empty((4, 2, 2))
-    y, at_depth = np.array([0.0, distance]), np.zeros((2, 2))
-    low, high = y - 0.5 * width, y + 0.5 * width
-    coefficients(y, low, high, np.full(2, m), np.arange(2), HALF_SPACE, at_depth, element.table, values)
+    y = np.array([0.0, distance])
+    strips = strips_between(y - 0.5 * width, y + 0.5 * width)
+    coefficients(strips, np.full(2, m), np.arange(2), law_of(element), values)
     np.testing.assert_allclose(values[0, 0, 1], width / distance, rtol=1e-5, atol=0.0)
     np.testing.assert_allclose(values[2, 0, 1] / m, width / distance**3, rtol=1e-5, atol=0.0)
 

@@ -2,43 +2,36 @@
 
 import numpy as np
 import pytest
+from core_pieces import interpret, law_of, strips_between
 
 import nonhertz as nh
 from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
 from nonhertz.strip import newton as loop
+from nonhertz.strip.records import CONVERGED, ITERATION_LIMIT, STAGNATED, Effort, Given, Sought
 
 STRIPS = 21
 EDGES = np.linspace(-10.0, 10.0, STRIPS + 1)
 Y = 0.5 * (EDGES[1:] + EDGES[:-1])
-RADIUS, CROWN, TILT = 10.0, 4000.0, 2e-4
+RADIUS, TILT = 10.0, 2e-4
+CROWN = Y**2 / 8000.0
 K_LOAD = 0.0084  # K Q [mm^2], 3 kN on steel: the contact ends inside the body on both sides
+GIVEN = Given(np.array([True, False]), np.array([K_LOAD, TILT]))
 HALF_SPACES = Influence(HALF_SPACE)
 
 
+def crowned(influence=HALF_SPACES, separation=CROWN):
+    at_depth = influence.at_depth(Y, EDGES)
+    return strips_between(EDGES[:-1], EDGES[1:], curvature=1.0 / RADIUS, separation=separation, at_depth=at_depth)
+
+
+def sought_from(r, m, rigid, gap=None):
+    return Sought(r, m, rigid, np.zeros(STRIPS) if gap is None else gap, np.zeros((2, 2)))
+
+
 def run(r, m, rigid, *, relaxation=1.0, eager=True, element=nh.SEMI_ELLIPTIC, influence=HALF_SPACES):
-    """Press a tilted crowned roller by a load, from a given start: status, steps, residual, stiffness."""
-    gap, stiffness = np.zeros(STRIPS), np.zeros((2, 2))
-    status, steps, residual = loop.newton(
-        Y,
-        EDGES[:-1],
-        EDGES[1:],
-        np.full(STRIPS, 1.0 / RADIUS),
-        Y**2 / (2.0 * CROWN),
-        np.array([True, False]),
-        np.array([K_LOAD, TILT]),
-        influence.terms,
-        influence.at_depth(Y, EDGES),
-        element.table,
-        r,
-        m,
-        rigid,
-        gap,
-        stiffness,
-        loop.TOLERANCE,
-        relaxation,
-        eager,
-    )
-    return status, steps, residual, stiffness
+    """Press a tilted crowned roller by a load, from a given start: status, steps, residual."""
+    effort = Effort(loop.TOLERANCE, relaxation, eager)
+    return loop.newton(crowned(influence), GIVEN, law_of(element, influence.terms), sought_from(r, m, rigid), effort)
 
 
 def start(m=0.05):
@@ -48,7 +41,7 @@ def start(m=0.05):
 
 def answer(influence=HALF_SPACES):
     r, m, rigid = start()
-    assert run(r, m, rigid, influence=influence)[0] == loop.CONVERGED
+    assert run(r, m, rigid, influence=influence)[0] == CONVERGED
     return r, m, rigid
 
 
@@ -67,8 +60,8 @@ both_kinds = pytest.mark.parametrize("influence", [HALF_SPACES, FINITE], ids=["h
 @both_kinds
 def test_it_converges_with_the_contact_ending_inside(influence):
     r, m, rigid = start()
-    status, steps, residual, _ = run(r, m, rigid, influence=influence)
-    assert status == loop.CONVERGED
+    status, steps, residual = run(r, m, rigid, influence=influence)
+    assert status == CONVERGED
     assert residual < 1e-11  # the loop's own tolerance
     assert steps <= 12
     assert m[0] == m[-1] == 0.0
@@ -81,7 +74,7 @@ def test_any_start_leads_to_the_same_answer(influence):
     for alone in (0, STRIPS // 2, STRIPS - 1):
         other_r, other_m, other_rigid = start(0.0)
         other_m[alone] = 0.05
-        assert run(other_r, other_m, other_rigid, influence=influence)[0] == loop.CONVERGED
+        assert run(other_r, other_m, other_rigid, influence=influence)[0] == CONVERGED
         # Both meet the conditions to 1e-11 of the whole contact, which a speck of a strip at its tip hardly sees; the
         # condition of the system costs a digit or two.
         np.testing.assert_allclose(other_m, m, rtol=1e-9, atol=1e-10 * np.max(m))
@@ -89,8 +82,8 @@ def test_any_start_leads_to_the_same_answer(influence):
 
 
 def test_steps_cut_to_a_thousandth_run_into_the_limit():
-    status, steps, residual, _ = run(*start(), relaxation=1e-3)
-    assert status == loop.ITERATION_LIMIT
+    status, steps, residual = run(*start(), relaxation=1e-3)
+    assert status == ITERATION_LIMIT
     assert steps == loop.STEP_LIMIT
     assert residual > 1e-3
 
@@ -98,25 +91,25 @@ def test_steps_cut_to_a_thousandth_run_into_the_limit():
 def test_a_poisoned_start_stagnates():
     r, m, rigid = start()
     r[3] = np.nan
-    assert run(r, m, rigid)[0] == loop.STAGNATED
+    assert run(r, m, rigid)[0] == STAGNATED
 
 
 def test_nothing_in_contact_stagnates():
     status, steps, *_ = run(*start(0.0))
-    assert (status, steps) == (loop.STAGNATED, 0)
+    assert (status, steps) == (STAGNATED, 0)
 
 
-def hurried(*arguments):
-    return loop.newton(*arguments[:-2], 1e-3, True)
+def hurried(strips, given, law, sought, effort):
+    return loop.newton(strips, given, law, sought, Effort(effort.tolerance, 1e-3, True))
 
 
 def lost(*arguments):
-    return loop.STAGNATED, 1, np.inf
+    return STAGNATED, 1, np.inf
 
 
-def emptied(*arguments):
-    arguments[11][:] = 0.0  # m
-    return loop.newton(*arguments)
+def emptied(strips, given, law, sought, effort):
+    sought.m[:] = 0.0
+    return loop.newton(strips, given, law, sought, effort)
 
 
 @pytest.mark.parametrize(
@@ -129,7 +122,7 @@ def emptied(*arguments):
     ids=["limit", "stagnated", "nothing in contact"],
 )
 def test_a_loop_that_fails_raises_with_the_solution_so_far(monkeypatch, impaired, status):
-    monkeypatch.setattr("nonhertz.strip.state.newton", impaired)
+    interpret(monkeypatch, newton=impaired)
     with pytest.raises(nh.ConvergenceError) as failure:
         nh.solve(contact(), load=7e3, strips=11)
     solution = failure.value.solution
@@ -152,27 +145,13 @@ def test_a_contact_may_be_much_wider_than_long():
 # What is checked once it has converged
 
 
-def check(r, m, rigid, separation=Y**2 / (2.0 * CROWN), gap=None):
+def check(r, m, rigid, separation=CROWN, gap=None):
     """Return what the last check finds wrong with a state on half-spaces under the load, and fill ``gap``."""
-    return loop._check(
-        Y,
-        EDGES[:-1],
-        EDGES[1:],
-        separation,
-        np.array([True, False]),
-        np.array([K_LOAD, TILT]),
-        rigid,
-        r,
-        m,
-        HALF_SPACES.terms,
-        HALF_SPACES.at_depth(Y, EDGES),
-        nh.SEMI_ELLIPTIC.table,
-        np.zeros(STRIPS) if gap is None else gap,
-    )
+    return loop._check(crowned(separation=separation), GIVEN, law_of(), sought_from(r, m, rigid, gap))
 
 
 def deepest(rigid):
-    return np.max(rigid[0] + rigid[1] * Y - Y**2 / (2.0 * CROWN))
+    return np.max(rigid[0] + rigid[1] * Y - CROWN)
 
 
 def test_the_check_passes_the_answer():
@@ -183,7 +162,7 @@ def test_the_check_passes_the_answer():
 def test_the_check_sees_a_gap_or_an_overlap_in_contact(error):
     r, m, rigid = answer()
     scale = deepest(rigid)
-    separation = Y**2 / (2.0 * CROWN)
+    separation = CROWN.copy()
     # Beside the deepest strip, so that the depth it is measured by stays as it is.
     separation[np.argmax(m) + 2] -= error * scale
     np.testing.assert_allclose(check(r, m, rigid, separation), 1e-3, rtol=1e-6)
@@ -191,7 +170,7 @@ def test_the_check_sees_a_gap_or_an_overlap_in_contact(error):
 
 def test_the_check_sees_an_overlap_out_of_contact():
     r, m, rigid = answer()
-    gap, separation = np.zeros(STRIPS), Y**2 / (2.0 * CROWN)
+    gap, separation = np.zeros(STRIPS), CROWN.copy()
     check(r, m, rigid, gap=gap)
     separation[0] -= gap[0] + 1e-3 * deepest(rigid)
     assert gap[0] > 0.0
@@ -213,7 +192,7 @@ def kept(arm, at, moment=True):
     r = np.zeros(STRIPS)
     r[at], m[at] = 0.025, 0.05
     target = K_LOAD * np.array([1.0, Y[at] + arm])
-    loop._keep_two(Y, np.diff(EDGES), np.array([True, moment]), target, r, m)
+    loop._keep_two(crowned(), Given(np.array([True, moment]), target), sought_from(r, m, np.zeros(2)))
     assert np.array_equal(r > 0.0, m > 0.0)
     return np.flatnonzero(m).tolist()
 
@@ -242,14 +221,14 @@ def test_near_the_answer_the_error_is_squared(element, influence):
     off = 1e-3 * np.cos(7.0 * Y)
     near = r * (1.0 + off), m * (1.0 - off), rigid * (1.0 + 1e-3)
     status, steps, *_ = run(*near, element=element, influence=influence)
-    assert status == loop.CONVERGED
+    assert status == CONVERGED
     assert steps <= 3
 
 
 @both_kinds
 def test_stepping_in_both_at_once_leads_to_the_same_answer(influence):
     r, m, rigid = start()
-    assert run(r, m, rigid, influence=influence, eager=False)[0] == loop.CONVERGED
+    assert run(r, m, rigid, influence=influence, eager=False)[0] == CONVERGED
     # As for other starts, above.
     _, expected_m, expected_rigid = answer(influence)
     np.testing.assert_allclose(m, expected_m, rtol=1e-9, atol=1e-10 * np.max(m))
@@ -259,7 +238,7 @@ def test_stepping_in_both_at_once_leads_to_the_same_answer(influence):
 @both_kinds
 def test_the_answer_needs_no_step(influence):
     status, steps, *_ = run(*answer(influence), influence=influence)
-    assert (status, steps) == (loop.CONVERGED, 0)
+    assert (status, steps) == (CONVERGED, 0)
 
 
 # The stiffness

@@ -2,18 +2,22 @@
 
 import numpy as np
 import pytest
+from core_pieces import law_of, strips_between
 
+from nonhertz.strip.records import Given
+from nonhertz.strip.settle import blank_sought
 from nonhertz.strip.start import prolong, springs
 
 EDGES = np.linspace(-10.0, 10.0, 42)
 Y, WIDTH = 0.5 * (EDGES[1:] + EDGES[:-1]), np.diff(EDGES)
-CURVATURE = np.full(Y.size, 0.1)
 CROWN = Y**2 / 2000.0
 
 
 def sprung(prescribed, target, separation=CROWN):
-    r, m, rigid = springs(Y, WIDTH, CURVATURE, separation, 4.0, np.array(prescribed), np.array(target))
-    return r * m, rigid
+    sought = blank_sought(Y.size)
+    strips = strips_between(EDGES[:-1], EDGES[1:], separation=separation)
+    springs(strips, Given(np.array(prescribed), np.array(target)), law_of(), sought)
+    return sought.r * sought.m, sought.rigid
 
 
 @pytest.mark.parametrize("moment", [0.0, 1e-2, -3e-2])
@@ -50,11 +54,15 @@ def test_no_contact_is_left_when_the_moment_vanishes_only_there():
 
 def test_a_parabola_is_prolonged_to_where_it_ends():
     m = np.maximum(1.0 - (Y / 6.3) ** 2, 0.0)
-    finer = np.linspace(-9.9, 9.9, 397)
-    r, found = prolong(Y, np.full(Y.size, 0.025), m, finer)
-    assert np.all(r == 0.025)
+    edges = np.linspace(-9.925, 9.925, 398)
+    finer, near, found = 0.5 * (edges[1:] + edges[:-1]), blank_sought(Y.size), blank_sought(397)
+    near.r[:], near.m[:], near.rigid[:] = 0.025, m, (0.01, 2e-4)
+    given = Given(np.array([True, False]), np.array([1e-2, 3e-4]))
+    assert prolong(Y, near, strips_between(edges[:-1], edges[1:]), given, found)
+    assert np.all(found.r == 0.025)
+    assert found.rigid.tolist() == [0.01, 3e-4]
     # A chord continued over one more strip misses the parabola by twice (strip / 6.3)^2.
     within = 2.0 * (WIDTH[0] / 6.3) ** 2
-    np.testing.assert_allclose(found, np.maximum(1.0 - (finer / 6.3) ** 2, 0.0), rtol=0.0, atol=within)
-    ends = finer[found > 0.0][[0, -1]]
+    np.testing.assert_allclose(found.m, np.maximum(1.0 - (finer / 6.3) ** 2, 0.0), rtol=0.0, atol=within)
+    ends = finer[found.m > 0.0][[0, -1]]
     np.testing.assert_allclose(ends, [-6.3, 6.3], rtol=0.0, atol=0.1)

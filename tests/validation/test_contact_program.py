@@ -9,7 +9,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.bodies.influence import HALF_SPACE, Influence
-from nonhertz.strip.state import Problem, settle
+from nonhertz.strip.problem import Problem, settle
 
 LENGTH, RADIUS, LOAD = 200.0, 500.0, 35780.0
 MATERIAL = nh.Material(modulus=2.0 * 82000.0 * 1.28, poisson=0.28)

@@ -9,8 +9,11 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.bodies.influence import influence_of
+from nonhertz.model.prescription import Prescription
+from nonhertz.solver.one import problem_of
 from nonhertz.strip.influence import coefficients
+from nonhertz.strip.problem import row_of
+from nonhertz.strip.settle import strips_of
 
 pytestmark = pytest.mark.filterwarnings("ignore:The maximum pressure is uncertain")  # of 41 equal strips
 
@@ -136,15 +139,12 @@ SINGLE = [
 def test_single_coefficients(body, yi, displacement, by_c, flattening, flattening_by_c):
     # One body alone: the other is all but rigid.
     roller = nh.Roller(diameter=15, length=16, material=STEEL, **body)
-    influence = influence_of(nh.Contact(roller, nh.Plate(material=nh.Material(1e18, 0.3))), nh.PARABOLIC)
+    contact = nh.Contact(roller, nh.Plate(material=nh.Material(1e18, 0.3)))
+    problem = problem_of(contact, Prescription.checked(0.01, None, None, None), nh.PARABOLIC)
     edges, c = np.array([-0.2, 0.2, 0.8, 1.2, 1.8, 2.2]), 0.25
-    y = 0.5 * (edges[1:] + edges[:-1])
-    blocks, at_depth = np.empty((4, y.size, y.size)), influence.at_depth(y, edges)
-    coefficients(
-        y, edges[:-1], edges[1:], np.full(y.size, c**2), np.arange(y.size), influence.terms, at_depth,
-        nh.PARABOLIC.table, blocks,
-    )  # fmt: skip
-    a, ta, b, tb = roller.material.compliance * blocks[:, np.argmin(np.abs(y - yi)), 2]
+    strips, blocks = strips_of(problem.grids(*row_of(edges)), 0), np.empty((4, 5, 5))
+    coefficients(strips, np.full(5, c**2), np.arange(5), problem.law, blocks)
+    a, ta, b, tb = roller.material.compliance * blocks[:, np.argmin(np.abs(strips.y - yi)), 2]
     found = [4.0 / 3.0 * c**3 * a, 4.0 / 3.0 * c**2 * (3.0 * a - ta), 4.0 / 3.0 * c * b, 4.0 / 3.0 * (b - tb)]
     # Nine digits are given.
     for value, printed in zip(found, (displacement, by_c, flattening, flattening_by_c), strict=True):

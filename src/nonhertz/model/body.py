@@ -210,7 +210,7 @@ class Body:
 
     def relief_at(self, y: Array) -> Array:
         """Return the relief at positions that are known to be finite numbers."""
-        return self.profile.at(moved_back(y, self.position, self.profile.extent))
+        return self.profile.relief_at(moved_back(y, self.position, self.profile.extent))
 
     def curvature(self, y: ArrayLike) -> Array:
         """Return the curvature 1/R [1/mm] across the contact at ``y`` [mm], negative where concave.

@@ -149,30 +149,3 @@ def _loads(states: States) -> Array:
 def _pressures(hertz_ratio: float, singular: Array, states: States) -> Array:
     a = np.sqrt(states.m)
     return largest_pressure(states.y, states.r * a, hertz_ratio * a, singular)[0]
-
-
-def may_miss_contact(problem: Problem, finest: States) -> Flags:
-    """Return which cases may touch away from the centres of strips that are out of contact."""
-    places, separation = within(problem, finest.edges)
-    y = finest.y
-    at_centres = problem.separation(y.ravel()).reshape(y.shape)
-    rigid = finest.rigid[..., None]
-    with np.errstate(invalid="ignore"):  # both infinite
-        lower = np.nan_to_num(_between_centres(y, at_centres, places) - separation, posinf=np.inf)
-        deepest = np.max(rigid[:, 0] + rigid[:, 1] * y - at_centres, axis=1)
-        depth = rigid[:, 0, None] + rigid[:, 1, None] * places - separation
-        bump = (depth > 0.0) & (lower > MISSED * deepest[:, None, None])
-    idle = (finest.m == 0.0) & (finest.width > 0.0)
-    missed: Flags = np.any(idle[..., None] & bump, axis=(1, 2))
-    return missed
-
-
-def _between_centres(y: Array, values: Array, places: Array) -> Array:
-    """Return values at places within every strip, on straight lines between the centres; constant beyond these."""
-    step = np.diff(y, axis=1)
-    slope = np.divide(np.diff(values, axis=1), step, out=np.zeros_like(step), where=step > 0.0)
-    nothing = np.zeros_like(slope[:, :1])
-    before, after = (np.concatenate(pair, axis=1)[..., None] for pair in ((nothing, slope), (slope, nothing)))
-    away = places - y[..., None]
-    between: Array = values[..., None] + np.where(away > 0.0, after, before) * away
-    return between

@@ -21,10 +21,10 @@ from nonhertz.result.checks import (
     sharper_curvature,
 )
 from nonhertz.result.ends import step_at
-from nonhertz.result.estimate import LARGE_ERROR, LARGE_PRESSURE_ERROR, MISSED, may_be_uncertain, may_miss_contact
+from nonhertz.result.estimate import LARGE_ERROR, LARGE_PRESSURE_ERROR, MISSED, may_be_uncertain
 from nonhertz.result.solution import EdgeKind, Solution, Status
 from nonhertz.strip.grid import reaching
-from nonhertz.strip.overlaps import overlapping, runs
+from nonhertz.strip.overlaps import overlapping, runs, suspects
 from nonhertz.strip.problem import Problem, sprung
 from nonhertz.strip.records import States
 from nonhertz.strip.settle import SCARCELY
@@ -63,7 +63,8 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States], sing
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
     hard = finest.load / problem.compliance > 0.5 * MOST_OF_MODULUS * softer * areas
     thin = np.any(problem.influence.shallowest(y) < LEAST_DEPTH * half_width, axis=1)
-    coarse = may_be_uncertain(problem, levels, singular) | may_miss_contact(problem, finest)
+    region = _searched(contact, float(finest.edges[:, 0].min()), float(finest.edges[:, -1].max()))
+    coarse = may_be_uncertain(problem, levels, singular) | suspects(problem, finest, region)
     for side in (-1, 1):
         place = finest.edges[:, -1 if side > 0 else 0]
         coarse |= reaching(finest, side) & ~np.isin(place, contact.interval)
@@ -72,8 +73,8 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States], sing
         beside = np.abs(y - peak[:, None]).argmin(axis=1)
         coarse |= nearest <= AT_CORNER * np.broadcast_to(width, finest.m.shape)[np.arange(peak.size), beside]
     heavy = any(end.requested > HEAVIEST for end in problem.influence.ends)
-    suspects: Flags = wide | flat | hard | thin | coarse | heavy
-    return suspects
+    found: Flags = wide | flat | hard | thin | coarse | heavy
+    return found
 
 
 def strains(solution: Solution, problem: Problem, state: States) -> tuple[str, ...]:
@@ -106,9 +107,7 @@ def _uncertain(quantity: str, error: float, least: float = LARGE_ERROR) -> str:
 
 def _missed_contact(solution: Solution, problem: Problem, state: States) -> list[str]:
     """Return a sentence where the bodies overlap although no strip there is in contact."""
-    low, high = float(state.edges[0]), float(state.edges[-1])
-    interval = solution.contact.interval
-    region = max(interval[0], 2.0 * low - high), min(interval[1], 2.0 * high - low)
+    region = _searched(solution.contact, float(state.edges[0]), float(state.edges[-1]))
     y, overlap = overlapping(problem, state, region)
     overlap = np.where(_next_to_contact(state, y), 0.0, overlap)
     deepest = float(np.max(solution.interference[solution.line_load > 0.0]))
@@ -119,6 +118,11 @@ def _missed_contact(solution: Solution, problem: Problem, state: States) -> list
         f"The bodies overlap by {1e3 * overlap[worst]:.2g} um at y = {y[worst]:.6g} mm, where no strip has its centre: "
         "a contact region is missed; give narrower strips there."
     ]
+
+
+def _searched(contact: Contact, low: float, high: float) -> tuple[float, float]:
+    """Return where contacts that strips between two places may have missed are looked for [mm]."""
+    return max(contact.interval[0], 2.0 * low - high), min(contact.interval[1], 2.0 * high - low)
 
 
 def _next_to_contact(state: States, y: Array) -> Flags:

@@ -22,7 +22,16 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
 from nonhertz.result.outcome import outcome
 from nonhertz.result.validity import wider_than_round
-from nonhertz.solver.one import Strips, levels_of, problem_of, refuse_no_element, requested_strips, states_of
+from nonhertz.solver.one import (
+    Strips,
+    is_automatic,
+    levels_of,
+    problem_of,
+    refuse_no_element,
+    refuse_two_grids,
+    requested_strips,
+    states_of,
+)
 from nonhertz.solver.solutions import Block, Solutions, case_label
 from nonhertz.strip.acceptance import met_by
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
@@ -33,7 +42,7 @@ Array = NDArray[np.float64]
 
 # Cases per unit of work for a thread: on shared strips, and with a separate grid for each. Fixed, so that results do
 # not depend on the number of threads.
-CASES_AT_ONCE, CASES_APART = 64, 4
+CASES_AT_ONCE, CASES_APART = 64, 32
 _PRESCRIBED = ("approach", "load", "tilt", "moment")
 
 
@@ -46,6 +55,7 @@ def solve_many(
     moment: ArrayLike | None = None,
     element: Element = SEMI_ELLIPTIC,
     strips: Strips = None,
+    accuracy: float | None = None,
     threads: int | None = None,
 ) -> Solutions:
     """Press the bodies of many contacts together, or those of one contact in many ways.
@@ -63,6 +73,8 @@ def solve_many(
     strips : int or array_like or "auto", optional
         As in `nonhertz.solve`, for all cases. A number of strips is several times as fast as the automatic grid, and
         scales to any number of cores.
+    accuracy : float, optional
+        As in `nonhertz.solve`, for all cases.
     threads : int, optional
         Number of threads; all cores if left out. The results do not depend on it.
 
@@ -106,13 +118,23 @@ def solve_many(
     refuse_no_element(element)
     several = _several(contacts)
     shape, which, values = _spread(len(several) if not isinstance(contacts, Contact) else None, given)
-    tasks = _tasks(several, shape, which, values, element, strips)
+    refuse_two_grids(strips, accuracy)
+    tasks = _tasks(several, shape, which, values, _Options(element, strips, accuracy))
     with ThreadPoolExecutor(thread_count(threads)) as pool:
         blocks = [block for found in pool.map(_solved, _portions(tasks)) for block in found]
     solutions = Solutions(shape, tuple(blocks))
     for sentence in solutions.sentences():
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
     return solutions
+
+
+@dataclass(frozen=True)
+class _Options:
+    """What all cases share beside what is prescribed."""
+
+    element: Element
+    strips: Strips
+    accuracy: float | None
 
 
 @dataclass(frozen=True)
@@ -216,8 +238,7 @@ def _tasks(
     shape: tuple[int, ...],
     which: NDArray[np.intp],
     given: dict[str, Array],
-    element: Element,
-    strips: Strips,
+    options: _Options,
 ) -> list[_Task]:
     """Return the cases in portions of one contact each; invalid input is refused here."""
     by_contact: dict[int, list[int]] = {}
@@ -239,10 +260,10 @@ def _tasks(
     tasks = []
     for numbers in by_contact.values():
         contact = contacts[which[numbers[0]]]
-        requested_strips(contact, strips)
+        requested_strips(contact, options.strips)
         try:
             number = numbers[0]
-            problem = problem_of(contact, case(number), element)
+            problem = problem_of(contact, case(number), options.element, options.accuracy)
             # A moment may act outside the bodies in any case; a load out of range shows in the extreme cases.
             loads = given["load"][numbers] if "load" in given else np.zeros(1)
             outermost = [numbers[int(loads.argmin())], numbers[int(loads.argmax())]]
@@ -256,10 +277,10 @@ def _tasks(
                 targets[:, column] = contact.compliance * given[force][numbers]
             elif motion in given:
                 targets[:, column] = given[motion][numbers]
-        at_once = CASES_APART if _automatic(strips) else CASES_AT_ONCE
+        at_once = CASES_APART if is_automatic(options.strips) else CASES_AT_ONCE
         for first in range(0, len(numbers), at_once):
             portion = slice(first, first + at_once)
-            tasks.append(_Task(contact, problem, numbers[portion], targets[portion], strips))
+            tasks.append(_Task(contact, problem, numbers[portion], targets[portion], options.strips))
     return tasks
 
 
@@ -273,16 +294,12 @@ def _suspects(given: dict[str, Array]) -> list[int]:
     return np.flatnonzero(suspects).tolist()
 
 
-def _automatic(strips: Strips) -> bool:
-    return strips is None or isinstance(strips, str)
-
-
 def _portions(tasks: list[_Task]) -> Iterator[list[_Task]]:
     """Yield tasks grouped into portions large enough for one unit of work of a thread."""
     portion: list[_Task] = []
     for task in tasks:
         portion.append(task)
-        if sum(len(each.numbers) for each in portion) >= (CASES_APART if _automatic(task.strips) else CASES_AT_ONCE):
+        if sum(len(each.numbers) for each in portion) >= (CASES_APART if is_automatic(task.strips) else CASES_AT_ONCE):
             yield portion
             portion = []
     yield portion

@@ -12,14 +12,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.bodies.influence import influence_of
 from nonhertz.errors import AccuracyWarning, InputError
-from nonhertz.inputs.checks import numbers
+from nonhertz.inputs.checks import finite, numbers
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.result.outcome import outcome
 from nonhertz.result.solution import Solution
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 from nonhertz.strip.feasible import refuse_infeasible
-from nonhertz.strip.levels import Levels, equal_grids, given_grids, on_automatic_strips, on_given_strips
+from nonhertz.strip.levels import ACCURACY, Levels, equal_grids, given_grids, on_automatic_strips, on_given_strips
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import Indices, States
 
@@ -28,6 +28,7 @@ Array = NDArray[np.float64]
 Strips = int | Literal["auto"] | ArrayLike | None
 
 FEWEST_STRIPS, MOST_STRIPS = 1, 2000
+FINEST_ACCURACY, COARSEST_ACCURACY = 1e-6, 0.1
 
 
 def solve(
@@ -39,6 +40,7 @@ def solve(
     moment: float | None = None,
     element: Element = SEMI_ELLIPTIC,
     strips: Strips = None,
+    accuracy: float | None = None,
 ) -> Solution:
     """Press the bodies of a contact together.
 
@@ -60,6 +62,10 @@ def solve(
     strips : int or array_like or "auto", optional
         A number: that many equal strips over the length on which both bodies can touch. An array: the edges of
         the strips [mm], ascending. Omitted or ``"auto"``: a graded grid adapted to the contact.
+    accuracy : float, optional
+        The relative error wanted of the approach, or of the load where the approach is given, from 1e-6 to 0.1; the
+        automatic grid gets as many strips as that needs. If left out, 1e-4. Whether it was met is told by
+        ``solution.error_estimate``.
 
     Returns
     -------
@@ -75,8 +81,8 @@ def solve(
     Warns
     -----
     AccuracyWarning
-        If the result strains the model's validity, or the contact ends where the pressure has no limit; the sentences
-        are in ``solution.warnings`` too.
+        If the result strains the model's validity, the accuracy asked for was not met, or the contact ends where the
+        pressure has no limit; the sentences are in ``solution.warnings`` too.
 
     Examples
     --------
@@ -88,31 +94,33 @@ def solve(
     0.87
     """
     given = Prescription.checked(approach, load, tilt, moment)
-    problem = problem_of(contact, given, element)
+    problem = problem_of(contact, given, element, accuracy)
+    refuse_two_grids(strips, accuracy)
     solution = outcome(contact, problem, levels_of(contact, problem, strips))
     for sentence in solution.warnings:
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
     return solution
 
 
-def problem_of(contact: Contact, given: Prescription, element: Element) -> Problem:
+def problem_of(contact: Contact, given: Prescription, element: Element, accuracy: float | None = None) -> Problem:
     """Return what the strips have to satisfy.
 
     Raises
     ------
     InputError
-        If ``contact`` or ``element`` is not a Contact or an Element, or no pressure between the ends of the bodies can
-        produce the moment.
+        If ``contact`` or ``element`` is not a Contact or an Element, no pressure between the ends of the bodies can
+        produce the moment, or ``accuracy`` is out of range.
     """
     if not isinstance(contact, Contact):
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
     refuse_no_element(element)
+    refuse_accuracy(accuracy)
     given.refuse_outside(contact)
     prescribed, target = np.array(given.by_force), np.array(given.target(contact.compliance))
     influence = influence_of(contact, element)
     return Problem(
         contact.separation_at, contact.curvature_at, element, prescribed, target, influence, contact.compliance,
-        partial(getattr, contact, "crests"),
+        partial(getattr, contact, "crests"), accuracy,
     )  # fmt: skip
 
 
@@ -121,6 +129,28 @@ def refuse_no_element(element: object) -> None:
     if not isinstance(element, Element):
         remedy = "use nonhertz.SEMI_ELLIPTIC or nonhertz.PARABOLIC"
         raise InputError("element", element, "be an element", remedy)
+
+
+def refuse_accuracy(accuracy: object) -> None:
+    """Refuse an accuracy that no grid has, or that is none."""
+    if accuracy is None:
+        return
+    remedy = f"leave it out for {ACCURACY:g}"
+    finite("accuracy", accuracy, remedy)  # type: ignore[arg-type]
+    if not FINEST_ACCURACY <= accuracy <= COARSEST_ACCURACY:  # type: ignore[operator]
+        raise InputError("accuracy", accuracy, f"lie between {FINEST_ACCURACY:g} and {COARSEST_ACCURACY:g}", remedy)
+
+
+def refuse_two_grids(strips: Strips, accuracy: float | None) -> None:
+    """Refuse an accuracy beside strips that are given: the number of strips would follow from both."""
+    if accuracy is not None and not is_automatic(strips):
+        remedy = "leave out the accuracy or the strips"
+        raise InputError("accuracy", accuracy, "be given only where the grid is automatic", remedy)
+
+
+def is_automatic(strips: Strips) -> bool:
+    """Return whether the grid is to be adapted to the contact."""
+    return strips is None or (isinstance(strips, str) and strips == "auto")
 
 
 def levels_of(contact: Contact, problem: Problem, strips: Strips) -> Levels:
@@ -167,7 +197,7 @@ def states_of(contact: Contact, problem: Problem, strips: Strips, targets: Array
 def requested_strips(contact: Contact, strips: Strips) -> tuple[int | None, Array | None]:
     """Return the number of equal strips or the edges of given ones; both None for an automatic grid."""
     remedy = "leave it out for an automatic grid"
-    if strips is None or (isinstance(strips, str) and strips == "auto"):
+    if is_automatic(strips):
         return None, None
     if isinstance(strips, (int, np.integer)) and not isinstance(strips, bool):
         if not FEWEST_STRIPS <= strips <= MOST_STRIPS:

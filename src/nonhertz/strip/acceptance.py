@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, entry
 from nonhertz.strip.element import evaluate
 from nonhertz.strip.problem import Problem, row_of
 from nonhertz.strip.records import Array, Flags, Given, Grids, Law, States, Strips
@@ -50,9 +50,9 @@ def shortfall(
     """
     y, compliance = 0.5 * (edges[1:] + edges[:-1]), problem.compliance
     grids, given = problem.grids(*row_of(edges)), Given(problem.prescribed, problem.target)
-    condition, found, at = _first_unmet_of(
-        grids, given, problem.law, Answer(compliance * line_load, half_width, gap, motion)
-    )
+    values, answer = np.empty(1), Answer(compliance * line_load, half_width, gap, motion)
+    condition, at = divmod(_first_unmet_of(grids, given, problem.law, answer, values), edges.size)
+    found = float(values[0])
     if condition == MET:
         return None
     if condition in {FIRST, SECOND}:
@@ -91,7 +91,7 @@ class Answer(NamedTuple):
     motion: Array
 
 
-@compiled
+@entry
 def met_by_all(grids: Grids, given: Given, law: Law, states: States, met: Flags) -> None:
     """Fill in which of many states meet everything; ``given`` has a row of targets for each, as in `settle_all`."""
     for case in range(met.size):
@@ -106,9 +106,11 @@ def met_by_all(grids: Grids, given: Given, law: Law, states: States, met: Flags)
         met[case] = condition == MET and steady(states.stiffness[case], reach)
 
 
-@compiled
-def _first_unmet_of(grids: Grids, given: Given, law: Law, answer: Answer) -> tuple[int, float, int]:
-    return first_unmet(strips_of(grids, 0), given, law, answer)
+@entry
+def _first_unmet_of(grids: Grids, given: Given, law: Law, answer: Answer, found: Array) -> int:
+    """Return the condition times the number of edges, plus the strip, and fill in the value found."""
+    condition, found[0], at = first_unmet(strips_of(grids, 0), given, law, answer)
+    return condition * (answer.q.size + 1) + at
 
 
 @compiled
@@ -137,6 +139,16 @@ def first_unmet(strips: Strips, given: Given, law: Law, answer: Answer) -> tuple
         if q[i] > 0.0 and not abs(bend - strips.curvature[i]) <= CURVATURE_TOLERANCE * strips.curvature[i]:
             return BENT, bend / strips.curvature[i] - 1.0, i
     return MET, 0.0, 0
+
+
+def steadily(states: States) -> Flags:
+    """Return in which of many cases the bodies resist being pressed together and being tilted."""
+    ends = np.abs(states.edges[:, [0, -1]]).max(axis=1)
+    with np.errstate(invalid="ignore"):
+        stiffness = states.stiffness
+        resist = (stiffness[:, 0, 0] > 0.0) & (stiffness[:, 1, 1] >= UNSTEADY * stiffness[:, 0, 0] * ends * ends)
+    steadily: Flags = resist & np.all(np.isfinite(stiffness), axis=(1, 2))
+    return steadily
 
 
 @compiled

@@ -26,7 +26,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, entry
 
 Array = NDArray[np.float64]
 
@@ -230,7 +230,7 @@ def evaluate_displacement(t: float, table: Array) -> float:
     return a if t >= 0.0 else -a
 
 
-@compiled
+@entry
 def _evaluate_all(t: Array, table: Array, values: Array) -> None:
     for i in range(t.size):
         values[i, 0], values[i, 1], values[i, 2], values[i, 3] = evaluate(t[i], table)

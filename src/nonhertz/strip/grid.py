@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, entry
 from nonhertz.strip.records import Array, Flags, Indices, States
 
 # At a coarseness of 1, tuned on random contacts of all profiles; docs/explain/grid.md has the figures.
@@ -85,7 +85,7 @@ class Fineness(NamedTuple):
     share : float
         Strips over those that the size function asks for.
     limit : int
-        The most strips on one interval of contact.
+        The most strips on one interval of contact, at a coarseness of 1.
     """
 
     coarseness: Array
@@ -119,7 +119,7 @@ def uniform(low: float, high: float, count: int) -> Array:
 def reaching(states: States, side: int) -> Flags:
     """Return whether the contact extends to the outer edge of the strips on that side, for one case or many."""
     at = states.counts - 1 if side > 0 else np.zeros_like(states.counts)
-    beside = np.abs(at - 1) if side > 0 else np.minimum(at + 1, states.counts - 1)
+    beside = np.maximum(at - 1, 0) if side > 0 else np.minimum(at + 1, states.counts - 1)
     edges, last, next_in = states.edges, _taken(states.m, at), _taken(states.m, beside)
     touching: Flags = last > 0.0
     y, y_in = (0.5 * (_taken(edges, where) + _taken(edges, where + 1)) for where in (at, beside))
@@ -175,7 +175,21 @@ def _turn(separation: Callable[[Array], Array], places: Array, step: float) -> A
 
 def contact_of(state: States) -> tuple[tuple[float, float], ...]:
     """Return the intervals in contact of one case [mm]."""
-    return tuple(map(tuple, intervals(state.edges, state.m).tolist()))
+    return tuple(map(tuple, intervals_of(state).tolist()))
+
+
+def intervals_of(state: States) -> Array:
+    """Return the two ends of every interval in contact of one case [mm], shape (k, 2)."""
+    found = np.empty((state.m.size, 2))
+    return found[: _find_intervals(state.edges, state.m, found)]
+
+
+@entry
+def _find_intervals(edges: Array, m: Array, found: Array) -> int:
+    contact = intervals(edges, m)
+    for k in range(contact.shape[0]):
+        found[k, 0], found[k, 1] = contact[k, 0], contact[k, 1]
+    return int(contact.shape[0])
 
 
 @compiled
@@ -208,7 +222,7 @@ def _end(edges: Array, m: Array, at: int, other: int, side: int) -> float:
     return float(side * min(side * (y + side * run), side * limit))
 
 
-@compiled
+@entry
 def lay_all(states: States, terrain: Terrain, extras: Array, fineness: Fineness, count: Indices, edges: Array) -> None:
     """Lay the strips that coarser solutions call for.
 
@@ -250,7 +264,7 @@ def _laid(
     """Return the edges of a grid; where the sizes call for too many strips, those away from features are widened."""
     contact = intervals(edges, m)
     sizes = _sizes(edges, m, rigid, contact, terrain, case, extras, fineness.coarseness[case])
-    limit = fineness.limit * min(contact.shape[0], 2)
+    limit = fineness.limit / min(fineness.coarseness[case], 1.0) * min(contact.shape[0], 2)
     by = 1.0
     centre = _centre(sizes)
     right = _walk(centre, sizes.high, sizes, 1.0)
@@ -326,8 +340,8 @@ def _sizes(
     narrowest = max(NARROWEST * math.sqrt(widest), _resolved(sample_low, sample_low + step * samples.size))
     bound = _sagging(step, sample_low, samples, rigid, deepest, coarseness, narrowest)
     return _Sizes(
-        low, high, places[:used], widths[:used], slow[:used], _ascending(marks[:marked]), sample_low + step, step, bound,
-        contact, coarseness * length / STRIPS_PER_CONTACT, (high - low) / 8.0, min(GROWTH * coarseness, 1.0),
+        low, high, places[:used], widths[:used], slow[:used], _ascending(marks[:marked]), sample_low + step, step,
+        bound, contact, coarseness * length / STRIPS_PER_CONTACT, (high - low) / 8.0, min(GROWTH * coarseness, 1.0),
     )  # fmt: skip
 
 

@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from nonhertz.bodies.influence import Influence
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, entry
 from nonhertz.strip.element import evaluate, evaluate_displacement
 from nonhertz.strip.records import Array, Indices, Law, Strips
 
@@ -123,18 +123,22 @@ def seen(y: float, low: float, high: float, inverse: float, terms: Array, table:
 def displacements(influence: Influence, y: Array, edges: Array, r: Array, m: Array, table: Array) -> Array:
     """Return the displacement per unit of compliance at several places ``y``, relative to the points at depth."""
     at_depth: Array = influence.at_depth(y, edges) @ (r * m)
-    return _on_the_surface(y, edges[:-1], edges[1:], r, m, influence.terms, table) - at_depth
+    lift = np.empty(y.size)
+    _on_the_surface(y, edges[:-1], edges[1:], r, m, influence.terms, table, lift)
+    return lift - at_depth
 
 
-@compiled
-def _on_the_surface(places: Array, low: Array, high: Array, r: Array, m: Array, terms: Array, table: Array) -> Array:
-    result = np.zeros(places.size)
+@entry
+def _on_the_surface(
+    places: Array, low: Array, high: Array, r: Array, m: Array, terms: Array, table: Array, result: Array
+) -> None:
+    for i in range(places.size):
+        result[i] = 0.0
     for j in range(m.size):
         if m[j] > 0.0:
             inverse, q = 1.0 / math.sqrt(m[j]), r[j] * m[j]
             for i in range(places.size):
                 result[i] += q * seen(places[i], low[j], high[j], inverse, terms, table)
-    return result
 
 
 @compiled

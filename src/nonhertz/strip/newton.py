@@ -253,6 +253,8 @@ def _linearised(
         required, before = follows[i, at + k], sought.r[source]
         # Far from the solution it may not even be positive.
         r[i] = min(max(required, LEAST_CHANGE * before), before / LEAST_CHANGE) if eager else before
+        if math.isnan(before):
+            r[i] = before
         missing[i] = required - r[i]
         sought.r[source] = r[i]
         weights[i] = r[i] * m[i] * (strips.high[source] - strips.low[source])

@@ -10,10 +10,11 @@ import math
 
 import numpy as np
 
-from nonhertz.strip.grid import intervals
+from nonhertz.compiled import compiled, entry
+from nonhertz.strip.grid import intervals, intervals_of
 from nonhertz.strip.influence import displacements
 from nonhertz.strip.problem import Problem
-from nonhertz.strip.records import Array, Flags, States
+from nonhertz.strip.records import CONVERGED, Array, Flags, States
 
 SAMPLES = 600  # along the bodies
 BESIDE = 0.02  # of an interval in contact: an overlap this close to it only shows where the contact ends
@@ -29,6 +30,51 @@ def runs(flags: Flags) -> list[tuple[int, int]]:
     if flags[-1]:
         change.append(flags.size)
     return [(first, beyond - 1) for first, beyond in zip(change[::2], change[1::2], strict=True)]
+
+
+def suspects(problem: Problem, states: States, interval: tuple[float, float]) -> Flags:
+    """Return which cases may touch where no strip is in contact: where the undeformed surfaces overlap most.
+
+    Away from a contact the displacement falls, so that another one needs a summit of the undeformed overlap, or the
+    end of the bodies.
+    """
+    y, h = problem.surveyed(*interval, SAMPLES)
+    found = np.zeros(states.status.size, dtype=bool)
+    _find_suspects(states, y, h, found)
+    return found
+
+
+@entry
+def _find_suspects(states: States, y: Array, h: Array, found: Flags) -> None:
+    for case in range(found.size):
+        row = 0 if states.edges.shape[0] == 1 else case
+        n = states.counts[row]
+        contact = intervals(states.edges[row, : n + 1], states.m[case, :n])
+        found[case] = states.status[case] == CONVERGED and _has_summit_apart(contact, states.rigid[case], y, h)
+
+
+@compiled
+def _has_summit_apart(contact: Array, rigid: Array, y: Array, h: Array) -> bool:
+    """Return whether the undeformed surfaces overlap, more than beside it, at some place apart from the contact."""
+    last = y.size - 1
+    for i in range(last + 1):
+        here = rigid[0] + rigid[1] * y[i] - h[i]
+        before = rigid[0] + rigid[1] * y[i - 1] - h[i - 1] if i > 0 else -np.inf
+        after = rigid[0] + rigid[1] * y[i + 1] - h[i + 1] if i < last else -np.inf
+        if not (here >= before and here >= after):
+            continue
+        highest = here
+        if 0 < i < last and math.isfinite(before) and math.isfinite(after):
+            # No parabola through the three places rises higher above the middle one than this.
+            highest += 0.125 * (2.0 * here - before - after)
+        if highest > 0.0:
+            apart = True
+            for k in range(contact.shape[0]):
+                margin = BESIDE * (contact[k, 1] - contact[k, 0])
+                apart = apart and (y[i] < contact[k, 0] - margin or y[i] > contact[k, 1] + margin)
+            if apart:
+                return True
+    return False
 
 
 def overlaps(problem: Problem, state: States, interval: tuple[float, float]) -> list[tuple[float, float]]:
@@ -89,7 +135,7 @@ def overlapping(problem: Problem, state: States, interval: tuple[float, float]) 
         Places [mm], ascending, and depths [mm]: zero in contact and beside it, negative where the undeformed surfaces
         are apart.
     """
-    contact = intervals(state.edges, state.m)
+    contact = intervals_of(state)
     margin = BESIDE * (contact[:, 1:] - contact[:, :1])
     if len(contact) == 1 and contact[0, 0] - margin[0] <= interval[0] and contact[0, 1] + margin[0] >= interval[1]:
         return np.zeros(0), np.zeros(0)

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from nonhertz.bodies.influence import Influence
-from nonhertz.compiled import compiled
+from nonhertz.compiled import entry
 from nonhertz.strip.element import Element
 from nonhertz.strip.newton import TOLERANCE
 from nonhertz.strip.records import ITERATION_LIMIT, Array, Flags, Given, Grids, Indices, Law, States
@@ -38,6 +38,8 @@ class Problem:
     crests : callable
         () -> where profiles may stand out between sampled places [mm]. A measured line has thousands of them, and
         many solves do not need them: hence a callable.
+    accuracy : float or None
+        Relative error of approach or load that was asked for, None if nothing was said.
     """
 
     separation: Callable[[Array], Array]
@@ -48,6 +50,7 @@ class Problem:
     influence: Influence
     compliance: float
     crests: Callable[[], tuple[float, ...]] = tuple
+    accuracy: float | None = None
     _sampled: dict[tuple[float, float, int], tuple[Array, Array]] = field(default_factory=dict, repr=False)
 
     def sampled(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
@@ -168,6 +171,6 @@ def sprung(problem: Problem, edges: Array) -> States:
     return found.one(0)
 
 
-@compiled
+@entry
 def _sprung(grids: Grids, given: Given, law: Law, found: States) -> None:
     springs(strips_of(grids, 0), given, law, sought_of(found, 0, grids.counts[0]))

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, entry
 from nonhertz.strip.newton import TOLERANCE, newton
 from nonhertz.strip.records import CONVERGED, STAGNATED, Array, Effort, Given, Grids, Law, Sought, States, Strips
 from nonhertz.strip.start import prolong, springs
@@ -25,7 +25,7 @@ HOPELESS, BEYOND_HELP, SCARCELY = 0.7, 2.0, 4.0
 RISES = 40
 
 
-@compiled
+@entry
 def settle_all(
     grids: Grids, given: Given, law: Law, near: States, found: States, tolerance: float, patient: bool
 ) -> None:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, ClassVar, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.compiled import compiled
+from nonhertz.compiled import entry
 
 if TYPE_CHECKING:
     from nonhertz.bodies.images import Images
@@ -95,16 +95,17 @@ class PointsAtDepth:
 
     def displacement(self, y: Array, edges: Array) -> Array:
         """Return the displacement at depth under ``y`` per unit of K q of each strip, shape (places, strips)."""
-        result = np.diff(_at_depth(y, self.below(y), edges, self.poisson_factor, self.terms), axis=1)
+        up_to_edges = np.zeros((y.size, edges.size))
+        _at_depth(y, self.below(y), edges, self.poisson_factor, self.terms, up_to_edges)
+        result = np.diff(up_to_edges, axis=1)
         if self.far is not None:
             result -= self.far(y)[:, None] * np.diff(edges)
         return np.ascontiguousarray(result)
 
 
-@compiled
-def _at_depth(y: Array, depth: Array, edges: Array, poisson_factor: float, terms: Array) -> Array:
-    """Return the displacement at depth under each place by a load from the far left up to each edge, to a constant."""
-    out = np.zeros((y.size, edges.size))
+@entry
+def _at_depth(y: Array, depth: Array, edges: Array, poisson_factor: float, terms: Array, out: Array) -> None:
+    """Add the displacement at depth under each place by a load from the far left up to each edge, to a constant."""
     for i in range(y.size):
         inverse = 1.0 / depth[i]
         for k in range(terms.shape[0]):
@@ -114,4 +115,3 @@ def _at_depth(y: Array, depth: Array, edges: Array, poisson_factor: float, terms
                 root = math.sqrt(1.0 + u * u)
                 value = math.log(abs(u) + root)
                 out[i, e] += weight * (math.copysign(value, u) + poisson_factor * u / root)
-    return out

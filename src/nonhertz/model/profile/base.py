@@ -42,7 +42,7 @@ class Profile(ABC):
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm] at the axial positions ``y`` [mm], an array of the same shape."""
 
-    def at(self, y: Array) -> Array:
+    def relief_at(self, y: Array) -> Array:
         """Return the relief at positions that are known to be finite numbers: what the solver calls again and again."""
         return self.relief(y)
 
@@ -87,12 +87,17 @@ def _parts(profile: Profile) -> tuple[Profile, ...]:
 class Formula(Profile):
     """A profile of this package, which computes its relief at positions that are checked once."""
 
+    def __init_subclass__(cls) -> None:
+        # A class of the user's that redefines only the relief is asked for that.
+        if "relief" in vars(cls) and "relief_at" not in vars(cls):
+            cls.relief_at = Profile.relief_at  # type: ignore[method-assign]
+
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm] at the axial positions ``y`` [mm], an array of the same shape."""
-        return self.at(places(y))
+        return self.relief_at(places(y))
 
     @abstractmethod
-    def at(self, y: Array) -> Array:
+    def relief_at(self, y: Array) -> Array:
         """Return the relief at positions that are known to be finite numbers."""
 
 
@@ -100,7 +105,7 @@ class Formula(Profile):
 class Straight(Formula):
     """No relief."""
 
-    def at(self, y: Array) -> Array:
+    def relief_at(self, y: Array) -> Array:
         """Return zeros."""
         return np.zeros_like(y)
 
@@ -111,11 +116,11 @@ class Sum(Formula):
 
     parts: tuple[Profile, ...]
 
-    def at(self, y: Array) -> Array:
+    def relief_at(self, y: Array) -> Array:
         """Return the sum of the parts' reliefs."""
         total = np.zeros_like(y)
         for part in self.parts:
-            total += part.at(y)
+            total += part.relief_at(y)
         return total
 
     @property
@@ -142,9 +147,9 @@ class Shifted(Formula):
     profile: Profile
     by: float
 
-    def at(self, y: Array) -> Array:
+    def relief_at(self, y: Array) -> Array:
         """Return the relief of the profile ``by`` further back."""
-        return self.profile.at(moved_back(y, self.by, self.profile.extent))
+        return self.profile.relief_at(moved_back(y, self.by, self.profile.extent))
 
     @property
     def crests(self) -> tuple[float, ...]:
@@ -182,9 +187,9 @@ class Scaled(Formula):
     profile: Profile
     by: float
 
-    def at(self, y: Array) -> Array:
+    def relief_at(self, y: Array) -> Array:
         """Return ``by`` times the profile's relief."""
-        relief = self.profile.at(y)
+        relief = self.profile.relief_at(y)
         # A plain product would turn "no body here" into NaN (factor 0) or an infinite peak (factor < 0).
         present = np.isfinite(relief)
         return np.where(present, self.by * np.where(present, relief, 0.0), np.inf)

@@ -35,7 +35,7 @@ class Arcs(Formula):
     junction: float
     end_summit: float
 
-    def at(self, y: Array) -> Array:
+    def relief_at(self, y: Array) -> Array:
         """Return the relief [mm]; infinite beyond the point where an arc becomes vertical."""
         distance = np.abs(y)
         middle = _drop(self.radius, np.minimum(distance, self.junction))

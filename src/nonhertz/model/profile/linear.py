@@ -20,7 +20,7 @@ class Conical(Formula):
 
     angle: float
 
-    def at(self, y: Array) -> Array:
+    def relief_at(self, y: Array) -> Array:
         """Return ``tan(angle) * y`` [mm]."""
         return np.asarray(math.tan(self.angle) * y)
 
@@ -32,7 +32,7 @@ class TaperedEnds(Formula):
     straight: float
     angle: float
 
-    def at(self, y: Array) -> Array:
+    def relief_at(self, y: Array) -> Array:
         """Return the relief [mm], zero in the straight middle."""
         past = np.maximum(np.abs(y) - 0.5 * self.straight, 0.0)
         return np.asarray(math.tan(self.angle) * past)

@@ -41,7 +41,7 @@ class Logarithmic(Formula):
         """Length of the straight middle [mm]."""
         return self.length - self.curved
 
-    def at(self, y: Array) -> Array:
+    def relief_at(self, y: Array) -> Array:
         """Return the relief [mm]; infinite at and beyond the pole of the logarithm."""
         distance = np.minimum(np.abs(y), _FAR)
         half = 0.5 * self.curved

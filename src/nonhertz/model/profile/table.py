@@ -42,7 +42,7 @@ class Tabulated(Formula):
         """The kind and the points, wherever they came from."""
         return "tabulated", {"y": self.y, "relief": self.values, "interpolation": self.interpolation}
 
-    def at(self, y: Array) -> Array:
+    def relief_at(self, y: Array) -> Array:
         """Return the relief [mm]; infinite outside the table."""
         inside = (y >= self.y[0]) & (y <= self.y[-1])
         return np.where(inside, self._curve(np.where(inside, y, self.y[0])), np.inf)

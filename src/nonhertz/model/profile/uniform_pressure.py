@@ -33,7 +33,7 @@ class UniformPressure(Formula):
     length: float
     half_width: float
 
-    def at(self, y: Array) -> Array:
+    def relief_at(self, y: Array) -> Array:
         """Return the relief [mm]; finite everywhere, with a vertical tangent at both ends of the length."""
         half = 0.5 * self.length
         ends = np.stack([half - y, half + y]) / self.half_width

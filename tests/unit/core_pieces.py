@@ -1,0 +1,33 @@
+"""Pieces of the compiled core for tests: strips and a law without bodies, and its outer loops interpreted."""
+
+import numpy as np
+
+import nonhertz as nh
+from nonhertz.bodies.influence import HALF_SPACE
+from nonhertz.strip import problem, settle
+from nonhertz.strip.records import Law, Strips
+
+NO_DEPTH = np.zeros((0, 0))
+
+
+def strips_between(low, high, *, curvature=0.1, separation=0.0, at_depth=NO_DEPTH):
+    """Strips between two rows of edges, of one curvature [1/mm]."""
+    y = 0.5 * (low + high)
+    return Strips(y, low, high, np.full(y.size, curvature), separation + np.zeros(y.size), at_depth)
+
+
+def law_of(element=nh.SEMI_ELLIPTIC, terms=HALF_SPACE):
+    return Law(np.atleast_2d(terms), element.table, element.line_factor, element.hertz_ratio)
+
+
+def interpret(monkeypatch, **replaced):
+    """Settle cases in the interpreter, down to the Newton loop, with some functions of `settle` replaced.
+
+    Machine code calls machine code: what is replaced is met only by those that the interpreter runs.
+    """
+    for name in ("loop", "_helped", "_raised", "settle_all"):
+        function = getattr(settle, name)
+        monkeypatch.setattr(settle, name, getattr(function, "py_func", function))  # plain where nothing is compiled
+    monkeypatch.setattr(problem, "settle_all", settle.settle_all)
+    for name, function in replaced.items():
+        monkeypatch.setattr(settle, name, function)

@@ -1,0 +1,53 @@
+"""Cases on given strips: the load raised in steps where nothing else leads to an answer."""
+
+import numpy as np
+import pytest
+from core_pieces import interpret
+
+import nonhertz as nh
+from nonhertz.model.prescription import Prescription
+from nonhertz.solver.one import problem_of
+from nonhertz.strip import settle
+from nonhertz.strip.problem import row_of
+from nonhertz.strip.records import CONVERGED, STAGNATED, Given, States
+
+STRIPS = row_of(np.linspace(-10.0, 10.0, 22))
+
+
+@pytest.fixture
+def problem():
+    roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000))
+    return problem_of(nh.Contact(roller, nh.Plate()), Prescription.checked(None, 3e3, 2e-4, None), nh.SEMI_ELLIPTIC)
+
+
+def raised(problem):
+    """Return how raising the load of the problem ends, and the state that it leaves."""
+    grids, found = problem.grids(*STRIPS), States.unsolved(*STRIPS, 1)
+    sought = settle.sought_of(found, 0, found.m.shape[1])
+    given = Given(problem.prescribed, problem.target)
+    status, *_ = settle._raised(settle.strips_of(grids, 0), given, problem.law, sought, grids.shallowest[0])
+    return status, found.one(0)
+
+
+def test_a_load_that_is_raised_arrives(problem):
+    status, state = raised(problem)
+    assert status == CONVERGED
+    # The loop's tolerance.
+    np.testing.assert_allclose(state.load, problem.target[0], rtol=1e-11)
+
+
+def test_before_a_rise_is_given_up_it_has_been_cut_to_a_thousandth_of_the_load(problem, monkeypatch):
+    """Beyond three tenths of the load nothing converges."""
+    tried, loop = [], settle.loop
+
+    def failing(strips, given, *others):
+        share = float(given.target[0] / problem.target[0])
+        tried.append(share)
+        return loop(strips, given, *others) if share <= 0.3 else (STAGNATED, 1, np.inf)
+
+    interpret(monkeypatch, loop=failing)
+    status, _ = raised(problem)
+    assert status == STAGNATED
+    beyond = min(share for share in tried if share > 0.3)
+    reached = max(share for share in tried if share <= 0.3)
+    assert beyond - reached < 2e-3
