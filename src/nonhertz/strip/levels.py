@@ -202,12 +202,9 @@ class _Learning:
         terrain, extras, found = self._terrain(states), self._extras(states), near
         for fewer in FEWER_STRIPS:
             laid = states.only(left)
-            limit = int(STRIP_LIMIT / min(float(self.coarseness.min()), 1.0))
-            fineness = Fineness(self.coarseness[left], fewer * share, limit)
-            count, edges = (
-                np.zeros(left.size, dtype=np.int64),
-                np.empty((left.size, 2 * limit + 4 * states.m.shape[1] + 64)),
-            )
+            fineness = Fineness(self.coarseness[left], fewer * share, STRIP_LIMIT)
+            room = int(2 * STRIP_LIMIT / min(float(self.coarseness.min()), 1.0)) + 4 * states.m.shape[1] + 64
+            count, edges = np.zeros(left.size, dtype=np.int64), np.empty((left.size, room))
             lay_all(laid, terrain.only(left), extras[left], fineness, count, edges)
             tried = settled(
                 self.problem, count, np.ascontiguousarray(edges[:, : count.max() + 1]), self.targets[left],
