@@ -6,9 +6,7 @@ plane wedge, with p ~ K / s^alpha and cos(pi alpha) = kappa (`nonhertz.bodies.en
 bodies end together with mirrored faces, is that a finite pressure. For a smaller kappa every refinement raises the
 pressure of the last strip, so that value is meaningless; K and alpha are not.
 
-K is fitted to the strips within half a half-width of the end. There the pressure is K s^-alpha (1 + c s^(2 alpha)
-+ ...): s^alpha also solves the equations of the wedge. The last two strips are left out, because collocation
-error there exceeds a tenth however narrow they are.
+`nonhertz.result.end_fit` fits K to the strips within half a half-width of the end.
 """
 
 from __future__ import annotations
@@ -20,6 +18,7 @@ from numpy.typing import NDArray
 
 from nonhertz.bodies.ends import FINITE_FROM, edge_exponent
 from nonhertz.model.contact import Contact
+from nonhertz.result.end_fit import FIT_REACH, fitted_strength
 from nonhertz.result.ends import corner_ends
 from nonhertz.result.solution import EdgeKind, EdgePressure
 from nonhertz.strip.grid import contact_of, reaching
@@ -30,7 +29,6 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 SHARP_END_ERROR = 0.12
-FIT_REACH, BIASED_STRIPS, FEWEST_POINTS = 0.5, 2, 4  # the first in half-widths
 LEAST_EXPONENT = 0.1
 AT_ONE_PLACE = 0.01  # of the last strip
 
@@ -142,8 +140,8 @@ def _edge_pressure(contact: Contact, problem: Problem, state: States, side: int)
     # The face of the other body a little further out distorts the pressure where K would be fitted.
     alone = kappa == _image_weight(problem, place, side, FIT_REACH * half_width)
     if alone and exponent >= LEAST_EXPONENT:
-        distance = np.abs(state.y - place)[::-side]
-        strength, correction = _strength(distance, state.width[::-side], pressure, exponent, half_width)
+        distance = np.abs(state.edges - place)[::-side]
+        strength, correction = fitted_strength(distance, pressure, kappa, half_width, problem.element)
     return EdgePressure(
         place, EdgeKind.SINGULAR, float(pressure[0]), width, kappa, exponent, strength, correction, convention
     )
@@ -164,28 +162,3 @@ def _convention(contact: Contact, problem: Problem, place: float, side: int, rea
         else:
             words.append(f"{name} ends as a half-space")
     return ", ".join(words)
-
-
-def _strength(
-    distance: Array, width: Array, pressure: Array, exponent: float, half_width: float
-) -> tuple[float | None, float | None]:
-    """Return K [MPa mm^alpha] and c [mm^(-2 alpha)], or None if too few strips lie near the end.
-
-    Distances of the strip centres from the end, widths and pressures start with the outermost strip.
-    """
-    idle = np.flatnonzero(pressure == 0.0)
-    run = idle[0] if idle.size else pressure.size
-    near = np.flatnonzero(distance[:run] < FIT_REACH * half_width)[BIASED_STRIPS:]
-    if near.size < FEWEST_POINTS:
-        return None, None
-    s = distance[near]
-    # A strip's pressure is the mean over its width.
-    low, high = s - 0.5 * width[near], s + 0.5 * width[near]
-    mean = (high ** (1.0 - exponent) - low ** (1.0 - exponent)) / ((1.0 - exponent) * width[near])
-    shape = np.column_stack([mean, mean * (s / half_width) ** (2.0 * exponent)])
-    if not np.all(np.isfinite(shape / pressure[near, None])):  # the loop failed
-        return None, None
-    fit = np.linalg.lstsq(shape / pressure[near, None], np.ones(near.size), rcond=None)[0]
-    if fit[0] <= 0.0:
-        return None, None
-    return float(fit[0]), float(fit[1] / fit[0] * half_width ** (-2.0 * exponent))

@@ -36,7 +36,7 @@ value to compare; $K$ has.
 
 **Found.** In the middle strips are off by {centre:.3f} % at most, sharp ends or not. Half a millimetre from the sharp
 ends, more than one half-width, the pressure is off by {near:.1f} % at most. $K$ comes out {low:+.1f} and {high:+.1f}
-% off: near the end the true contact flares, and that of the strips less.
+% off; that of the references itself changes by 0.15 % with the way it is extrapolated.
 """
 
 
@@ -127,7 +127,7 @@ def _checks(reference: _Reference, solution: Solution) -> list[Check]:
         checks.append(Check(f"{name}: pressure at y = {place:g} mm", _SOURCE, pressure, computed, judged, "MPa"))
     if reference.strength is not None:
         computed = solution.edge_pressure[1].strength or float("nan")
-        checks.append(Check(f"{name}: K at the end", _SOURCE, reference.strength, computed, 0.06, "MPa mm^0.5"))
+        checks.append(Check(f"{name}: K at the end", _SOURCE, reference.strength, computed, 3e-3, "MPa mm^0.5"))
     return checks
 
 
