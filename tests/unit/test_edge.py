@@ -74,7 +74,7 @@ def test_the_strength_is_that_of_strips_a_thousand_times_narrower(kappa, element
     levels = np.interp(s, (10.0 - fine.y)[::-1], fine.centre_pressure[::-1]) * s**edge.exponent
     powers = s ** (2.0 * edge.exponent)
     expected = (levels[0] * powers[1] - levels[1] * powers[0]) / (powers[1] - powers[0])
-    flare = 1.0 + 0.007 * (1.0 - kappa) if element is nh.SEMI_ELLIPTIC else 1.0
+    flare = 1.0 + 0.006 * (1.0 - kappa) if element is nh.SEMI_ELLIPTIC else 1.0
     assert edge.strength == pytest.approx(expected / flare, rel=0.005)
 
 

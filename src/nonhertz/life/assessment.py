@@ -26,7 +26,7 @@ from nonhertz.life.volume import Exposure, exposure
 from nonhertz.model.body import BodyName
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.result.ends import ends_in_words, largest_half_width, outermost, step_at
+from nonhertz.result.ends import ends_in_words, outermost, step_at
 from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import EdgeKind, ReadOnly, SingularEnd, Solution
 from nonhertz.subsurface.evaluation import Running, refuse_options
@@ -291,7 +291,7 @@ def _warnings(spectrum: Spectrum, sharp: set[float]) -> tuple[str, ...]:
 
 def _is_coarse(solution: Solved, end: SingularEnd) -> bool:
     """Return whether the strip or row at an end is longer than what is left out there."""
-    return step_at(solution, end) > LEFT_OUT * largest_half_width(solution, [end.y])
+    return step_at(solution, end) > LEFT_OUT * solution.max_half_width
 
 
 def _over(density: Array, mean: float) -> Array:

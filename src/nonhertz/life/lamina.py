@@ -26,7 +26,6 @@ from scipy.optimize import brentq
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_of, text, whole
 from nonhertz.model.contact import Contact
-from nonhertz.result.ends import largest_half_width
 from nonhertz.result.protocol import Solved
 
 Array = NDArray[np.float64]
@@ -178,7 +177,7 @@ def _factors(solution: Solved, edges: Array, load: Array, sharp: tuple[float, ..
     contact = solution.contact
     as_in_hertz = np.pi**2 * contact.compliance / contact.curvature(solution.y) * pressure**2
     counted = np.ones(pressure.size)
-    left_out = LEFT_OUT * largest_half_width(solution, sharp)
+    left_out = LEFT_OUT * solution.max_half_width
     for end in sharp:
         counted[np.abs(solution.y - end) < left_out] = 0.0
     suffered, borne = (_shares(edges, fine, each) for each in (counted * as_in_hertz**EXPONENT, counted * density))

@@ -26,7 +26,6 @@ from nonhertz.life.catalogue import VolumeModel
 from nonhertz.life.lamina import LEFT_OUT
 from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.result.ends import largest_half_width
 from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import ReadOnly
 from nonhertz.subsurface.evaluation import Running, across_at, refuse_options
@@ -143,7 +142,7 @@ def exposure(solution: Solved, body: BodyName = "a", **options: Unpack[Running])
     amplitudes = {name: np.maximum(getattr(seen, name) @ fill.T, 0.0) for name in QUANTITIES}
     sharp = tuple(end.y for end in solution.singular_ends)
     counted = np.ones(amplitudes["shear"].shape, dtype=bool)
-    left_out = LEFT_OUT * largest_half_width(solution, sharp)
+    left_out = LEFT_OUT * solution.max_half_width
     for end in sharp:
         counted &= np.hypot(y[:, None] - end, half_width[:, None] * depths()[0]) >= left_out
     return Exposure(

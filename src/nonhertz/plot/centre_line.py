@@ -92,7 +92,7 @@ def pressure(solution: Solution, ax: Axes) -> Axes:
     singular = bool(solution.singular_ends)
     ax.set_ylim(0.0, _top(solution.max_pressure, 1.0 / BEYOND if singular else PRESSURE_SHARE))
     share = CUT_HALF_WIDTH_SHARE if singular else HALF_WIDTH_SHARE
-    right.set_ylim(0.0, _top(solution.max_half_width, share))
+    right.set_ylim(0.0, _top(float(solution.half_width.max()), share))
     ax.set_xlabel(AXIAL_LABEL)
     ax.set_ylabel("Centre-line pressure $p_0$ [MPa]", color=FIRST)
     right.set_ylabel("Half-width $b$ [mm]", color=SECOND)

@@ -40,7 +40,7 @@ def pressures(found: Sequence[CaseResults]) -> Figure:
             lower.plot(solution.y, solution.half_width, **drawn)
         sharp = any(each.solution.singular_ends for each in found)
         upper.set_ylim(0.0, max(each.solution.max_pressure for each in found) * (BEYOND if sharp else ROOM) or 1.0)
-        lower.set_ylim(0.0, max(each.solution.max_half_width for each in found) * ROOM or 1.0)
+        lower.set_ylim(0.0, max(float(each.solution.half_width.max()) for each in found) * ROOM or 1.0)
         upper.set_ylabel("Centre-line pressure $p_0$ [MPa]")
         lower.set_ylabel("Half-width $b$ [mm]")
         _along(upper, found)

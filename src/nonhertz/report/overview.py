@@ -11,6 +11,7 @@ from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.material import MATERIALS
 from nonhertz.report.results import CaseResults
 from nonhertz.result.brief import where_largest
+from nonhertz.result.maximum import largest_half_width, singular_y
 from nonhertz.result.numerals import digits, given
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 
@@ -56,11 +57,11 @@ def keys(found: CaseResults) -> list[Key]:
     solution = found.solution
     if not solution.contact_y:
         return [Key("contact", "none", "")]
-    widest = int(solution.half_width.argmax())
+    half_width, widest = largest_half_width(solution.y, solution.half_width, singular_y(solution))
     shown = [
         *_pressures(solution),
         Key("approach", digits(1e3 * solution.approach), "µm"),
-        Key("largest half-width", digits(float(solution.half_width[widest])), "mm", _at(float(solution.y[widest]))),
+        Key("largest half-width", digits(float(half_width)), "mm", _at(float(widest))),
     ]
     if "load" not in found.case.prescribed:
         shown.append(Key("load", digits(solution.load), "N"))

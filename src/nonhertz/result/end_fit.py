@@ -28,7 +28,7 @@ FIT_REACH, WEDGE_REACH = 0.5, 1.0
 FEWEST_STRIPS = 4
 # K of semi-elliptic strips over the true one is 1 + FLARE (1 - kappa): within 0.1 % for contacts longer than 30
 # half-widths, 0.5 % for those 4 long. Parabolic strips have no such factor: theirs depends on the profile.
-FLARE = 0.007
+FLARE = 0.006
 
 
 def fitted_strength(

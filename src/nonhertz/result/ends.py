@@ -130,18 +130,6 @@ def ends_in_words(ends: Iterable[SingularEnd]) -> str:
     return " and ".join(parts)
 
 
-def largest_half_width(solution: Solved, ends: Iterable[float]) -> float:
-    """Return the largest half-width [mm] away from ``ends``.
-
-    At a corner the contact grows wider with every refinement, which a reference length must not.
-    """
-    largest = solution.max_half_width
-    away = solution.line_load > 0.0
-    for end in ends:
-        away &= np.abs(solution.y - end) > PAST_CORNER * largest
-    return float(solution.half_width[away].max()) if np.any(away) else largest
-
-
 def step_at(solution: Solved, end: SingularEnd) -> float:
     """Return the width of the strip, or of the row of cells, at an end [mm]."""
     edges = solution.edges

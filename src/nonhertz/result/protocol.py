@@ -95,7 +95,7 @@ class Solved(Protocol):
 
     @property
     def max_half_width(self) -> float:
-        """The largest half-width [mm]."""
+        """The largest half-width more than a half-width from `singular_ends` [mm]."""
 
     @property
     def contact_length(self) -> float:

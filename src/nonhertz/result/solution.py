@@ -15,7 +15,7 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import broadcast, numbers
 from nonhertz.model.contact import Contact
 from nonhertz.result import brief
-from nonhertz.result.maximum import largest_pressure, singular_y
+from nonhertz.result.maximum import largest_half_width, largest_pressure, singular_y
 from nonhertz.result.numerals import digits
 from nonhertz.result.quantities import ALONG
 from nonhertz.strip.element import Element
@@ -106,7 +106,7 @@ class EdgePressure:
     Notes
     -----
     On the automatic grid K of semi-elliptic strips is within 0.2 % of solutions whose shape across is free, 0.5 % where
-    the contact is only five half-widths long (docs/explain/end-table.md). That includes the factor 1 / (1 + 0.007 (1 -
+    the contact is only five half-widths long (docs/explain/end-table.md). That includes the factor 1 / (1 + 0.006 (1 -
     kappa)) for the true shape across near the end, which those solutions gave. Parabolic strips are within 3 %.
     """
 
@@ -229,10 +229,15 @@ class ContactResult(ReadOnly):
         """Where along the contact the largest pressure is [mm]; nan where nothing touches."""
         return self._largest[1]
 
+    @cached_property
+    def _widest(self) -> float:
+        solved = cast("Solved", self)
+        return float(largest_half_width(solved.y, solved.half_width, singular_y(solved))[0])
+
     @property
-    def max_half_width(self: Solved) -> float:
-        """The largest half-width [mm], zero where nothing touches."""
-        return float(self.half_width.max(initial=0.0))
+    def max_half_width(self) -> float:
+        """The largest half-width more than a half-width from `singular_ends` [mm], zero where nothing touches."""
+        return self._widest
 
     @property
     def contact_length(self: Solved) -> float:

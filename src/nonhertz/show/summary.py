@@ -47,6 +47,10 @@ def _row(name: str, solution: Solution, remark: str = "") -> Row:
     return quantity.label, quantity.text(solution), remark
 
 
+def _half_width_rows(solution: Solution) -> list[Row]:
+    return [_row("max_half_width", solution, "away from singular ends" if solution.singular_ends else "")]
+
+
 def _pressure_rows(solution: Solution) -> list[Row]:
     """Return the maximum pressure and where it is."""
     if not solution.contact_y:
@@ -91,5 +95,6 @@ _ROWS: dict[str, Callable[[Solution], list[Row]]] = {
     "load": _load_rows,
     "max_pressure": _pressure_rows,
     "max_pressure_y": lambda _: [],
+    "max_half_width": _half_width_rows,
     "contact_length": _contact_rows,
 }

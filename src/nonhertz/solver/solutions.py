@@ -18,7 +18,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.result.brief import plain_text, shortened
 from nonhertz.result.data import dataframe, dataset
 from nonhertz.result.end_pressure import singular_places
-from nonhertz.result.maximum import largest_pressure
+from nonhertz.result.maximum import largest_half_width, largest_pressure
 from nonhertz.result.numerals import digits
 from nonhertz.result.outcome import outcome
 from nonhertz.result.quantities import QUANTITIES
@@ -59,7 +59,9 @@ class Solutions:
         As in `Solution` [mm, rad, N, N mm].
     max_pressure, max_pressure_y : ndarray, shape (...)
         The largest pressure more than a half-width from ends where it has no limit [MPa], and where it is [mm].
-    max_half_width, contact_length : ndarray, shape (...)
+    max_half_width : ndarray, shape (...)
+        The largest half-width, likewise [mm].
+    contact_length : ndarray, shape (...)
         As in `Solution` [mm].
     singular : ndarray of bool, shape (...)
         Whether the contact has such ends.
@@ -236,11 +238,14 @@ class Block:
     def columns(self) -> tuple[Array, ...]:
         """Return the results named in `_COLUMNS`, computed by the formulas of `Solution`."""
         states, compliance = self.finest, self.contact.compliance
-        widest = self.problem.element.hertz_ratio * np.sqrt(states.m.max(axis=1))
         return (
             states.rigid[:, 0], states.rigid[:, 1], states.load / compliance, states.moment / compliance,
-            *self.largest, widest, self._contact_lengths(),
+            *self.largest, self._half_widths(), self._contact_lengths(),
         )  # fmt: skip
+
+    def _half_widths(self) -> Array:
+        half_width = self.problem.element.hertz_ratio * np.sqrt(self.finest.m)
+        return largest_half_width(self.finest.y, half_width, self.singular)[0]
 
     def _contact_lengths(self) -> Array:
         intervals = (contact_of(self.finest.one(row)) for row in range(len(self.numbers)))

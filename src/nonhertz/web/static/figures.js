@@ -157,7 +157,7 @@ function drawHalfWidth(answer, pinned, span) {
         ...reading(y, halfWidth, (place) => `y ${digits(y[place])} mm\nb ${digits(halfWidth[place])} mm`),
       ],
     },
-    `Half-width along y: at most ${digits(answer.key.max_half_width, 3)} mm.`,
+    `Half-width along y: at most ${digits(Math.max(...halfWidth.map((value) => value ?? 0)), 3)} mm.`,
   );
 }
 

@@ -50,7 +50,7 @@ export function drawFootprint(answer, span) {
         }),
       ],
     },
-    `Footprint seen from above, ${shape}: from y = ${digits(extent(y)[0])} to ${digits(extent(y)[1])} mm, at most ${digits(2 * answer.key.max_half_width, 3)} mm wide.`,
+    `Footprint seen from above, ${shape}: from y = ${digits(extent(y)[0])} to ${digits(extent(y)[1])} mm, at most ${digits(2 * Math.max(...halfWidth.map((value) => value ?? 0)), 3)} mm wide.`,
   );
 }
 

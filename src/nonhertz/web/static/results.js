@@ -32,7 +32,13 @@ export function keyNumbers(answer, stress) {
       number: key.approach,
     },
     { name: "Load", ...load(key.load), where: `moment ${digits(moment(answer) / 1e3, 3)} N m`, number: key.load },
-    { name: "Half-width", value: digits(key.max_half_width), unit: "mm", where: "largest", number: key.max_half_width },
+    {
+      name: "Half-width",
+      value: digits(key.max_half_width),
+      unit: "mm",
+      where: answer.singular.length ? "largest, away from singular ends" : "largest",
+      number: key.max_half_width,
+    },
     stress
       ? {
           name: "von Mises stress",
