@@ -1,6 +1,7 @@
-"""Sharp ends: strength and the largest half-width that counts, against solutions whose pressure is free across (docs/end_study.py, its table's numbers).
+"""Sharp ends against solutions whose pressure across is free: numbers of docs/end_study.py, converged to 3e-4.
 
-They are converged to 3e-4. Rollers of 20 mm diameter on a flat, steel, half-spaces with images that add up to kappa.
+Strength, and the largest half-width that counts. Rollers of 20 mm diameter on a flat, steel, half-spaces with images
+that add up to kappa.
 """
 
 import math
@@ -42,8 +43,8 @@ def test_strength_of_parabolic_strips(kappa, length, load, crown, expected, erro
     assert edge.strength == pytest.approx(expected, rel=0.03)
 
 
-# Straight rollers, where the contact is widest at its ends: kappa, length [mm], load [N], and the largest half-width more
-# than a half-width from them [mm].
+# Straight rollers, where the contact is widest at its ends: kappa, length [mm], load [N], and the largest half-width [mm]
+# more than a half-width from them.
 WIDEST = [
     (0.0, 20.0, 20e3, 0.38210),
     (0.0, 20.0, 500.0, 0.066918),

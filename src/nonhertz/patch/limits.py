@@ -55,15 +55,15 @@ def error_estimate(
     if solution.status is not Status.CONVERGED or len(levels) < 2:
         return ErrorEstimate(math.inf, math.inf, math.inf)
     by_load, pressure = problem.by_force[0], solution.max_pressure
+    before_touch = solution.approach - solution.penetration
+    beyond_touch = [level.approach - before_touch for level in levels]
     lost = any(size < LEAST_CELLS * side for _, size, side in _features(problem, solution))
     unlimited = lost or bool(_cut_off(solution, outcome.grid) or _edges_of_bodies(solution))
     unlimited |= any(_too_long(solution, end) for end in solution.singular_ends)
     singular = singular_y(solution)
     highest = [float(largest_pressure(*level.along, singular)[0]) for level in levels]
     return ErrorEstimate(
-        approach=max(_change([level.approach for level in levels]), _share(unseen.lift, solution.approach))
-        if by_load
-        else 0.0,
+        approach=max(_change(beyond_touch), _share(unseen.lift, solution.penetration)) if by_load else 0.0,
         load=0.0
         if by_load
         else max(_change([level.load for level in levels]), STEEPEST * _share(unseen.lift, largest)),
@@ -147,7 +147,7 @@ def uncertain(solution: PatchSolution, largest: float) -> tuple[str, ...]:
             "solution: the numbers may be far off; give at least 8 cells in each direction.",
         )
     stated = (
-        ("approach", error.approach, error.approach * abs(solution.approach), ROUGH * largest),
+        ("approach", error.approach, error.approach * solution.penetration, ROUGH * largest),
         ("load", error.load, error.load, ROUGH),
         ("largest pressure", error.max_pressure, error.max_pressure, ROUGH_PRESSURE),
     )

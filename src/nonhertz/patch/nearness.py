@@ -141,6 +141,12 @@ def lowest(gap: Gap, tilt: float, several: tuple[Window, ...]) -> Lowest:
     return place
 
 
+def penetration(gap: Gap, grid: Grid, approach: float, tilt: float) -> float:
+    """Return the largest interference of the undeformed bodies within the region [mm]."""
+    y = np.concatenate([grid.y_span[:1], grid.y, grid.y_span[1:]])
+    return approach - lowest(gap, tilt, (Window(grid.x, y),)).value
+
+
 def extent(gap: Gap, tilt: float, approach: float, at: Lowest, several: tuple[Window, ...]) -> tuple[Span, Span]:
     """Return a rectangle that holds the undeformed overlap around the lowest place, and all samples that overlap."""
     low, high = several[0].y[0], several[0].y[-1]

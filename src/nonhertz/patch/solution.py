@@ -37,6 +37,8 @@ class PatchSolution(ContactResult):
     approach : float
         delta [mm], how far the bodies moved together on the line y = 0 from where their gap is zero: with the gap g0
         the undeformed bodies overlap by delta + gamma y - g0.
+    penetration : float
+        The largest interference of the undeformed bodies within the region [mm]: the approach beyond first touch.
     tilt : float
         gamma [rad] about x; positive tilt loads the side of positive y. The bodies cannot rotate about y.
     load : float
@@ -66,6 +68,7 @@ class PatchSolution(ContactResult):
     contact: Contact
     status: Status
     approach: float
+    penetration: float
     tilt: float
     load: float
     moment: float

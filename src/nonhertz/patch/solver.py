@@ -154,7 +154,7 @@ def solve(
         else:
             outcome, overlap = _in_region(search, Grid(*spans, cells), tolerance, pool)
         levels = halved(problem, outcome, tolerance, pool)
-    solution = _solution(contact, outcome)
+    solution = _solution(problem, contact, outcome)
     half_width = 0.5 * solution.dx * widest_run(solution.footprint)
     refuse_thin_bodies(contact, HERTZ, solution.y, half_width, LEAST_OF_ALL)
     broken = complaint(solution, surface, prescription, tolerance)
@@ -219,7 +219,7 @@ def _problem(contact: Contact, given: Prescription, gap: Surface) -> PatchProble
     return PatchProblem(gap, influence_of(contact, HERTZ), given.by_force, given.target(K), K)
 
 
-def _solution(contact: Contact, outcome: Outcome) -> PatchSolution:
+def _solution(problem: PatchProblem, contact: Contact, outcome: Outcome) -> PatchSolution:
     """Return the result of the iterations, without an error estimate yet."""
     grid, state = outcome.grid, outcome.state
     pressure = state.pressure / contact.compliance
@@ -229,6 +229,7 @@ def _solution(contact: Contact, outcome: Outcome) -> PatchSolution:
         contact=contact,
         status=state.status,
         approach=state.rigid[0],
+        penetration=nearness.penetration(problem.gap, grid, *state.rigid),
         tilt=state.rigid[1],
         load=float(line_load.sum()) * area,
         moment=float(line_load @ grid.y) * area,

@@ -13,6 +13,7 @@ from nonhertz.report.results import CaseResults
 from nonhertz.result.brief import where_largest
 from nonhertz.result.maximum import largest_half_width, singular_y
 from nonhertz.result.numerals import digits, given
+from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 
 SAMPLES = 401  # points on the interval in which both bodies can touch
@@ -61,6 +62,7 @@ def keys(found: CaseResults) -> list[Key]:
     shown = [
         *_pressures(solution),
         Key("approach", digits(1e3 * solution.approach), "µm"),
+        *_penetration(solution),
         Key("largest half-width", digits(float(half_width)), "mm", _at(float(widest))),
     ]
     if "load" not in found.case.prescribed:
@@ -70,6 +72,12 @@ def keys(found: CaseResults) -> list[Key]:
         where = f"at y = {digits(largest.y, 4)}, z = {digits(largest.z, 3)} mm"
         shown.append(Key(f"largest von Mises stress in body {found.stress[0].body}", digits(largest.max), "MPa", where))
     return shown
+
+
+def _penetration(solution: Solution) -> list[Key]:
+    if not is_noticeable(solution.approach, solution.penetration):
+        return []
+    return [Key("penetration", digits(1e3 * solution.penetration), "µm", "approach beyond first touch")]
 
 
 def geometry(solution: Solution) -> list[tuple[str, str, str]]:

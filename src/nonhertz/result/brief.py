@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from nonhertz.model.body import Body
 from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.numerals import digits, given
+from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.quantities import QUANTITIES
 
 if TYPE_CHECKING:
@@ -37,12 +38,12 @@ def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
     ends : iterable of str
         A description of each end of the contact.
     """
-    estimate = solution.error_estimate
+    estimate, told = solution.error_estimate, is_noticeable(solution.approach, solution.penetration)
     said = [
         f"{_body(solution.contact.a)} against {_body(solution.contact.b)}",
         f"{solution.status.label} on {resolution}",
         _numbers(solution, ("load", "moment", "tilt"), estimate.load),
-        _numbers(solution, ("approach",), estimate.approach),
+        _numbers(solution, ("approach", "penetration") if told else ("approach",), estimate.approach),
     ]
     if solution.contact_y:
         said.append(_pressure(solution))

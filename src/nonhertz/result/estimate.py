@@ -57,9 +57,12 @@ def error_estimate(
     near = np.minimum(separation, np.maximum(state.rigid[0] + state.rigid[1] * places, np.min(separation)))
     departure = departures(near)
     mean, ripples = roughness(departure, state.width, state.r * state.m * state.width)
-    unseen = _relative(mean, state.rigid[0]), _relative(mean * state.stiffness[0, 0], state.load)
+    # Relative to the penetration: what is approached before the bodies touch has no error, and may be most of it.
+    penetration = float(np.max(state.rigid[0] + state.rigid[1] * places - separation))
+    before_touch = float(state.rigid[0]) - penetration
+    unseen = _relative(mean, penetration), _relative(mean * state.stiffness[0, 0], state.load)
     return ErrorEstimate(
-        approach=max(floor, levels.difference(_approach) + unseen[0]) if by_load else 0.0,
+        approach=max(floor, levels.difference(partial(_beyond, before_touch)) + unseen[0]) if by_load else 0.0,
         load=0.0 if by_load else max(floor, levels.difference(_load) + unseen[1]),
         max_pressure=math.inf
         if unlimited
@@ -99,8 +102,8 @@ def _relative(part: Array, whole: Array) -> float:
     return float(part) / abs(float(whole)) if whole != 0.0 else math.inf
 
 
-def _approach(state: States) -> float:
-    return float(state.rigid[0])
+def _beyond(before_touch: float, state: States) -> float:
+    return float(state.rigid[0]) - before_touch
 
 
 def _load(state: States) -> float:
@@ -125,16 +128,24 @@ def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array
     unsure |= few & np.any(np.isfinite(singular), axis=1)
     loads = finest.r * finest.m * width
     mean, ripples = roughness(departures(within(problem, finest.edges)[1]), width, loads)
-    for known, left in ((finest.rigid[:, 0], mean), (np.sum(loads, axis=1), finest.stiffness[:, 0, 0] * mean)):
+    y = finest.y
+    separation = problem.separation(y.ravel()).reshape(y.shape)
+    penetration = np.max(finest.rigid[:, :1] + finest.rigid[:, 1:] * y - separation, axis=1)
+    total = np.sum(loads, axis=1)
+    for known, left in ((penetration, mean), (total, finest.stiffness[:, 0, 0] * mean)):
         unsure |= left > 0.5 * LARGE_ERROR * np.abs(known)
     unsure |= np.max(np.where(loads > 0.0, ripples, 0.0), axis=1) > 0.5 * LARGE_PRESSURE_ERROR * highest(finest)
     ends = SHARP_END_ERROR * sum(each * reaching(finest, side) for each, side in zip(last, (-1, 1), strict=True))
     unsure |= ends > 0.5 * LARGE_ERROR * np.sum((finest.m > 0.0) * width, axis=1)
     for fine, coarse in itertools.pairwise(levels[:3]):
         unsure |= ~coarse.converged
-        for value, large in ((_approaches, LARGE_ERROR), (_loads, LARGE_ERROR), (highest, LARGE_PRESSURE_ERROR)):
+        for value, whole, large in (
+            (_approaches, penetration, LARGE_ERROR),
+            (_loads, total, LARGE_ERROR),
+            (highest, highest(finest), LARGE_PRESSURE_ERROR),
+        ):
             with np.errstate(invalid="ignore"):
-                unsure |= ~(SAFETY * np.abs(value(fine) - value(coarse)) <= 0.5 * large * np.abs(value(finest)))
+                unsure |= ~(SAFETY * np.abs(value(fine) - value(coarse)) <= 0.5 * large * np.abs(whole))
     return unsure
 
 

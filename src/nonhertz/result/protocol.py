@@ -30,6 +30,10 @@ class Solved(Protocol):
         """Delta [mm]."""
 
     @property
+    def penetration(self) -> float:
+        """The largest interference of the undeformed bodies [mm]."""
+
+    @property
     def tilt(self) -> float:
         """Gamma [rad]."""
 

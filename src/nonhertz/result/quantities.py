@@ -104,6 +104,7 @@ def _by_approach_on_lever(solution: Solution) -> float:
 
 _ALL = (
     _own("approach", "approach", "delta", "mm", ("um", 1e3)),
+    _own("penetration", "penetration", "", "mm", ("um", 1e3)),
     _own("tilt", "tilt", "gamma", "rad", ("mrad", 1e3)),
     _own("load", "load", "Q", "N"),
     _own("moment", "moment", "T", "N mm", scale=lambda solution: solution.load * reach(solution)),

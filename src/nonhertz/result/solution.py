@@ -17,6 +17,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.result import brief
 from nonhertz.result.maximum import largest_half_width, largest_pressure, singular_y
 from nonhertz.result.numerals import digits
+from nonhertz.result.penetration import penetrations
 from nonhertz.result.quantities import ALONG
 from nonhertz.strip.element import Element
 
@@ -48,7 +49,8 @@ class ErrorEstimate:
     Attributes
     ----------
     approach : float
-        |error of approach| / approach; zero where the approach is prescribed.
+        |error of approach| / penetration, since part of the approach may be made before the bodies touch; zero where
+        the approach is prescribed.
     load : float
         |error of load| / load; zero where the load is prescribed.
     max_pressure : float
@@ -405,6 +407,11 @@ class Solution(ContactResult):
     def table(self) -> dict[str, Array]:
         """Return the quantities along the contact by name, one array each: the columns of ``table.csv``."""
         return {name: getattr(self, name) for name in ALONG}
+
+    @cached_property
+    def penetration(self) -> float:
+        """The largest interference of the undeformed bodies within the strips [mm]: the approach beyond first touch."""
+        return float(penetrations(self.contact, self.edges, np.array([self.approach, self.tilt])))
 
     @property
     def interference(self) -> Array:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from nonhertz.result.brief import where_largest
 from nonhertz.result.numerals import digits
+from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 
@@ -26,7 +27,15 @@ def summary_rows(solution: Solution) -> list[Row]:
 def _approach_rows(solution: Solution) -> list[Row]:
     shown = QUANTITIES["approach"].text(solution)
     error = _error(solution.error_estimate.approach)
-    return [("approach", f"{digits(solution.approach)} mm", error), ("", shown, "")]
+    told = is_noticeable(solution.approach, solution.penetration)
+    return [("approach", f"{digits(solution.approach)} mm", "" if told else error), ("", shown, "")]
+
+
+def _penetration_rows(solution: Solution) -> list[Row]:
+    """Return the penetration, to which the error of the approach relates, unless it is nearly the approach."""
+    if not is_noticeable(solution.approach, solution.penetration):
+        return []
+    return [_row("penetration", solution, _error(solution.error_estimate.approach))]
 
 
 def _load_rows(solution: Solution) -> list[Row]:
@@ -92,6 +101,7 @@ def _error(relative: float) -> str:
 # Quantities that need more than their number, or that another row covers.
 _ROWS: dict[str, Callable[[Solution], list[Row]]] = {
     "approach": _approach_rows,
+    "penetration": _penetration_rows,
     "load": _load_rows,
     "max_pressure": _pressure_rows,
     "max_pressure_y": lambda _: [],

@@ -21,6 +21,7 @@ from nonhertz.result.end_pressure import singular_places
 from nonhertz.result.maximum import largest_half_width, largest_pressure
 from nonhertz.result.numerals import digits
 from nonhertz.result.outcome import outcome
+from nonhertz.result.penetration import penetrations
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution, read_only
 from nonhertz.result.validity import singularities, suspected
@@ -38,6 +39,7 @@ Number = int | tuple[int, ...]
 
 _COLUMNS = (
     "approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y", "max_half_width", "contact_length",
+    "penetration",
 )  # fmt: skip
 
 
@@ -61,7 +63,7 @@ class Solutions:
         The largest pressure more than a half-width from ends where it has no limit [MPa], and where it is [mm].
     max_half_width : ndarray, shape (...)
         The largest half-width, likewise [mm].
-    contact_length : ndarray, shape (...)
+    contact_length, penetration : ndarray, shape (...)
         As in `Solution` [mm].
     singular : ndarray of bool, shape (...)
         Whether the contact has such ends.
@@ -99,6 +101,7 @@ class Solutions:
     max_pressure_y: Array
     max_half_width: Array
     contact_length: Array
+    penetration: Array
 
     def __repr__(self) -> str:
         solved = int(np.count_nonzero(self.converged))
@@ -241,6 +244,7 @@ class Block:
         return (
             states.rigid[:, 0], states.rigid[:, 1], states.load / compliance, states.moment / compliance,
             *self.largest, self._half_widths(), self._contact_lengths(),
+            penetrations(self.contact, states.edges, states.rigid),
         )  # fmt: skip
 
     def _half_widths(self) -> Array:

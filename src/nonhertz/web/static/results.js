@@ -8,6 +8,12 @@ import { difference, digits } from "./numbers.js";
 
 let speaking = 0;
 
+/** The approach beyond first touch where it differs from the approach, in words. @param {Answer["key"]} key */
+function penetration(key) {
+  const noticeable = Math.abs(key.approach - key.penetration) > 0.005 * Math.abs(key.penetration);
+  return noticeable ? `, ${digits(1e3 * key.penetration, 4)} µm after first touch` : "";
+}
+
 /**
  * The numbers at the top.
  * @param {Answer} answer
@@ -28,7 +34,7 @@ export function keyNumbers(answer, stress) {
       name: "Approach",
       value: digits(1e3 * key.approach),
       unit: "µm",
-      where: `tilt ${digits(1e3 * key.tilt, 3)} mrad`,
+      where: `tilt ${digits(1e3 * key.tilt, 3)} mrad${penetration(key)}`,
       number: key.approach,
     },
     { name: "Load", ...load(key.load), where: `moment ${digits(moment(answer) / 1e3, 3)} N m`, number: key.load },
