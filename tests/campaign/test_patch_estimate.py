@@ -111,7 +111,8 @@ def stated_over_true(kind, number):
         found = nh.patch.solve(contact, cells=cells, **given)
         finer = tuple(FINER * count for count in cells)
         true = nh.patch.solve(contact, cells=finer, region=region_of(found), tolerance=1e-6, **given)
-    errors = abs(found.approach / true.approach - 1.0), abs(found.max_pressure / true.max_pressure - 1.0)
+    of_approach = abs(found.approach - true.approach) / true.penetration
+    errors = of_approach, abs(found.max_pressure / true.max_pressure - 1.0)
     return found.error_estimate.approach / errors[0], found.error_estimate.max_pressure / errors[1]
 
 

@@ -98,7 +98,9 @@ def _finer(name, bodies):
 
 def error_and_estimate(name, bodies, strips, quantity):
     solution, finer = solved(name, bodies, strips), solved(name, bodies, "finer")
-    error = abs(getattr(solution, quantity) / getattr(finer, quantity) - 1.0)
+    # That of the approach is relative to what of it deforms the bodies.
+    whole = finer.penetration if quantity == "approach" else getattr(finer, quantity)
+    error = abs(getattr(solution, quantity) - getattr(finer, quantity)) / abs(whole)
     return error, getattr(solution.error_estimate, quantity)
 
 

@@ -37,7 +37,7 @@ def test_a_quantity_that_is_made_of_whole_solutions_is_a_column_too(sweep, monke
 
 
 def test_no_other_column_is_known(sweep):
-    with pytest.raises(nh.InputError, match="name = 'aproach' must be one of approach, tilt"):
+    with pytest.raises(nh.InputError, match="name = 'aproach' must be one of approach, penetration, tilt"):
         sweep.column("aproach")
 
 
@@ -105,7 +105,7 @@ def test_the_pressure_at_the_centres_is_that_of_the_strips(solution):
 
 
 def test_the_pressure_over_the_surface_is_the_load(solution):
-    x = solution.max_half_width * np.sin(np.linspace(-0.5 * np.pi, 0.5 * np.pi, 401))
+    x = solution.half_width.max() * np.sin(np.linspace(-0.5 * np.pi, 0.5 * np.pi, 401))
     y = np.unique(np.concatenate([solution.edges, solution.y, np.ravel(solution.contact_y)]))
     y = np.interp(np.arange(10 * y.size - 9) / 10.0, np.arange(y.size), y)
     total = np.trapezoid(np.trapezoid(solution.pressure(x[:, None], y), x, axis=0), y)
@@ -115,7 +115,7 @@ def test_the_pressure_over_the_surface_is_the_load(solution):
 def test_off_contact_there_is_no_pressure(solution):
     (low, _), (_, high) = solution.contact_y[0], solution.contact_y[-1]
     assert solution.pressure(0.0, [low - 0.1, high + 0.1]).tolist() == [0.0, 0.0]
-    assert solution.pressure(1.01 * solution.max_half_width, solution.y).max() == 0.0
+    assert solution.pressure(1.01 * solution.half_width.max(), solution.y).max() == 0.0
     if len(solution.contact_y) == 2:
         assert solution.pressure(0.0, 0.0) == 0.0
 

@@ -43,8 +43,8 @@ def test_strength_of_parabolic_strips(kappa, length, load, crown, expected, erro
     assert edge.strength == pytest.approx(expected, rel=0.03)
 
 
-# Straight rollers, where the contact is widest at its ends: kappa, length [mm], load [N], and the largest half-width [mm]
-# more than a half-width from them.
+# Straight rollers, where the contact is widest at its ends: kappa, length [mm], load [N], and the largest half-width
+# [mm] more than a half-width from them.
 WIDEST = [
     (0.0, 20.0, 20e3, 0.38210),
     (0.0, 20.0, 500.0, 0.066918),

@@ -19,6 +19,7 @@ from nonhertz.patch.nearness import Overlap
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.checks import curved, image_weights, small_strains, thick
 from nonhertz.result.maximum import largest_pressure, singular_y
+from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.solution import EdgeKind, ErrorEstimate, SingularEnd, Status
 
 Array = NDArray[np.float64]
@@ -137,8 +138,7 @@ def between_cells(unseen: Unseen, largest: float) -> tuple[str, ...]:
 def uncertain(solution: PatchSolution, largest: float) -> tuple[str, ...]:
     """Return a sentence where the estimated error is large or cannot be estimated.
 
-    ``largest`` is the largest displacement [mm], against which an error of the approach is measured: the approach
-    itself may happen to be near zero.
+    ``largest`` is the largest displacement [mm], against which an error of the approach is measured.
     """
     error = solution.error_estimate
     if math.isinf(error.approach):
@@ -146,8 +146,9 @@ def uncertain(solution: PatchSolution, largest: float) -> tuple[str, ...]:
             f"The grid of {solution.cells[0]} x {solution.cells[1]} cells is too coarse to estimate the error of its "
             "solution: the numbers may be far off; give at least 8 cells in each direction.",
         )
+    approached = "penetration" if is_noticeable(solution.approach, solution.penetration) else "approach"
     stated = (
-        ("approach", error.approach, error.approach * solution.penetration, ROUGH * largest),
+        (approached, error.approach, error.approach * solution.penetration, ROUGH * largest),
         ("load", error.load, error.load, ROUGH),
         ("largest pressure", error.max_pressure, error.max_pressure, ROUGH_PRESSURE),
     )

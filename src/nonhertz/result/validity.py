@@ -22,6 +22,7 @@ from nonhertz.result.checks import (
 )
 from nonhertz.result.ends import step_at
 from nonhertz.result.estimate import LARGE_ERROR, LARGE_PRESSURE_ERROR, MISSED, may_be_uncertain
+from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.solution import EdgeKind, Solution, Status
 from nonhertz.strip.grid import reaching
 from nonhertz.strip.overlaps import overlapping, runs, suspects
@@ -90,7 +91,8 @@ def strains(solution: Solution, problem: Problem, state: States) -> tuple[str, .
 def _large_errors(solution: Solution) -> list[str]:
     """Return a sentence for every result whose estimated error is large; a maximum without a limit has its own."""
     estimate = solution.error_estimate
-    sentences = [_uncertain("approach", estimate.approach), _uncertain("load", estimate.load)]
+    approached = "penetration" if is_noticeable(solution.approach, solution.penetration) else "approach"
+    sentences = [_uncertain(approached, estimate.approach), _uncertain("load", estimate.load)]
     if not (solution.peaks_at_corner or any(edge.kind is EdgeKind.CUT_OFF for edge in solution.edge_pressure)):
         sentences.append(_uncertain("maximum pressure", estimate.max_pressure, LARGE_PRESSURE_ERROR))
     return [sentence for sentence in sentences if sentence]
