@@ -328,10 +328,12 @@ def twin_faults(name, case, one, other, factors):
     for quantity in ("approach", "load", "max_pressure"):
         estimate = getattr(errors, quantity) + getattr(others, quantity)
         expected, found = getattr(first, quantity) * factors[quantity], getattr(second, quantity)
-        noise = SPARE * max(abs(expected), abs(found))
+        whole = max(abs(expected), abs(found))
+        noise = SPARE * whole
         if quantity == "approach":
+            whole = max(first.penetration * factors["approach"], second.penetration)
             noise += 1e-12 * _heights(first) * factors["approach"]
-        if not abs(found - expected) <= estimate * max(abs(expected), abs(found)) + noise:
+        if not abs(found - expected) <= estimate * whole + noise:
             off = abs(found / expected - 1.0) if expected else math.inf
             faults.append((f"{name}: {quantity} differs", f"by {off:.3g}, stated {estimate:.3g}"))
     faults += _resultants(name, case, first, second, factors)

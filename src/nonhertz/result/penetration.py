@@ -17,7 +17,7 @@ from nonhertz.model.contact import Contact
 Array = NDArray[np.float64]
 
 # Of the penetration: an approach that differs from it by less is not told twice.
-NOTICEABLE = 0.005
+NOTICEABLE = 0.05
 AT_ONCE = 2**20  # places of all cases
 
 

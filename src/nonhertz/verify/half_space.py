@@ -35,7 +35,7 @@ At a sharp end the pressure is singular, $p \\sim K / \\sqrt s$ at a distance $s
 value to compare; $K$ has.
 
 **Found.** In the middle strips are off by {centre:.3f} % at most, sharp ends or not. Half a millimetre from the sharp
-ends, more than one half-width, the pressure is off by {near:.1f} % at most. $K$ comes out {low:+.1f} and {high:+.1f}
+ends, more than one half-width, the pressure is off by {near:.1f} % at most. $K$ comes out {low:+.2f} and {high:+.2f}
 % off; that of the references itself changes by 0.15 % with the way it is extrapolated.
 """
 

@@ -10,7 +10,7 @@ let speaking = 0;
 
 /** The approach beyond first touch where it differs from the approach, in words. @param {Answer["key"]} key */
 function penetration(key) {
-  const noticeable = Math.abs(key.approach - key.penetration) > 0.005 * Math.abs(key.penetration);
+  const noticeable = Math.abs(key.approach - key.penetration) > 0.05 * Math.abs(key.penetration);
   return noticeable ? `, ${digits(1e3 * key.penetration, 4)} µm after first touch` : "";
 }
 
