@@ -91,7 +91,9 @@ def strains(solution: Solution, problem: Problem, state: States) -> tuple[str, .
 def _large_errors(solution: Solution) -> list[str]:
     """Return a sentence for every result whose estimated error is large; a maximum without a limit has its own."""
     estimate = solution.error_estimate
-    approached = "penetration" if is_noticeable(solution.approach, solution.penetration) else "approach"
+    approached = "approach"
+    if estimate.approach > LARGE_ERROR and is_noticeable(solution.approach, solution.penetration):
+        approached = "penetration"
     sentences = [_uncertain(approached, estimate.approach), _uncertain("load", estimate.load)]
     if not (solution.peaks_at_corner or any(edge.kind is EdgeKind.CUT_OFF for edge in solution.edge_pressure)):
         sentences.append(_uncertain("maximum pressure", estimate.max_pressure, LARGE_PRESSURE_ERROR))
