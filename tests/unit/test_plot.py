@@ -114,7 +114,7 @@ def springs(
         singular_ends=singular_among(ends),
         peaks_at_corner=False,
         iterations=7,
-        error_estimate=ErrorEstimate(approach=1e-4, load=0.0, max_pressure=1e-3),
+        error_estimate=ErrorEstimate(approach=1e-4, load=0.0, max_pressure=1e-3, moment=0.0, tilt=0.0),
         warnings=warnings,
     )
 

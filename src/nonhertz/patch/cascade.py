@@ -113,7 +113,9 @@ class GridLevel:
 
     cells: tuple[int, int]
     approach: float
+    tilt: float
     load: float
+    moment: float
     along: tuple[Array, Array, Array]  # y, the largest pressure across, times K, and the half-width there
 
 
@@ -196,9 +198,9 @@ def halved(
 
 
 def _level(grid: Grid, state: CellState) -> GridLevel:
-    load = float(state.pressure.sum()) * grid.dx * grid.dy
+    loads = state.pressure.sum(axis=0) * grid.dx * grid.dy
     along = grid.y, state.pressure.max(axis=0), half_widths(state.pressure, grid.dx)
-    return GridLevel(grid.cells, state.rigid[0], load, along)
+    return GridLevel(grid.cells, *state.rigid, float(loads.sum()), float(loads @ grid.y), along)
 
 
 def refined(pressure: Array, cells: tuple[int, int]) -> Array:

@@ -54,7 +54,7 @@ def error_estimate(
     next to a singular end on cells longer than the half-width there.
     """
     if solution.status is not Status.CONVERGED or len(levels) < 2:
-        return ErrorEstimate(math.inf, math.inf, math.inf)
+        return ErrorEstimate(*[math.inf] * 5)
     by_load, pressure = problem.by_force[0], solution.max_pressure
     before_touch = solution.approach - solution.penetration
     beyond_touch = [level.approach - before_touch for level in levels]
@@ -63,6 +63,8 @@ def error_estimate(
     unlimited |= any(_too_long(solution, end) for end in solution.singular_ends)
     singular = singular_y(solution)
     highest = [float(largest_pressure(*level.along, singular)[0]) for level in levels]
+    reach = 0.5 * (outcome.grid.y_span[1] - outcome.grid.y_span[0])
+    turned, leaned = [level.moment for level in levels], [reach * level.tilt for level in levels]
     return ErrorEstimate(
         approach=max(_change(beyond_touch), _share(unseen.lift, solution.penetration)) if by_load else 0.0,
         load=0.0
@@ -71,6 +73,8 @@ def error_estimate(
         max_pressure=math.inf
         if unlimited
         else max(_change(highest, PRESSURE_MARGIN), _share(unseen.pressure, pressure)),
+        moment=0.0 if problem.by_force[1] else _change(turned, whole=levels[-1].load * reach),
+        tilt=_change(leaned, whole=solution.penetration) if problem.by_force[1] else 0.0,
     )
 
 
@@ -84,14 +88,17 @@ def _features(problem: PatchProblem, solution: PatchSolution) -> list[tuple[str,
     return [size for feature in features for size in _sizes(feature, solution.dx, solution.dy)]
 
 
-def _change(values: list[float], margin: float = MARGIN) -> float:
-    """Return the last relative change, or half the one before if that is larger: one may be small by chance.
+def _change(values: list[float], margin: float = MARGIN, whole: float | None = None) -> float:
+    """Return the last change, or half the one before if that is larger, relative to ``whole`` or else the last value.
+
+    One may be small by chance.
 
     At a sharp end errors fall in proportion to the cell size, so the last change is the error itself, which the margin
     covers. At smooth ends they fall faster.
     """
     changes = np.abs(np.diff(values))[::-1] * (1.0, 0.5)[: len(values) - 1]
-    return margin * float(np.max(changes)) / abs(values[-1]) if values[-1] != 0.0 else 0.0
+    whole = abs(values[-1]) if whole is None else abs(whole)
+    return margin * float(np.max(changes)) / whole if whole != 0.0 else 0.0
 
 
 def strains(solution: PatchSolution, influence: Influence, grid: Grid) -> tuple[str, ...]:

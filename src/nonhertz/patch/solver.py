@@ -241,7 +241,7 @@ def _solution(problem: PatchProblem, contact: Contact, outcome: Outcome) -> Patc
         gap=state.gap,
         iterations=outcome.convolutions,
         residual=state.residual,
-        error_estimate=ErrorEstimate(math.inf, math.inf, math.inf),
+        error_estimate=ErrorEstimate(*[math.inf] * 5),
         warnings=(),
     )
 

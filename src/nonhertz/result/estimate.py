@@ -14,7 +14,7 @@ from nonhertz.result.end_pressure import SHARP_END_ERROR, sharp_end_error
 from nonhertz.result.maximum import distance_beyond, largest_pressure
 from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate
 from nonhertz.strip.grid import contact_of, reaching
-from nonhertz.strip.levels import SAFETY, Levels
+from nonhertz.strip.levels import LEFT_OF_CHANGE, SAFETY, Levels
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import States
 from nonhertz.strip.resolution import departures, roughness, within
@@ -47,8 +47,8 @@ def error_estimate(
     """
     state = levels.finest
     if not state.converged:
-        return ErrorEstimate(math.inf, math.inf, math.inf)
-    by_load = bool(problem.prescribed[0])
+        return ErrorEstimate(*[math.inf] * 5)
+    by_load, by_moment = problem.prescribed.tolist()
     floor = sharp_end_error(edges, sum(high - low for low, high in contact_of(state)))
     unlimited = at_corner or any(edge.kind is EdgeKind.CUT_OFF for edge in edges)
     largest = partial(_largest, problem.element.hertz_ratio, singular)
@@ -60,13 +60,16 @@ def error_estimate(
     # Relative to the penetration: what is approached before the bodies touch has no error, and may be most of it.
     penetration = float(np.max(state.rigid[0] + state.rigid[1] * places - separation))
     before_touch = float(state.rigid[0]) - penetration
-    unseen = _relative(mean, penetration), _relative(mean * state.stiffness[0, 0], state.load)
+    unseen = _relative(mean, penetration), _relative(mean * state.stiffness[0, 0], float(state.load))
+    reach = 0.5 * float(np.ptp(state.edges))
     return ErrorEstimate(
-        approach=max(floor, levels.difference(partial(_beyond, before_touch)) + unseen[0]) if by_load else 0.0,
-        load=0.0 if by_load else max(floor, levels.difference(_load) + unseen[1]),
+        approach=max(floor, levels.remaining(partial(_beyond, before_touch)) + unseen[0]) if by_load else 0.0,
+        load=0.0 if by_load else max(floor, levels.remaining(_load) + unseen[1]),
         max_pressure=math.inf
         if unlimited
         else max(floor, levels.difference(largest)) + _beside_strips(problem, state, singular, ripples),
+        moment=0.0 if by_moment else max(floor, levels.remaining(_moment, float(state.load) * reach) + unseen[1]),
+        tilt=max(floor, levels.remaining(_tilt, penetration / reach) + unseen[0]) if by_moment else 0.0,
     )
 
 
@@ -98,8 +101,8 @@ def _falls_away(problem: Problem, state: States, end: float, half_width: float) 
     return bool(at_end < (1.0 - FALLS_AWAY) * before)
 
 
-def _relative(part: Array, whole: Array) -> float:
-    return float(part) / abs(float(whole)) if whole != 0.0 else math.inf
+def _relative(part: Array, whole: float) -> float:
+    return float(part) / abs(whole) if whole != 0.0 else math.inf
 
 
 def _beyond(before_touch: float, state: States) -> float:
@@ -108,6 +111,14 @@ def _beyond(before_touch: float, state: States) -> float:
 
 def _load(state: States) -> float:
     return float(state.load)
+
+
+def _moment(state: States) -> float:
+    return float(state.moment)
+
+
+def _tilt(state: States) -> float:
+    return float(state.rigid[1])
 
 
 def _largest(hertz_ratio: float, singular: Array, state: States) -> float:
@@ -120,6 +131,8 @@ def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array
     ``singular`` are their ends at which the pressure has no limit [mm], shape (cases, k).
     """
     finest = levels[0]
+    large = min(LARGE_ERROR, problem.accuracy) if problem.asked and problem.accuracy else LARGE_ERROR
+    share = LEFT_OF_CHANGE if problem.accuracy else 2.0 * SAFETY
     highest = partial(_pressures, problem.element.hertz_ratio, singular)
     unsure: Flags = np.full(finest.status.shape, len(levels) == 1)
     width = finest.width
@@ -133,19 +146,19 @@ def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array
     penetration = np.max(finest.rigid[:, :1] + finest.rigid[:, 1:] * y - separation, axis=1)
     total = np.sum(loads, axis=1)
     for known, left in ((penetration, mean), (total, finest.stiffness[:, 0, 0] * mean)):
-        unsure |= left > 0.5 * LARGE_ERROR * np.abs(known)
+        unsure |= left > 0.5 * large * np.abs(known)
     unsure |= np.max(np.where(loads > 0.0, ripples, 0.0), axis=1) > 0.5 * LARGE_PRESSURE_ERROR * highest(finest)
     ends = SHARP_END_ERROR * sum(each * reaching(finest, side) for each, side in zip(last, (-1, 1), strict=True))
-    unsure |= ends > 0.5 * LARGE_ERROR * np.sum((finest.m > 0.0) * width, axis=1)
-    for fine, coarse in itertools.pairwise(levels[:3]):
+    unsure |= ends > 0.5 * large * np.sum((finest.m > 0.0) * width, axis=1)
+    for fine, coarse in itertools.pairwise(levels[: 2 if problem.accuracy else 3]):
         unsure |= ~coarse.converged
-        for value, whole, large in (
-            (_approaches, penetration, LARGE_ERROR),
-            (_loads, total, LARGE_ERROR),
+        for value, whole, limit in (
+            (_approaches, penetration, large),
+            (_loads, total, large),
             (highest, highest(finest), LARGE_PRESSURE_ERROR),
         ):
             with np.errstate(invalid="ignore"):
-                unsure |= ~(SAFETY * np.abs(value(fine) - value(coarse)) <= 0.5 * large * np.abs(whole))
+                unsure |= ~(share * np.abs(value(fine) - value(coarse)) <= limit * np.abs(whole))
     return unsure
 
 

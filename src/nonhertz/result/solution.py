@@ -56,11 +56,17 @@ class ErrorEstimate:
     max_pressure : float
         |error of maximum pressure| / maximum pressure. Infinite where the maximum is at a corner of the profile within
         the contact: every refinement raises it without limit, so no error is defined.
+    moment : float
+        |error of moment| / (load times half the length of the strips); zero where the moment is prescribed.
+    tilt : float
+        |error of tilt| times half the length of the strips / penetration; zero where the tilt is prescribed.
     """
 
     approach: float
     load: float
     max_pressure: float
+    moment: float
+    tilt: float
 
 
 class EdgeKind(enum.Enum):

@@ -83,6 +83,7 @@ def strains(solution: Solution, problem: Problem, state: States) -> tuple[str, .
     return (
         *(sentence for check in checks(solution, problem.influence.ends) for sentence in check.sentences),
         *_large_errors(solution),
+        *_short_of_accuracy(solution, problem),
         *_missed_contact(solution, problem, state),
         *_without_limit(solution),
     )
@@ -98,6 +99,18 @@ def _large_errors(solution: Solution) -> list[str]:
     if not (solution.peaks_at_corner or any(edge.kind is EdgeKind.CUT_OFF for edge in solution.edge_pressure)):
         sentences.append(_uncertain("maximum pressure", estimate.max_pressure, LARGE_PRESSURE_ERROR))
     return [sentence for sentence in sentences if sentence]
+
+
+def _short_of_accuracy(solution: Solution, problem: Problem) -> list[str]:
+    """Return a sentence where the accuracy that was asked for is not met; larger errors have their own."""
+    estimate, asked = solution.error_estimate, problem.accuracy
+    name, error = max(("approach", estimate.approach), ("load", estimate.load), key=lambda each: each[1])
+    if not problem.asked or asked is None or not asked < error <= LARGE_ERROR:
+        return []
+    return [
+        f"The accuracy of {asked:g} asked for is not met: the error of the {name} is estimated at {error:.2g}, on "
+        f"{solution.strips} strips; what is left is at sharp ends, corners or in roughness that strips do not resolve."
+    ]
 
 
 def _uncertain(quantity: str, error: float, least: float = LARGE_ERROR) -> str:

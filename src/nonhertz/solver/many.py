@@ -28,7 +28,6 @@ from nonhertz.solver.one import (
     levels_of,
     problem_of,
     refuse_no_element,
-    refuse_two_grids,
     requested_strips,
     states_of,
 )
@@ -118,7 +117,6 @@ def solve_many(
     refuse_no_element(element)
     several = _several(contacts)
     shape, which, values = _spread(len(several) if not isinstance(contacts, Contact) else None, given)
-    refuse_two_grids(strips, accuracy)
     tasks = _tasks(several, shape, which, values, _Options(element, strips, accuracy))
     with ThreadPoolExecutor(thread_count(threads)) as pool:
         blocks = [block for found in pool.map(_solved, _portions(tasks)) for block in found]
@@ -263,7 +261,7 @@ def _tasks(
         requested_strips(contact, options.strips)
         try:
             number = numbers[0]
-            problem = problem_of(contact, case(number), options.element, options.accuracy)
+            problem = problem_of(contact, case(number), options.element, options.strips, options.accuracy)
             # A moment may act outside the bodies in any case; a load out of range shows in the extreme cases.
             loads = given["load"][numbers] if "load" in given else np.zeros(1)
             outermost = [numbers[int(loads.argmin())], numbers[int(loads.argmax())]]

@@ -19,7 +19,15 @@ from nonhertz.result.outcome import outcome
 from nonhertz.result.solution import Solution
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 from nonhertz.strip.feasible import refuse_infeasible
-from nonhertz.strip.levels import ACCURACY, Levels, equal_grids, given_grids, on_automatic_strips, on_given_strips
+from nonhertz.strip.levels import (
+    ACCURACY,
+    Levels,
+    equal_grids,
+    given_grids,
+    levels_from,
+    on_automatic_strips,
+    on_given_strips,
+)
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import Indices, States
 
@@ -94,15 +102,20 @@ def solve(
     0.87
     """
     given = Prescription.checked(approach, load, tilt, moment)
-    problem = problem_of(contact, given, element, accuracy)
-    refuse_two_grids(strips, accuracy)
+    problem = problem_of(contact, given, element, strips, accuracy)
     solution = outcome(contact, problem, levels_of(contact, problem, strips))
     for sentence in solution.warnings:
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
     return solution
 
 
-def problem_of(contact: Contact, given: Prescription, element: Element, accuracy: float | None = None) -> Problem:
+def problem_of(
+    contact: Contact,
+    given: Prescription,
+    element: Element,
+    strips: Strips = None,
+    accuracy: float | None = None,
+) -> Problem:
     """Return what the strips have to satisfy.
 
     Raises
@@ -114,13 +127,14 @@ def problem_of(contact: Contact, given: Prescription, element: Element, accuracy
     if not isinstance(contact, Contact):
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
     refuse_no_element(element)
-    refuse_accuracy(accuracy)
+    refuse_accuracy(strips, accuracy)
     given.refuse_outside(contact)
     prescribed, target = np.array(given.by_force), np.array(given.target(contact.compliance))
     influence = influence_of(contact, element)
     return Problem(
         contact.separation_at, contact.curvature_at, element, prescribed, target, influence, contact.compliance,
-        partial(getattr, contact, "crests"), accuracy,
+        partial(getattr, contact, "crests"), (accuracy or ACCURACY) if is_automatic(strips) else None,
+        accuracy is not None,
     )  # fmt: skip
 
 
@@ -131,19 +145,15 @@ def refuse_no_element(element: object) -> None:
         raise InputError("element", element, "be an element", remedy)
 
 
-def refuse_accuracy(accuracy: object) -> None:
-    """Refuse an accuracy that no grid has, or that is none."""
+def refuse_accuracy(strips: Strips, accuracy: float | None) -> None:
+    """Refuse an accuracy that no grid has, and any beside strips that are given: both say how many there are."""
     if accuracy is None:
         return
     remedy = f"leave it out for {ACCURACY:g}"
-    finite("accuracy", accuracy, remedy)  # type: ignore[arg-type]
-    if not FINEST_ACCURACY <= accuracy <= COARSEST_ACCURACY:  # type: ignore[operator]
+    finite("accuracy", accuracy, remedy)
+    if not FINEST_ACCURACY <= accuracy <= COARSEST_ACCURACY:
         raise InputError("accuracy", accuracy, f"lie between {FINEST_ACCURACY:g} and {COARSEST_ACCURACY:g}", remedy)
-
-
-def refuse_two_grids(strips: Strips, accuracy: float | None) -> None:
-    """Refuse an accuracy beside strips that are given: the number of strips would follow from both."""
-    if accuracy is not None and not is_automatic(strips):
+    if not is_automatic(strips):
         remedy = "leave out the accuracy or the strips"
         raise InputError("accuracy", accuracy, "be given only where the grid is automatic", remedy)
 
@@ -156,8 +166,7 @@ def is_automatic(strips: Strips) -> bool:
 def levels_of(contact: Contact, problem: Problem, strips: Strips) -> Levels:
     """Return the states of one case on the requested strips and on coarser ones."""
     ((_, levels),) = states_of(contact, problem, strips, problem.target[None])
-    finest, *coarser = (level.one(0) for level in levels)
-    return Levels((finest, *(state for state in coarser if state.converged)))
+    return levels_from(problem, [level.one(0) for level in levels])
 
 
 def states_of(contact: Contact, problem: Problem, strips: Strips, targets: Array) -> list[tuple[Indices, list[States]]]:

@@ -26,7 +26,8 @@ from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution, read_only
 from nonhertz.result.validity import singularities, suspected
 from nonhertz.strip.grid import contact_of
-from nonhertz.strip.levels import Levels
+from nonhertz.strip.levels import levels_from
+from nonhertz.strip.overlaps import SAMPLES
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import States
 
@@ -244,8 +245,13 @@ class Block:
         return (
             states.rigid[:, 0], states.rigid[:, 1], states.load / compliance, states.moment / compliance,
             *self.largest, self._half_widths(), self._contact_lengths(),
-            penetrations(self.contact, states.edges, states.rigid),
+            penetrations(self.contact, self._surveyed(), states.rigid),
         )  # fmt: skip
+
+    def _surveyed(self) -> Array:
+        """Return edges of strips that stand for those of all cases."""
+        edges = self.finest.edges
+        return edges[0] if self.finest.shared else np.linspace(edges.min(), edges.max(), SAMPLES + 1)
 
     def _half_widths(self) -> Array:
         half_width = self.problem.element.hertz_ratio * np.sqrt(self.finest.m)
@@ -283,8 +289,7 @@ class Block:
             raise copy.copy(self.error)
         problem = self.problem.of(self.targets[row])
         states = [states.one(row) for states in self.states]
-        levels = Levels((states[0], *(state for state in states[1:] if state.converged)))
-        return outcome(self.contact, problem, levels)
+        return outcome(self.contact, problem, levels_from(problem, states))
 
     def strained(self) -> Iterator[tuple[int, str]]:
         """Yield the numbers of cases that strain the model, each with its first sentence."""

@@ -50,6 +50,7 @@ SAFETY = 2.0
 # Measured on 300 random contacts of all profiles: at a coarseness of COARSENESS the error of the approach is about
 # ACCURACY; it falls with this power of the width, and is less than this share of the change from half the strips.
 ACCURACY, COARSENESS, ORDER, LEFT_OF_CHANGE = 1e-4, 0.28, 2.2, 0.4
+USUALLY_LEFT = 0.6  # of the accuracy aimed for: no error was larger where the change was small
 LEAST_FINER, MARGIN = 0.4, 0.95
 FULL = 0.97
 
@@ -59,25 +60,53 @@ class Levels:
     """The solution and those on coarser grids, finest first; coarser ones that did not converge are left out."""
 
     states: tuple[States, ...]
+    accuracy: float | None = None
+    """What the grid aims for, if the last two are a grid with its edges on the ends of the contact, and half of it."""
 
     @property
     def finest(self) -> States:
         """The state on the grid of the result."""
         return self.states[0]
 
-    def difference(self, quantity: Callable[[States], float]) -> float:
-        """Return an estimate of the relative error of a quantity.
+    def remaining(self, quantity: Callable[[States], float], scale: float | None = None) -> float:
+        """Return an estimate of the error of an approach, load, tilt or moment, relative to ``scale`` or to itself.
 
-        An error that halves when the strips are halved is as large as the last change. At sharp ends it falls a little
-        less, and a contact whose end happens to suit the strips can hide it in one change, but hardly in two: so twice
-        the larger of the last change and half the change before it.
+        Where strips follow the ends of the contact, errors fall to a quarter or less, and `LEFT_OF_CHANGE` of the last
+        change is left at most; but a change may be small by chance, so that it is never less than what such grids
+        usually leave. Elsewhere it is the `difference`.
         """
-        values = [quantity(state) for state in self.states if state.converged]
-        if len(values) < 2 or values[0] == 0.0:
+        change = self._changes(quantity, scale)
+        if self.accuracy is None or not change.size:
+            return self.difference(quantity, scale)
+        return float(max(LEFT_OF_CHANGE * change[0], USUALLY_LEFT * self.accuracy))
+
+    def difference(self, quantity: Callable[[States], float], scale: float | None = None) -> float:
+        """Return an estimate of the error of any quantity, relative to ``scale`` or else to itself.
+
+        An error that halves when the strips are halved is as large as the last change. At sharp ends it falls
+        a little less, and a contact whose end happens to suit the strips can hide it in one change, but hardly in two:
+        so twice the larger of the last change and half the change before it.
+        """
+        changes = self._changes(quantity, scale)
+        if not changes.size:
             return math.inf
-        changes = np.abs(np.diff(values[:3])) / abs(values[0])
         error = float(SAFETY * np.max([changes[0], 0.5 * changes[-1]]))
         return error if math.isfinite(error) else math.inf
+
+    def _changes(self, quantity: Callable[[States], float], scale: float | None) -> Array:
+        """Return the last two relative changes, the last one first; none if there is nothing to relate them to."""
+        values = [quantity(state) for state in self.states if state.converged]
+        whole = abs(values[0]) if scale is None else scale
+        changes: Array = np.abs(np.diff(values[:3]))
+        return changes / whole if whole > 0.0 else np.zeros(0)
+
+
+def levels_from(problem: Problem, states: list[States]) -> Levels:
+    """Return the levels of one case, without coarser ones that have no solution."""
+    finest, *coarser = states
+    solved = tuple(state for state in coarser if state.converged)
+    regular = bool(coarser) and bool(coarser[0].converged)
+    return Levels((finest, *solved), problem.accuracy if regular else None)
 
 
 def equal_grids(problem: Problem, interval: Interval, count: int) -> list[Array]:

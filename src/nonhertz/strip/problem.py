@@ -39,7 +39,9 @@ class Problem:
         () -> where profiles may stand out between sampled places [mm]. A measured line has thousands of them, and
         many solves do not need them: hence a callable.
     accuracy : float or None
-        Relative error of approach or load that was asked for, None if nothing was said.
+        Relative error of approach or load that the automatic grid aims for; None where strips are given.
+    asked : bool
+        Whether the user gave that.
     """
 
     separation: Callable[[Array], Array]
@@ -51,6 +53,7 @@ class Problem:
     compliance: float
     crests: Callable[[], tuple[float, ...]] = tuple
     accuracy: float | None = None
+    asked: bool = False
     _sampled: dict[tuple[float, float, int], tuple[Array, Array]] = field(default_factory=dict, repr=False)
 
     def sampled(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
