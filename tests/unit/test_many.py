@@ -343,3 +343,12 @@ def test_a_grid_that_resists_is_solved_in_any_order():
         down = nh.solve_many(contact, **{name: values[::-1] for name, values in case.items()}, strips=edges)
     assert np.all(up.converged)
     np.testing.assert_allclose(down.approach[::-1], up.approach, **SAME)
+
+
+def test_line_loads_of_a_case_are_those_of_its_solution():
+    many = nh.solve_many(CROWNED, load=[5e3, 8e3], tilt=1e-4)
+    edges, line_load = many.line_load(1)
+    np.testing.assert_array_equal(edges, many[1].edges)
+    np.testing.assert_array_equal(line_load, many[1].line_load)
+    with pytest.raises(IndexError, match="out of range"):
+        many.line_load(2)

@@ -186,6 +186,24 @@ class Solutions:
         block, row = self._place[number]
         return block.solution(row)
 
+    def line_load(self, number: int) -> tuple[Array, Array]:
+        """Return the edges of the strips [mm] and their line loads [N/mm] of a case, counted along all axes.
+
+        Raises
+        ------
+        InputError, ConvergenceError
+            If the case has no solution, as `nonhertz.solve` raises it.
+        IndexError
+            If there is no such case.
+        """
+        if isinstance(number, bool) or not isinstance(number, int | np.integer):
+            raise IndexError(f"{number!r} is not a case number")
+        block, row = self._place[range(len(self))[number]]
+        if block.error is not None:
+            raise copy.copy(block.error)
+        edges = block.finest.edges
+        return edges, (block.finest.r * block.finest.m)[row] / block.contact.compliance
+
     @cached_property
     def failures(self) -> dict[Number, Exception]:
         """Why cases have no solution, by case number, or by a tuple of numbers if there are several axes.
