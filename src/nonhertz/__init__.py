@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from nonhertz import hertz as hertz
     from nonhertz import io as io
     from nonhertz import life as life
+    from nonhertz import maps as maps
     from nonhertz import measured as measured
     from nonhertz import patch as patch
     from nonhertz import plot as plot
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
     from nonhertz.io.casefile import read_case as read_case
     from nonhertz.io.resultfile import Result as Result
     from nonhertz.io.resultfile import read_result as read_result
+    from nonhertz.maps.value import ContactMap as ContactMap
+    from nonhertz.maps.verb import contact_map
     from nonhertz.model import profile as profile
     from nonhertz.model.body import Body as Body
     from nonhertz.model.body import Plate as Plate
@@ -55,6 +58,8 @@ if TYPE_CHECKING:
     from nonhertz.solver.solutions import Solutions as Solutions
     from nonhertz.strip.element import PARABOLIC as PARABOLIC
     from nonhertz.strip.element import SEMI_ELLIPTIC as SEMI_ELLIPTIC
+
+    map = contact_map  # noqa: A001  (nothing in this module calls the builtin)
 
 __version__ = "0.1.0"
 
@@ -86,16 +91,20 @@ _HOMES = {
     "Solutions": "nonhertz.solver.solutions",
     "Status": "nonhertz.result.solution",
     "TabulatedDiameter": "nonhertz.model.body",
+    "ContactMap": "nonhertz.maps.value",
     "compare": "nonhertz.comparison",
     "read_case": "nonhertz.io.casefile",
     "read_result": "nonhertz.io.resultfile",
     "solve": "nonhertz.solver.one",
     "solve_many": "nonhertz.solver.many",
 }
+# Public names that differ from those where they are defined: a module that defined `map` would hide the builtin.
+_RENAMED = {"map": ("nonhertz.maps.verb", "contact_map")}
 _MODULES = {
     "hertz": "nonhertz.hertz",
     "io": "nonhertz.io",
     "life": "nonhertz.life",
+    "maps": "nonhertz.maps",
     "measured": "nonhertz.measured",
     "patch": "nonhertz.patch",
     "plot": "nonhertz.plot",
@@ -107,6 +116,9 @@ _MODULES = {
 def __getattr__(name: str) -> Any:
     if name in _MODULES:
         value: Any = importlib.import_module(_MODULES[name])
+    elif name in _RENAMED:
+        home, original = _RENAMED[name]
+        value = getattr(importlib.import_module(home), original)
     elif name in _HOMES:
         value = getattr(importlib.import_module(_HOMES[name]), name)
     else:
@@ -116,4 +128,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted([*_HOMES, *_MODULES, "__version__"])
+    return sorted([*_HOMES, *_RENAMED, *_MODULES, "__version__"])

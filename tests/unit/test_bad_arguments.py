@@ -86,6 +86,9 @@ REFUSED: dict[str, set[str]] = {
     "models": ALL - {"empty"},
     "thing": ALL,
     "several": ALL,
+    "all": ALL,
+    "tilts": ALL - {"zero", "tiny"},
+    "stations": ALL - {"three", "array"},
     "options": ALL - {"dictionary"},
     "optional": ALL - {"none"},
     "unbounded": POSITIVE - {"huge"},  # a contact knows its own bounds of a load
@@ -113,6 +116,7 @@ with warnings.catch_warnings():  # as coarse as it may be: nothing is read off t
     SHARP = nh.solve(nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate()), load=2e4).edge_pressure[0]
     COMPARISON = nh.compare(CONTACT, load=6e3, cells=(12, 16), strips=11)
     MANY = nh.solve_many(CONTACT, load=[1e3, 2e3], strips=11)
+    MAP = nh.map(CONTACT, load=(0, 1e3), accuracy=0.1, checks=20)
     PALMGREN = life.lundberg_palmgren()
     LIFE = life.assess(SOLUTION, "iso-16281", body="b")[0]
     EXPOSURE = life.exposure(SOLUTION, body="b")
@@ -197,6 +201,26 @@ ENTRIES: dict[str, Entry] = {
         strips=(11, "strips"),
         threads=(1, "whole?"),
     ),
+    "Solutions.line_load": entry(MANY.line_load, number=(0, "index"), raises=(IndexError,)),
+    "map": entry(
+        nh.map,
+        contact=(CONTACT, "thing"),
+        load=((0.0, 1e3), "all"),
+        approach=(None, "optional"),
+        tilt=(0.0, "tilts"),
+        accuracy=(0.1, "all"),
+        element=(nh.SEMI_ELLIPTIC, "thing"),
+        stations=(5, "stations"),
+        checks=(20, "all"),
+        **RUNNING,
+    ),
+    "ContactMap.at": entry(MAP.at, approach=(1e-3, "numbers"), tilt=(0.0, "numbers")),
+    "ContactMap.under": entry(MAP.under, load=(500.0, "numbers"), tilt=(0.0, "numbers")),
+    "ContactMap.strip_loads": entry(
+        MAP.strip_loads, point=(MAP.under(load=500.0), "thing"), stations=(None, "row?")
+    ),
+    "ContactMap.grid": entry(MAP.grid, rows=(3, "whole"), tilts=(3, "whole")),
+    "ContactMap.csv": entry(MAP.csv, point=(None, "optional")),
     "Solutions.__getitem__": entry(MANY.__getitem__, number=(0, "index"), raises=(IndexError,)),
     "read_case": entry(nh.read_case, path=(EXAMPLE, "file"), raises=(nh.CaseError,)),
     "read_result": entry(nh.read_result, path=(written_result(), "file")),
@@ -420,7 +444,7 @@ ENTRIES["profile.sum.relief"] = entry((TABLE.shifted(1.0) + TABLE.scaled(2.0)).r
 
 #: Of these only what must be refused is tried.
 SLOW = {
-    "compare", "life.assess", "life.exposure", "measured.fit", "measured.fit_best", "measured.prepare",
+    "compare", "map", "life.assess", "life.exposure", "measured.fit", "measured.fit_best", "measured.prepare",
     "subsurface.extremes",
 }  # fmt: skip
 
@@ -495,7 +519,8 @@ def test_an_impossible_raceway_is_refused():
 # Nothing public is left out
 #: Made by the package and not by its users, who only read them.
 RESULTS = {
-    "Comparison", "EdgeKind", "EdgePressure", "ErrorEstimate", "Result", "SingularEnd", "Solution", "Solutions",
+    "Comparison", "ContactMap",
+    "EdgeKind", "EdgePressure", "ErrorEstimate", "Result", "SingularEnd", "Solution", "Solutions",
     "Status",
     "hertz.LineContact", "hertz.PointContact",
     "life.Exposure", "life.Life",
@@ -541,7 +566,7 @@ def test_every_public_name_is_in_the_table_with_all_its_arguments(name):
 #: Asked of a solution and not of a user, or in the table under another name.
 ELSEWHERE = {"life.Laminae", "measured.Measured", "Comparison.along"}
 #: It would write files of nonsensical names; in tests/unit/test_written.py.
-WRITES = {"Case.write"}
+WRITES = {"Case.write", "ContactMap.save", "ContactMap.to_csv", "ContactMap.to_mat"}
 #: Asked by the solver, of positions that it has checked.
 CHECKED = {"Body.relief_at", "Body.curvature_at", "Contact.separation_at", "Contact.curvature_at"}
 

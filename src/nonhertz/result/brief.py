@@ -40,7 +40,7 @@ def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
     """
     estimate, told = solution.error_estimate, is_noticeable(solution.approach, solution.penetration)
     said = [
-        f"{_body(solution.contact.a)} against {_body(solution.contact.b)}",
+        f"{body_line(solution.contact.a)} against {body_line(solution.contact.b)}",
         f"{solution.status.label} on {resolution}",
         _numbers(solution, ("load", "moment", "tilt"), estimate.load),
         _numbers(solution, ("approach", "penetration") if told else ("approach",), estimate.approach),
@@ -70,7 +70,8 @@ def _numbers(solution: Solved, names: tuple[str, ...], error: float = 0.0, where
     return said + where
 
 
-def _body(body: Body) -> str:
+def body_line(body: Body) -> str:
+    """Return kind and size of a body."""
     sizes = []
     if isinstance(body.diameter, float | int):
         sizes.append(f"diameter {given(float(body.diameter))}")

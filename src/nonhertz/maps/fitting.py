@@ -1,0 +1,235 @@
+"""From solved cases to a stand-in: weighted least squares for the coefficients of its splines.
+
+The mean approach D is fitted to approach and moment, which are D + x/3 dD/dx and -Q dD/dgamma, to the three stiffnesses
+with a small weight, because those of a graded grid carry ten times the discretisation error, and to the first touch,
+which is known without solving: D(0, gamma). Weights make a residual a relative error of load or moment at a given
+approach and tilt. The spline begins with dD/dx = 0 at no load, as both point and line contacts do. What is fitted is
+the largest possible smooth part of the solutions: their scatter from grid to grid is averaged out.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+from scipy.sparse.linalg import splu
+
+from nonhertz.maps.evaluation import CENTRE, NARROW, TILT_HIGH, TILT_LOW, WIDENING, Tables, tilt_coordinate
+from nonhertz.maps.spline import Rows, cells, roughness, size
+
+Array = NDArray[np.float64]
+
+#: Fraction of the largest load below which errors are no longer relative to the load.
+LIGHT = 0.01
+_STIFFNESS_WEIGHT = 0.05
+_TOUCH_WEIGHT = 3.0
+# Of fourth differences of coefficients, beside data: decides only where data say nothing.
+_SMOOTHING, _SMOOTHING_OTHERS = 1e-3, 1e-2
+_RIDGE = 1e-14  # of the mean diagonal
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Solved cases.
+
+    Attributes
+    ----------
+    load, tilt, approach, moment : ndarray, shape (n,)
+        As in `nonhertz.Solution` [N, rad, mm, N mm].
+    stiffness : ndarray, shape (n, 2, 2)
+    max_pressure, max_half_width : ndarray, shape (n,)
+        [MPa], [mm].
+    places : ndarray, shape (n, quantiles)
+        Up to where the contact bears given shares of the load [mm].
+    strip_loads : ndarray, shape (n, stations)
+        Load on the strips between stations [N], for checks.
+    """
+
+    load: Array
+    tilt: Array
+    approach: Array
+    moment: Array
+    stiffness: Array
+    max_pressure: Array
+    max_half_width: Array
+    places: Array
+    strip_loads: Array
+
+    def joined(self, other: Samples) -> Samples:
+        """Return the samples of both."""
+        return Samples(*(np.concatenate([getattr(self, name), getattr(other, name)]) for name in vars(self)))
+
+
+@dataclass(frozen=True)
+class Touch:
+    """First touch: the approaches [mm] at tilts [rad], shape (n,)."""
+
+    tilt: Array
+    approach: Array
+
+
+@dataclass(frozen=True)
+class Shape:
+    """Where a stand-in has its cells.
+
+    Attributes
+    ----------
+    numbers : ndarray
+        The first of ``Tables.mean_approach``, without the numbers of cells.
+    loads, tilts : ndarray
+        Borders of the cells in x and in z, from 0 to 1.
+    half_length : float
+        Lever arm [mm] that moments are compared with.
+    """
+
+    numbers: Array
+    loads: Array
+    tilts: Array
+    half_length: float
+
+    @property
+    def breaks(self) -> tuple[Array, Array]:
+        """Borders of the cells in both directions."""
+        return self.loads, self.tilts
+
+    @property
+    def counted(self) -> Array:
+        """The first eleven of ``Tables.mean_approach``."""
+        return np.concatenate([self.numbers, [self.loads.size - 1, self.tilts.size - 1]])
+
+    @property
+    def most_load(self) -> float:
+        """The largest load [N]."""
+        return float(self.numbers[0])
+
+    @property
+    def tilt_range(self) -> tuple[float, float]:
+        """Lowest and highest tilt [rad]."""
+        return float(self.numbers[TILT_LOW]), float(self.numbers[TILT_HIGH])
+
+    def prescribed(self, x: Array, z: Array) -> tuple[Array, Array]:
+        """Return load and tilt at places in the two coordinates."""
+        tilts = self.tilt_range
+        if self.numbers[WIDENING] == 0.0:
+            return self.most_load * x**3, tilts[0] + (tilts[1] - tilts[0]) * z
+        scale = self.numbers[NARROW] + self.numbers[WIDENING] * x**3
+        low, high = (np.arcsinh((end - self.numbers[CENTRE]) / scale) for end in tilts)
+        tilt = self.numbers[CENTRE] + scale * np.sinh(low + (high - low) * z)
+        return self.most_load * x**3, np.clip(tilt, *tilts)
+
+    def coordinates(self, load: Array, tilt: Array) -> tuple[Array, Array]:
+        """Return x, and z with its five derivatives, shape (6, n)."""
+        x = np.cbrt(load / self.most_load)
+        inside = np.clip(tilt, self.numbers[TILT_LOW], self.numbers[TILT_HIGH])
+        z = [tilt_coordinate(self.numbers, *at) for at in zip(x.tolist(), inside.tolist(), strict=True)]
+        return x, np.array(z).reshape(-1, 6).T
+
+
+def fitted(shape: Shape, samples: Samples, touch: Touch) -> tuple[Array, Array]:
+    """Return the coefficients of the mean approach, and those of all other quantities.
+
+    Returns
+    -------
+    tuple of ndarray
+        Shapes (first basis functions, second basis functions) and (quantities, the same).
+    """
+    counts = [size(each) for each in shape.breaks]
+    x, z = shape.coordinates(samples.load, samples.tilt)
+    rows = Rows(shape.breaks, (x, z[0]))
+    light = np.maximum(samples.load, LIGHT * shape.most_load)
+    system, right = _mean_approach_rows(shape, samples, rows, x, z, light)
+    _, touch_z = shape.coordinates(np.zeros(touch.tilt.size), touch.tilt)
+    weight = _TOUCH_WEIGHT * float(np.median(samples.stiffness[:, 0, 0] / light))
+    system.append(weight * Rows(shape.breaks, (np.zeros(touch.tilt.size), touch_z[0])).derivative(0, 0))
+    right.append(weight * touch.approach)
+    # The first two rows of coefficients are the same: no slope at no load.
+    merged = sparse.kron(
+        sparse.csr_array(np.concatenate([np.eye(1, counts[0] - 1), np.eye(counts[0] - 1)])), sparse.eye(counts[1])
+    )
+    rough = _SMOOTHING * weight / _TOUCH_WEIGHT * roughness(shape.breaks)
+    mean = merged @ _least_squares(system, right, rough, merged)
+    relative = samples.load / light
+    values = np.column_stack([samples.max_pressure / x, samples.max_half_width / x, samples.places])
+    scale = np.array([values[:, 0].max(), values[:, 1].max(), *[shape.half_length] * (values.shape[1] - 2)])
+    rough = _SMOOTHING_OTHERS * roughness(shape.breaks)
+    plain = [sparse.diags_array(relative) @ rows.derivative(0, 0)]
+    others = _least_squares(plain, [relative[:, None] * values / scale], rough, None) * scale
+    return mean.reshape(counts), others.T.reshape(-1, *counts)
+
+
+def _mean_approach_rows(
+    shape: Shape, samples: Samples, rows: Rows, x: Array, z: Array, light: Array
+) -> tuple[list[sparse.sparray], list[Array]]:
+    """Return weighted equations for the mean approach: approach, moment and the three stiffnesses."""
+    _, z_x, z_g, z_xx, z_xg, z_gg = z
+    load = samples.load
+
+    def combined(*terms: tuple[Array, tuple[int, int]]) -> sparse.sparray:
+        return sum((sparse.diags_array(factor) @ rows.derivative(*order) for factor, order in terms[1:]),
+                   sparse.diags_array(terms[0][0]) @ rows.derivative(*terms[0][1]))  # fmt: skip
+
+    def by_x(factor: Array) -> tuple[tuple[Array, tuple[int, int]], ...]:
+        return (factor, (1, 0)), (factor * z_x, (0, 1))
+
+    k11, k12, k22 = samples.stiffness[:, 0, 0], samples.stiffness[:, 0, 1], samples.stiffness[:, 1, 1]
+    half = shape.half_length
+    of_approach, of_arm = k11 / light, load / light / half
+    one = np.ones(x.size)
+    small = _STIFFNESS_WEIGHT
+    by_load = x / (9.0 * load)  # x / 3 dD/dx by the load
+    return [
+        combined((of_approach, (0, 0)), *by_x(of_approach * x / 3.0)),
+        combined((-of_arm * z_g, (0, 1))),
+        combined(*by_x(small * load * of_approach * 4.0 * by_load),
+                 *((small * load * of_approach * by_load * x * factor, order) for factor, order in
+                   ((one, (2, 0)), (2.0 * z_x, (1, 1)), (z_x**2, (0, 2)), (z_xx, (0, 1))))),
+        combined((-small * of_arm * z_g, (0, 1)),
+                 *((-small * of_arm * x / 3.0 * factor, order) for factor, order in
+                   ((z_g, (1, 1)), (z_x * z_g, (0, 2)), (z_xg, (0, 1))))),
+        combined(*((-small * load / k11 / half**2 * factor, order) for factor, order in
+                   ((z_g**2, (0, 2)), (z_gg, (0, 1))))),
+    ], [
+        of_approach * samples.approach,
+        of_arm * samples.moment / load,
+        small * load / light,
+        small * of_arm * k12 / k11,
+        small / k11 / half**2 * (k22 - k12**2 / k11),
+    ]  # fmt: skip
+
+
+def _least_squares(
+    system: list[sparse.sparray], right: list[Array], rough: sparse.sparray, merged: sparse.sparray | None
+) -> Array:
+    rows = sparse.vstack([*system, rough])
+    if merged is not None:
+        rows = rows @ merged
+    zeros = np.zeros((rough.shape[0], *right[0].shape[1:]))
+    values = np.concatenate([*right, zeros])
+    normal = sparse.csc_array(rows.T @ rows)
+    normal += sparse.diags_array(np.full(normal.shape[0], _RIDGE * normal.diagonal().mean()), format="csc")
+    solver = splu(normal)
+    found = solver.solve(rows.T @ values)
+    # Once more on what is left: normal equations square the condition number.
+    improved: Array = found + solver.solve(rows.T @ (values - rows @ found))
+    return improved
+
+
+def tables(numbers: Array, breaks: tuple[Array, Array], mean_approach: Array, others: Array) -> Tables:
+    """Return what compiled code evaluates.
+
+    Parameters
+    ----------
+    numbers : ndarray, shape (11,)
+        The first of ``Tables.mean_approach``.
+    breaks : tuple of ndarray
+        Borders of the cells in x and in z.
+    mean_approach, others : ndarray
+        Coefficients, as `fitted` returns them.
+    """
+    arranged = np.moveaxis(cells(breaks, others), 0, 2)
+    return Tables(
+        np.concatenate([numbers, *breaks, cells(breaks, mean_approach).ravel()]),
+        np.ascontiguousarray(arranged).ravel(),
+    )

@@ -1,0 +1,116 @@
+"""What a stand-in is off by: against solved cases that it was not built from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.maps.evaluation import Tables, all_pressed, all_pressures, all_shares
+from nonhertz.maps.fitting import LIGHT, Samples, Shape
+
+Array = NDArray[np.float64]
+
+#: Bounds over the largest error found: the largest of 10,000 errors is seldom more than that over the largest of 300.
+SAFETY = 1.5
+
+
+@dataclass(frozen=True)
+class Bounds:
+    """How far a map may be from the solver, at the same approach and tilt.
+
+    Each is one and a half times the largest error at the check points. "Load" below is that of the point, but at least
+    a hundredth of the map's largest; "stiffness" is d load / d approach there, and the half-length half the length on
+    which the bodies can touch, or do under the largest load where that has no end.
+
+    Attributes
+    ----------
+    load : float
+        Error of the load over load.
+    moment : float
+        Error of the moment over load times half-length.
+    stiffness : float
+        The largest error of the four entries, over stiffness, stiffness times half-length, and times its square.
+    max_pressure : float
+        Error of the largest pressure over the largest pressure, but at least a fifth of the largest of all.
+    max_half_width : float
+        Error of the largest half-width over that, likewise.
+    strip_loads : float
+        The largest error of the load on a station over load.
+    points : int
+        Number of check points.
+    """
+
+    load: float
+    moment: float
+    stiffness: float
+    max_pressure: float
+    max_half_width: float
+    strip_loads: float
+    points: int
+
+
+@dataclass(frozen=True)
+class Misses:
+    """Errors of a stand-in at check points, relative as `Bounds` says: each an array of shape (points,)."""
+
+    load: Array
+    moment: Array
+    stiffness: Array
+    max_pressure: Array
+    max_half_width: Array
+    strip_loads: Array
+
+    @classmethod
+    def of(cls, shape: Shape, tables: Tables, stations: Array, samples: Samples) -> Misses:
+        """Compare a stand-in with solved cases at the same approach and tilt."""
+        found = np.empty((samples.load.size, 8))
+        all_pressed(tables, samples.approach, samples.tilt, found)
+        pressures, strip_loads = np.empty((samples.load.size, 2)), np.empty(samples.strip_loads.shape)
+        load = found[:, 2].copy()
+        all_pressures(tables, load, samples.tilt, pressures)
+        all_shares(tables, load, samples.tilt, stations, strip_loads)
+        light = np.maximum(samples.load, LIGHT * shape.most_load)
+        half, solid = shape.half_length, samples.stiffness
+        # The stiffness grows about as the cube root of the load.
+        stiffness = solid[:, 0, 0] * np.cbrt(light / samples.load)
+        entries = [
+            (found[:, 4] - solid[:, 0, 0]) / stiffness,
+            (found[:, 5] - solid[:, 0, 1]) / stiffness / half,
+            (found[:, 6] - solid[:, 1, 1]) / stiffness / half**2,
+        ]
+        return cls(
+            np.abs(found[:, 2] - samples.load) / light,
+            np.abs(found[:, 3] - samples.moment) / (light * half),
+            np.abs(entries).max(axis=0),
+            np.abs(pressures[:, 0] - samples.max_pressure) / _but_least(samples.max_pressure),
+            np.abs(pressures[:, 1] - samples.max_half_width) / _but_least(samples.max_half_width),
+            np.abs(strip_loads - samples.strip_loads).max(axis=1) / light,
+        )
+
+    @property
+    def combined(self) -> Array:
+        """The larger error of load and moment, shape (points,)."""
+        return np.maximum(self.load, self.moment)
+
+    @property
+    def worst(self) -> float:
+        """The largest error of load and moment."""
+        return float(self.combined.max())
+
+    @property
+    def typical(self) -> float:
+        """The root mean square of the errors of load and moment."""
+        return float(np.sqrt(np.mean(self.combined**2)))
+
+    def bounds(self) -> Bounds:
+        """Return bounds on the errors everywhere."""
+        found = {name: SAFETY * float(values.max()) for name, values in vars(self).items()}
+        return Bounds(**found, points=self.load.size)
+
+
+def _but_least(values: Array) -> Array:
+    """Return values, but at least what the largest of them would be under a hundredth of its load."""
+    least: Array = np.maximum(values, np.cbrt(LIGHT) * values.max())
+    return least

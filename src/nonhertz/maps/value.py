@@ -1,0 +1,376 @@
+"""A map as a value: evaluated, inverted, printed, and written as tables for other programs."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import scipy.io
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import broadcast, numbers, whole
+from nonhertz.maps import files
+from nonhertz.maps.evaluation import (
+    MOST_LOAD,
+    TILT_HIGH,
+    TILT_LOW,
+    Tables,
+    all_loaded,
+    all_pressed,
+    all_pressures,
+    all_shares,
+)
+from nonhertz.maps.fitting import tables
+from nonhertz.maps.misses import Bounds
+from nonhertz.result.brief import plain_text
+from nonhertz.result.numerals import digits, given
+from nonhertz.result.quantities import QUANTITIES
+from nonhertz.result.solution import ReadOnly, read_only
+
+Array = NDArray[np.float64]
+
+#: Columns of tables for other programs; `QUANTITIES` has their units.
+COLUMNS = (
+    "approach", "tilt", "load", "moment", "load_by_approach", "load_by_tilt", "moment_by_approach", "moment_by_tilt",
+    "max_pressure", "max_half_width",
+)  # fmt: skip
+ROWS, TILTS = 41, 21
+_TILT_ROUNDING = 1e-12  # of the range
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class MapPoint(ReadOnly):
+    """What a map says at one point, or at many of shape (...).
+
+    Attributes
+    ----------
+    approach, tilt, load, moment : float or ndarray, shape (...)
+        As in `nonhertz.Solution` [mm, rad, N, N mm].
+    stiffness : ndarray, shape (..., 2, 2)
+        d(load, moment) / d(approach, tilt), the exact derivative of the stand-in; symmetric.
+    max_pressure, max_half_width : float or ndarray, shape (...)
+        [MPa], [mm].
+    """
+
+    approach: Any
+    tilt: Any
+    load: Any
+    moment: Any
+    stiffness: Array
+    max_pressure: Any
+    max_half_width: Any
+
+    @property
+    def load_by_approach(self) -> Any:
+        """D load / d approach [N/mm]."""
+        return self.stiffness[..., 0, 0]
+
+    @property
+    def load_by_tilt(self) -> Any:
+        """D load / d tilt [N/rad]."""
+        return self.stiffness[..., 0, 1]
+
+    @property
+    def moment_by_approach(self) -> Any:
+        """D moment / d approach [N mm/mm]."""
+        return self.stiffness[..., 1, 0]
+
+    @property
+    def moment_by_tilt(self) -> Any:
+        """D moment / d tilt [N mm/rad]."""
+        return self.stiffness[..., 1, 1]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ContactMap(ReadOnly):
+    """A certified stand-in for a contact; made by `nonhertz.map`.
+
+    Attributes
+    ----------
+    description : str
+        The bodies and the strip element in words.
+    given : str
+        ``"load"`` or ``"approach"``: what the range was given in.
+    pressed : tuple of float
+        Lowest and highest load [N] or approach [mm], as given.
+    numbers, breaks, mean_approach, others : ndarray
+        Range, cells and coefficients of the splines.
+    stations : ndarray, shape (stations + 1,)
+        Edges of the strips along the contact [mm] whose loads the map has.
+    half_length : float
+        Lever arm [mm] that errors of the moment are relative to.
+    accuracy : float
+        What was asked for.
+    bound : Bounds
+        How far the map may be from the solver.
+    cases : int
+        Solved cases that it was built from, without the check points of `bound`.
+    failed : int
+        Cases that had no solution, among them and the check points.
+    """
+
+    description: str
+    given: str
+    pressed: tuple[float, float]
+    numbers: Array
+    breaks: Array
+    mean_approach: Array
+    others: Array
+    stations: Array
+    half_length: float
+    accuracy: float
+    bound: Bounds
+    cases: int
+    failed: int
+
+    def __repr__(self) -> str:
+        bound = self.bound
+        unit, factor = ("N", 1.0) if self.given == "load" else ("um", 1e3)
+        low, high = (given(factor * end, 4) for end in self.pressed)
+        tilts = " to ".join(given(1e3 * end, 4) for end in self.tilt_range)
+        said = [
+            self.description,
+            f"{self.given} {low} to {high} {unit}, tilt {tilts} mrad, loads up to {digits(self.most_load)} N",
+            f"built from {self.cases} cases, checked at {bound.points} others" + self._failures(),
+            f"within {_share(bound.load)} of the load, {_share(bound.moment)} of load times half-length, "
+            f"{_share(bound.stiffness)} of the stiffness",
+            f"within {_share(bound.max_pressure)} of the maximum pressure, {_share(bound.max_half_width)} of the "
+            f"half-width, and {_share(bound.strip_loads)} of the load on each of {self.stations.size - 1} strips",
+        ]
+        return plain_text("ContactMap", said)
+
+    def _failures(self) -> str:
+        return f"; {self.failed} had no solution" if self.failed else ""
+
+    @property
+    def most_load(self) -> float:
+        """The largest load of the map [N]."""
+        return float(self.numbers[MOST_LOAD])
+
+    @property
+    def tilt_range(self) -> tuple[float, float]:
+        """Lowest and highest tilt of the map [rad]."""
+        return float(self.numbers[TILT_LOW]), float(self.numbers[TILT_HIGH])
+
+    @cached_property
+    def tables(self) -> Tables:
+        """What compiled code needs: an argument of `nonhertz.maps.pressed`, `loaded` and `pressures`."""
+        made = tables(self.numbers, self._borders, self.mean_approach, self.others)
+        return Tables(*map(read_only, made))
+
+    @property
+    def _borders(self) -> tuple[Array, Array]:
+        count = self.breaks.size - int(self.numbers[-1]) - 1
+        return self.breaks[:count], self.breaks[count:]
+
+    def at(self, *, approach: ArrayLike, tilt: ArrayLike = 0.0) -> MapPoint:
+        """Return load, moment, stiffness and the rest at approaches and tilts.
+
+        Parameters
+        ----------
+        approach : array_like
+            delta [mm]; out of contact everything is zero.
+        tilt : array_like
+            gamma [rad]; broadcast against ``approach``.
+
+        Returns
+        -------
+        MapPoint
+            Floats for two numbers, else arrays.
+
+        Raises
+        ------
+        InputError
+            If a point is outside the map.
+        """
+        return self._found("approach", approach, tilt, all_pressed)
+
+    def under(self, *, load: ArrayLike, tilt: ArrayLike = 0.0) -> MapPoint:
+        """Return approach, moment, stiffness and the rest under loads [N] and at tilts [rad].
+
+        Under no load the approach is that of first touch, and everything else is zero.
+
+        Parameters
+        ----------
+        load, tilt : array_like
+            Q [N] and gamma [rad]; they broadcast.
+
+        Returns
+        -------
+        MapPoint
+
+        Raises
+        ------
+        InputError
+            If a point is outside the map.
+        """
+        return self._found("load", load, tilt, all_loaded)
+
+    def _found(
+        self, name: str, value: ArrayLike, tilt: ArrayLike, evaluate: Callable[[Tables, Array, Array, Array], None]
+    ) -> MapPoint:
+        unit = QUANTITIES[name].unit
+        remedy = f"give the {name} in {unit} and the tilt in rad"
+        values, tilts = broadcast(remedy, numbers(name, value, remedy), numbers("tilt", tilt, remedy))
+        shape = values.shape
+        first, second = np.ascontiguousarray(values).ravel(), self._within(tilts).ravel()
+        found = np.empty((first.size, 8))
+        evaluate(self.tables, first, second, found)
+        outside = np.flatnonzero(found[:, 7] == 0.0)
+        if outside.size:
+            self._refuse(name, float(first[outside[0]]), float(second[outside[0]]))
+        pressures = np.empty((first.size, 2))
+        all_pressures(self.tables, found[:, 2].copy(), second, pressures)
+        stiffness = found[:, [4, 5, 5, 6]].reshape(*shape, 2, 2)
+        columns = np.column_stack([found[:, :4], pressures]).T
+        plain = [column.reshape(shape) if shape else float(column[0]) for column in columns]
+        return MapPoint(*plain[:4], stiffness, *plain[4:])  # type: ignore[call-arg, arg-type]
+
+    def strip_loads(self, point: MapPoint, stations: ArrayLike | None = None) -> Array:
+        """Return how the load of points is shared by strips along the contact.
+
+        Parameters
+        ----------
+        point : MapPoint
+            Points of this map.
+        stations : array_like, shape (strips + 1,), optional
+            Edges of the strips [mm], ascending; `stations` if left out, for which the bound is stated.
+
+        Returns
+        -------
+        ndarray, shape (..., strips)
+            Load on each strip [N]; where the strips cover the contact, their sum is the load.
+
+        Raises
+        ------
+        InputError
+            If the stations are not ascending numbers.
+        """
+        _refuse_others(point)
+        remedy = "give ascending edges of strips in mm"
+        edges = self.stations if stations is None else numbers("stations", stations, remedy)
+        if edges.ndim != 1 or edges.size < 2 or np.any(np.diff(edges) <= 0.0):
+            raise InputError("stations", stations, "be ascending", remedy)
+        load, tilt = np.ravel(point.load), np.ravel(point.tilt)
+        found = np.empty((load.size, edges.size - 1))
+        all_shares(self.tables, load, tilt, edges, found)
+        return found.reshape(*np.shape(point.load), -1)
+
+    def _within(self, tilt: Array) -> Array:
+        """Return tilts, those a rounding error outside the range moved to its end."""
+        low, high = self.tilt_range
+        slack = _TILT_ROUNDING * (high - low)
+        inside = np.clip(tilt, low, high)
+        moved: Array = np.where(np.abs(tilt - inside) <= slack, inside, tilt)
+        return moved
+
+    def _refuse(self, name: str, value: float, tilt: float) -> None:
+        low, high = self.tilt_range
+        remedy = "make a map of a wider range"
+        if not low <= tilt <= high:
+            raise InputError("tilt", tilt, f"lie in the range of the map, {low:.6g} to {high:.6g} rad", remedy)
+        if name == "load":
+            raise InputError("load", value, f"lie in the range of the map, 0 to {self.most_load:.6g} N", remedy)
+        found = np.empty((1, 8))
+        all_loaded(self.tables, np.array([self.most_load]), np.array([tilt]), found)
+        condition = f"not exceed {found[0, 0]:.6g} mm at a tilt of {tilt:.6g} rad, where the map ends"
+        raise InputError("approach", value, condition, remedy)
+
+    def grid(self, rows: int = ROWS, tilts: int = TILTS) -> MapPoint:
+        """Return the map on a grid over its range, of shape (rows, tilts).
+
+        Parameters
+        ----------
+        rows : int
+            Number of approaches or loads, whichever the range was given in.
+        tilts : int
+            Number of tilts; 1 for that in the middle.
+
+        Raises
+        ------
+        InputError
+            If these are not whole numbers of at least 1.
+        """
+        count = whole("rows", rows, 1, math.inf, "give the number of approaches or loads")
+        across = whole("tilts", tilts, 1, math.inf, "give the number of tilts")
+        low, high = self.tilt_range
+        tilt = np.linspace(low, high, across) if across > 1 else np.array([0.5 * (low + high)])
+        values = np.linspace(*self.pressed, count)[:, None]
+        return self.at(approach=values, tilt=tilt) if self.given == "approach" else self.under(load=values, tilt=tilt)
+
+    def csv(self, point: MapPoint | None = None) -> str:
+        """Return points as CSV with a header of names and units, by default those of `grid`.
+
+        Parameters
+        ----------
+        point : MapPoint, optional
+            Points of this map.
+        """
+        point = self.grid() if point is None else point
+        _refuse_others(point)
+        text = io.StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow([f"{name} [{QUANTITIES[name].unit}]" for name in COLUMNS])
+        columns = np.transpose([np.ravel(getattr(point, name)) for name in COLUMNS])
+        writer.writerows([f"{value:.10g}" for value in row] for row in columns.tolist())
+        return text.getvalue()
+
+    def to_csv(self, path: str | os.PathLike[str], point: MapPoint | None = None) -> None:
+        """Write `csv` into a file."""
+        Path(path).write_text(self.csv(point), encoding="utf-8", newline="\n")
+
+    def to_mat(self, path: str | os.PathLike[str], point: MapPoint | None = None) -> None:
+        """Write points into a MATLAB file: arrays by the names of `csv`, strip loads, stations, and a text of units.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file; ``.mat`` is appended if missing.
+        point : MapPoint, optional
+            Points of this map, by default those of `grid`.
+        """
+        point = self.grid() if point is None else point
+        _refuse_others(point)
+        units = ", ".join(f"{name} [{QUANTITIES[name].unit}]" for name in COLUMNS)
+        content: dict[str, Any] = {name: np.asarray(getattr(point, name)) for name in COLUMNS}
+        content |= {"strip_loads": self.strip_loads(point), "stations": self.stations, "half_length": self.half_length}
+        scipy.io.savemat(Path(path), content | {"units": units, "description": self.description}, oned_as="column")
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the map into an NPZ file, from which `load` returns it to the last bit.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file, usually named ``.npz``; an existing one is overwritten.
+        """
+        files.save(path, self)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> ContactMap:
+        """Return the map in a file that `save` wrote.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be read, is none of ours, of a later version, or damaged.
+        """
+        return cls(**files.load(path))
+
+
+def _refuse_others(point: object) -> None:
+    if not isinstance(point, MapPoint):
+        raise InputError("point", point, "be points of a map", "give what ContactMap.at, under or grid returns")
+
+
+def _share(error: float) -> str:
+    return f"{digits(1e6 * error, 2)} ppm" if error < 1e-3 else f"{digits(100.0 * error, 2)} %"

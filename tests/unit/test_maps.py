@@ -1,0 +1,396 @@
+"""Maps: bounds that hold, exact derivatives, nothing out of contact, files, compiled callers."""
+
+from __future__ import annotations
+
+import math
+import os
+import pickle
+import zipfile
+from collections.abc import Iterator
+
+import numba
+import numpy as np
+import pytest
+import scipy.io
+from numpy.testing import assert_allclose, assert_array_equal
+
+import nonhertz as nh
+from nonhertz.errors import AccuracyWarning, InputError
+from nonhertz.maps import ContactMap, loaded, pressed, pressures, share
+from nonhertz.maps.evaluation import tilt_coordinate
+from nonhertz.maps.spline import basis, cells, size
+from nonhertz.maps.touch import Relief
+
+MOST, TILT, ACCURACY = 10e3, 1e-3, 2e-3
+ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))
+CONTACT = nh.Contact(ROLLER, nh.Plate())
+
+
+@pytest.fixture(scope="module")
+def made() -> ContactMap:
+    """A rough map of a crowned roller: small enough to be made in the tests."""
+    return nh.map(CONTACT, load=(0.0, MOST), tilt=(-TILT, TILT), accuracy=ACCURACY, checks=40)
+
+
+@pytest.fixture
+def points(made: ContactMap) -> tuple[np.ndarray, np.ndarray]:
+    """Approaches and tilts of states in contact, well inside the range."""
+    random = np.random.default_rng(7)
+    load, tilt = MOST * random.uniform(0.02, 0.98, 30), TILT * random.uniform(-0.98, 0.98, 30)
+    return made.under(load=load, tilt=tilt).approach, tilt
+
+
+def test_the_bound_holds_on_points_that_the_map_has_not_seen(made):
+    random = np.random.default_rng(11)
+    load, tilt = MOST * random.uniform(0.001, 1.0, 40), TILT * random.uniform(-1.0, 1.0, 40)
+    solved = nh.solve_many(CONTACT, load=load, tilt=tilt)
+    found = made.at(approach=solved.approach, tilt=tilt)
+    light, half = np.maximum(load, 0.01 * MOST), made.half_length
+    bound = made.bound
+    assert bound.load <= ACCURACY
+    assert bound.moment <= ACCURACY
+    assert np.all(np.abs(found.load - load) <= bound.load * light)
+    assert np.all(np.abs(found.moment - solved.moment) <= bound.moment * light * half)
+    stiffness = solved.stiffness[:, 0, 0] * np.cbrt(light / load)
+    for row, column in ((0, 0), (0, 1), (1, 1)):
+        error = np.abs(found.stiffness[:, row, column] - solved.stiffness[:, row, column])
+        assert np.all(error <= bound.stiffness * stiffness * half ** (row + column))
+    least = np.cbrt(0.01)
+    for name, largest in (("max_pressure", bound.max_pressure), ("max_half_width", bound.max_half_width)):
+        values = getattr(solved, name)
+        error = np.abs(getattr(found, name) - values)
+        assert np.all(error <= largest * np.maximum(values, least * values.max())), name
+
+
+def test_strip_loads_are_those_of_the_solver_and_sum_to_the_load(made):
+    solution = nh.solve(CONTACT, load=6e3, tilt=5e-4)
+    found = made.strip_loads(made.under(load=6e3, tilt=5e-4))
+    # Strip by strip from the solver's own, cut at the stations.
+    summed = np.concatenate([[0.0], np.cumsum(solution.line_load * solution.strip_width)])
+    ours = np.diff(np.interp(made.stations, solution.edges, summed))
+    assert_allclose(found, ours, atol=(made.bound.strip_loads + 2e-3) * 6e3)
+    assert_allclose(found.sum(), 6e3, rtol=1e-12)
+    assert np.all(found >= 0.0)
+
+
+def test_the_stiffness_is_the_derivative_of_load_and_moment(made, points):
+    approach, tilt = points
+    step = 1e-6, 1e-8
+    at = made.at(approach=approach, tilt=tilt)
+    for column, (by, turn) in enumerate(((step[0], 0.0), (0.0, step[1]))):
+        high = made.at(approach=approach + by, tilt=tilt + turn)
+        low = made.at(approach=approach - by, tilt=tilt - turn)
+        # Central differences: their error is the third derivative times the step squared, below 1e-6 here.
+        for row, name in enumerate(("load", "moment")):
+            slope = (getattr(high, name) - getattr(low, name)) / (2.0 * (by + turn))
+            scale = np.abs(at.stiffness[:, row, column]).max()
+            assert_allclose(at.stiffness[:, row, column], slope, rtol=1e-5, atol=1e-5 * scale)
+    assert_array_equal(at.stiffness[:, 0, 1], at.stiffness[:, 1, 0])
+
+
+def test_load_and_stiffness_are_continuous_across_cells(made):
+    """Between neighbouring points the stiffness changes by no more than a smooth function's would."""
+    approach = np.linspace(1e-3, 0.9 * made.under(load=MOST).approach, 4001)
+    stiffness = made.at(approach=approach, tilt=3e-4).stiffness
+    changes = np.abs(np.diff(stiffness[:, 0, 0]))
+    assert changes.max() < 5.0 * np.median(changes)
+
+
+def test_out_of_contact_everything_is_exactly_zero(made):
+    first = made.under(load=0.0, tilt=4e-4)
+    for approach in (first.approach, first.approach - 1e-6, -1.0):
+        found = made.at(approach=approach, tilt=4e-4)
+        values = [found.load, found.moment, found.max_pressure, found.max_half_width, *found.stiffness.ravel()]
+        assert values == [0.0] * 8
+        assert_array_equal(made.strip_loads(found), 0.0)
+
+
+def test_first_touch_is_where_the_profiles_say(made):
+    """For a circular crown at a tilt the bodies first touch at y = R sin(gamma), closer by R (1 - cos(gamma))."""
+    for tilt in (-8e-4, 0.0, 3e-4):
+        first = 4000.0 * (1.0 - 1.0 / math.cos(math.atan(tilt)))
+        assert_allclose(made.under(load=0.0, tilt=tilt).approach, first, atol=2e-6)
+
+
+def test_a_contact_at_one_end_only_bears_its_load_there(made):
+    found = made.under(load=50.0, tilt=TILT)
+    strips = made.strip_loads(found)
+    assert_allclose(found.moment / found.load, 4.0, atol=0.2)  # y = R gamma
+    assert strips[: strips.size // 2].sum() == 0.0
+
+
+def test_at_and_under_are_inverse(made, points):
+    approach, tilt = points
+    at = made.at(approach=approach, tilt=tilt)
+    under = made.under(load=at.load, tilt=tilt)
+    for name in ("approach", "moment", "stiffness", "max_pressure", "max_half_width"):
+        assert_allclose(getattr(under, name), getattr(at, name), rtol=1e-7, atol=1e-12, err_msg=name)
+
+
+def test_scalars_give_floats_and_arrays_their_shape(made):
+    assert isinstance(made.at(approach=1e-3).load, float)
+    found = made.at(approach=np.full((3, 1), 1e-3), tilt=np.zeros(4))
+    assert found.moment.shape == (3, 4)
+    assert found.stiffness.shape == (3, 4, 2, 2)
+    assert made.strip_loads(found).shape == (3, 4, 21)
+    assert made.strip_loads(found, [-10.0, 0.0, 10.0]).shape == (3, 4, 2)
+
+
+@numba.njit
+def _balanced(tables, load, approach, tilts):  # type: ignore[no-untyped-def]
+    """Return the approach at which equal rollers at given tilts bear a load together: Newton's method."""
+    for _ in range(50):
+        total = stiffness = 0.0
+        for index in range(tilts.size):
+            state = pressed(tables, approach, tilts[index])
+            total += state.load
+            stiffness += state.load_by_approach
+        step = (load - total) / stiffness
+        approach += step
+        if abs(step) < 1e-12:
+            break
+    return approach
+
+
+def test_compiled_code_calls_the_map(made):
+    tilts = np.linspace(-5e-4, 5e-4, 7)
+    approach = _balanced(made.tables, 20e3, 0.01, tilts)
+    assert_allclose(made.at(approach=approach, tilt=tilts).load.sum(), 20e3, rtol=1e-9)
+
+
+def test_compiled_functions_agree_with_the_methods(made):
+    state = pressed(made.tables, 5e-3, 2e-4)
+    found = made.at(approach=5e-3, tilt=2e-4)
+    assert state.inside
+    assert (state.load, state.moment) == (found.load, found.moment)
+    assert pressures(made.tables, state.load, 2e-4) == (found.max_pressure, found.max_half_width)
+    strips = np.empty(made.stations.size - 1)
+    share(made.tables, state.load, 2e-4, made.stations, strips)
+    assert_array_equal(strips, made.strip_loads(found))
+    assert_allclose(loaded(made.tables, state.load, 2e-4).approach, 5e-3, rtol=1e-9)
+
+
+@pytest.mark.parametrize("tilt", [0.0, 9e-4, 1.5e-3, -0.1])
+def test_outside_compiled_code_continues_without_a_step_and_says_so(made, tilt):
+    within = min(max(tilt, -TILT), TILT)
+    last = loaded(made.tables, MOST, within).approach
+    for approach in (last + 1e-9, 2.0 * last, 10.0, -10.0, 0.5 * last):
+        state = pressed(made.tables, approach, tilt)
+        assert all(math.isfinite(value) for value in state)
+        assert state.load >= 0.0
+        if tilt != within:
+            assert not state.inside
+    edge, beyond = pressed(made.tables, last, within), pressed(made.tables, last + 1e-9, within)
+    assert_allclose(beyond.load, edge.load, rtol=1e-5)
+    assert not beyond.inside
+
+
+def test_outside_the_methods_refuse(made):
+    with pytest.raises(InputError, match=r"^approach = 1.0 must not exceed 0.0.* mm at a tilt of 0 rad, where the map"):
+        made.at(approach=1.0)
+    with pytest.raises(InputError, match=r"^load = 20000.0 must lie in the range of the map, 0 to 10000 N: make a map"):
+        made.under(load=20e3)
+    with pytest.raises(InputError, match=r"^load = -1.0 must lie in the range"):
+        made.under(load=-1.0)
+    with pytest.raises(InputError, match=r"^tilt = 0.002 must lie in the range of the map, -0.001 to 0.001 rad"):
+        made.at(approach=[0.0, 1e-3], tilt=[0.0, 2e-3])
+    with pytest.raises(InputError, match="must be finite"):
+        made.at(approach=math.nan)
+    with pytest.raises(InputError, match="stations"):
+        made.strip_loads(made.under(load=1.0), [3.0, 1.0])
+
+
+def test_a_saved_map_is_the_same_to_the_last_bit(made, tmp_path):
+    made.save(tmp_path / "k.npz")
+    again = ContactMap.load(tmp_path / "k.npz")
+    assert repr(again) == repr(made)
+    assert again.bound == made.bound
+    for name in ("numbers", "breaks", "mean_approach", "others", "stations"):
+        assert_array_equal(getattr(again, name), getattr(made, name))
+    for ours, theirs in zip(again.tables, made.tables, strict=True):
+        assert_array_equal(ours, theirs)
+    assert again.at(approach=4e-3, tilt=1e-4).load == made.at(approach=4e-3, tilt=1e-4).load
+    assert repr(pickle.loads(pickle.dumps(made))) == repr(made)
+    with pytest.raises(ValueError, match="read-only"):
+        again.mean_approach[0, 0] = 1.0
+
+
+def _damaged(entries: dict[str, np.ndarray]) -> Iterator[tuple[str, dict[str, np.ndarray]]]:
+    yield "hold a map of nonhertz", {**entries, "kind": np.asarray("another")}
+    yield "hold a map of version 1", {**entries, "version": np.asarray(99)}
+    for name in entries:
+        if name not in {"kind", "version"}:
+            yield "hold an undamaged map", {key: value for key, value in entries.items() if key != name}
+    for name in ("mean_approach", "breaks", "numbers", "bound", "stations"):
+        yield "hold an undamaged map", {**entries, name: entries[name][:-1]}
+        yield "hold an undamaged map", {**entries, name: np.full_like(entries[name], np.nan)}
+    yield "hold an undamaged map", {**entries, "breaks": entries["breaks"][::-1].copy()}
+    yield "hold an undamaged map", {**entries, "given": np.asarray("moment")}
+    yield "hold an undamaged map", {**entries, "others": entries["others"].astype(complex)}
+
+
+def test_files_that_hold_no_whole_map_are_refused_in_one_sentence(made, tmp_path):
+    made.save(tmp_path / "k.npz")
+    with np.load(tmp_path / "k.npz", allow_pickle=False) as archive:
+        entries = dict(archive)
+    for condition, content in _damaged(entries):
+        np.savez(tmp_path / "other.npz", **content)
+        with pytest.raises(InputError, match=condition) as refused:
+            ContactMap.load(tmp_path / "other.npz")
+        assert str(refused.value).count("\n") == 0
+    whole = (tmp_path / "k.npz").read_bytes()
+    for name, data in (("text", b"approach,load\n"), ("cut", whole[: len(whole) // 2]), ("none", b"")):
+        (tmp_path / name).write_bytes(data)
+        with pytest.raises(InputError, match="must hold a map of nonhertz"):
+            ContactMap.load(tmp_path / name)
+    with zipfile.ZipFile(tmp_path / "pickle.npz", "w") as archive:
+        archive.writestr("kind.npy", pickle.dumps(np.asarray("nonhertz map")))
+    with pytest.raises(InputError, match="must hold a map of nonhertz"):
+        ContactMap.load(tmp_path / "pickle.npz")
+    with pytest.raises(InputError, match="must be a file that can be read"):
+        ContactMap.load(tmp_path / "nowhere.npz")
+
+
+def test_tables_for_other_programs_hold_the_map(made, tmp_path):
+    grid = made.grid(5, 3)
+    assert grid.load.shape == (5, 3)
+    made.to_csv(tmp_path / "k.csv", grid)
+    lines = (tmp_path / "k.csv").read_text(encoding="utf-8").splitlines()
+    assert lines[0].startswith("approach [mm],tilt [rad],load [N],moment [N mm],load_by_approach [N/mm]")
+    values = np.array([[float(value) for value in line.split(",")] for line in lines[1:]])
+    assert_allclose(values[:, 2], grid.load.ravel(), rtol=1e-9)
+    assert_allclose(values[:, 7], grid.moment_by_tilt.ravel(), rtol=1e-9)
+    made.to_mat(tmp_path / "k.mat", grid)
+    content = scipy.io.loadmat(os.fspath(tmp_path / "k.mat"))
+    assert_array_equal(content["moment"], grid.moment)
+    assert content["strip_loads"].shape == (5, 3, 21)
+
+
+def test_a_map_prints_in_a_few_lines(made):
+    said = repr(made).splitlines()
+    assert said[0] == "ContactMap"
+    assert "load 0 to 10000 N, tilt -1 to 1 mrad" in said[2]
+    assert 4 <= len(said) <= 8
+
+
+def test_a_grid_of_one_tilt_is_in_the_middle_and_of_none_is_refused(made):
+    assert made.grid(3, 1).tilt.tolist() == [[0.0]] * 3
+    with pytest.raises(InputError, match="rows = 0 must be a whole number of at least 1"):
+        made.grid(0)
+
+
+def test_a_range_of_approaches_includes_lift_off():
+    made = nh.map(CONTACT, approach=(-5e-3, 8e-3), tilt=3e-4, accuracy=1e-2, checks=20)
+    grid = made.grid()
+    assert grid.load.shape == (41, 21)
+    assert np.all(np.isfinite(grid.load))
+    assert grid.load[0].max() == 0.0
+    solution = nh.solve(CONTACT, approach=8e-3, tilt=3e-4)
+    assert_allclose(made.at(approach=8e-3, tilt=3e-4).load, solution.load, rtol=made.bound.load)
+
+
+@pytest.mark.slow
+def test_a_straight_roller_that_tips_over_its_ends_is_mapped():
+    """Its first touch jumps from one end to the other: the hardest case for anything smooth."""
+    contact = nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate())
+    made = nh.map(contact, load=(0, 40e3), tilt=(-2e-3, 2e-3), accuracy=5e-3, checks=60)
+    random = np.random.default_rng(3)
+    load, tilt = 40e3 * random.uniform(0.01, 1.0, 60), 2e-3 * random.uniform(-1.0, 1.0, 60)
+    with pytest.warns(AccuracyWarning):
+        solved = nh.solve_many(contact, load=load, tilt=tilt)
+    found = made.at(approach=solved.approach, tilt=tilt)
+    assert np.all(np.abs(found.load - load) <= 1.5 * 5e-3 * load)
+    assert np.all(np.isfinite(made.grid().stiffness))
+    assert made.at(approach=-0.01, tilt=0.0).load == 0.0
+    assert made.at(approach=-0.01, tilt=2e-3).load > 0.0
+
+
+@pytest.mark.slow
+def test_an_accuracy_out_of_reach_is_warned_of():
+    """The scatter of the solutions is above 1e-6."""
+    contact = nh.Contact(nh.Roller(diameter=10, length=5, profile=nh.profile.crown(radius=50)), nh.Plate())
+    with pytest.warns(AccuracyWarning, match="not to the requested 1e-06; see its bound"):
+        made = nh.map(contact, load=(0, 100.0), accuracy=1e-6, checks=20)
+    assert made.bound.load > 1e-6
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        ({}, "load = None must be given where approach is not"),
+        ({"load": (0, 1.0), "approach": (0, 1.0)}, "load = .* must be given where approach is not"),
+        ({"load": 5.0}, "load = 5.0 must be two ascending numbers"),
+        ({"load": (5.0, 1.0)}, "be two ascending numbers"),
+        ({"load": (-5.0, 1.0)}, "must not begin below zero"),
+        ({"load": (0.0, math.inf)}, "must be finite"),
+        ({"load": (0.0, 1e30)}, "must not exceed"),
+        ({"load": "much"}, "must be real numbers"),
+        ({"approach": (-2.0, -1.0)}, "approach = -1.0 must exceed"),
+        ({"load": (0, 1.0), "tilt": (0.0, 1.0)}, "tilt = .* must hold small angles"),
+        ({"load": (0, 1.0), "tilt": "steep"}, "tilt"),
+        ({"load": (0, 1.0), "accuracy": 1e-9}, "accuracy = 1e-09 must lie between 1e-06 and 0.1"),
+        ({"load": (0, 1.0), "accuracy": None}, "accuracy = None must be a finite number"),
+        ({"load": (0, 1.0), "element": "round"}, "element = 'round' must be an element"),
+        ({"load": (0, 1.0), "threads": 0}, "threads = 0 must be a whole number"),
+        ({"load": (0, 1.0), "checks": 1}, "checks = 1 must be a whole number from 20"),
+        ({"load": (0, 1.0), "stations": 0}, "stations = 0 must be a whole number"),
+        ({"load": (0, 1.0), "stations": [0.0, 1.0]}, "stations = .* must reach from -10 to 10 mm"),
+        ({"load": (0, 1.0), "stations": [1.0, 0.0]}, "stations = .* must be ascending"),
+    ],
+    ids=range(19),
+)
+def test_nonsense_is_refused_in_one_sentence(arguments, sentence):
+    with pytest.raises(InputError, match=sentence) as refused:
+        nh.map(CONTACT, **arguments)
+    assert "\n" not in str(refused.value)
+
+
+def test_something_else_than_a_contact_is_refused():
+    with pytest.raises(InputError, match="contact = 3 must be a Contact"):
+        nh.map(3, load=(0, 1.0))  # type: ignore[arg-type]
+
+
+def test_the_tilt_coordinate_has_the_derivatives_that_it_returns():
+    numbers = np.array([1.0, -2e-3, 1e-3, 1e-4, 3e-5, 2e-3, 0.0, 0.0, 0.0, 1.0, 1.0])
+    x, tilt, by, turn = 0.6, 4e-4, 1e-4, 1e-7
+
+    def z(x: float, tilt: float) -> float:
+        return tilt_coordinate(numbers, x, tilt)[0]
+
+    expected = (
+        (z(x + by, tilt) - z(x - by, tilt)) / (2 * by),
+        (z(x, tilt + turn) - z(x, tilt - turn)) / (2 * turn),
+        (z(x + by, tilt) - 2 * z(x, tilt) + z(x - by, tilt)) / by**2,
+        (z(x + by, tilt + turn) - z(x - by, tilt + turn) - z(x + by, tilt - turn) + z(x - by, tilt - turn))
+        / (4 * by * turn),
+        (z(x, tilt + turn) - 2 * z(x, tilt) + z(x, tilt - turn)) / turn**2,
+    )
+    # Differences of second order at these steps are off by a few 1e-6.
+    assert_allclose(tilt_coordinate(numbers, x, tilt)[1:], expected, rtol=2e-4)
+    assert (z(x, -2e-3), z(x, 1e-3)) == (0.0, 1.0)
+
+
+def test_polynomials_of_cells_are_the_spline():
+    """On uneven cells, against the basis functions themselves."""
+    breaks = np.array([0.0, 0.1, 0.4, 1.0]), np.array([0.0, 0.7, 1.0])
+    coefficients = np.random.default_rng(5).normal(size=(size(breaks[0]), size(breaks[1])))
+    places = np.array([0.05, 0.35, 0.9]), np.array([0.2, 0.8, 0.7])
+    (i, first), (j, second) = (basis(each, place, 0) for each, place in zip(breaks, places, strict=True))
+    found = cells(breaks, coefficients)
+    for n in range(3):
+        window = coefficients[i[n] : i[n] + 6, j[n] : j[n] + 6]
+        local = [
+            (place[n] - each[k[n]]) / np.diff(each)[k[n]] for each, place, k in zip(breaks, places, (i, j), strict=True)
+        ]
+        powers = [each ** np.arange(6) for each in local]
+        assert_allclose(powers[0] @ found[i[n], j[n]] @ powers[1], first[n] @ window @ second[n], rtol=1e-12)
+
+
+def test_a_straight_length_tips_over_and_a_crown_rolls():
+    straight = Relief.between(nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate()), -10.0, 10.0)
+    assert_allclose(straight.tipping(-1e-3, 2e-3)[:2], (0.0, 20.0), atol=1e-9)
+    crowned = Relief.between(CONTACT, -10.0, 10.0)
+    assert crowned.tipping(-1e-3, 1e-3)[1] == 0.0
+    approach, place = crowned.touched(np.array([0.0, 1e-3, -5e-3]))
+    assert_allclose(place, [0.0, 4.0, -10.0], atol=1e-3)
+    assert_allclose(approach[:2], [0.0, -2e-3], atol=1e-8)
