@@ -351,6 +351,62 @@ def profile(
     return FINE
 
 
+@app.command(name="map")
+def contact_map(
+    case: Path,
+    /,
+    *,
+    approach: Annotated[str | None, Parameter(allow_leading_hyphen=True)] = None,
+    load: Annotated[str | None, Parameter(allow_leading_hyphen=True)] = None,
+    tilt: Annotated[str | None, Parameter(allow_leading_hyphen=True)] = None,
+    accuracy: float = 1e-4,
+    out: Path | None = None,
+    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+) -> int:
+    """Make a map of a case: load, moment and stiffness over approach and tilt, for other programs.
+
+    A map is a stand-in for the contact, a thousand times as fast as solving it, with bounds on its errors. It takes
+    hundreds of solves.
+
+    Parameters
+    ----------
+    case : Path
+        The case file; its load, approach and solver.strips have no effect.
+    approach : str
+        Lowest and highest approach with units, such as -5um:40um; with a third part, such as -5um:40um:46, the number
+        of rows of the table per tilt. Give this or --load.
+    load : str
+        Lowest and highest load, such as 0:40kN or 0:40kN:41.
+    tilt : str
+        Lowest and highest tilt, such as -2mrad:2mrad or -2mrad:2mrad:21, or a single one; by default that of the case.
+    accuracy : float
+        Largest error of load and moment, relative.
+    out : Path
+        The file to write: .csv or .mat for a table, .npz for the map itself, which nonhertz.ContactMap.load reads. An
+        existing file is replaced.
+    as_json : bool
+        Print one JSON object with the range and the bounds instead of the summary.
+    """
+    from nonhertz.cli.map import as_json as json_text
+    from nonhertz.cli.map import made, print_map, requested, write
+    from nonhertz.io.casefile import read_case
+    from nonhertz.io.folder import refuse_unwritable
+
+    asked = requested(approach, load, tilt, accuracy, out)
+    problem = read_case(case)
+    if out is not None:
+        refuse_unwritable(out.parent)
+    found = made(problem, asked)
+    written = write(out, found, asked) if out is not None else ()
+    if as_json:
+        print(json_text(found, problem.title))
+        return FINE
+    print_map(found, problem.title)
+    for path in written:
+        print(f"wrote {path}")
+    return FINE
+
+
 @app.command
 def check(case: Path, /) -> int:
     """List all mistakes in a case file.

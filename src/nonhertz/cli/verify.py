@@ -37,11 +37,11 @@ class Progress:
 
     Parameters
     ----------
-    steps : int
-        Total number of steps.
+    steps : int or None
+        Total number of steps; None if that is not known.
     """
 
-    def __init__(self, steps: int) -> None:
+    def __init__(self, steps: int | None) -> None:
         self._steps = steps
         self._done = 0
         self._line = ""
@@ -49,7 +49,7 @@ class Progress:
     def announce(self, name: str) -> None:
         """Say which step is next."""
         self._done += 1
-        self._write(f"{self._done}/{self._steps} {name} ...")
+        self._write(f"{self._done if self._steps is None else f'{self._done}/{self._steps}'} {name} ...")
 
     def wipe(self) -> None:
         """Leave an empty line."""

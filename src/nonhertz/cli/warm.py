@@ -36,11 +36,18 @@ def _plane_grid() -> None:
     nh.subsurface.extremes(solution, 0.0)
 
 
+def _map() -> None:
+    found = nh.map(_contact(), load=(0.0, 5e3), accuracy=0.1, checks=20)
+    found.strip_loads(found.at(approach=1e-3))
+    found.under(load=1e3)
+
+
 PARTS: dict[str, Callable[[], None]] = {
     "strips": _solve,
     "stress": _stress,
     "life": _life,
     "plane grid": _plane_grid,
+    "map": _map,
 }
 
 

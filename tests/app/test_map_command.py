@@ -1,0 +1,97 @@
+"""``nonhertz map`` as a user meets it: tables, files, refusals."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import scipy.io
+from numpy.testing import assert_allclose
+
+import nonhertz as nh
+from nonhertz.cli import main
+
+CASE = """
+title = "Crowned roller"
+[body.a]
+kind = "roller"
+diameter = 20
+length = 20
+profile = { kind = "crown", radius = 4000 }
+[body.b]
+kind = "plate"
+[load]
+load = "5 kN"
+tilt = "0.1 mrad"
+"""
+
+
+@pytest.fixture
+def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    monkeypatch.chdir(tmp_path)
+    Path("case.toml").write_text(CASE, encoding="utf-8")
+    return "case.toml"
+
+
+def test_a_map_is_printed_and_written_in_all_formats(case, capsys):
+    words = ["map", case, "--accuracy", "0.02"]
+    assert main([*words, "--approach", "-5um:8um:14", "--tilt", "-0.2mrad:0.2mrad:5", "--out", "k.csv"]) == 0
+    printed = capsys.readouterr().out
+    assert printed.startswith("Crowned roller\n")
+    assert "approach -5 to 8 um, tilt -0.2 to 0.2 mrad" in printed
+    assert printed.endswith("wrote k.csv\n")
+    lines = Path("k.csv").read_text(encoding="utf-8").splitlines()
+    assert lines[0].split(",")[:3] == ["approach [mm]", "tilt [rad]", "load [N]"]
+    rows = np.array([[float(value) for value in line.split(",")] for line in lines[1:]])
+    assert rows.shape == (14 * 5, 10)
+    assert rows[0, :3].tolist() == [-0.005, -0.0002, 0.0]
+    assert_allclose(rows[-1, :2], (0.008, 0.0002))
+
+    assert main([*words, "--load", "0:1kN:4", "--out", "deep/k.mat"]) == 0
+    content = scipy.io.loadmat("deep/k.mat")
+    assert_allclose(content["load"][:, 0], [0.0, 1000 / 3, 2000 / 3, 1000.0], rtol=1e-12)
+    assert_allclose(content["tilt"], 1e-4, rtol=1e-9)  # that of the case
+
+    capsys.readouterr()
+    assert main([*words, "--load", "0:1kN", "--tilt", "0.1 mrad", "--out", "k.npz", "--json"]) == 0
+    said = json.loads(capsys.readouterr().out)
+    found = nh.ContactMap.load("k.npz")
+    assert said["load"] == list(found.pressed) == [0.0, 1000.0]
+    assert said["bound"]["load"] == found.bound.load
+    assert_allclose(
+        found.under(load=500.0, tilt=1e-4).approach, nh.solve(_contact(), load=500.0, tilt=1e-4).approach, rtol=0.02
+    )
+
+
+def _contact() -> nh.Contact:
+    return nh.read_case("case.toml").contact
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        ([], "--load = None must be given where --approach is not"),
+        (["--load", "0:1kN", "--approach", "0:1um"], "must be given where --approach is not"),
+        (["--load", "1kN"], "--load = '1kN' must be a range"),
+        (["--load", "2kN:1kN"], "--load = '2kN:1kN' must ascend"),
+        (["--load", "0:1um"], "--load = '1um' must have a unit of force"),
+        (["--load", "0:1"], "--load = '1' must have a unit: append a unit, such as 1N"),
+        (["--load", "0:1kN:1"], "must have a whole number of rows from 2"),
+        (["--load", "0:1kN:many"], "must have a whole number of rows from 2"),
+        (["--load", "0:1kN", "--tilt", "2"], "--tilt = '2' must have a unit"),
+        (["--load", "0:1kN", "--tilt", "2rad"], "--tilt = 2.0 must hold small angles"),
+        (["--load", "0:1kN", "--accuracy", "0"], "--accuracy = 0.0 must be positive"),
+        (["--load", "0:1kN", "--out", "k.txt"], "--out = 'k.txt' must be a file ending in .csv, .mat, .npz"),
+        (["--load", "0:1kN", "--out", "case.toml/k.csv"], "--out = 'case.toml' must be a directory, not a file"),
+        (["--approach", "-9um:-5um"], "--approach = -0.005 must exceed"),
+    ],
+    ids=range(14),
+)
+def test_a_mistake_ends_in_one_sentence_and_two(case, words, sentence, capsys):
+    assert main(["map", case, *words]) == 2
+    complaint = capsys.readouterr().err
+    assert sentence in complaint
+    assert complaint.count("\n") == 1
+    assert {path.name for path in Path().iterdir()} == {"case.toml"}
