@@ -17,6 +17,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 import nonhertz as nh
 from nonhertz.errors import AccuracyWarning, InputError
 from nonhertz.maps import ContactMap, loaded, pressed, pressures, share
+from nonhertz.maps.build import Building
 from nonhertz.maps.evaluation import tilt_coordinate
 from nonhertz.maps.spline import basis, cells, size
 from nonhertz.maps.touch import Relief
@@ -394,3 +395,20 @@ def test_a_straight_length_tips_over_and_a_crown_rolls():
     approach, place = crowned.touched(np.array([0.0, 1e-3, -5e-3]))
     assert_allclose(place, [0.0, 4.0, -10.0], atol=1e-3)
     assert_allclose(approach[:2], [0.0, -2e-3], atol=1e-8)
+
+
+def test_a_range_whose_end_cannot_be_solved_is_refused_with_the_reason():
+    """The contact would be wider than the roller is round."""
+    contact = nh.Contact(nh.Roller(diameter=1, length=20, profile=nh.profile.crown(radius=400)), nh.Plate())
+    with pytest.raises(InputError, match=r"load = 1000000.0 must leave the half-width, .* reduce it") as refused:
+        nh.map(contact, load=(0, 1e6), accuracy=0.1, checks=20)
+    assert "\n" not in str(refused.value)
+
+
+def test_a_range_in_which_hardly_anything_is_solved_is_refused(monkeypatch):
+    solved = Building.solved
+    monkeypatch.setattr(Building, "solved", lambda self, load, tilt: solved(self, load[:3], tilt[:3]))
+    with pytest.raises(
+        InputError, match="cases without a solution = 15 must not exceed the number of cases with one, 3"
+    ):
+        nh.map(CONTACT, load=(0, 1e3), accuracy=0.1, checks=20)

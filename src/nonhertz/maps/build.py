@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.errors import AccuracyWarning
+from nonhertz.errors import AccuracyWarning, InputError
 from nonhertz.maps.evaluation import QUANTILES, Tables
 from nonhertz.maps.fitting import Samples, Shape, Touch, fitted, tables
 from nonhertz.maps.misses import SAFETY, Bounds, Misses
@@ -97,6 +97,11 @@ def built(building: Building, shape: Shape, relief: Relief, accuracy: float, ann
     """Solve, fit, check and refine until load and moment are accurate enough or refinement no longer helps.
 
     Points that a check was made on are used to build the next stand-in, which is checked on new ones.
+
+    Raises
+    ------
+    InputError
+        If fewer cases have a solution than have none.
     """
     random = np.random.default_rng(_SEED)
     asked: set[tuple[float, float]] = set()
@@ -109,6 +114,7 @@ def built(building: Building, shape: Shape, relief: Relief, accuracy: float, ann
         fresh = building.solved(load, tilt)
         failed += load.size - fresh.load.size
         samples = samples.joined(fresh)
+        _refuse_too_few(samples.load.size, failed)
         found, made = _fit(shape, samples, relief)
         for count in (min(_ROUND_POINTS, building.checks), building.checks):
             checks = building.solved(*_check_points(shape, random, count))
@@ -137,6 +143,12 @@ def built(building: Building, shape: Shape, relief: Relief, accuracy: float, ann
 def _fit(shape: Shape, samples: Samples, relief: Relief) -> tuple[tuple[Array, Array], Tables]:
     found = fitted(shape, samples, _touch(shape, relief))
     return found, tables(shape.counted, shape.breaks, *found)
+
+
+def _refuse_too_few(solved: int, failed: int) -> None:
+    if failed > solved:
+        condition = f"not exceed the number of cases with one, {solved}"
+        raise InputError("cases without a solution", failed, condition, "narrow the range of the map")
 
 
 def _scattered(tried: list[tuple[Misses, Shape]]) -> bool:
