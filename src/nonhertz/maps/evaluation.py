@@ -35,6 +35,7 @@ CELL = ORDER * ORDER
 MOST_LOAD, TILT_LOW, TILT_HIGH, CENTRE, NARROW, WIDENING, RISE, LOW_END, HIGH_END, LOAD_CELLS, TILT_CELLS = range(11)
 HEAD = 11  # numbers before the borders of the cells
 QUANTILES = 25
+THIRD = 1.0 / 3.0
 Values = tuple[float, float, float, float, float]
 # Newton's method converges quadratically, and one linear step follows: a last step of 1e-5 leaves 1e-20.
 _STEPS, _CLOSE = 60, 1e-5
@@ -137,14 +138,14 @@ def _interval(table: Array, first: int, count: int, place: float) -> int:
 
 @compiled
 def _cell(table: Array, x: float, z: float) -> tuple[int, float, float, float, float]:
-    """Return the number of a cell, the place in it and its sizes."""
+    """Return the number of a cell, the place in it and one over its sizes."""
     count, across = int(table[LOAD_CELLS]), int(table[TILT_CELLS])
     i = HEAD + _interval(table, HEAD, count, x)
     beginning = HEAD + count + 1
     j = beginning + _interval(table, beginning, across, z)
-    width, height = table[i + 1] - table[i], table[j + 1] - table[j]
+    by_width, by_height = 1.0 / (table[i + 1] - table[i]), 1.0 / (table[j + 1] - table[j])
     number = (i - HEAD) * across + j - beginning
-    return number, (x - table[i]) / width, (z - table[j]) / height, width, height
+    return number, (x - table[i]) * by_width, (z - table[j]) * by_height, by_width, by_height
 
 
 @compiled
@@ -184,29 +185,29 @@ def _value(coefficients: Array, first: int, t: float, u: float) -> float:
 def _at(table: Array, x: float, tilt: float) -> Values:
     """Return approach and d approach/dx, moment / load and its derivatives by x and by tilt, at x and tilt."""
     z, z_x, z_g, z_xx, z_xg, z_gg = tilt_coordinate(table, x, tilt)
-    number, t, u, width, height = _cell(table, x, z)
+    number, t, u, by_width, by_height = _cell(table, x, z)
     cells = HEAD + int(table[LOAD_CELLS]) + int(table[TILT_CELLS]) + 2
     f, f_x, f_z, f_xx, f_xz, f_zz = _polynomial(table, cells + CELL * number, t, u)
-    f_x, f_xx = f_x / width, f_xx / (width * width)
-    f_z, f_zz, f_xz = f_z / height, f_zz / (height * height), f_xz / (width * height)
+    f_x, f_xx = f_x * by_width, f_xx * (by_width * by_width)
+    f_z, f_zz, f_xz = f_z * by_height, f_zz * (by_height * by_height), f_xz * (by_width * by_height)
     by_x = f_x + f_z * z_x
     twice_x = f_xx + (2.0 * f_xz + f_zz * z_x) * z_x + f_z * z_xx
     arm_x = -((f_xz + f_zz * z_x) * z_g + f_z * z_xg)
     arm_g = -(f_zz * z_g * z_g + f_z * z_gg)
-    return f + x / 3.0 * by_x, (4.0 * by_x + x * twice_x) / 3.0, -f_z * z_g, arm_x, arm_g
+    return f + THIRD * x * by_x, THIRD * (4.0 * by_x + x * twice_x), -f_z * z_g, arm_x, arm_g
 
 
 @compiled
 def _first(table: Array, tilt: float) -> tuple[float, float]:
     """Return the approach of first touch and the moment / load there, from the first row of a polynomial."""
     z, _, slope, _, _, _ = tilt_coordinate(table, 0.0, tilt)
-    number, _, u, _, height = _cell(table, 0.0, z)
+    number, _, u, _, by_height = _cell(table, 0.0, z)
     cells = HEAD + int(table[LOAD_CELLS]) + int(table[TILT_CELLS]) + 2
     f = f_u = 0.0
     for power in range(ORDER - 1, -1, -1):
         f_u = f_u * u + f
         f = f * u + table[cells + CELL * number + power]
-    return f, -f_u / height * slope
+    return f, -f_u * by_height * slope
 
 
 @compiled
@@ -252,7 +253,7 @@ def _state(table: Array, x: float, tilt: float, values: Values, inside: bool) ->
     slope = max(slope, _LEAST_SLOPE * table[RISE] * x)
     most = table[MOST_LOAD]
     load = most * x**3
-    moment_by_load = arm + x / 3.0 * arm_x
+    moment_by_load = arm + THIRD * x * arm_x
     stiffness = 3.0 * most * x * x / slope
     by_tilt = moment_by_load * stiffness
     return State(approach, tilt, load, load * arm, stiffness, by_tilt, load * arm_g + moment_by_load * by_tilt, inside)
