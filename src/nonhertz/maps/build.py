@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,7 +62,8 @@ class Building:
         """Solve cases under loads or approaches; what their solutions warn of is left to single solves."""
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", AccuracyWarning)
-            return solve_many(self.contact, **{name: values}, tilt=tilt, element=self.element, threads=self.threads)
+            given: dict[str, Any] = {name: values}
+            return solve_many(self.contact, **given, tilt=tilt, element=self.element, threads=self.threads)
 
     def solved(self, load: Array, tilt: Array) -> Samples:
         """Solve cases under loads [N] and at tilts [rad]; those that fail are left out."""

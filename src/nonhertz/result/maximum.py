@@ -12,10 +12,13 @@ half-spaces, the half-width of the last strip is 14 % too small, that at the bor
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
+
+from nonhertz.compiled import compiled, entry
 
 if TYPE_CHECKING:
     from nonhertz.result.protocol import Solved
@@ -42,7 +45,7 @@ def distance_beyond(y: Array, half_width: Array, ends: Array) -> Array:
     ndarray, shape (..., n)
         Distances [mm], negative within a half-width of an end.
     """
-    return _nearest(y, ends) - half_width
+    return _distances(y, ends) - half_width
 
 
 def largest_pressure(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[Array, Array]:
@@ -78,59 +81,85 @@ def largest_half_width(y: Array, half_width: Array, ends: Array) -> tuple[Array,
 
 
 def counted(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[Array, Array]:
-    """Return all places that `largest_pressure` considers, and the pressures there, zero where they do not count."""
-    nearest = _nearest(y, ends)
-    beyond = nearest - half_width
-    values = np.where(beyond > 0.0, pressure, 0.0)
-    places = np.broadcast_to(y, values.shape)
-    crossing = (beyond[..., 1:] > 0.0) != (beyond[..., :-1] > 0.0)
-    crossing &= (pressure[..., 1:] > 0.0) & (pressure[..., :-1] > 0.0)
-    if np.any(crossing):
-        borders, at = np.zeros(crossing.shape), np.zeros(crossing.shape)
-        at[crossing], borders[crossing] = _at_borders(np.nonzero(crossing), y, pressure, half_width, ends)
-        values, places = np.concatenate([values, borders], axis=-1), np.concatenate([places, at], axis=-1)
-    short = (values.max(axis=-1) == 0.0) & (pressure.max(axis=-1) > 0.0)
-    if np.any(short):
-        of_width = np.where(pressure > 0.0, nearest / np.where(half_width > 0.0, half_width, 1.0), -1.0)
-        farthest = np.arange(y.shape[-1]) == of_width.argmax(axis=-1)[..., None]
-        values[..., : y.shape[-1]] = np.where(short[..., None] & farthest, pressure, values[..., : y.shape[-1]])
-    return places, values
+    """Return all places that `largest_pressure` considers, and the pressures there, zero where they do not count.
+
+    First those of the strips, then those between each and the next.
+    """
+    n = pressure.shape[-1]
+    rows = [np.ascontiguousarray(values, dtype=float).reshape(-1, n) for values in (y, pressure, half_width)]
+    cases = rows[1].shape[0]
+    of_cases = np.ascontiguousarray(np.broadcast_to(np.atleast_2d(ends), (cases, ends.shape[-1])), dtype=float)
+    places, values = np.zeros((cases, 2 * n - 1)), np.zeros((cases, 2 * n - 1))
+    _count(rows[0], rows[1], rows[2], of_cases, places, values)
+    shape = (*pressure.shape[:-1], 2 * n - 1)
+    return places.reshape(shape), values.reshape(shape)
 
 
-def _at_borders(
-    crossing: tuple[NDArray[np.intp], ...], y: Array, pressure: Array, half_width: Array, ends: Array
-) -> tuple[Array, Array]:
-    """Return the places a half-width from an end, each between two neighbouring strips, and the pressures there.
+@entry
+def _count(y: Array, pressure: Array, half_width: Array, ends: Array, places: Array, values: Array) -> None:
+    n = pressure.shape[1]
+    for case in range(pressure.shape[0]):
+        row = case if y.shape[0] > 1 else 0
+        any_counts, farthest, most = False, -1, -1.0
+        for i in range(n):
+            places[case, i], values[case, i] = y[row, i], 0.0
+            if pressure[case, i] > 0.0:
+                nearest = _nearest(y[row, i], ends, case)
+                if nearest > half_width[case, i]:
+                    values[case, i], any_counts = pressure[case, i], True
+                of_width = nearest / half_width[case, i] if half_width[case, i] > 0.0 else nearest
+                if of_width > most:
+                    farthest, most = i, of_width
+        for i in range(n - 1):
+            place, value = _at_border(y[row], pressure[case], half_width[case], ends, case, i)
+            places[case, n + i], values[case, n + i] = place, value
+            any_counts = any_counts or value > 0.0
+        # A contact too short for any place to count: the one farthest from the ends does.
+        if not any_counts and farthest >= 0:
+            values[case, farthest] = pressure[case, farthest]
+
+
+@compiled
+def _nearest(y: float, ends: Array, case: int) -> float:
+    """Return how far a place is from the nearest end, infinite where there is none."""
+    nearest = np.inf
+    for k in range(ends.shape[1]):
+        distance = abs(y - ends[case, k])
+        nearest = distance if distance < nearest else nearest
+    return nearest
+
+
+@compiled
+def _at_border(y: Array, pressure: Array, half_width: Array, ends: Array, case: int, i: int) -> tuple[float, float]:
+    """Return the place a half-width from an end between two neighbouring strips, if there is one, and its pressure.
 
     Interpolated by the power of the distance from the end that passes through both strips, or linearly where the end
     lies between them.
     """
-    *case, left = crossing
-    right = (*case, left + 1)
-    at = np.broadcast_to(y, pressure.shape)
-    first, second = ((at[index], half_width[index], pressure[index]) for index in (crossing, right))
-    of_case = ends[tuple(case)] if case else np.broadcast_to(ends, (left.size, ends.size))
-    distances = np.abs(np.stack([first[0], second[0]])[..., None] - of_case)
-    distances = np.where(np.isnan(distances), np.inf, distances)
+    j = i + 1
+    if not (pressure[i] > 0.0 and pressure[j] > 0.0):
+        return 0.0, 0.0
+    first, second = _nearest(y[i], ends, case), _nearest(y[j], ends, case)
+    if (first > half_width[i]) == (second > half_width[j]):
+        return 0.0, 0.0
     # The end that the strip next to it is within a half-width of, and the distance from it towards the other strip.
-    first_is_near = distances[0].min(axis=-1) <= first[1]
-    end = of_case[
-        np.arange(left.size), np.where(first_is_near, distances[0].argmin(axis=-1), distances[1].argmin(axis=-1))
-    ]
-    away = np.where(first_is_near, 1.0, -1.0)
-    from_end = [away * (each[0] - end) for each in (first, second)]
-    beyond = [distance - each[1] for distance, each in zip(from_end, (first, second), strict=True)]
-    share = beyond[0] / (beyond[0] - beyond[1])
-    with np.errstate(divide="ignore", invalid="ignore"):
-        distance = from_end[0] + share * (from_end[1] - from_end[0])
-        power = np.log(distance / from_end[0]) / np.log(from_end[1] / from_end[0])
-    power = np.where(np.isfinite(power), power, share)
-    place, pressures = first[0] + share * (second[0] - first[0]), first[2] ** (1.0 - power) * second[2] ** power
+    first_is_near = first <= half_width[i]
+    here, away = (i, 1.0) if first_is_near else (j, -1.0)
+    end = ends[case, 0]
+    for k in range(ends.shape[1]):
+        if abs(y[here] - ends[case, k]) == (first if first_is_near else second):
+            end = ends[case, k]
+    one, other = away * (y[i] - end), away * (y[j] - end)
+    share = (one - half_width[i]) / ((one - half_width[i]) - (other - half_width[j]))
+    power = share
+    if one > 0.0 and other > 0.0 and one != other:
+        power = math.log((one + share * (other - one)) / one) / math.log(other / one)
+    place = y[i] + share * (y[j] - y[i])
     # A border of one end may lie close to another end.
-    others = np.abs(place[:, None] - of_case)
-    nearest = np.where(np.isnan(others), np.inf, others).min(axis=-1)
-    half_width_there = first[1] + share * (second[1] - first[1])
-    return place, np.where(nearest >= (1.0 - SAME) * half_width_there, pressures, 0.0)
+    width_there = half_width[i] + share * (half_width[j] - half_width[i])
+    if not _nearest(place, ends, case) >= (1.0 - SAME) * width_there:
+        return place, 0.0
+    return place, pressure[i] ** (1.0 - power) * pressure[j] ** power
 
 
 def places_of_largest(solution: Solved) -> tuple[float, ...]:
@@ -152,7 +181,7 @@ def singular_y(solution: Solved) -> Array:
     return np.array([end.y for end in solution.singular_ends])
 
 
-def _nearest(y: Array, ends: Array) -> Array:
+def _distances(y: Array, ends: Array) -> Array:
     """Return how far places are from the nearest end, infinite where there is none."""
     if ends.shape[-1] == 0:
         return np.full((*ends.shape[:-1], y.shape[-1]), np.inf)

@@ -118,23 +118,18 @@ def uniform(low: float, high: float, count: int) -> Array:
 
 def reaching(states: States, side: int) -> Flags:
     """Return whether the contact extends to the outer edge of the strips on that side, for one case or many."""
-    at = states.counts - 1 if side > 0 else np.zeros_like(states.counts)
-    beside = np.maximum(at - 1, 0) if side > 0 else np.minimum(at + 1, states.counts - 1)
-    edges, last, next_in = states.edges, _taken(states.m, at), _taken(states.m, beside)
-    touching: Flags = last > 0.0
-    y, y_in = (0.5 * (_taken(edges, where) + _taken(edges, where + 1)) for where in (at, beside))
-    distance = np.abs(y - y_in)
-    width = _taken(edges, at + 1) - _taken(edges, at)
-    fall = np.divide(next_in - last, distance, out=np.zeros(np.shape(last)), where=distance > 0.0)
-    open_there: Flags = touching & ((last - 0.5 * fall * width > 0.0) | (states.counts == 1))
-    return open_there
+    rows = states if states.r.ndim > 1 else states.row()
+    found = np.zeros(len(rows.r), dtype=bool)
+    _find_reaching(rows, side, found)
+    return found if states.r.ndim > 1 else found[0]
 
 
-def _taken(rows: Array, at: Indices) -> Array:
-    """Return one number of every row, or of the only one."""
-    where = np.broadcast_to(np.expand_dims(at, -1), (*rows.shape[:-1], 1))
-    taken: Array = np.take_along_axis(rows, where, axis=-1)[..., 0]
-    return taken
+@entry
+def _find_reaching(states: States, side: int, found: Flags) -> None:
+    for case in range(found.size):
+        row = 0 if states.edges.shape[0] == 1 else case
+        n = states.counts[row]
+        found[case] = reaches(states.edges[row, : n + 1], states.m[case, :n], side)
 
 
 def kinks_of(

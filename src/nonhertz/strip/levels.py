@@ -257,10 +257,10 @@ class _Learning:
 
     def _terrain(self, states: States) -> Terrain:
         low, high = np.broadcast_to(_ends(states), (states.status.size, 2)).T
-        regions, row = np.unique(np.stack([low, high]), axis=1, return_inverse=True)
-        if np.array_equal(regions.T, [self.finite]):
-            samples = self.problem.sampled(*self.finite, SAMPLES)[1][None]
+        if np.all(low == self.finite[0]) and np.all(high == self.finite[1]):
+            row, samples = np.zeros(low.size, dtype=np.int64), self.problem.sampled(*self.finite, SAMPLES)[1][None]
         else:
+            regions, row = np.unique(np.stack([low, high]), axis=1, return_inverse=True)
             places = np.linspace(regions[0], regions[1], SAMPLES + 1, axis=1)
             samples = self.problem.separation(places.ravel()).reshape(places.shape)
         return Terrain(*self.finite, *self.kinks, low.copy(), high.copy(), row.ravel(), samples)
