@@ -30,7 +30,12 @@ def compared(case: Case, cells: tuple[int, int] | None) -> Comparison:
     progress = Progress(_METHODS)
     try:
         return methods.compare(
-            case.contact, **case.prescribed, strips=case.solver["strips"], cells=cells, announce=progress.announce
+            case.contact,
+            **case.prescribed,
+            strips=case.solver["strips"],
+            accuracy=case.solver["accuracy"],
+            cells=cells,
+            announce=progress.announce,
         )
     except InputError as error:
         if error.field == "cells":

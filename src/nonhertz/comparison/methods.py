@@ -35,6 +35,7 @@ def compare(
     moment: float | None = None,
     cells: tuple[int, int] | None = None,
     strips: Strips = None,
+    accuracy: float | None = None,
     threads: int | None = None,
     announce: Callable[[str], object] | None = None,
 ) -> Comparison:
@@ -49,6 +50,8 @@ def compare(
     cells : tuple of int, optional
         Number of cells (across, along) of the plane grid, as in `nonhertz.patch.solve`.
     strips : int or array_like or "auto", optional
+        As in `nonhertz.solve`.
+    accuracy : float, optional
         As in `nonhertz.solve`.
     threads : int, optional
         Threads for the plane grid.
@@ -86,7 +89,10 @@ def compare(
 
     def on_strips(element: Element) -> tuple[Solution, float]:
         return _timed(
-            f"{element.name} strips", lambda: solve(contact, **given, element=element, strips=strips), RUNS, announce
+            f"{element.name} strips",
+            lambda: solve(contact, **given, element=element, strips=strips, accuracy=accuracy),
+            RUNS,
+            announce,
         )
 
     def on_grid() -> PatchSolution:

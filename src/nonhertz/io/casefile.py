@@ -33,7 +33,7 @@ _OF_BOTH_BODIES = ("diameter", "length", "position")
 _SECTIONS = {
     "life": ("rollers", "slope", "fatigue_limit", "laminae", "edge_stress", "line_loads", "share"),
     "load": ("load", "approach", "tilt", "moment"),
-    "solver": ("element", "strips"),
+    "solver": ("element", "strips", "accuracy"),
 }
 
 
@@ -91,7 +91,7 @@ class Case:
     prescribed : dict
         Load or approach, tilt or moment: keywords for `nonhertz.solve`.
     solver : dict
-        Element and strips: keywords for `nonhertz.solve`; semi-elliptic and automatic where left out.
+        Element, strips and accuracy: keywords for `nonhertz.solve`; semi-elliptic and automatic where left out.
     life : LifeCase
         How long the bodies last: models and a spectrum of loads.
     title : str
@@ -142,7 +142,7 @@ class Case:
         if len({"load", "approach"} & set(self.prescribed)) != 1:
             condition = "hold either load or approach"
             raise InputError("prescribed", self.prescribed, condition, 'write {"load": 20e3}, say, in N')
-        object.__setattr__(self, "solver", {"element": SEMI_ELLIPTIC, "strips": "auto"} | self.solver)
+        object.__setattr__(self, "solver", {"element": SEMI_ELLIPTIC, "strips": "auto", "accuracy": None} | self.solver)
 
     @property
     def file_name(self) -> str:
@@ -322,7 +322,7 @@ def case_in(document: dict[str, Any], path: Path, text: str | None = None, *, fi
         title=table.title or legible(path.stem),
         contact=table.body.contact(),
         prescribed=table.load.prescribed(),
-        solver={"element": ELEMENTS[table.solver.element], "strips": table.solver.strips},
+        solver=vars(table.solver) | {"element": ELEMENTS[table.solver.element]},
         path=path,
         life=_life(table.life),
     )

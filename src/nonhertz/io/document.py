@@ -421,6 +421,17 @@ class SolverTable(Table):
         PlainValidator(_read_strips),
         WithJsonSchema({"anyOf": [{"const": "auto"}, {"type": "integer", "minimum": 1, "maximum": 2000}]}),
     ] = Field(default="auto", description="'auto', or a number: that many, equally wide")
+    accuracy: Number | None = Field(
+        default=None, description="relative error wanted of approach or load on the automatic grid; 1e-4 if left out"
+    )
+
+    @field_validator("accuracy")
+    @classmethod
+    def _check_accuracy(cls, value: float | None, info: ValidationInfo) -> float | None:
+        from nonhertz.solver.one import refuse_accuracy
+
+        refuse_accuracy(info.data.get("strips", "auto"), value)
+        return value
 
 
 _SPECTRUM_REMEDY = "write each load under a heading [[life.spectrum]]"

@@ -99,7 +99,9 @@ def _solver(options: Mapping[str, Any]) -> dict[str, Any]:
         raise InputError("strips", "edges", "be 'auto' or a number to go into a case file", "give the number of strips")
     element = options.get("element")
     name = "semi-elliptic" if element is None else element.name
-    return {"element": name, "strips": "auto" if strips is None else strips}
+    accuracy = options.get("accuracy")
+    aimed = {} if accuracy is None else {"accuracy": accuracy}
+    return {"element": name, "strips": "auto" if strips is None else strips, **aimed}
 
 
 def _life(life: LifeCase) -> dict[str, Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import above_zero, finite, listed, positive
@@ -56,6 +57,7 @@ def solve_spectrum(
     *,
     element: Element = SEMI_ELLIPTIC,
     strips: Strips = None,
+    accuracy: float | None = None,
     threads: int | None = None,
 ) -> tuple[tuple[Solution, float], ...]:
     """Solve a contact under every load of a spectrum.
@@ -66,7 +68,7 @@ def solve_spectrum(
         The two bodies.
     cases : sequence of LoadCase
         The loads; their shares add up to 1.
-    element, strips, threads
+    element, strips, accuracy, threads
         As in `nonhertz.solve_many`.
 
     Returns
@@ -98,5 +100,6 @@ def solve_spectrum(
         remedy = "give all loads with their shares of the revolutions"
         raise InputError("share", round(total, 6), "add up to 1", remedy)
     loads, tilts = [case.load for case in cases], [case.tilt for case in cases]
-    found = solve_many(contact, load=loads, tilt=tilts, element=element, strips=strips, threads=threads)
+    options: dict[str, Any] = {"element": element, "strips": strips, "accuracy": accuracy, "threads": threads}
+    found = solve_many(contact, load=loads, tilt=tilts, **options)
     return tuple((found[number], case.share / total) for number, case in enumerate(cases))

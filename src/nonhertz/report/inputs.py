@@ -127,9 +127,12 @@ def _load_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
 
 
 def _solver_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
-    values = {"element": case.solver["element"].name, "strips": str(case.solver["strips"])}
+    solver = case.solver
+    accuracy = "" if solver["accuracy"] is None else f"{solver['accuracy']:g}"
+    values = {"element": solver["element"].name, "strips": str(solver["strips"]), "accuracy": accuracy}
     for name, property_ in _properties("SolverTable").items():
-        yield Entry(f"solver.{name}", values[name], "", property_["description"], name not in table)
+        if values[name]:
+            yield Entry(f"solver.{name}", values[name], "", property_["description"], name not in table)
 
 
 def _life_entries(table: Mapping[str, Any]) -> Iterator[Entry]:

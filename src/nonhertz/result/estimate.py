@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.result.end_pressure import SHARP_END_ERROR, sharp_end_error
+from nonhertz.result.end_pressure import SHARP_END_ERROR, left_at_sharp_ends, sharp_end_error
 from nonhertz.result.maximum import distance_beyond, largest_pressure
 from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate
 from nonhertz.strip.grid import contact_of, reaching
@@ -50,6 +50,7 @@ def error_estimate(
         return ErrorEstimate(*[math.inf] * 5)
     by_load, by_moment = problem.prescribed.tolist()
     floor = sharp_end_error(edges, sum(high - low for low, high in contact_of(state)))
+    left = left_at_sharp_ends(problem, state, edges)
     unlimited = at_corner or any(edge.kind is EdgeKind.CUT_OFF for edge in edges)
     largest = partial(_largest, problem.element.hertz_ratio, singular)
     places, separation = within(problem, state.edges)
@@ -63,13 +64,15 @@ def error_estimate(
     unseen = _relative(mean, penetration), _relative(mean * state.stiffness[0, 0], float(state.load))
     reach = 0.5 * float(np.ptp(state.edges))
     return ErrorEstimate(
-        approach=max(floor, levels.remaining(partial(_beyond, before_touch)) + unseen[0]) if by_load else 0.0,
-        load=0.0 if by_load else max(floor, levels.remaining(_load) + unseen[1]),
+        approach=max(floor, levels.remaining(partial(_beyond, before_touch)) + unseen[0]) + left if by_load else 0.0,
+        load=0.0 if by_load else max(floor, levels.remaining(_load) + unseen[1]) + left,
         max_pressure=math.inf
         if unlimited
         else max(floor, levels.difference(largest)) + _beside_strips(problem, state, singular, ripples),
-        moment=0.0 if by_moment else max(floor, levels.remaining(_moment, float(state.load) * reach) + unseen[1]),
-        tilt=max(floor, levels.remaining(_tilt, penetration / reach) + unseen[0]) if by_moment else 0.0,
+        moment=0.0
+        if by_moment
+        else max(floor, levels.remaining(_moment, float(state.load) * reach) + unseen[1]) + left,
+        tilt=max(floor, levels.remaining(_tilt, penetration / reach) + unseen[0]) + left if by_moment else 0.0,
     )
 
 
@@ -138,7 +141,7 @@ def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array
     width = finest.width
     last = np.stack([width[:, 0], np.take_along_axis(width, finest.counts[:, None] - 1, axis=1)[:, 0]])
     few = FEW_AT_END * last.max(axis=0) > problem.element.hertz_ratio * np.sqrt(finest.m.max(axis=1))
-    unsure |= few & np.any(np.isfinite(singular), axis=1)
+    unsure |= (few | problem.asked) & np.any(np.isfinite(singular), axis=1)
     loads = finest.r * finest.m * width
     mean, ripples = roughness(departures(within(problem, finest.edges)[1]), width, loads)
     y = finest.y
