@@ -34,10 +34,11 @@ END_GROWTH, WIDEST = 1.2, 1.0  # factor from strip to strip; mm
 REFINEMENT = 4
 PPM = 1e6
 SETTINGS = {
-    "STRIPS_PER_CONTACT": "length of contact over the widest strip in it",
+    "STRIPS_PER_CONTACT": "length of contact over the widest strip in it, at a coarseness of 1",
     "NARROWEST": "narrowest strip over the half-width next to it",
     "END_SHARE": "strip at a smooth end over the distance in which b^2 rises to half its summit",
     "GROWTH": "growth of the width per distance from a feature, in contact",
+    "GROWTH_AT_SHARP_ENDS": "the same up to a half-width from sharp ends",
     "GROWTH_OUTSIDE": "the same out of contact",
     "SAG": "sag of the profile within one strip over the largest interference",
     "KINK_SHARE": "width of a strip at a kink times the change of slope there over the interference",
@@ -184,7 +185,7 @@ def _honesty_table() -> Iterator[str]:
     yield "## The estimate of the error, and the error"
     yield ""
     yield f"Automatic grid. The error is that against a grid in which every strip is cut into {REFINEMENT};"
-    yield "it leaves out what strips cannot do at a sharp end, which the tables above show. p0 is the maximum"
+    yield "the estimate includes what strips cannot do at a sharp end, the error here does not. p0 is the maximum"
     yield "pressure more than a half-width from sharp ends; at a corner within the contact it has no limit."
     yield ""
     yield _row("case", "strips", "approach: estimate", "approach: error", "p0: estimate", "p0: error")

@@ -108,11 +108,11 @@ def test_the_point_contact_is_that_of_hertz():
     solution = solved(case("elliptical-point-contact"))
     compliance = 2 * nh.MATERIALS["steel"].compliance
     exact = nh.hertz.point_contact(load=1000, radius_x=10, radius_y=100, compliance=compliance)
-    # 5e-5 is what the automatic grid is held to on this contact; the circle of the crown instead of Hertz's
-    # parabola adds a^2 / (4 Ry^2), 3e-5.
-    assert_allclose(solution.max_pressure, exact.max_pressure, rtol=8e-5)
-    assert_allclose(solution.approach, exact.approach, rtol=8e-5)
-    assert_allclose(solution.half_width.max(), exact.half_width, rtol=8e-5)
+    # 1e-4 is what the automatic grid aims for in the approach, and two and a half times that in the pressure here; the
+    # circle of the crown instead of Hertz's parabola adds a^2 / (4 Ry^2), 3e-5.
+    assert_allclose(solution.max_pressure, exact.max_pressure, rtol=2.5e-4)
+    assert_allclose(solution.approach, exact.approach, rtol=1e-4)
+    assert_allclose(solution.half_width.max(), exact.half_width, rtol=2.5e-4)
 
 
 def test_what_the_point_contact_says_of_hertz_is_true():

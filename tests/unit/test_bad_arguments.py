@@ -188,7 +188,8 @@ FIT = {"shift": (True, "flag"), "tilt": (False, "flag")}
 
 ENTRIES: dict[str, Entry] = {
     "solve": entry(
-        nh.solve, contact=(CONTACT, "thing"), **PRESCRIBED, element=(nh.SEMI_ELLIPTIC, "thing"), strips=(11, "strips")
+        nh.solve, contact=(CONTACT, "thing"), **PRESCRIBED, element=(nh.SEMI_ELLIPTIC, "thing"), strips=(11, "strips"),
+        accuracy=(None, "optional"),
     ),
     "solve_many": entry(
         nh.solve_many,
@@ -199,6 +200,7 @@ ENTRIES: dict[str, Entry] = {
         moment=(None, "many?"),
         element=(nh.SEMI_ELLIPTIC, "thing"),
         strips=(11, "strips"),
+        accuracy=(None, "optional"),
         threads=(1, "whole?"),
     ),
     "Solutions.line_load": entry(MANY.line_load, number=(0, "index"), raises=(IndexError,)),
@@ -236,6 +238,7 @@ ENTRIES: dict[str, Entry] = {
         **PRESCRIBED,
         cells=((12, 16), "cells"),
         strips=(11, "strips"),
+        accuracy=(None, "optional"),
         **RUNNING,
     ),
     "Comparison.quantity": entry(COMPARISON.quantity, name=("load", "word"), raises=(KeyError,)),
@@ -348,6 +351,7 @@ ENTRIES: dict[str, Entry] = {
         cases=(CASES, "thing"),
         element=(nh.SEMI_ELLIPTIC, "thing"),
         strips=(11, "strips"),
+        accuracy=(None, "optional"),
         threads=(1, "whole?"),
     ),
     "life.Raceway": entry(

@@ -269,7 +269,8 @@ def test_a_body_that_ends_next_to_the_middle_is_solved_as_its_mirror_image_is(ca
     for one in (low, high):
         # Narrower strips would be lost in the rounding of y.
         assert np.min(np.diff(one.edges)) > 1e-10
-    np.testing.assert_allclose(low.approach, high.approach, rtol=2.0 * low.error_estimate.approach + 1e-9, atol=0.0)
+    both_errors = low.error_estimate.approach + high.error_estimate.approach
+    np.testing.assert_allclose(low.approach, high.approach, rtol=both_errors + 1e-9, atol=0.0)
 
 
 def test_strips_that_all_lie_at_one_side_of_the_middle_ascend():

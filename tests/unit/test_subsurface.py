@@ -18,7 +18,7 @@ RING = nh.Ring(diameter=80)
 @pytest.fixture(scope="module")
 def tilted():
     roller = nh.Roller(diameter=20, length=20, profile=nh.profile.iso_logarithmic(diameter=20, length=20))
-    return nh.solve(nh.Contact(roller, nh.Ring(diameter=80, length=24, depth=10)), load=20e3, tilt=5e-4)
+    return nh.solve(nh.Contact(roller, nh.Ring(diameter=80, length=24, depth=10)), load=20e3, tilt=5e-4, accuracy=1e-5)
 
 
 @pytest.fixture(scope="module")

@@ -39,6 +39,7 @@ def solutions():
             nh.Contact(body, nh.Plate(material=STEEL)),
             load=reference(name)["load"],
             tilt=reference(name)["tilt"],
+            accuracy=2e-5 if name == "BH1" else None,  # the others have sharp ends
         )
         for name, body in bodies.items()
     }

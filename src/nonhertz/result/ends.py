@@ -22,6 +22,8 @@ PAST_CORNER = 0.1
 # Where that is less than this fraction of it, refinement makes no significant difference.
 COUNTS = 0.02
 LEFT_AT_CORNER = 0.5  # of the squared pressure in the strip next to it: if extrapolation leaves less, it is a run-out
+# Of the largest pressure: where less is left at a corner, the contact runs out there, as near as its end is known.
+RUNS_OUT = 0.05
 SAME_PLACE = 1e-9  # of the length
 STEP = 1e-5  # of the length: step of the differences that distinguish a corner from a curve
 
@@ -90,7 +92,8 @@ def _presses(contact: Contact, bend: float, side: float, y: Array, pressure: Arr
         return False
     step = STEP * float(np.ptp(y)) if y.size > 1 else STEP
     turn = min(_turn(contact, bend, step), 2.0 * _turn(contact, bend, 0.1 * step))
-    if turn < COUNTS * 2.0 * np.pi**2 * contact.compliance * float(pressure[within[0]]):
+    beside = float(pressure[within[0]])
+    if turn < COUNTS * 2.0 * np.pi**2 * contact.compliance * beside or beside < RUNS_OUT * float(pressure.max()):
         return False
     if within[0] != run[0] and within.size > 1 and pressure[within[0]] < pressure[within[1]]:
         return False

@@ -25,6 +25,7 @@ Flags = NDArray[np.bool_]
 LARGE_ERROR, LARGE_PRESSURE_ERROR = 0.05, 0.2  # estimated errors; a result worse than this is unfit for design
 FEW_AT_END = 4  # fewer strips within a half-width of an end do not resolve how the contact ends
 FALLS_AWAY = 0.1  # of the interference: by this much at least it is less at an end than a half-width inside
+PRESSURE_LEFT = 2.0  # of the accuracy aimed for: a change of the largest pressure may be small by chance
 HIDDEN = 4.0  # times the last strip's excess over the maximum: its mean is lower than the peak within it
 MISSED = 0.02  # of the deepest interference: an overlap this large where no strip is in contact is a missed contact
 
@@ -61,18 +62,20 @@ def error_estimate(
     # Relative to the penetration: what is approached before the bodies touch has no error, and may be most of it.
     penetration = float(np.max(state.rigid[0] + state.rigid[1] * places - separation))
     before_touch = float(state.rigid[0]) - penetration
+    # Towards a corner errors fall in proportion to the strips only.
+    corners = at_corner or any(edge.kind is EdgeKind.CORNER for edge in edges)
+    error = levels.difference if corners else levels.remaining
+    usual = PRESSURE_LEFT * (levels.accuracy or 0.0)
     unseen = _relative(mean, penetration), _relative(mean * state.stiffness[0, 0], float(state.load))
     reach = 0.5 * float(np.ptp(state.edges))
     return ErrorEstimate(
-        approach=max(floor, levels.remaining(partial(_beyond, before_touch)) + unseen[0]) + left if by_load else 0.0,
-        load=0.0 if by_load else max(floor, levels.remaining(_load) + unseen[1]) + left,
+        approach=max(floor, error(partial(_beyond, before_touch)) + unseen[0]) + left if by_load else 0.0,
+        load=0.0 if by_load else max(floor, error(_load) + unseen[1]) + left,
         max_pressure=math.inf
         if unlimited
-        else max(floor, levels.difference(largest)) + _beside_strips(problem, state, singular, ripples),
-        moment=0.0
-        if by_moment
-        else max(floor, levels.remaining(_moment, float(state.load) * reach) + unseen[1]) + left,
-        tilt=max(floor, levels.remaining(_tilt, penetration / reach) + unseen[0]) + left if by_moment else 0.0,
+        else max(floor, usual, levels.difference(largest)) + _beside_strips(problem, state, singular, ripples),
+        moment=0.0 if by_moment else max(floor, error(_moment, float(state.load) * reach) + unseen[1]) + left,
+        tilt=max(floor, error(_tilt, penetration / reach) + unseen[0]) + left if by_moment else 0.0,
     )
 
 

@@ -201,8 +201,8 @@ class Solutions:
         block, row = self._place[range(len(self))[number]]
         if block.error is not None:
             raise copy.copy(block.error)
-        edges = block.finest.edges
-        return edges, (block.finest.r * block.finest.m)[row] / block.contact.compliance
+        state = block.finest.one(row)
+        return state.edges, state.r * state.m / block.contact.compliance
 
     @cached_property
     def failures(self) -> dict[Number, Exception]:

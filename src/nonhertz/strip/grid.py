@@ -539,7 +539,8 @@ def _size(y: float, sizes: _Sizes, by: float) -> float:
         # at one sample only, however far away the next is, so its width grows with the distance.
         place = (y - sizes.sample_low) / sizes.sample_step
         for beside in range(2):
-            nearest = math.floor(place) if beside == 0 else math.ceil(place)
+            # At a sample itself only that one, whichever way its place is rounded.
+            nearest = math.floor(place + 1e-9) if beside == 0 else math.ceil(place - 1e-9)
             sample = min(max(int(nearest), 0), sizes.sample_width.size - 1)
             away = abs(y - sizes.sample_low - sample * sizes.sample_step)
             width = min(width, max(math.sqrt(by) * sizes.sample_width[sample], sizes.growth * away))

@@ -163,7 +163,9 @@ def on_automatic_strips(
     """
     accuracy = problem.accuracy or ACCURACY
     finite = bounded(problem, interval)
-    refuse_endless_relief(*problem.sampled(*finite, COARSE_STRIPS))
+    edges = uniform(*finite, COARSE_STRIPS)
+    y = 0.5 * (edges[1:] + edges[:-1])
+    refuse_endless_relief(y, problem.separation(y))
     kinks = turns_at(problem.separation, tuple(bend for bend in bends if finite[0] < bend < finite[1]), np.ptp(finite))
     rows, states = np.arange(len(targets)), [_located(problem, interval, finite, targets)]
     coarseness = np.full(rows.size, COARSENESS * (accuracy / ACCURACY) ** (1.0 / ORDER))

@@ -100,7 +100,9 @@ def _solve(reference: _Reference) -> Solution:
     roller = Roller(
         diameter=20.0, length=20.0, profile=reference.profile, material=STEEL, side_faces="none", depth="none"
     )
-    return solve(Contact(roller, Plate(material=STEEL)), load=reference.load, tilt=reference.tilt)
+    # At sharp ends strips have an error of their own, which more of them do not remove.
+    accuracy = 1e-5 if reference.strength is None else None
+    return solve(Contact(roller, Plate(material=STEEL)), load=reference.load, tilt=reference.tilt, accuracy=accuracy)
 
 
 def _checks(reference: _Reference, solution: Solution) -> list[Check]:

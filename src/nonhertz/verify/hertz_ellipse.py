@@ -130,7 +130,9 @@ def _solve(hertz: PointContact, element: Element, reach: float, strips: int | No
         diameter=2.0 * hertz.radius_x, length=2.0 * reach * hertz.half_length, profile=_Parabola(hertz.radius_y),
         material=STEEL, side_faces="none", depth="none",
     )  # fmt: skip
-    return solve(Contact(body, Plate(material=STEEL)), load=hertz.load, element=element, strips=strips)
+    accuracy = 1e-5 if strips is None else None
+    contact = Contact(body, Plate(material=STEEL))
+    return solve(contact, load=hertz.load, element=element, strips=strips, accuracy=accuracy)
 
 
 def _found(solution: Solution) -> tuple[float, float, float]:

@@ -243,7 +243,11 @@ class _Circle:
     @classmethod
     def of(cls) -> _Circle:
         contact, hertz = _point(1.0)
-        return cls(hertz, solve(contact, load=POINT_LOAD), solve_patch(contact, load=POINT_LOAD, cells=CIRCLE_CELLS))
+        return cls(
+            hertz,
+            solve(contact, load=POINT_LOAD, accuracy=1e-5),
+            solve_patch(contact, load=POINT_LOAD, cells=CIRCLE_CELLS),
+        )
 
 
 def _point(ratio: float) -> tuple[Contact, PointContact]:
@@ -342,7 +346,7 @@ def _vertex(places: Array, values: Array) -> tuple[float, float]:
 
 def _ellipse(ratio: float) -> list[Check]:
     contact, hertz = _point(ratio)
-    solution = solve(contact, load=POINT_LOAD)
+    solution = solve(contact, load=POINT_LOAD, accuracy=1e-5)
     b, p0 = hertz.half_width, hertz.max_pressure
     on_axis = stress(solution, 0.0, 0.0, b * AXIS_DEPTHS).stress[:, :3] / p0
     off = float(np.max(np.abs(on_axis - [_axis(ratio, depth) for depth in AXIS_DEPTHS])))

@@ -96,7 +96,8 @@ class PointsAtDepth:
     def displacement(self, y: Array, edges: Array) -> Array:
         """Return the displacement at depth under ``y`` per unit of K q of each strip, shape (places, strips)."""
         up_to_edges = np.zeros((y.size, edges.size))
-        _at_depth(y, self.below(y), edges, self.poisson_factor, self.terms, up_to_edges)
+        places, ends = np.ascontiguousarray(y), np.ascontiguousarray(edges)
+        _at_depth(places, self.below(places), ends, self.poisson_factor, self.terms, up_to_edges)
         result = np.diff(up_to_edges, axis=1)
         if self.far is not None:
             result -= self.far(y)[:, None] * np.diff(edges)
