@@ -354,7 +354,7 @@ class OnSprings:
         return np.full(y.shape, np.inf)
 
     def displacement(self, y, edges):
-        at = (y[:, None] > edges[:-1]) & (y[:, None] < edges[1:])
+        at = (y[..., None] > edges[..., None, :-1]) & (y[..., None] < edges[..., None, 1:])
         return -np.where(at, SINKS, 0.0)
 
 

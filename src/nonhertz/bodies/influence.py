@@ -64,9 +64,12 @@ class Influence:
     ends: tuple[End, ...] = ()
 
     def at_depth(self, y: Array, edges: Array) -> Array:
-        """Return the displacement of the references per unit of K q, shape (places, strips)."""
+        """Return the displacement of the references per unit of K q, shape (..., places, strips).
+
+        ``y`` has the shape (..., places), ``edges`` (..., strips + 1).
+        """
         if not self.references:
-            return np.zeros((y.size, edges.size - 1))
+            return np.zeros((*y.shape, edges.shape[-1] - 1))
         first, *others = (each.displacement(y, edges) for each in self.references)
         return sum(others, first)
 

@@ -101,10 +101,8 @@ class Problem:
         curvature, separation, shallowest = (
             asked(flat).reshape(y.shape) for asked in (self.curvature, self.separation, self.influence.shallowest)
         )
-        at_depth = np.zeros((*y.shape, y.shape[1]) if self.influence.references else (len(y), 0, 0))
-        if self.influence.references:
-            for row, n in enumerate(count.tolist()):
-                at_depth[row, :n, :n] = self.influence.at_depth(y[row, :n], edges[row, : n + 1])
+        at_rest = not self.influence.references
+        at_depth = np.zeros((len(y), 0, 0)) if at_rest else self.influence.at_depth(y, edges)
         return Grids(count, edges, y, curvature, separation, shallowest, at_depth)
 
 

@@ -32,7 +32,10 @@ class Reference(Protocol):
         """Y [mm] -> depth below the surface [mm], compared with which half-widths must be small."""
 
     def displacement(self, y: Array, edges: Array) -> Array:
-        """Return its displacement under ``y`` per unit of K q of each strip, shape (places, strips)."""
+        """Return its displacement under ``y`` per unit of K q of each strip, shape (..., places, strips).
+
+        ``y`` has the shape (..., places), ``edges`` (..., strips + 1): strips of many cases, a case in each row.
+        """
 
 
 class Depth(ABC):
@@ -94,25 +97,33 @@ class PointsAtDepth:
     far: Callable[[Array], Array] | None = None
 
     def displacement(self, y: Array, edges: Array) -> Array:
-        """Return the displacement at depth under ``y`` per unit of K q of each strip, shape (places, strips)."""
-        up_to_edges = np.zeros((y.size, edges.size))
-        places, ends = np.ascontiguousarray(y), np.ascontiguousarray(edges)
-        _at_depth(places, self.below(places), ends, self.poisson_factor, self.terms, up_to_edges)
-        result = np.diff(up_to_edges, axis=1)
+        """Return the displacement at depth under ``y`` per unit of K q of each strip, shape (..., places, strips)."""
+        shape = (*y.shape, edges.shape[-1] - 1)
+        places, ends = (np.ascontiguousarray(each).reshape(-1, each.shape[-1]) for each in (y, edges))
+        found = np.empty((len(places), *shape[-2:]))
+        depth = self.below(places.ravel()).reshape(places.shape)
+        _at_depth(places, depth, ends, self.poisson_factor, self.terms, found)
         if self.far is not None:
-            result -= self.far(y)[:, None] * np.diff(edges)
-        return np.ascontiguousarray(result)
+            found -= self.far(places.ravel()).reshape(places.shape)[..., None] * np.diff(ends)[:, None, :]
+        return found.reshape(shape)
 
 
 @entry
 def _at_depth(y: Array, depth: Array, edges: Array, poisson_factor: float, terms: Array, out: Array) -> None:
-    """Add the displacement at depth under each place by a load from the far left up to each edge, to a constant."""
-    for i in range(y.size):
-        inverse = 1.0 / depth[i]
-        for k in range(terms.shape[0]):
-            sign, offset, weight = terms[k, 0], terms[k, 1] - y[i], terms[k, 0] * terms[k, 2]
-            for e in range(edges.size):
-                u = (sign * edges[e] + offset) * inverse
-                root = math.sqrt(1.0 + u * u)
-                value = math.log(abs(u) + root)
-                out[i, e] += weight * (math.copysign(value, u) + poisson_factor * u / root)
+    """Fill in the displacement at depth under each place by a unit line load between neighbouring edges."""
+    for row in range(y.shape[0]):
+        for i in range(y.shape[1]):
+            inverse = 1.0 / depth[row, i]
+            before = 0.0
+            for e in range(edges.shape[1]):
+                # By a load from the far left up to the edge, to a constant.
+                total = 0.0
+                for k in range(terms.shape[0]):
+                    sign, offset = terms[k, 0], terms[k, 1] - y[row, i]
+                    u = (sign * edges[row, e] + offset) * inverse
+                    root = math.sqrt(1.0 + u * u)
+                    value = math.copysign(math.log(abs(u) + root), u) + poisson_factor * u / root
+                    total += sign * terms[k, 2] * value
+                if e > 0:
+                    out[row, i, e - 1] = total - before
+                before = total
