@@ -60,13 +60,13 @@ def test_the_case_file_of_the_specification(tmp_path: Path) -> None:
     )
     assert case.contact.b == nh.Body(material=steel, side_faces="none", depth="none")
     assert case.prescribed == {"load": 20000.0, "tilt": 0.0005}
-    assert case.solver == {"element": nh.SEMI_ELLIPTIC, "strips": "auto"}
+    assert case.solver == {"element": nh.SEMI_ELLIPTIC, "strips": "auto", "accuracy": None}
 
 
 def test_everything_but_the_bodies_and_the_load_can_be_left_out(tmp_path: Path) -> None:
     case = read(tmp_path, with_body("diameter = 20"))
     assert case.title == "case"
-    assert case.solver == {"element": nh.SEMI_ELLIPTIC, "strips": "auto"}
+    assert case.solver == {"element": nh.SEMI_ELLIPTIC, "strips": "auto", "accuracy": None}
     assert case.contact.a.material == nh.Material(207000.0, 0.3)
 
 
