@@ -38,7 +38,7 @@ SETTINGS = {
     "NARROWEST": "narrowest strip over the half-width next to it",
     "END_SHARE": "strip at a smooth end over the distance in which b^2 rises to half its summit",
     "GROWTH": "growth of the width per distance from a feature, in contact",
-    "GROWTH_AT_SHARP_ENDS": "the same up to a half-width from sharp ends",
+    "GROWTH_AT_SHARP_ENDS": "the same near sharp ends",
     "GROWTH_OUTSIDE": "the same out of contact",
     "SAG": "sag of the profile within one strip over the largest interference",
     "KINK_SHARE": "width of a strip at a kink times the change of slope there over the interference",

@@ -65,8 +65,8 @@ def test_crown_or_logarithm():
 
 
 def test_elliptical_footprint():
-    # The automatic grid is held to 5e-5 on this contact.
-    assert_allclose(run("elliptical_footprint").solution.max_pressure, elliptical(1000, 10, 100), rtol=8e-5)
+    # Two and a half times the accuracy that the automatic grid aims for in the approach.
+    assert_allclose(run("elliptical_footprint").solution.max_pressure, elliptical(1000, 10, 100), rtol=2.5e-4)
 
 
 def test_sharp_end():

@@ -26,7 +26,9 @@ STRIPS_PER_CONTACT = 8.0  # sets the widest strip in contact
 NARROWEST = 1.0 / 40.0  # of the half-width, at sharp ends and kinks
 END_SHARE = 0.2  # of the distance over which m falls from half its peak to zero
 GROWTH = 0.6  # of the distance from a feature
-GROWTH_AT_SHARP_ENDS = 0.3  # up to a half-width from them, where the strength of the singularity is fitted
+# Up to the second from sharp ends, in half-widths: there the strength of the singularity is fitted, and the largest
+# pressure is taken a half-width away.
+GROWTH_AT_SHARP_ENDS, NEAR_SHARP_ENDS = 0.2, 1.5
 GROWTH_OUTSIDE = 1.2
 SAG = 0.016  # of the interference: the largest sagitta of the profile over one strip
 KINK_SHARE = 0.15
@@ -303,7 +305,7 @@ def _sizes(
             floor = NARROWEST * local
             reached = place == (low if end == 0 else high) and reaches(edges, m, side)
             cut = reached and (low > terrain.low if end == 0 else high < terrain.high)
-            places[used], widths[used], slow[used] = place, floor, local
+            places[used], widths[used], slow[used] = place, floor, NEAR_SHARP_ENDS * local
             if not reached or cut:
                 slow[used] = 0.0
                 widths[used] = max(floor, END_SHARE * coarseness * _fall(edges, m, contact[k, 0], contact[k, 1], side))

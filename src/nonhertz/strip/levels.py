@@ -53,6 +53,9 @@ ACCURACY, COARSENESS, ORDER, LEFT_OF_CHANGE = 1e-4, 0.28, 2.2, 0.4
 USUALLY_LEFT = 0.6  # of the accuracy aimed for: no error was larger where the change was small
 LEAST_FINER, MARGIN = 0.4, 0.95
 FULL = 0.97
+# At the largest pressure: its sagitta in a strip over the accuracy, how much narrower strips may become at once, and by
+# what share of it another may be less and yet count as the largest.
+POINTED, LEAST_AT_PEAK, ALIKE, SAME, AT_KINK = 5.0, 0.2, 0.01, 1e-9, 3.0
 
 
 @dataclass(frozen=True)
@@ -270,10 +273,38 @@ class _Learning:
     def _extras(self, states: States) -> Array:
         suspected = suspects(self.problem, states, self.finite).tolist()
         found = [overlaps(self.problem, states.one(row), self.finite) if it else [] for row, it in enumerate(suspected)]
-        extras = np.full((len(found), 2, max(map(len, found))), np.nan)
+        extras = np.full((len(found), 2, 2 + max(map(len, found))), np.nan)
+        extras[..., :2] = _peaks(states, self.kinks[0], self.problem.accuracy or ACCURACY)
         for row, places in enumerate(found):
-            extras[row, :, : len(places)] = np.array(places).reshape(-1, 2).T
+            extras[row, :, 2 : 2 + len(places)] = np.array(places).reshape(-1, 2).T
         return extras
+
+
+def _peaks(states: States, kinks: Array, accuracy: float) -> Array:
+    """Return where the largest pressure is too pointed for its strips, and the width wanted there, shape (cases, 2, 2).
+
+    What a strip bears is the mean over it: a sagitta of the pressure within it is missing from the maximum. On either
+    side of y = 0, where pressures are equal that mirror each other.
+    """
+    pressure, y = states.pressure, np.broadcast_to(states.y, states.r.shape)
+    width, found = np.broadcast_to(states.width, y.shape), np.full((len(y), 2, 2), np.nan)
+    if y.shape[1] < 3:
+        return found
+    for side, here in enumerate((y < 0.0, y >= 0.0)):
+        at = np.clip(np.where(here, pressure, -1.0).argmax(axis=1), 1, y.shape[1] - 2)[:, None]
+        before, peak, after = (np.take_along_axis(pressure, at + step, axis=1)[:, 0] for step in (-1, 0, 1))
+        place, wide = (np.take_along_axis(each, at, axis=1)[:, 0] for each in (y, width))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            sagitta = (2.0 * peak - before - after) / (8.0 * peak)
+            wanted = wide * np.maximum(np.sqrt(POINTED * accuracy / sagitta), LEAST_AT_PEAK)
+        # Two strips beside the middle may differ by rounding.
+        summit = peak >= (1.0 - SAME) * np.maximum(before, after)
+        pointed = (before > 0.0) & (after > 0.0) & summit & (sagitta > POINTED * accuracy)
+        pointed &= peak > (1.0 - ALIKE) * pressure.max(axis=1)
+        # At a kink it has no limit.
+        pointed &= ~np.any(np.abs(place[:, None] - kinks) < AT_KINK * wide[:, None], axis=1)
+        found[pointed, 0, side], found[pointed, 1, side] = place[pointed], wanted[pointed]
+    return found
 
 
 def _ends(states: States) -> Array:
