@@ -48,7 +48,7 @@ def settle_all(
     patient : bool
         Whether to try hard.
     """
-    shared = grids.counts.size == 1
+    shared, final = grids.counts.size == 1, tolerance == TOLERANCE
     for case in range(given.target.shape[0]):
         strips = strips_of(grids, 0 if shared else case)
         asked = Given(given.by_force, given.target[case])
@@ -60,7 +60,8 @@ def settle_all(
         effort = Effort(tolerance, 1.0, True)
         status, steps, residual = STAGNATED, 0, np.inf
         before = case - 1
-        if shared and case > 0 and found.status[before] == CONVERGED:
+        # On the way to a grid of its own a case depends on no other.
+        if shared and final and case > 0 and found.status[before] == CONVERGED:
             half = 0.5 * (strips.high[-1] - strips.low[0])
             previous = sought_of(found, before, n)
             if nearby(asked, given.target[before], previous.rigid[0], half):
