@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from nonhertz.errors import CaseError as CaseError
     from nonhertz.errors import ConvergenceError as ConvergenceError
     from nonhertz.errors import InputError as InputError
+    from nonhertz.errors import Interrupted as Interrupted
     from nonhertz.errors import NonhertzError as NonhertzError
     from nonhertz.io.casefile import Case as Case
     from nonhertz.io.casefile import read_case as read_case
@@ -55,6 +56,7 @@ if TYPE_CHECKING:
     from nonhertz.result.solution import Status as Status
     from nonhertz.solver.many import solve_many as solve_many
     from nonhertz.solver.one import solve as solve
+    from nonhertz.solver.portions import Portion as Portion
     from nonhertz.solver.solutions import Solutions as Solutions
     from nonhertz.strip.element import PARABOLIC as PARABOLIC
     from nonhertz.strip.element import SEMI_ELLIPTIC as SEMI_ELLIPTIC
@@ -77,11 +79,13 @@ _HOMES = {
     "EdgePressure": "nonhertz.result.solution",
     "ErrorEstimate": "nonhertz.result.solution",
     "InputError": "nonhertz.errors",
+    "Interrupted": "nonhertz.errors",
     "MATERIALS": "nonhertz.model.material",
     "Material": "nonhertz.model.material",
     "NonhertzError": "nonhertz.errors",
     "PARABOLIC": "nonhertz.strip.element",
     "Plate": "nonhertz.model.body",
+    "Portion": "nonhertz.solver.portions",
     "Result": "nonhertz.io.resultfile",
     "Ring": "nonhertz.model.body",
     "Roller": "nonhertz.model.body",

@@ -97,6 +97,30 @@ class ConvergenceError(NonhertzError):
         return self.message
 
 
+class Interrupted(KeyboardInterrupt):
+    """A run that was stopped by Ctrl-C; ``solutions`` holds what had been solved.
+
+    A script that does not catch it ends. It is not a `NonhertzError`, so that ``except Exception`` does not catch it
+    either.
+
+    Parameters
+    ----------
+    message : str
+        One sentence on how far the run had come.
+    solutions : nonhertz.Solutions
+        All cases; those that were not solved are among its ``failures``.
+    """
+
+    def __init__(self, message: str, solutions: Any) -> None:
+        self.message = message
+        self.solutions = solutions
+        # All arguments, so that the error can be pickled and sent between processes.
+        super().__init__(message, solutions)
+
+    def __str__(self) -> str:
+        return self.message
+
+
 class AccuracyWarning(UserWarning):
     """The solution has converged, but the model may be used beyond its validity."""
 

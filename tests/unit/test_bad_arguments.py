@@ -201,7 +201,7 @@ ENTRIES: dict[str, Entry] = {
         element=(nh.SEMI_ELLIPTIC, "thing"),
         strips=(11, "strips"),
         accuracy=(None, "optional"),
-        threads=(1, "whole?"),
+        **RUNNING,
     ),
     "Solutions.line_load": entry(MANY.line_load, number=(0, "index"), raises=(IndexError,)),
     "map": entry(
@@ -523,14 +523,14 @@ def test_an_impossible_raceway_is_refused():
 # Nothing public is left out
 #: Made by the package and not by its users, who only read them.
 RESULTS = {
-    "Comparison", "ContactMap",
+    "Comparison", "ContactMap", "Portion",
     "EdgeKind", "EdgePressure", "ErrorEstimate", "Result", "SingularEnd", "Solution", "Solutions",
     "Status",
     "hertz.LineContact", "hertz.PointContact",
     "life.Exposure", "life.Life",
     "measured.Fit", "measured.Roughness", "measured.StepResult",
     "subsurface.Extreme", "subsurface.Extremes", "subsurface.Field", "subsurface.Passage",
-    "AccuracyWarning", "CaseError", "ConvergenceError", "InputError", "NonhertzError",
+    "AccuracyWarning", "CaseError", "ConvergenceError", "InputError", "Interrupted", "NonhertzError",
     *(f"profile.{name}" for name in (
         "Arcs", "Conical", "Logarithmic", "Profile", "Scaled", "Shifted", "Straight", "Sum", "Tabulated", "TaperedEnds",
         "UniformPressure",

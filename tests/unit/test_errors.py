@@ -54,6 +54,7 @@ def test_an_accuracy_warning_is_no_error():
         nh.InputError("length", -5.0, "be positive", "give it in mm"),
         CaseError(["First.", "Second."]),
         nh.ConvergenceError("The loop ended.", solution=("so", "far")),
+        nh.Interrupted("Stopped after 1 of 2 cases.", solutions=("so", "far")),
     ],
     ids=lambda error: type(error).__name__,
 )

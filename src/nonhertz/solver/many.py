@@ -7,35 +7,21 @@ grid every case has its own grid, so each is solved separately, in parallel. Eit
 
 from __future__ import annotations
 
-import contextlib
 import warnings
-from collections.abc import Iterable, Iterator
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import AccuracyWarning, InputError
-from nonhertz.inputs.checks import listed, thread_count
+from nonhertz.inputs.checks import callback, listed, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
-from nonhertz.result.outcome import outcome
-from nonhertz.result.validity import wider_than_round
-from nonhertz.solver.one import (
-    Strips,
-    is_automatic,
-    levels_of,
-    problem_of,
-    refuse_no_element,
-    requested_strips,
-    states_of,
-)
-from nonhertz.solver.solutions import Block, Solutions, case_label
-from nonhertz.strip.acceptance import met_by
+from nonhertz.solver.one import Strips, is_automatic, problem_of, refuse_no_element, requested_strips
+from nonhertz.solver.portions import Portion, Run, Task, Work
+from nonhertz.solver.solutions import Solutions, case_label
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
-from nonhertz.strip.problem import Problem
-from nonhertz.strip.records import Indices, States
 
 Array = NDArray[np.float64]
 
@@ -56,6 +42,7 @@ def solve_many(
     strips: Strips = None,
     accuracy: float | None = None,
     threads: int | None = None,
+    announce: Callable[[Portion], object] | None = None,
 ) -> Solutions:
     """Press the bodies of many contacts together, or those of one contact in many ways.
 
@@ -76,6 +63,10 @@ def solve_many(
         As in `nonhertz.solve`, for all cases.
     threads : int, optional
         Number of threads; all cores if left out. The results do not depend on it.
+    announce : callable, optional
+        Called in the caller's thread with a `Portion` of a few dozen cases whenever the next one is finished, in an
+        order that does not depend on ``threads``: for progress, ``announce=print`` is enough. Whatever it raises stops
+        the run.
 
     Returns
     -------
@@ -86,6 +77,8 @@ def solve_many(
     InputError
         If the input of any case is invalid. Failures that only solving reveals, such as bodies that do not touch, do
         not stop the other cases: see `Solutions.failures`.
+    Interrupted
+        On Ctrl-C. Its ``solutions`` holds what was solved until then; the other cases are among the failures.
 
     Warns
     -----
@@ -115,13 +108,17 @@ def solve_many(
     given = {name: value for name, value in prescribed.items() if value is not None}
     refuse_unpaired(approach, load, tilt, moment)
     refuse_no_element(element)
+    callback("announce", announce)
     several = _several(contacts)
     shape, which, values = _spread(len(several) if not isinstance(contacts, Contact) else None, given)
     tasks = _tasks(several, shape, which, values, _Options(element, strips, accuracy))
-    with ThreadPoolExecutor(thread_count(threads)) as pool:
-        blocks = [block for found in pool.map(_solved, _portions(tasks)) for block in found]
-    solutions = Solutions(shape, tuple(blocks))
-    for sentence in solutions.sentences():
+    run = Run(shape, tuple(_works(tasks)), thread_count(threads))
+    try:
+        solutions = run.finished(announce)
+        sentences = tuple(solutions.sentences())
+    except KeyboardInterrupt:
+        raise run.interrupted() from None
+    for sentence in sentences:
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
     return solutions
 
@@ -133,58 +130,6 @@ class _Options:
     element: Element
     strips: Strips
     accuracy: float | None
-
-
-@dataclass(frozen=True)
-class _Task:
-    """Cases of one contact for one thread."""
-
-    contact: Contact
-    problem: Problem
-    numbers: list[int]
-    targets: Array
-    strips: Strips
-
-    def solved(self) -> list[Block]:
-        """Solve the cases; return those solved together in one block or a few, the others in a block each."""
-        together: list[Block] = []
-        # The length on which unbounded bodies touch depends on the case.
-        if np.all(np.isfinite(self.contact.interval)) or not isinstance(self.strips, int | str | None):
-            # Whatever the bodies refuse or raise is attributed to each case by solving it alone.
-            with contextlib.suppress(Exception):
-                groups = states_of(self.contact, self.problem, self.strips, self.targets)
-                together = [self._block(rows, levels) for rows, levels in groups]
-        done = {number for block in together for number in block.numbers}
-        alone = [self._alone(row) for row, number in enumerate(self.numbers) if number not in done]
-        return [*alone, *(block for block in together if block.numbers)]
-
-    def _block(self, rows: Indices, levels: list[States]) -> Block:
-        """Return those of some cases that have a solution."""
-        finest = levels[0]
-        sound = finest.converged & ~self._too_wide(finest) & met_by(self.problem, finest, self.targets[rows])
-        done = np.flatnonzero(sound)
-        numbers, kept = [self.numbers[row] for row in rows[done]], tuple(level.only(done) for level in levels)
-        return Block(self.contact, self.problem, numbers, self.targets[rows[done]], kept)
-
-    def _too_wide(self, states: States) -> NDArray[np.bool_]:
-        """Return which contacts are wider than their bodies are thick or round; solved alone, each is refused."""
-        y = states.y
-        half_width = self.problem.element.hertz_ratio * np.sqrt(states.m)
-        beyond = wider_than_round(self.contact, y, half_width) | (self.problem.influence.shallowest(y) < half_width)
-        wide: NDArray[np.bool_] = np.any(beyond, axis=1)
-        return wide
-
-    def _alone(self, row: int) -> Block:
-        """Return one case, solved as `nonhertz.solve` does."""
-        problem = self.problem.of(self.targets[row])
-        at = [self.numbers[row]], self.targets[row : row + 1]
-        try:
-            levels = levels_of(self.contact, problem, self.strips)
-            outcome(self.contact, problem, levels)
-        # Whatever a case raises, even from a user-written profile, must not stop the others.
-        except Exception as error:  # noqa: BLE001
-            return Block(self.contact, self.problem, *at, (), error.with_traceback(None))
-        return Block(self.contact, self.problem, *at, tuple(state.row() for state in levels.states))
 
 
 def _several(contacts: Contact | Iterable[Contact]) -> list[Contact]:
@@ -237,7 +182,7 @@ def _tasks(
     which: NDArray[np.intp],
     given: dict[str, Array],
     options: _Options,
-) -> list[_Task]:
+) -> list[Task]:
     """Return the cases in portions of one contact each; invalid input is refused here."""
     by_contact: dict[int, list[int]] = {}
     for number, index in enumerate(which.tolist()):
@@ -278,7 +223,7 @@ def _tasks(
         at_once = CASES_APART if is_automatic(options.strips) else CASES_AT_ONCE
         for first in range(0, len(numbers), at_once):
             portion = slice(first, first + at_once)
-            tasks.append(_Task(contact, problem, numbers[portion], targets[portion], options.strips))
+            tasks.append(Task(contact, problem, numbers[portion], targets[portion], options.strips))
     return tasks
 
 
@@ -292,16 +237,13 @@ def _suspects(given: dict[str, Array]) -> list[int]:
     return np.flatnonzero(suspects).tolist()
 
 
-def _portions(tasks: list[_Task]) -> Iterator[list[_Task]]:
+def _works(tasks: list[Task]) -> Iterator[Work]:
     """Yield tasks grouped into portions large enough for one unit of work of a thread."""
-    portion: list[_Task] = []
+    portion: list[Task] = []
     for task in tasks:
         portion.append(task)
         if sum(len(each.numbers) for each in portion) >= (CASES_APART if is_automatic(task.strips) else CASES_AT_ONCE):
-            yield portion
+            yield Work(tuple(portion))
             portion = []
-    yield portion
-
-
-def _solved(tasks: list[_Task]) -> list[Block]:
-    return [block for task in tasks for block in task.solved()]
+    if portion:
+        yield Work(tuple(portion))

@@ -85,7 +85,7 @@ class Solutions:
         singular = np.zeros(len(self._place), dtype=bool)
         for block in blocks:
             if block.error is None:
-                for name, column in zip(_COLUMNS, block.columns(), strict=True):
+                for name, column in zip(_COLUMNS, block.columns, strict=True):
                     columns[name][block.numbers] = column
                 stiffness[block.numbers] = block.finest.stiffness / block.contact.compliance
                 singular[block.numbers] = block.has_singular_ends
@@ -209,7 +209,8 @@ class Solutions:
         """Why cases have no solution, by case number, or by a tuple of numbers if there are several axes.
 
         Each is the error that `nonhertz.solve` raises for the case alone: an InputError, a ConvergenceError, or
-        whatever a user-written profile or diameter raised.
+        whatever a user-written profile or diameter raised. Of cases that an interrupted run did not come to, it is a
+        NonhertzError that says so.
         """
         found = {number: block.error for block in self._blocks if block.error is not None for number in block.numbers}
         return {case_label(number, self.shape): error for number, error in sorted(found.items())}
@@ -243,7 +244,10 @@ def case_label(number: int, shape: tuple[int, ...]) -> Number:
 
 @dataclass(frozen=True)
 class Block:
-    """Cases that were solved together, or one that has no solution."""
+    """Cases that were solved together, or cases that have no solution for the same reason.
+
+    Of a case that has none, the states are those that the solver reached, if any.
+    """
 
     contact: Contact
     problem: Problem
@@ -257,14 +261,26 @@ class Block:
         """The states on the finest grid."""
         return self.states[0]
 
+    @cached_property
     def columns(self) -> tuple[Array, ...]:
-        """Return the results named in `_COLUMNS`, computed by the formulas of `Solution`."""
+        """The results named in `_COLUMNS`, computed by the formulas of `Solution`."""
         states, compliance = self.finest, self.contact.compliance
         return (
             states.rigid[:, 0], states.rigid[:, 1], states.load / compliance, states.moment / compliance,
             *self.largest, self._half_widths(), self._contact_lengths(),
             penetrations(self.contact, self._surveyed(), states.rigid),
         )  # fmt: skip
+
+    def prepare(self) -> None:
+        """Compute the results now, in the thread that solved the cases."""
+        if self.error is None:
+            _ = self.columns
+
+    def renumbered(self, numbers: list[int]) -> Block:
+        """Return the same cases under other numbers, without computing anything again."""
+        again = copy.copy(self)
+        object.__setattr__(again, "numbers", numbers)
+        return again
 
     def _surveyed(self) -> Array:
         """Return edges of strips that stand for those of all cases."""

@@ -1,0 +1,157 @@
+"""A run of many cases as it goes on: what is announced, and what is kept when it is stopped."""
+
+import pickle
+import signal
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.solver.portions import NOT_SOLVED
+
+pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
+
+CROWNED = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000)), nh.Plate())
+CHAMFERED = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.chamfer(20, 1.0)), nh.Plate())
+COLUMNS = (
+    "approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y", "max_half_width", "contact_length",
+    "penetration", "stiffness", "singular", "converged",
+)  # fmt: skip
+CASES = {"approach": np.append(np.linspace(0.01, 0.02, 99), -0.5)[:, None], "tilt": [0.0, 2e-4]}
+
+
+def assert_equal(found: nh.Solutions, expected: nh.Solutions) -> None:
+    for name in COLUMNS:
+        np.testing.assert_array_equal(getattr(found, name), getattr(expected, name), err_msg=name)
+    assert {at: repr(error) for at, error in found.failures.items()} == {
+        at: repr(error) for at, error in expected.failures.items()
+    }
+
+
+@pytest.mark.parametrize("strips", [15, None], ids=["equal", "automatic"])
+def test_portions_hold_every_case_once_as_the_results_do(strips):
+    portions: list[nh.Portion] = []
+    contacts, load = [CROWNED, CHAMFERED], np.linspace(2e3, 9e3, 90)[:, None]
+    many = nh.solve_many(contacts, load=load, strips=strips, announce=portions.append)
+    assert_equal(many, nh.solve_many(contacts, load=load, strips=strips))
+    assert len(portions) > 1
+    assert sorted(np.concatenate([each.numbers for each in portions]).tolist()) == list(range(180))
+    assert [each.done for each in portions] == np.cumsum([each.numbers.size for each in portions]).tolist()
+    assert {each.total for each in portions} == {180}
+    for portion in portions:
+        assert np.all(np.diff(portion.numbers) > 0)
+        for name in COLUMNS:
+            values = getattr(many, name).reshape(180, *getattr(many, name).shape[2:])
+            np.testing.assert_array_equal(getattr(portion.solutions, name), values[portion.numbers], err_msg=name)
+        at = tuple(int(index) for index in np.unravel_index(portion.numbers[-1], many.shape))
+        assert np.array_equal(portion.solutions[-1].line_load, many[at].line_load)
+        assert portion.solutions[-1].contact is many[at].contact
+
+
+def test_what_is_announced_does_not_depend_on_the_threads():
+    said: dict[int, list[tuple[list[int], list[float], list[str]]]] = {1: [], 3: []}
+    for threads, found in said.items():
+
+        def note(portion, found=found):
+            failures = [f"{at}: {error}" for at, error in portion.solutions.failures.items()]
+            found.append((portion.numbers.tolist(), portion.solutions.load.astype(str).tolist(), failures))
+
+        nh.solve_many(CROWNED, **CASES, strips=15, threads=threads, announce=note)
+    assert said[1] == said[3]
+    assert len(said[1]) == 4
+    assert [len(failures) for *_, failures in said[1]] == [0, 0, 0, 2]
+
+
+def test_progress_can_be_printed(capsys):
+    nh.solve_many(CROWNED, load=np.linspace(2e3, 9e3, 100), strips=5, announce=print)
+    assert capsys.readouterr().out == "64 of 100 cases finished\n100 of 100 cases finished\n"
+
+
+def test_an_error_of_the_callback_stops_the_run():
+    calls = []
+
+    def fails(portion):
+        calls.append(portion)
+        raise RuntimeError("the disk is full")
+
+    with pytest.raises(RuntimeError, match="the disk is full"):
+        nh.solve_many(CROWNED, load=np.linspace(2e3, 9e3, 2000), strips=15, announce=fails)
+    assert len(calls) == 1
+
+
+def interrupted(**case) -> nh.Interrupted:
+    def stop(portion):
+        raise KeyboardInterrupt
+
+    with pytest.raises(nh.Interrupted) as stopped:
+        nh.solve_many(CROWNED, **case, threads=2, announce=stop)
+    return stopped.value
+
+
+@pytest.mark.parametrize(("count", "strips"), [(3000, 41), (400, None)], ids=["equal", "automatic"])
+def test_what_was_solved_before_an_interruption_is_kept(count, strips):
+    case = {"load": np.linspace(2e3, 9e3, count), "strips": strips}
+    stop = interrupted(**case)
+    found = stop.solutions
+    solved = found.converged
+    assert 32 <= np.count_nonzero(solved) < count
+    assert str(stop) == f"Stopped after {np.count_nonzero(solved)} of {count} cases."
+    whole = nh.solve_many(CROWNED, **case)
+    for name in COLUMNS:
+        np.testing.assert_array_equal(getattr(found, name)[solved], getattr(whole, name)[solved], err_msg=name)
+    assert found[0].error_estimate == whole[0].error_estimate
+    assert set(found.failures) == set(np.flatnonzero(~solved).tolist())
+    assert {str(error) for error in found.failures.values()} == {NOT_SOLVED}
+    with pytest.raises(nh.NonhertzError, match="was not solved: the run was stopped"):
+        found[int(np.flatnonzero(~solved)[0])]
+    assert np.isnan(found.column("load")[~solved]).all()
+    assert pickle.loads(pickle.dumps(stop)).solutions.load[0] == found.load[0]
+
+
+def test_no_handler_of_errors_catches_an_interruption():
+    assert issubclass(nh.Interrupted, KeyboardInterrupt)
+    assert not issubclass(nh.Interrupted, Exception)
+
+
+STOPPED = """
+import sys
+import numpy as np
+import nonhertz as nh
+
+contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000)), nh.Plate())
+begun = False
+
+def show(portion):
+    global begun
+    if not begun:
+        begun = True
+        print("begun", flush=True)
+
+try:
+    nh.solve_many(contact, load=np.linspace(2e3, 9e3, 200_000), strips=41, announce=show)
+except nh.Interrupted as stop:
+    found = stop.solutions
+    solved = int(np.count_nonzero(found.converged))
+    print(solved, len(found.failures), np.isfinite(found.max_pressure[found.converged]).all(), stop, flush=True)
+    raise
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no SIGINT to one process alone")
+def test_ctrl_c_ends_a_script_with_what_was_solved():
+    script = subprocess.Popen(
+        [sys.executable, "-c", STOPPED], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    assert script.stdout is not None
+    assert script.stdout.readline() == "begun\n"
+    script.send_signal(signal.SIGINT)
+    out, error = script.communicate(timeout=60)
+    solved, failed, finite, *sentence = out.split()
+    assert int(solved) >= 64
+    assert int(solved) + int(failed) == 200_000
+    assert finite == "True"
+    assert " ".join(sentence) == f"Stopped after {solved} of 200000 cases."
+    assert script.returncode == 1
+    assert "Interrupted: Stopped after" in error.splitlines()[-1]
