@@ -42,7 +42,7 @@ class InputError(NonhertzError, ValueError):
         super().__init__(field, value, condition, remedy)
 
     def __str__(self) -> str:
-        return f"{self.field} = {_shown(self.value)} must {self.condition}: {self.remedy}."
+        return f"{self.field} = {shown(self.value)} must {self.condition}: {self.remedy}."
 
     def within(self, place: str) -> InputError:
         """Return the same error with the field named inside ``place``, such as ``"body.a"``."""
@@ -125,8 +125,8 @@ class AccuracyWarning(UserWarning):
     """The solution has converged, but the model may be used beyond its validity."""
 
 
-def _shown(value: object) -> str:
-    # NumPy scalars are shown as plain numbers.
+def shown(value: object) -> str:
+    """Return a value as messages show it; NumPy scalars are shown as plain numbers."""
     try:
         text = repr(value.item() if hasattr(value, "item") and not hasattr(value, "__len__") else value)
     except ValueError:  # Python refuses to print integers of thousands of digits

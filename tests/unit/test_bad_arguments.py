@@ -130,6 +130,13 @@ MEASURED = measured.Measured(TRACE)
 TABLE = profile.tabulated([-10.0, 0.0, 10.0], [0.01, 0.0, 0.01])
 
 
+def written_solutions() -> Path:
+    folder = Path(tempfile.mkdtemp())
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    MANY.save(folder / "many.npz")
+    return folder / "many.npz"
+
+
 def written_result() -> Path:
     """Return a result file that is there until the tests end."""
     path = Path(tempfile.mkdtemp()) / "result.json"
@@ -203,6 +210,7 @@ ENTRIES: dict[str, Entry] = {
         accuracy=(None, "optional"),
         **RUNNING,
     ),
+    "Solutions.read": entry(nh.Solutions.read, path=(written_solutions(), "file"), contacts=(CONTACT, "several")),
     "Solutions.line_load": entry(MANY.line_load, number=(0, "index"), raises=(IndexError,)),
     "map": entry(
         nh.map,
@@ -457,7 +465,7 @@ SLOW = {
 def test_the_good_arguments_are_taken(name, tmp_path):
     case = ENTRIES[name]
     (tmp_path / "profile.csv").write_text("-1, 0\n1, 0\n", encoding="utf-8")
-    given = name in {"Case", "read_result"} or case.good.get("path", EXAMPLE) == EXAMPLE
+    given = name in {"Case", "Solutions.read", "read_result"} or case.good.get("path", EXAMPLE) == EXAMPLE
     good = case.good | ({} if given else {"path": tmp_path / "profile.csv"})
     case.call(**good)
 
@@ -570,7 +578,7 @@ def test_every_public_name_is_in_the_table_with_all_its_arguments(name):
 #: Asked of a solution and not of a user, or in the table under another name.
 ELSEWHERE = {"life.Laminae", "measured.Measured", "Comparison.along"}
 #: It would write files of nonsensical names; in tests/unit/test_written.py.
-WRITES = {"Case.write", "ContactMap.save", "ContactMap.to_csv", "ContactMap.to_mat"}
+WRITES = {"Case.write", "Solutions.save", "ContactMap.save", "ContactMap.to_csv", "ContactMap.to_mat"}
 #: Asked by the solver, of positions that it has checked.
 CHECKED = {"Body.relief_at", "Body.curvature_at", "Contact.separation_at", "Contact.curvature_at"}
 

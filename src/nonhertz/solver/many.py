@@ -15,12 +15,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import AccuracyWarning, InputError
-from nonhertz.inputs.checks import callback, listed, thread_count
+from nonhertz.inputs.checks import callback, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
 from nonhertz.solver.one import Strips, is_automatic, problem_of, refuse_no_element, requested_strips
 from nonhertz.solver.portions import Portion, Run, Task, Work
-from nonhertz.solver.solutions import Solutions, case_label
+from nonhertz.solver.solutions import Solutions, case_label, several
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 
 Array = NDArray[np.float64]
@@ -109,9 +109,9 @@ def solve_many(
     refuse_unpaired(approach, load, tilt, moment)
     refuse_no_element(element)
     callback("announce", announce)
-    several = _several(contacts)
-    shape, which, values = _spread(len(several) if not isinstance(contacts, Contact) else None, given)
-    tasks = _tasks(several, shape, which, values, _Options(element, strips, accuracy))
+    each = several(contacts)
+    shape, which, values = _spread(len(each) if not isinstance(contacts, Contact) else None, given)
+    tasks = _tasks(each, shape, which, values, _Options(element, strips, accuracy))
     run = Run(shape, tuple(_works(tasks)), thread_count(threads))
     try:
         solutions = run.finished(announce)
@@ -130,17 +130,6 @@ class _Options:
     element: Element
     strips: Strips
     accuracy: float | None
-
-
-def _several(contacts: Contact | Iterable[Contact]) -> list[Contact]:
-    if isinstance(contacts, Contact):
-        return [contacts]
-    remedy = "give one Contact, or a list of them"
-    several: list[Contact] = listed("contacts", contacts, "be contacts", remedy)
-    for number, contact in enumerate(several):
-        if not isinstance(contact, Contact):
-            raise InputError(f"contacts[{number}]", contact, "be a Contact", remedy)
-    return several
 
 
 def _spread(

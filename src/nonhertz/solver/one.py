@@ -29,7 +29,7 @@ from nonhertz.strip.levels import (
     on_given_strips,
 )
 from nonhertz.strip.problem import Problem
-from nonhertz.strip.records import Indices, States
+from nonhertz.strip.records import Flags, Indices, States
 
 Array = NDArray[np.float64]
 #: A number of equal strips, the edges of strips, or an automatic grid.
@@ -130,11 +130,18 @@ def problem_of(
     refuse_accuracy(strips, accuracy)
     given.refuse_outside(contact)
     prescribed, target = np.array(given.by_force), np.array(given.target(contact.compliance))
+    aim = (accuracy or ACCURACY) if is_automatic(strips) else None
+    return posed(contact, element, prescribed, target, aim, asked=accuracy is not None)
+
+
+def posed(
+    contact: Contact, element: Element, prescribed: Flags, target: Array, accuracy: float | None, *, asked: bool
+) -> Problem:
+    """Return the problem of a contact; arguments as in `Problem`."""
     influence = influence_of(contact, element)
     return Problem(
         contact.separation_at, contact.curvature_at, element, prescribed, target, influence, contact.compliance,
-        partial(getattr, contact, "crests"), (accuracy or ACCURACY) if is_automatic(strips) else None,
-        accuracy is not None,
+        partial(getattr, contact, "crests"), accuracy, asked,
     )  # fmt: skip
 
 

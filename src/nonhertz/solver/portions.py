@@ -10,6 +10,7 @@ import contextlib
 from collections.abc import Callable, Collection
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
+from functools import cached_property
 from threading import Event
 
 import numpy as np
@@ -43,16 +44,16 @@ class Portion:
     ----------
     numbers : ndarray of int, shape (cases,)
         Numbers of the cases, ascending, counted along all axes of the results: positions in the flattened arrays.
-    solutions : Solutions
-        Their results, in that order.
     done, total : int
         How many cases are finished, these included, and how many there are.
+    solutions : Solutions
+        The results of these cases, in the order of ``numbers``; put together when first asked for.
     """
 
     numbers: NDArray[np.intp]
-    solutions: Solutions
     done: int
     total: int
+    _blocks: tuple[Block, ...]
 
     def __repr__(self) -> str:
         return f"{self.done} of {self.total} cases finished"
@@ -61,9 +62,14 @@ class Portion:
     def of(cls, blocks: list[Block], done: int, total: int) -> Portion:
         """Return the cases of some blocks."""
         numbers = np.sort(np.concatenate([block.numbers for block in blocks])).astype(np.intp)
-        places = (np.searchsorted(numbers, block.numbers).tolist() for block in blocks)
-        own = tuple(block.renumbered(at) for block, at in zip(blocks, places, strict=True))
-        return cls(read_only(numbers), Solutions(numbers.shape, own), done, total)
+        return cls(read_only(numbers), done, total, tuple(blocks))
+
+    @cached_property
+    def solutions(self) -> Solutions:
+        """The results of these cases."""
+        places = (np.searchsorted(self.numbers, block.numbers).tolist() for block in self._blocks)
+        own = (block.renumbered(at) for block, at in zip(self._blocks, places, strict=True))
+        return Solutions(self.numbers.shape, tuple(own))
 
 
 @dataclass(frozen=True)

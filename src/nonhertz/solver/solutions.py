@@ -5,7 +5,8 @@ from __future__ import annotations
 import contextlib
 import copy
 import math
-from collections.abc import Iterator
+import os
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -14,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.checks import listed
 from nonhertz.model.contact import Contact
 from nonhertz.result.brief import plain_text, shortened
 from nonhertz.result.data import dataframe, dataset
@@ -167,6 +169,51 @@ class Solutions:
         """
         return dataset(self)
 
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the solutions into an NPZ file, from which `read` returns them to the last bit.
+
+        The contacts are not in it, as profiles and diameters may be functions.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file, usually named ``.npz``; an existing one is overwritten.
+
+        Raises
+        ------
+        InputError
+            If the cases were solved with an element of your own.
+        OSError
+            If the file cannot be written.
+        """
+        from nonhertz.solver.files import save
+
+        save(path, self.shape, self._blocks)
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str], contacts: Contact | Iterable[Contact]) -> Solutions:
+        """Return the solutions in a file that `save` wrote.
+
+        Errors in `failures` come back with their type if a class of that name is known, which for those of
+        user-written profiles means that their module has been imported; else as a NonhertzError with type and message.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file.
+        contacts : Contact or iterable of Contact
+            The contacts, as they were given to `nonhertz.solve_many`.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be read, is none of ours, of another version, or damaged; if the contacts are not those
+            that the cases were solved with.
+        """
+        from nonhertz.solver.files import read
+
+        return cls(*read(path, contacts))
+
     def __len__(self) -> int:
         return len(self._place)
 
@@ -240,6 +287,18 @@ class Solutions:
 def case_label(number: int, shape: tuple[int, ...]) -> Number:
     """Return a case's number on each axis, or the number itself if there is only one axis."""
     return number if len(shape) == 1 else tuple(int(index) for index in np.unravel_index(number, shape))
+
+
+def several(contacts: Contact | Iterable[Contact]) -> list[Contact]:
+    """Return one contact or several as a list; anything else is refused."""
+    if isinstance(contacts, Contact):
+        return [contacts]
+    remedy = "give one Contact, or a list of them"
+    several: list[Contact] = listed("contacts", contacts, "be contacts", remedy)
+    for number, contact in enumerate(several):
+        if not isinstance(contact, Contact):
+            raise InputError(f"contacts[{number}]", contact, "be a Contact", remedy)
+    return several
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,299 @@
+"""Solutions on disk: what cannot be recomputed from the contacts, which is the state of every strip.
+
+All states lie one behind the other, field by field, whatever their sizes: an archive of a million small arrays would
+take minutes to open. Cases stay in the blocks in which they were solved, so that all that is derived from them is the
+same to the last bit.
+"""
+
+from __future__ import annotations
+
+import ast
+import json
+import math
+import os
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import ConvergenceError, InputError, NonhertzError, shown
+from nonhertz.inputs.archives import Archive, Entries, digest, text
+from nonhertz.model.body import Body
+from nonhertz.model.contact import Contact
+from nonhertz.solver.one import posed
+from nonhertz.solver.solutions import Block, several
+from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
+from nonhertz.strip.problem import Problem
+from nonhertz.strip.records import States
+
+Array = NDArray[np.float64]
+
+ARCHIVE = Archive(
+    kind="nonhertz solutions",
+    version=1,
+    contents="solutions",
+    undamaged="undamaged solutions",
+    most=16_000_000_000,
+    remedy="give a file that Solutions.save wrote",
+    again="solve the cases again with this nonhertz",
+)
+_ELEMENTS = {element.name: element for element in (SEMI_ELLIPTIC, PARABOLIC)}
+_COUNTED = {"counts", "status", "steps"}
+# Relative to the largest value. Another processor may compute a logarithm with another last digit, and the contact
+# is the same.
+SAME = 1e-12
+_AS_GIVEN = "give them as they were given to solve_many"
+
+
+def save(path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Block, ...]) -> None:
+    """Write blocks of cases."""
+    problem = blocks[0].problem
+    if _ELEMENTS.get(problem.element.name) != problem.element:
+        remedy = "pickle them, or solve with nonhertz.SEMI_ELLIPTIC or nonhertz.PARABOLIC"
+        raise InputError("element", problem.element.name, "be one of nonhertz for solutions to be saved", remedy)
+    sources: dict[int, Block] = {}  # the first block of each contact, one with strips if there is any
+    for block in blocks:
+        if id(block.contact) not in sources or (block.states and not sources[id(block.contact)].states):
+            sources[id(block.contact)] = block
+    order = {contact: number for number, contact in enumerate(sources)}
+    errors = [block.error for block in blocks if block.error is not None]
+    levels = [level for block in blocks for level in block.states]
+    likenesses = [_Likeness.of(source.contact, source.problem, _places(source)) for source in sources.values()]
+    fields = {
+        "shape": np.array(shape),
+        "element": np.asarray(problem.element.name),
+        "prescribed": np.array(problem.prescribed),
+        "accuracy": np.array([math.nan if problem.accuracy is None else problem.accuracy, float(problem.asked)]),
+        "blocks": np.array(
+            [
+                (order[id(block.contact)], len(block.numbers), len(block.states), block.error is not None)
+                for block in blocks
+            ]
+        ),
+        "numbers": np.concatenate([block.numbers for block in blocks]).astype(np.int64),
+        "targets": np.concatenate([block.targets for block in blocks]),
+        "problems": np.array([source.problem.target for source in sources.values()]),
+        "levels": np.array([(len(level.r), len(level.edges), level.r.shape[1]) for level in levels], dtype=np.int64),
+        "errors": np.asarray(json.dumps([_described(error) for error in errors])),
+        "contact_sizes": np.array([each.places.size for each in likenesses]),
+        "contact_places": np.concatenate([each.places for each in likenesses]),
+        "contact_surfaces": np.concatenate([each.surfaces for each in likenesses], axis=1),
+        "contact_numbers": np.array([each.numbers for each in likenesses]),
+    }
+    for name in States._fields:
+        values = [np.ravel(getattr(level, name)) for level in levels]
+        fields[name] = np.concatenate([*values, np.zeros(0)]).astype(np.int64 if name in _COUNTED else np.float64)
+    ARCHIVE.save(path, fields | {"digest": np.asarray(digest(fields))})
+
+
+def read(
+    path: str | os.PathLike[str], contacts: Contact | Iterable[Contact]
+) -> tuple[tuple[int, ...], tuple[Block, ...]]:
+    """Return the shape of the results, and the blocks."""
+    given = several(contacts)
+    entries = ARCHIVE.load(path)
+    stated = text(entries, "digest")
+    fields = {name: value for name, value in entries.items() if name not in {"kind", "version", "digest"}}
+    if stated != digest(fields):
+        raise ARCHIVE.damaged(path)
+    shape = tuple(fields["shape"].tolist())
+    if isinstance(contacts, Contact):
+        given = given * shape[-1]
+    if len(given) not in {1, shape[-1]}:
+        condition = f"be 1 or {shape[-1]}, as many as the cases have along the last axis"
+        raise InputError("number of contacts", len(given), condition, _AS_GIVEN)
+    which = np.broadcast_to(np.arange(len(given)), shape).ravel()
+    return shape, tuple(_blocks(fields, given, which))
+
+
+def _blocks(fields: Entries, given: list[Contact], which: NDArray[np.intp]) -> Iterator[Block]:
+    problems, errors = _Problems(fields), iter(json.loads(str(fields["errors"])))
+    states, first = _states(fields), 0
+    for contact, cases, levels, failed in fields["blocks"].tolist():
+        part = slice(first, first + cases)
+        first += cases
+        numbers, targets = fields["numbers"][part].tolist(), fields["targets"][part]
+        # All are compared; the same contact may have been given several times as equal ones.
+        problem, *_ = (problems.of(contact, given, int(at)) for at in dict.fromkeys(which[numbers].tolist()))
+        block = Block(given[which[numbers[0]]], problem, numbers, targets, tuple(next(states) for _ in range(levels)))
+        yield _failed(block, next(errors)) if failed else block
+
+
+def _states(fields: Entries) -> Iterator[States]:
+    """Yield the states of all levels."""
+    ends = dict.fromkeys(States._fields, 0)
+    for cases, grids, strips in fields["levels"].tolist():
+        shapes: dict[str, tuple[int, ...]] = {
+            "counts": (grids,), "edges": (grids, strips + 1), "rigid": (cases, 2), "stiffness": (cases, 2, 2),
+            **dict.fromkeys(("r", "m", "gap"), (cases, strips)),
+            **dict.fromkeys(("status", "steps", "residual"), (cases,)),
+        }  # fmt: skip
+        found = {}
+        for name, shape in shapes.items():
+            start, ends[name] = ends[name], ends[name] + math.prod(shape)
+            # A copy, so that one case that is kept does not keep all of the file.
+            found[name] = fields[name][start : ends[name]].reshape(shape).copy()
+        yield States(**found)
+
+
+# Contacts
+
+
+@dataclass(frozen=True)
+class _Likeness:
+    """What a contact is known again by.
+
+    Attributes
+    ----------
+    places : ndarray, shape (n,)
+        Where its surfaces are compared [mm].
+    surfaces : ndarray, shape (5, n)
+        Relief and curvature of both bodies, and the smaller of their depths.
+    numbers : ndarray, shape (k,)
+        Materials and intervals of both bodies, how strips act, and bends.
+    """
+
+    places: Array
+    surfaces: Array
+    numbers: Array
+
+    @classmethod
+    def of(cls, contact: Contact, problem: Problem, places: Array) -> _Likeness:
+        """Return that of a contact."""
+        of_bodies = [values for body in (contact.a, contact.b) for values in _surface(body, places)]
+        terms, bends = problem.influence.terms, contact.bends
+        numbers = [
+            *(number for body in (contact.a, contact.b) for number in (
+                body.material.modulus, body.material.poisson, *body.interval,
+            )),
+            len(terms), *np.sum(np.abs(terms), axis=0).tolist(), len(problem.influence.references),
+            len(problem.influence.ends), len(bends), float(np.sum(np.abs(bends))),
+        ]  # fmt: skip
+        surfaces = np.array([*of_bodies, problem.influence.shallowest(places)])
+        return cls(places, surfaces, np.array(numbers, dtype=float))
+
+    def like(self, other: _Likeness) -> bool:
+        """Return whether the other is of the same contact."""
+        rows = zip((*self.surfaces, self.numbers), (*other.surfaces, other.numbers), strict=True)
+        return all(
+            np.allclose(
+                a, b, rtol=SAME, atol=SAME * float(np.max(np.abs(a[np.isfinite(a)]), initial=0.0)), equal_nan=True
+            )
+            for a, b in rows
+        )
+
+
+def _surface(body: Body, places: Array) -> Iterator[Array]:
+    for asked in (body.relief_at, body.curvature_at):
+        try:
+            yield np.asarray(asked(places), dtype=float)
+        # A user-written profile may raise anything; if it did so in all cases, it may do so here.
+        except Exception:  # noqa: BLE001
+            yield np.full(places.shape, np.nan)
+
+
+def _places(block: Block) -> Array:
+    """Return where the contact of a block is looked at: on the strips of its first case, if it has any."""
+    if block.states:
+        edges = block.finest.strips(0)
+        return 0.5 * (edges[1:] + edges[:-1])
+    low, high = block.contact.interval
+    low = low if math.isfinite(low) else min(high - 2.0, -1.0)
+    return np.linspace(low, high if math.isfinite(high) else max(low + 2.0, 1.0), 42)
+
+
+class _Problems:
+    """The problems of the given contacts, each compared once with the one it was solved for."""
+
+    def __init__(self, fields: Entries) -> None:
+        self._fields = fields
+        self._ends = np.cumsum(fields["contact_sizes"])
+        self._known: dict[tuple[int, int], Problem] = {}
+
+    def of(self, stored: int, given: list[Contact], at: int) -> Problem:
+        """Return the problem of a given contact that should be a stored one."""
+        contact, fields = given[at], self._fields
+        if (stored, id(contact)) not in self._known:
+            accuracy, asked = fields["accuracy"].tolist()
+            problem = posed(
+                contact, _ELEMENTS[str(fields["element"])], fields["prescribed"], fields["problems"][stored].copy(),
+                None if math.isnan(accuracy) else accuracy, asked=bool(asked),
+            )  # fmt: skip
+            part = slice(self._ends[stored] - fields["contact_sizes"][stored], self._ends[stored])
+            places = fields["contact_places"][part]
+            expected = _Likeness(places, fields["contact_surfaces"][:, part], fields["contact_numbers"][stored])
+            if not _Likeness.of(contact, problem, places).like(expected):
+                condition = "be the contact that the cases were solved with"
+                raise InputError(
+                    f"contacts[{at}]" if len(set(map(id, given))) > 1 else "contacts", contact, condition, _AS_GIVEN
+                )
+            self._known[stored, id(contact)] = problem
+        return self._known[stored, id(contact)]
+
+
+# Errors
+
+
+class _Shown:
+    """Stands for a value of which only what a message shows of it was saved."""
+
+    def __init__(self, as_shown: str) -> None:
+        self._as_shown = as_shown
+
+    def __repr__(self) -> str:
+        return self._as_shown
+
+
+def _described(error: Exception) -> dict[str, Any]:
+    """Return an error as plain values; arguments are shown as Python writes them where it can read that again."""
+    kind = type(error)
+    arguments = [] if isinstance(error, ConvergenceError) else [_written(value) for value in error.args]
+    return {"type": f"{kind.__module__}.{kind.__qualname__}", "arguments": arguments, "message": str(error)}
+
+
+def _written(value: object) -> str:
+    plain = value.item() if isinstance(value, np.generic) else value
+    return repr(plain) if _literal(repr(plain)) is not None else shown(plain)
+
+
+def _literal(written: str) -> Any:
+    """Return the value that Python writes like this, or None if it cannot be read again."""
+    try:
+        value = ast.literal_eval(written)
+    except (ValueError, SyntaxError, MemoryError, RecursionError, TypeError):
+        return None
+    return value if repr(value) == written else None
+
+
+def _failed(block: Block, described: dict[str, Any]) -> Block:
+    """Return a block of cases without a solution, with their error."""
+    error: Exception | None = None
+    if block.states:  # not converged: the error holds the state that was reached
+        try:
+            block.solution(0)
+        except ConvergenceError as again:
+            error = again.with_traceback(None)
+    else:
+        error = _restored(described)
+    if error is None or str(error) != described["message"]:
+        error = NonhertzError(f"{described['type'].rpartition('.')[2]}: {described['message']}")
+    return Block(block.contact, block.problem, block.numbers, block.targets, block.states, error)
+
+
+def _restored(described: dict[str, Any]) -> Exception | None:
+    values = [
+        value if (value := _literal(each)) is not None or each == "None" else _Shown(each)
+        for each in described["arguments"]
+    ]
+    known = [Exception]
+    for kind in known:
+        if f"{kind.__module__}.{kind.__qualname__}" == described["type"]:
+            try:
+                return kind(*values)
+            # Whatever a class makes of its arguments: the message is kept all the same.
+            except Exception:  # noqa: BLE001
+                return None
+        known += [each for each in kind.__subclasses__() if each not in known]
+    return None
