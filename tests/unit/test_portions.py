@@ -4,6 +4,7 @@ import pickle
 import signal
 import subprocess
 import sys
+import threading
 
 import numpy as np
 import pytest
@@ -108,6 +109,33 @@ def test_what_was_solved_before_an_interruption_is_kept(count, strips):
         found[int(np.flatnonzero(~solved)[0])]
     assert np.isnan(found.column("load")[~solved]).all()
     assert pickle.loads(pickle.dumps(stop)).solutions.load[0] == found.load[0]
+
+
+class Stuck(nh.profile.Profile):
+    """A profile that is not computed before the test says so."""
+
+    def __init__(self, go_on: threading.Event) -> None:
+        self.go_on = go_on
+
+    def relief(self, y):
+        self.go_on.wait(60.0)
+        return np.zeros_like(y)
+
+
+def test_a_portion_that_takes_long_is_abandoned(monkeypatch):
+    monkeypatch.setattr("nonhertz.solver.portions.PATIENCE", 0.1)
+    go_on = threading.Event()
+    go_on.set()  # while the contact is made
+    stuck = nh.Contact(nh.Roller(diameter=20, length=20, profile=Stuck(go_on)), nh.Plate())
+
+    def stop(portion):
+        raise KeyboardInterrupt
+
+    go_on.clear()
+    with pytest.raises(nh.Interrupted, match=r"^Stopped after 64 of 128 cases\.$") as stopped:
+        nh.solve_many([CROWNED] * 64 + [stuck] * 64, load=5e3, strips=11, threads=2, announce=stop)
+    go_on.set()
+    assert list(stopped.value.solutions.failures) == list(range(64, 128))
 
 
 def test_no_handler_of_errors_catches_an_interruption():

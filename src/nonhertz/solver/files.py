@@ -110,7 +110,7 @@ def read(
 
 def _blocks(fields: Entries, given: list[Contact], which: NDArray[np.intp]) -> Iterator[Block]:
     problems, errors = _Problems(fields), iter(json.loads(str(fields["errors"])))
-    states, first = _states(fields), 0
+    states, known, first = _states(fields), _errors_by_name(), 0
     for contact, cases, levels, failed in fields["blocks"].tolist():
         part = slice(first, first + cases)
         first += cases
@@ -118,7 +118,7 @@ def _blocks(fields: Entries, given: list[Contact], which: NDArray[np.intp]) -> I
         # All are compared; the same contact may have been given several times as equal ones.
         problem, *_ = (problems.of(contact, given, int(at)) for at in dict.fromkeys(which[numbers].tolist()))
         block = Block(given[which[numbers[0]]], problem, numbers, targets, tuple(next(states) for _ in range(levels)))
-        yield _failed(block, next(errors)) if failed else block
+        yield _failed(block, next(errors), known) if failed else block
 
 
 def _states(fields: Entries) -> Iterator[States]:
@@ -248,9 +248,8 @@ class _Shown:
 
 def _described(error: Exception) -> dict[str, Any]:
     """Return an error as plain values; arguments are shown as Python writes them where it can read that again."""
-    kind = type(error)
     arguments = [] if isinstance(error, ConvergenceError) else [_written(value) for value in error.args]
-    return {"type": f"{kind.__module__}.{kind.__qualname__}", "arguments": arguments, "message": str(error)}
+    return {"type": _name(type(error)), "arguments": arguments, "message": str(error)}
 
 
 def _written(value: object) -> str:
@@ -267,7 +266,7 @@ def _literal(written: str) -> Any:
     return value if repr(value) == written else None
 
 
-def _failed(block: Block, described: dict[str, Any]) -> Block:
+def _failed(block: Block, described: dict[str, Any], known: dict[str, type[Exception]]) -> Block:
     """Return a block of cases without a solution, with their error."""
     error: Exception | None = None
     if block.states:  # not converged: the error holds the state that was reached
@@ -275,25 +274,36 @@ def _failed(block: Block, described: dict[str, Any]) -> Block:
             block.solution(0)
         except ConvergenceError as again:
             error = again.with_traceback(None)
-    else:
-        error = _restored(described)
+    elif described["type"] in known:
+        error = _restored(known[described["type"]], described["arguments"])
     if error is None or str(error) != described["message"]:
         error = NonhertzError(f"{described['type'].rpartition('.')[2]}: {described['message']}")
     return Block(block.contact, block.problem, block.numbers, block.targets, block.states, error)
 
 
-def _restored(described: dict[str, Any]) -> Exception | None:
+def _restored(kind: type[Exception], arguments: list[str]) -> Exception | None:
+    literals = [_literal(each) for each in arguments]
     values = [
-        value if (value := _literal(each)) is not None or each == "None" else _Shown(each)
-        for each in described["arguments"]
+        _Shown(written) if value is None and written != "None" else value
+        for value, written in zip(literals, arguments, strict=True)
     ]
-    known = [Exception]
-    for kind in known:
-        if f"{kind.__module__}.{kind.__qualname__}" == described["type"]:
-            try:
-                return kind(*values)
-            # Whatever a class makes of its arguments: the message is kept all the same.
-            except Exception:  # noqa: BLE001
-                return None
-        known += [each for each in kind.__subclasses__() if each not in known]
-    return None
+    try:
+        return kind(*values)
+    # Whatever a class makes of its arguments: the message is kept all the same.
+    except Exception:  # noqa: BLE001
+        return None
+
+
+def _errors_by_name() -> dict[str, type[Exception]]:
+    """Return all classes of errors that have been imported; none is imported because a file names it."""
+    found, left = {Exception}, [Exception]
+    while left:
+        for kind in left.pop().__subclasses__():
+            if kind not in found:
+                found.add(kind)
+                left.append(kind)
+    return {_name(kind): kind for kind in found}
+
+
+def _name(kind: type[Exception]) -> str:
+    return f"{kind.__module__}.{kind.__qualname__}"

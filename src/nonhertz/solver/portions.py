@@ -191,7 +191,8 @@ class Run:
             stopped.set()
             pool.shutdown(wait=False, cancel_futures=True)
             with contextlib.suppress(KeyboardInterrupt):  # a second Ctrl-C: wait no longer
-                wait(self._futures, PATIENCE)
+                # Of cancelled ones, `wait` would never hear that they are done.
+                wait([future for future in self._futures if not future.cancelled()], PATIENCE)
         return self._solutions()
 
     def interrupted(self) -> Interrupted:
