@@ -104,20 +104,10 @@ def solve_many(
     >>> bool(solutions[2].max_pressure == solutions.max_pressure[2])
     True
     """
-    prescribed = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
-    given = {name: value for name, value in prescribed.items() if value is not None}
-    refuse_unpaired(approach, load, tilt, moment)
-    refuse_no_element(element)
     callback("announce", announce)
-    each = several(contacts)
-    shape, which, values = _spread(len(each) if not isinstance(contacts, Contact) else None, given)
-    tasks = _tasks(each, shape, which, values, _Options(element, strips, accuracy))
-    run = Run(shape, tuple(_works(tasks)), thread_count(threads))
-    try:
-        solutions = run.finished(announce)
-        sentences = tuple(solutions.sentences())
-    except KeyboardInterrupt:
-        raise run.interrupted() from None
+    prescribed = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
+    shape, tasks = _laid_out(contacts, prescribed, _Options(element, strips, accuracy))
+    solutions, sentences = Run(shape, tuple(_works(tasks)), thread_count(threads)).outcome(announce)
     for sentence in sentences:
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
     return solutions
@@ -130,6 +120,18 @@ class _Options:
     element: Element
     strips: Strips
     accuracy: float | None
+
+
+def _laid_out(
+    contacts: Contact | Iterable[Contact], prescribed: dict[str, ArrayLike | None], options: _Options
+) -> tuple[tuple[int, ...], list[Task]]:
+    """Return the shape of the results and the cases; invalid input is refused."""
+    given = {name: value for name, value in prescribed.items() if value is not None}
+    refuse_unpaired(**prescribed)
+    refuse_no_element(options.element)
+    each = several(contacts)
+    shape, which, values = _spread(len(each) if not isinstance(contacts, Contact) else None, given)
+    return shape, _tasks(each, shape, which, values, options)
 
 
 def _spread(

@@ -175,7 +175,7 @@ class Run:
         self._shape, self._works, self._threads = shape, works, threads
         self._futures: list[Future[list[Block]]] = []
 
-    def finished(self, announce: Callable[[Portion], object] | None) -> Solutions:
+    def _finished(self, announce: Callable[[Portion], object] | None) -> Solutions:
         """Solve all portions, announce each, and return the solutions of all."""
         stopped, total, done = Event(), sum(len(work) for work in self._works), 0
         pool = ThreadPoolExecutor(self._threads)
@@ -195,7 +195,21 @@ class Run:
                 wait([future for future in self._futures if not future.cancelled()], PATIENCE)
         return self._solutions()
 
-    def interrupted(self) -> Interrupted:
+    def outcome(self, announce: Callable[[Portion], object] | None) -> tuple[Solutions, tuple[str, ...]]:
+        """Return the solutions of all portions, and what is to be warned of.
+
+        Raises
+        ------
+        Interrupted
+            On Ctrl-C.
+        """
+        try:
+            solutions = self._finished(announce)
+            return solutions, tuple(solutions.sentences())
+        except KeyboardInterrupt:
+            raise self._interrupted() from None
+
+    def _interrupted(self) -> Interrupted:
         """Return the error that says how far the run came, with what was solved."""
         solutions = self._solutions()
         solved = len(solutions) - sum(error.args == (NOT_SOLVED,) for error in solutions.failures.values())
