@@ -11,6 +11,7 @@ from nonhertz.result.ends import away_from_ends
 from nonhertz.result.solution import Solution
 
 NEAR = 0.25  # of a half-width
+ALIKE = 1e-3  # relative difference up to which two line loads count as equal
 
 
 def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, Station]:
@@ -47,5 +48,6 @@ def _near_end(semi: Solution, patch: PatchSolution) -> float:
     inwards = min(widest, 0.25 * (high - low))
     at_low, at_high = np.interp([low + inwards, high - inwards], semi.y, semi.line_load)
     step = min(max(NEAR * widest, 2.0 * patch.dy), 0.125 * (high - low))
-    # In a symmetric case rounding decides which is larger.
-    return float(low + step if at_low > (1.0 + 1e-6) * at_high else high - step)
+    # Where both are alike, as in a contact that tilt only shifts, it is the end that the tilt presses down.
+    alike = abs(at_low - at_high) <= ALIKE * at_high
+    return float(low + step if (semi.tilt < 0.0 if alike else at_low > at_high) else high - step)
