@@ -113,7 +113,7 @@ class ContactMap(ReadOnly):
     bound : Bounds
         How far the map may be from the solver.
     cases : int
-        Solved cases that it was built from, without the check points of `bound`.
+        Solved cases that it was built from, without the check points of ``bound``.
     failed : int
         Cases that had no solution, among them and the check points.
     """
@@ -243,7 +243,7 @@ class ContactMap(ReadOnly):
         point : MapPoint
             Points of this map.
         stations : array_like, shape (strips + 1,), optional
-            Edges of the strips [mm], ascending; `stations` if left out, for which the bound is stated.
+            Edges of the strips [mm], ascending; ``stations`` if left out, for which the bound is stated.
 
         Returns
         -------
