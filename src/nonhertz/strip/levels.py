@@ -47,9 +47,9 @@ LESSONS = ((0.35,), (0.5,), (0.5, 1.0))
 REPEATS = (LESSONS[-1], LESSONS[-1])
 WELL_FILLED = 0.4  # fraction of the region that the contact must fill before a grid is graded from it
 SAFETY = 2.0
-# Measured on 100 random contacts of the usual profiles: at a coarseness of COARSENESS the error of the approach is below
-# ACCURACY; it falls with about this power of the width, and is mostly less than this share of the change from half the
-# strips.
+# Measured on 100 random contacts of the usual profiles: at a coarseness of COARSENESS the error of the approach is
+# below ACCURACY; it falls with about this power of the width, and is mostly less than this share of the change from
+# half the strips.
 ACCURACY, COARSENESS, ORDER, LEFT_OF_CHANGE = 1e-4, 0.28, 2.2, 0.4
 USUALLY_LEFT = 0.6  # of the accuracy aimed for: about the largest error found where the change was small
 LEAST_FINER, MARGIN = 0.4, 0.95
