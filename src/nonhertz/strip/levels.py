@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -173,9 +173,8 @@ def on_automatic_strips(
     kinks = turns_at(problem.separation, tuple(bend for bend in bends if finite[0] < bend < finite[1]), np.ptp(finite))
     rows, states = np.arange(len(targets)), [_located(problem, interval, finite, targets)]
     coarseness = np.full(rows.size, COARSENESS * (accuracy / ACCURACY) ** (1.0 / ORDER))
-    groups = []
+    learning, groups = _Learning(problem, interval, finite, kinks, targets, coarseness), []
     for lesson, shares in enumerate(LESSONS + REPEATS):
-        learning = _Learning(problem, interval, finite, kinks, targets[rows], coarseness)
         if lesson >= len(LESSONS):
             finer = learning.finer_wanted(states, accuracy)
             again = np.flatnonzero((finer < 1.0) | (states[0].converged & learning.incomplete(states[0])))
@@ -184,7 +183,7 @@ def on_automatic_strips(
             rows, states, coarseness = rows[again], [level.only(again) for level in states], (coarseness * finer)[again]
             if not rows.size:
                 break
-            learning = _Learning(problem, interval, finite, kinks, targets[rows], coarseness)
+            learning = replace(learning, targets=targets[rows], coarseness=coarseness)
         learnt_from = states[0]
         for share in shares:
             states.insert(0, learning.finer(learnt_from, states[0], share))
