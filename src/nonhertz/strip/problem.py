@@ -86,7 +86,7 @@ class Problem:
         """How strips act, for the compiled core."""
         return Law(self.influence.terms, self.element.table, self.element.line_factor, self.element.hertz_ratio)
 
-    def grids(self, count: Indices, edges: Array) -> Grids:
+    def grids(self, count: Indices, edges: Array, *, at_rest: bool = False) -> Grids:
         """Return grids with everything that is known about them before their loads are.
 
         Parameters
@@ -95,13 +95,15 @@ class Problem:
             Numbers of strips.
         edges : ndarray, shape (grids, n + 1)
             Their edges [mm], padded with the last one.
+        at_rest : bool
+            Whether to take what displacement is measured against as at rest: a matrix less to fill.
         """
         y = 0.5 * (edges[:, 1:] + edges[:, :-1])
         flat = y.ravel()
         curvature, separation, shallowest = (
             asked(flat).reshape(y.shape) for asked in (self.curvature, self.separation, self.influence.shallowest)
         )
-        at_rest = not self.influence.references
+        at_rest = at_rest or not self.influence.references
         at_depth = np.zeros((len(y), 0, 0)) if at_rest else self.influence.at_depth(y, edges)
         return Grids(count, edges, y, curvature, separation, shallowest, at_depth)
 
@@ -167,7 +169,8 @@ def sprung(problem: Problem, edges: Array) -> States:
     """Return the response of independent springs between ``edges``, not a solution."""
     count, rows = row_of(edges)
     found = States.unsolved(count, rows, 1)
-    _sprung(problem.grids(count, rows), Given(problem.prescribed, problem.target), problem.law, found)
+    # Springs do not move one another: thousands of them stand here without a matrix of all by all.
+    _sprung(problem.grids(count, rows, at_rest=True), Given(problem.prescribed, problem.target), problem.law, found)
     found.status[0] = ITERATION_LIMIT
     return found.one(0)
 
