@@ -8,7 +8,7 @@ from scipy.integrate import quad
 import nonhertz as nh
 from nonhertz.bodies.depths.depth import PointsAtDepth
 from nonhertz.bodies.influence import HALF_SPACE, Influence
-from nonhertz.strip.influence import coefficients, displacement, displacements, self_displacement
+from nonhertz.strip.influence import coefficients, displacements, lift, remote_of, self_displacement
 
 EDGES = np.array([-2.0, -1.4, -0.3, 0.1, 0.9, 3.0])
 LOW, HIGH = EDGES[:-1], EDGES[1:]
@@ -16,15 +16,26 @@ Y = 0.5 * (LOW + HIGH)
 M = np.array([0.09, 0.25, 0.0, 0.36, 0.01])
 R = np.array([0.02, 0.03, 0.05, 0.025, 0.04])
 ACTIVE = np.flatnonzero(M > 0.0)
-INVERSE = np.array([1.0 / np.sqrt(m) if m > 0.0 else np.inf for m in M])
 both_elements = pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda e: e.name)
 
 
 def blocks(element, *, m=M, terms=HALF_SPACE, at_depth=NO_DEPTH):
     """[A], [t A'], [B], [t B'] of every active strip at every active centre."""
-    values = np.empty((4, ACTIVE.size, ACTIVE.size))
-    coefficients(strips_between(LOW, HIGH, at_depth=at_depth), m, ACTIVE, law_of(element, terms), values)
+    return coefficients_between(strips_between(LOW, HIGH, at_depth=at_depth), m, ACTIVE, law_of(element, terms))
+
+
+def coefficients_between(strips, m, active, law):
+    """The same of any strips."""
+    values = np.empty((4, active.size, active.size))
+    coefficients(strips, m, active, law, remote_of(strips, law, 1.1 * m.max()), values)
     return values
+
+
+def assert_coefficients(values, expected):
+    """Compare with differences of the functions: what the powers of far strips leave out stays below 10^-12."""
+    # 10^-12 times the next coefficient of a series, in t B' twelve times that.
+    np.testing.assert_allclose(values[:3], expected[:3], rtol=1e-12, atol=2e-13)
+    np.testing.assert_allclose(values[3], expected[3], rtol=1e-12, atol=2e-12)
 
 
 @both_elements
@@ -32,37 +43,39 @@ def test_coefficients_are_differences_between_edges(element):
     a = np.sqrt(M[ACTIVE])
     upper = element.functions((HIGH[ACTIVE] - Y[ACTIVE, None]) / a)
     lower = element.functions((LOW[ACTIVE] - Y[ACTIVE, None]) / a)
-    # Differences of values near 3 that the table holds to 1e-15.
-    np.testing.assert_allclose(blocks(element), np.subtract(upper, lower), rtol=1e-12, atol=1e-14)
+    assert_coefficients(blocks(element), np.subtract(upper, lower))
 
 
 @both_elements
+@pytest.mark.parametrize("widest", [0.4, 0.01, 1e-6])
 @pytest.mark.parametrize(
     "active", [np.arange(12), np.arange(3, 9), np.array([0, 1, 5, 6, 7])], ids=["all", "some", "two runs"]
 )
-def test_equal_strips_share_edges_and_have_the_same_coefficients(element, active):
-    # The first term moves edges along, the second turns them about a face.
-    edges, m = np.linspace(-6.0, 6.0, 13), np.linspace(0.1, 0.4, 12)
+def test_near_and_far_coefficients_are_those_of_the_functions(element, active, widest):
+    # The first term moves edges along, the second turns them about a face. The narrower the contact, the more is far.
+    edges, m = np.linspace(-6.0, 6.0, 13) ** 3 / 36.0, np.linspace(0.2, 1.0, 12) * widest
     y, terms = 0.5 * (edges[1:] + edges[:-1]), np.array([[1.0, 0.0, 1.0], [-1.0, 13.0, 0.8], [1.0, 26.0, 0.3]])
-    values, expected = np.empty((4, active.size, active.size)), np.zeros((4, active.size, active.size))
-    coefficients(strips_between(edges[:-1], edges[1:]), m, active, law_of(element, terms), values)
+    strips, law = strips_between(edges[:-1], edges[1:]), law_of(element, terms)
+    remote = remote_of(strips, law, 1.1 * widest)
+    far = terms.shape[0] * y.size**2 - np.sum(remote.beyond - remote.first)
+    assert far > (200 if widest == 0.4 else 300)
+    values, expected = coefficients_between(strips, m, active, law), np.zeros((4, active.size, active.size))
     a = np.sqrt(m[active])
     for sign, offset, weight in terms:
         ends = [
             element.functions((sign * side[active] + offset - y[active, None]) / a) for side in (edges[1:], edges[:-1])
         ]
         expected += sign * weight * np.subtract(*ends)
-    np.testing.assert_allclose(values, expected, rtol=1e-12, atol=1e-14)
+    assert_coefficients(values, expected)
 
 
 @both_elements
 def test_a_distant_strip_is_the_point_load_of_boussinesq(element):
     # w = K Q / distance, and its curvature K Q / distance^3; the next terms are (width / distance)^2 = 6e-6.
     m, width, distance = 0.04, 0.5, 200.0
-    values = np.empty((4, 2, 2))
     y = np.array([0.0, distance])
     strips = strips_between(y - 0.5 * width, y + 0.5 * width)
-    coefficients(strips, np.full(2, m), np.arange(2), law_of(element), values)
+    values = coefficients_between(strips, np.full(2, m), np.arange(2), law_of(element))
     np.testing.assert_allclose(values[0, 0, 1], width / distance, rtol=1e-5, atol=0.0)
     np.testing.assert_allclose(values[2, 0, 1] / m, width / distance**3, rtol=1e-5, atol=0.0)
 
@@ -87,8 +100,7 @@ def test_an_image_is_the_mirrored_strip(element):
     a = np.sqrt(M[ACTIVE])
     upper = element.functions((2.0 * face - LOW[ACTIVE] - Y[ACTIVE, None]) / a)
     lower = element.functions((2.0 * face - HIGH[ACTIVE] - Y[ACTIVE, None]) / a)
-    # Differences of values near 3 that the table holds to 1e-15.
-    np.testing.assert_allclose(image, weight * np.subtract(upper, lower), rtol=1e-12, atol=1e-14)
+    assert_coefficients(image, weight * np.subtract(upper, lower))
 
 
 @both_elements
@@ -102,16 +114,16 @@ def test_terms_add_up(element):
 def test_displacement_is_the_coefficients_times_the_loads(element):
     terms = np.vstack([HALF_SPACE, (-1.0, 7.0, 0.7)])
     expected = blocks(element, terms=terms)[0] @ (R * M)[ACTIVE]
-    found = [displacement(y, LOW, HIGH, INVERSE, R * M, ACTIVE, terms, element.table) for y in Y[ACTIVE]]
-    np.testing.assert_allclose(found, expected, rtol=1e-13, atol=0.0)
+    strips, law, found = strips_between(LOW, HIGH), law_of(element, terms), np.empty(M.size)
+    lift(strips, M, R * M, law, remote_of(strips, law, 1.1 * M.max()), M > 0.0, found)
+    np.testing.assert_allclose(found[ACTIVE], expected, rtol=1e-13, atol=0.0)
 
 
 @both_elements
 def test_displacement_does_not_depend_on_how_a_strip_is_cut(element):
     def from_strips(edges):
-        n = edges.size - 1
-        r, m, active = np.full(n, 0.03), np.full(n, 0.2), np.arange(n)
-        return displacement(0.7, edges[:-1], edges[1:], 1.0 / np.sqrt(m), r * m, active, HALF_SPACE, element.table)
+        r, m = np.full(edges.size - 1, 0.03), np.full(edges.size - 1, 0.2)
+        return displacements(Influence(HALF_SPACE), np.array([0.7]), edges, r, m, element.table)
 
     whole, parts = from_strips(np.array([-1.0, 2.0])), from_strips(np.array([-1.0, 0.4, 1.1, 2.0]))
     np.testing.assert_allclose(parts, whole, rtol=1e-13, atol=0.0)

@@ -7,6 +7,7 @@ from core_pieces import interpret, law_of, strips_between
 import nonhertz as nh
 from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
 from nonhertz.strip import newton as loop
+from nonhertz.strip.influence import remote_of
 from nonhertz.strip.records import CONVERGED, ITERATION_LIMIT, STAGNATED, Effort, Given, Sought
 
 STRIPS = 21
@@ -147,7 +148,9 @@ def test_a_contact_may_be_much_wider_than_long():
 
 def check(r, m, rigid, separation=CROWN, gap=None):
     """Return what the last check finds wrong with a state on half-spaces under the load, and fill ``gap``."""
-    return loop._check(crowned(separation=separation), GIVEN, law_of(), sought_from(r, m, rigid, gap))
+    strips, law = crowned(separation=separation), law_of()
+    remote = remote_of(strips, law, max(m.max(), 1e-6))
+    return loop._check(strips, GIVEN, law, remote, sought_from(r, m, rigid, gap))
 
 
 def deepest(rigid):

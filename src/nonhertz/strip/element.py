@@ -38,9 +38,12 @@ DEGREE = 8
 # The closed forms suffer cancellation beyond t = CANCELLING; there the table is made from LONG_SERIES terms.
 CANCELLING, LONG_SERIES = 8.0, 11
 SHORT_SERIES = 4
+# Beyond t = REMOTE the powers t^-2 to t^-2 POWERS give A and B to 1e-13.
+REMOTE, POWERS = 10.0, 5
 # Offsets of the table's parts.
 SERIES_AT = (FAR_EXPONENT - SMALL_EXPONENT) * INTERVALS_PER_OCTAVE * (DEGREE + 1) * 4
 LEADING_AT = SERIES_AT + SHORT_SERIES * 4
+POWERS_AT = LEADING_AT + 4
 
 A, T_DA, B, T_DB = range(4)
 
@@ -97,8 +100,12 @@ class Element:
 
     @cached_property
     def table(self) -> Array:
-        """Coefficients that the compiled core reads, in one flat array: polynomials, far series, leading terms."""
-        return np.concatenate([self._polynomials(), self._series(SHORT_SERIES).ravel(), self._leading])
+        """Coefficients that the compiled core reads, in one flat array.
+
+        Polynomials, far series, leading terms, and the factors of t^-2k, k = 1 to `POWERS`, in A and in B.
+        """
+        powers = self._series(POWERS + 1)[-2::-1, [A, B]]
+        return np.concatenate([self._polynomials(), self._series(SHORT_SERIES).ravel(), self._leading, powers.ravel()])
 
     def _polynomials(self) -> Array:
         """Return polynomial coefficients, (intervals, DEGREE + 1, 4) flattened, highest power first.

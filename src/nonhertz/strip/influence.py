@@ -2,8 +2,8 @@
 
 A strip acts at a point through the difference of an element's functions between its two edges, and its images do
 the same from their own positions. The loops below add up *terms* (`nonhertz.bodies.influence`) without knowing what
-they stand for. The displacement at depth is linear in the loads and independent of the half-widths, so it is worked out
-once per grid, as a matrix that the loop subtracts.
+they stand for; those far away are added up once for a grid (`Remote`). The displacement at depth is linear in the loads
+and independent of the half-widths, so it is worked out once per grid, as a matrix that the loop subtracts.
 
 All coefficients are per unit of compliance: with r = K q / a^2 and m = a^2 as unknowns, K appears nowhere.
 """
@@ -11,19 +11,81 @@ All coefficients are per unit of compliance: with r = K q / a^2 and m = a^2 as u
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
 from nonhertz.bodies.influence import Influence
 from nonhertz.compiled import compiled, entry
-from nonhertz.strip.element import evaluate, evaluate_displacement
-from nonhertz.strip.records import Array, Indices, Law, Strips
+from nonhertz.strip.element import POWERS, POWERS_AT, REMOTE, evaluate, evaluate_displacement
+from nonhertz.strip.records import Array, Flags, Indices, Law, Strips
 
-EQUAL = 1e-12  # fraction of their width by which strips may differ and still count as equal
+
+class Remote(NamedTuple):
+    """What strips and their images do far away: there the series of an element in 1 / t^2 needs a few terms only.
+
+    With t = y' / a its terms are powers of m, each with a factor that depends on the strips alone. So all terms of the
+    influence, hundreds of images among them, are added up once for a grid, and every evaluation costs a short series
+    in m in their place.
+
+    Attributes
+    ----------
+    first, beyond : ndarray of int, shape (terms, n)
+        The places that are not far from a term of a source: from ``first`` to before ``beyond``.
+    powers : ndarray, shape (n, 1 + POWERS, n)
+        Of each source, at each place: the logarithm of the far edge over the near one, and the differences of
+        ``(widest / y'^2)^k`` between the edges, weighted and added up over all terms that are far.
+    widest : float
+        The largest m [mm^2] for which this holds.
+    """
+
+    first: Indices
+    beyond: Indices
+    powers: Array
+    widest: float
 
 
 @compiled
-def coefficients(strips: Strips, m: Array, active: Indices, law: Law, out: Array) -> None:
+def remote_of(strips: Strips, law: Law, widest: float) -> Remote:
+    """Return what strips with m up to ``widest`` [mm^2] do far away."""
+    y, n, terms = strips.y, strips.y.size, law.terms
+    first, beyond = np.empty((terms.shape[0], n), np.int64), np.empty((terms.shape[0], n), np.int64)
+    powers = np.zeros((n, 1 + POWERS, n))
+    reach = REMOTE * math.sqrt(widest)
+    for k in range(terms.shape[0]):
+        sign, offset, weight = terms[k, 0], terms[k, 1], terms[k, 2]
+        for j in range(n):
+            low, high = sign * strips.low[j] + offset, sign * strips.high[j] + offset
+            left, right, width = min(low, high), max(low, high), strips.high[j] - strips.low[j]
+            before = 0
+            while before < n and y[before] <= left - reach:
+                before += 1
+            after = before
+            while after < n and y[after] < right + reach:
+                after += 1
+            first[k, j], beyond[k, j] = before, after
+            for i in range(before):
+                _add_far(powers[j], i, weight, left - y[i], width, widest)
+            for i in range(after, n):
+                _add_far(powers[j], i, weight, y[i] - right, width, widest)
+    return Remote(first, beyond, powers, widest)
+
+
+@compiled
+def _add_far(powers: Array, i: int, weight: float, nearer: float, width: float, widest: float) -> None:
+    """Add what a source at this distance of its nearer edge does at place ``i``."""
+    farther = nearer + width
+    inner, outer = widest / (nearer * nearer), widest / (farther * farther)
+    powers[0, i] += weight * math.log1p(width / nearer)
+    inner_power = outer_power = weight
+    for k in range(1, 1 + POWERS):
+        inner_power *= inner
+        outer_power *= outer
+        powers[k, i] += outer_power - inner_power
+
+
+@compiled
+def coefficients(strips: Strips, m: Array, active: Indices, law: Law, remote: Remote, out: Array) -> None:
     """Fill ``out[:, i, j]`` with [A], [t A'], [B], [t B'] of strip j at the centre of strip i.
 
     Parameters
@@ -36,76 +98,91 @@ def coefficients(strips: Strips, m: Array, active: Indices, law: Law, out: Array
         The strips that take part.
     law : Law
         How they act.
+    remote : Remote
+        How they act far away.
     out : ndarray, shape (4, k, k)
         Result.
     """
-    low, high = strips.low, strips.high
-    equal = active[-1] - active[0] == active.size - 1
-    for i in range(low.size):
-        equal = equal and abs((high[i] - low[i]) - (high[0] - low[0])) < EQUAL * (high[0] - low[0])
+    y, table, seen_there = strips.y, law.table, np.empty((4, strips.y.size))
     for j in range(active.size):
         source = active[j]
         inverse = 1.0 / math.sqrt(m[source])
-        if equal:
-            _seen_from_equal_strips(strips.y, low[source], high[source], inverse, active, law, j, out)
-        else:
-            _seen_from_any_strips(strips.y, low[source], high[source], inverse, active, law, j, out)
+        _from_afar(remote.powers[source], m[source] / remote.widest, table, seen_there)
+        for k in range(law.terms.shape[0]):
+            sign, offset = law.terms[k, 0], law.terms[k, 1]
+            weight = sign * law.terms[k, 2]
+            high, low = sign * strips.high[source] + offset, sign * strips.low[source] + offset
+            for i in range(remote.first[k, source], remote.beyond[k, source]):
+                a1, ta1, b1, tb1 = evaluate((high - y[i]) * inverse, table)
+                a0, ta0, b0, tb0 = evaluate((low - y[i]) * inverse, table)
+                seen_there[0, i] += weight * (a1 - a0)
+                seen_there[1, i] += weight * (ta1 - ta0)
+                seen_there[2, i] += weight * (b1 - b0)
+                seen_there[3, i] += weight * (tb1 - tb0)
+        for kind in range(4):
+            for i in range(active.size):
+                out[kind, i, j] = seen_there[kind, active[i]]
         if strips.at_depth.size:
             for i in range(active.size):
                 out[0, i, j] -= strips.at_depth[active[i], source]
 
 
 @compiled
-def _seen_from_any_strips(
-    y: Array, low: float, high: float, inverse: float, active: Indices, law: Law, j: int, out: Array
-) -> None:
-    """Fill column j of every block, from any strip."""
-    terms, table = law.terms, law.table
-    for i in range(active.size):
-        a = ta = b = tb = 0.0
-        for k in range(terms.shape[0]):
-            sign, offset = terms[k, 0], terms[k, 1] - y[active[i]]
-            weight = sign * terms[k, 2]
-            a1, ta1, b1, tb1 = evaluate((sign * high + offset) * inverse, table)
-            a0, ta0, b0, tb0 = evaluate((sign * low + offset) * inverse, table)
-            a += weight * (a1 - a0)
-            ta += weight * (ta1 - ta0)
-            b += weight * (b1 - b0)
-            tb += weight * (tb1 - tb0)
-        out[0, i, j], out[1, i, j], out[2, i, j], out[3, i, j] = a, ta, b, tb
+def _from_afar(powers: Array, share: float, table: Array, seen_there: Array) -> None:
+    """Fill [A], [t A'], [B], [t B'] of what one source does far away, with m as a ``share`` of the widest."""
+    for i in range(powers.shape[1]):
+        seen_there[0, i] = powers[0, i]
+        seen_there[1, i] = seen_there[2, i] = seen_there[3, i] = 0.0
+    power = 1.0
+    for k in range(1, 1 + POWERS):
+        power *= share
+        a, b = power * table[POWERS_AT + 2 * k - 2], power * table[POWERS_AT + 2 * k - 1]
+        ta, tb = -2.0 * k * a, -2.0 * k * b
+        for i in range(powers.shape[1]):
+            seen_there[0, i] += a * powers[k, i]
+            seen_there[1, i] += ta * powers[k, i]
+            seen_there[2, i] += b * powers[k, i]
+            seen_there[3, i] += tb * powers[k, i]
 
 
 @compiled
-def _seen_from_equal_strips(
-    y: Array, low: float, high: float, inverse: float, active: Indices, law: Law, j: int, out: Array
-) -> None:
-    """Fill column j of every block, from equal strips: neighbours share an edge, so each edge is evaluated once."""
-    terms, table = law.terms, law.table
-    for i in range(active.size):
-        out[0, i, j] = out[1, i, j] = out[2, i, j] = out[3, i, j] = 0.0
-    for k in range(terms.shape[0]):
-        sign, weight = terms[k, 0], terms[k, 2]
-        # The edge shared with the next strip, and the other one.
-        near, far = (low, high) if sign > 0.0 else (high, low)
-        a0, ta0, b0, tb0 = evaluate((sign * far + terms[k, 1] - y[active[0]]) * inverse, table)
-        for i in range(active.size):
-            a1, ta1, b1, tb1 = a0, ta0, b0, tb0
-            a0, ta0, b0, tb0 = evaluate((sign * near + terms[k, 1] - y[active[i]]) * inverse, table)
-            out[0, i, j] += weight * (a1 - a0)
-            out[1, i, j] += weight * (ta1 - ta0)
-            out[2, i, j] += weight * (b1 - b0)
-            out[3, i, j] += weight * (tb1 - tb0)
+def lift(strips: Strips, m: Array, q: Array, law: Law, remote: Remote, wanted: Flags, out: Array) -> None:
+    """Fill in the displacement per unit of compliance at strip centres, relative to the points at depth.
 
-
-@compiled
-def displacement(
-    y: float, low: Array, high: Array, inverse: Array, q: Array, active: Indices, terms: Array, table: Array
-) -> float:
-    """Return the surface's displacement at ``y`` under ``active`` strips with 1/a = ``inverse`` and loads K ``q``."""
-    total = 0.0
-    for source in active:
-        total += q[source] * seen(y, low[source], high[source], inverse[source], terms, table)
-    return total
+    Parameters
+    ----------
+    strips, m, law, remote
+        As for `coefficients`.
+    q : ndarray, shape (n,)
+        Loads K q [mm].
+    wanted : ndarray of bool, shape (n,)
+        The strips to look at.
+    out : ndarray, shape (n,)
+        Result.
+    """
+    n = strips.y.size
+    for i in range(n):
+        out[i] = 0.0
+    for j in range(n):
+        if not m[j] > 0.0:
+            continue
+        powers, power, inverse = remote.powers[j], q[j], 1.0 / math.sqrt(m[j])
+        for i in range(n):
+            out[i] += q[j] * powers[0, i]
+        for k in range(1, 1 + POWERS):
+            power *= m[j] / remote.widest
+            factor = power * law.table[POWERS_AT + 2 * k - 2]
+            for i in range(n):
+                out[i] += factor * powers[k, i]
+        for k in range(law.terms.shape[0]):
+            for i in range(remote.first[k, j], remote.beyond[k, j]):
+                if wanted[i]:
+                    seen_there = _term(strips.y[i], strips.low[j], strips.high[j], inverse, law.terms, k, law.table)
+                    out[i] += q[j] * seen_there
+    if strips.at_depth.size:
+        for i in range(n):
+            for j in range(n):
+                out[i] -= strips.at_depth[i, j] * q[j]
 
 
 @compiled
@@ -113,19 +190,24 @@ def seen(y: float, low: float, high: float, inverse: float, terms: Array, table:
     """Return [A] at ``y`` of one strip with 1/a = ``inverse``, its images included."""
     total = 0.0
     for k in range(terms.shape[0]):
-        sign, offset = terms[k, 0], terms[k, 1] - y
-        upper = evaluate_displacement((sign * high + offset) * inverse, table)
-        lower = evaluate_displacement((sign * low + offset) * inverse, table)
-        total += sign * terms[k, 2] * (upper - lower)
+        total += _term(y, low, high, inverse, terms, k, table)
     return total
+
+
+@compiled
+def _term(y: float, low: float, high: float, inverse: float, terms: Array, k: int, table: Array) -> float:
+    sign, offset = terms[k, 0], terms[k, 1] - y
+    upper = evaluate_displacement((sign * high + offset) * inverse, table)
+    lower = evaluate_displacement((sign * low + offset) * inverse, table)
+    return float(sign * terms[k, 2] * (upper - lower))
 
 
 def displacements(influence: Influence, y: Array, edges: Array, r: Array, m: Array, table: Array) -> Array:
     """Return the displacement per unit of compliance at several places ``y``, relative to the points at depth."""
     at_depth: Array = influence.at_depth(y, edges) @ (r * m)
-    lift = np.empty(y.size)
-    _on_the_surface(y, edges[:-1], edges[1:], r, m, influence.terms, table, lift)
-    return lift - at_depth
+    raised = np.empty(y.size)
+    _on_the_surface(y, edges[:-1], edges[1:], r, m, influence.terms, table, raised)
+    return raised - at_depth
 
 
 @entry

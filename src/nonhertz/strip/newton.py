@@ -27,7 +27,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonhertz.compiled import compiled
-from nonhertz.strip.influence import coefficients, displacement, self_displacement
+from nonhertz.strip.influence import Remote, coefficients, lift, remote_of, self_displacement
 from nonhertz.strip.linear import blank, padded, solve_in_place, subtract_product
 from nonhertz.strip.records import (
     CONVERGED,
@@ -52,6 +52,7 @@ ROUGHLY_NEARLY, ROUGHLY_SMALL = 1e-3, 0.1
 STEP_LIMIT = 60
 LEAST_CHANGE = 0.3  # smallest factor by which r may change in one step; its inverse is the largest
 WIDEST = 1e4  # half-width over half the total length of the strips, beyond which the iteration has diverged
+ROOM = 1.3  # for the largest m to grow before `Remote` has to be worked out again
 # A strip enters only if its overlap exceeds this fraction of the residual; otherwise the active set oscillates.
 LET_SETTLE = 0.1
 
@@ -106,15 +107,16 @@ def newton(strips: Strips, given: Given, law: Law, sought: Sought, effort: Effor
     half = 0.5 * (strips.high[-1] - strips.low[0])
     rough = effort.tolerance > TOLERANCE
     nearly, small_step = (ROUGHLY_NEARLY, ROUGHLY_SMALL) if rough else (NEARLY, SMALL_STEP)
-    residual = np.inf
+    residual, remote = np.inf, remote_of(strips, law, ROOM * _widest(sought.m))
     for step in range(STEP_LIMIT):
         _keep_two(strips, given, sought)
         active = touching(sought.m)
         if active.size == 0:
             return STAGNATED, step, residual
-        equations, unbent = _linearised(strips, given, law, sought, active, half, effort.eager)
+        remote = _still_remote(strips, law, sought, remote)
+        equations, unbent = _linearised(strips, given, law, remote, sought, active, half, effort.eager)
         scale, noise = _scales(strips, sought.rigid, active, half)
-        _idle_gaps(strips, law, sought, active)
+        _idle_gaps(strips, law, remote, sought)
         unsettled = worse((_largest(equations.unclosed) - noise) / scale, unbent)
         unsettled = worse(unsettled, _imbalance(given, equations))
         residual = worse(unsettled, -(_least(sought.gap) + noise) / scale)
@@ -139,10 +141,18 @@ def newton(strips: Strips, given: Given, law: Law, sought: Sought, effort: Effor
         changed = _update(strips, law, equations, d_r, d_q, effort.relaxation, sought)
         entered = _enter(strips, law, active, noise + LET_SETTLE * unsettled * scale, sought)
         if residual < nearly and largest < small_step and not changed and not entered:
-            left = _check(strips, given, law, sought)
+            remote = _still_remote(strips, law, sought, remote)
+            left = _check(strips, given, law, remote, sought)
             if left < effort.tolerance:
                 return CONVERGED, step + 1, left
     return ITERATION_LIMIT, STEP_LIMIT, residual
+
+
+@compiled
+def _still_remote(strips: Strips, law: Law, sought: Sought, remote: Remote) -> Remote:
+    """Return what strips do far away, worked out again if the contact has become too wide for it."""
+    widest = _widest(sought.m)
+    return remote if not widest > remote.widest else remote_of(strips, law, ROOM * widest)
 
 
 @compiled
@@ -237,12 +247,12 @@ def _keep_two(strips: Strips, given: Given, sought: Sought) -> None:
 
 @compiled
 def _linearised(
-    strips: Strips, given: Given, law: Law, sought: Sought, active: Indices, half: float, eager: bool
+    strips: Strips, given: Given, law: Law, remote: Remote, sought: Sought, active: Indices, half: float, eager: bool
 ) -> tuple[_Equations, float]:
     """Return the equations at a state, whose r is brought to the curvature rows, and these rows' largest residual."""
     k = active.size
     blocks = np.empty((4, k, k))
-    coefficients(strips, sought.m, active, law, blocks)
+    coefficients(strips, sought.m, active, law, remote, blocks)
     follows = _curved(blocks, strips.curvature, active)
     at = padded(k)
     r, m, missing = np.empty(k), np.empty(k), np.empty(k)
@@ -299,36 +309,28 @@ def _relative(given: Given, off: Array, load: float) -> float:
 
 
 @compiled
-def _settling(i: int, strips: Strips, law: Law, inverse: Array, q: Array, active: Indices) -> float:
-    """Return the displacement per unit of compliance at the centre of strip ``i``, relative to the points at depth."""
-    total = displacement(strips.y[i], strips.low, strips.high, inverse, q, active, law.terms, law.table)
-    if strips.at_depth.size:
-        for j in active:
-            total -= strips.at_depth[i, j] * q[j]
-    return total
-
-
-@compiled
-def _narrowness_and_load(sought: Sought) -> tuple[Array, Array]:
-    """Return 1/a and K q of every strip."""
-    inverse, q = np.empty(sought.m.size), np.empty(sought.m.size)
+def _loads(sought: Sought) -> Array:
+    """Return K q of every strip."""
+    q = np.empty(sought.m.size)
     for i in range(q.size):
         q[i] = sought.r[i] * sought.m[i]
-        inverse[i] = 1.0 / math.sqrt(sought.m[i]) if sought.m[i] > 0.0 else 0.0
-    return inverse, q
+    return q
 
 
 @compiled
-def _idle_gaps(strips: Strips, law: Law, sought: Sought, active: Indices) -> None:
+def _idle_gaps(strips: Strips, law: Law, remote: Remote, sought: Sought) -> None:
     """Fill the gap of the strips out of contact, zero for those in contact."""
-    inverse, q = _narrowness_and_load(sought)
-    for i in range(q.size):
-        sought.gap[i] = 0.0
-        if not sought.m[i] > 0.0:
-            gap = -_interference(strips, sought.rigid, i)
-            if math.isfinite(gap):
-                gap += _settling(i, strips, law, inverse, q, active)
-            sought.gap[i] = gap
+    idle, some = np.empty(sought.m.size, np.bool_), False
+    for i in range(idle.size):
+        idle[i] = not sought.m[i] > 0.0
+        some = some or idle[i]
+    raised = np.zeros(idle.size)
+    if some:
+        lift(strips, sought.m, _loads(sought), law, remote, idle, raised)
+    for i in range(idle.size):
+        # Where the bodies never meet the gap is infinite, whatever the displacement.
+        apart = -_interference(strips, sought.rigid, i)
+        sought.gap[i] = (apart + raised[i] if math.isfinite(apart) else apart) if idle[i] else 0.0
 
 
 @compiled
@@ -492,22 +494,23 @@ def _own_width(required: float, width: float, table: Array) -> float:
 
 
 @compiled
-def _check(strips: Strips, given: Given, law: Law, sought: Sought) -> float:
+def _check(strips: Strips, given: Given, law: Law, remote: Remote, sought: Sought) -> float:
     """Fill the gap everywhere and return the largest relative violation of contact and balance."""
-    half = 0.5 * (strips.high[-1] - strips.low[0])
-    active = touching(sought.m)
-    _idle_gaps(strips, law, sought, active)
-    worst = worse(-_least(sought.gap), 0.0)
-    inverse, q = _narrowness_and_load(sought)
-    deepest, load, moment = -np.inf, 0.0, 0.0
-    for i in active:
+    half, n = 0.5 * (strips.high[-1] - strips.low[0]), sought.m.size
+    q, raised = _loads(sought), np.empty(n)
+    lift(strips, sought.m, q, law, remote, np.ones(n, np.bool_), raised)
+    worst, deepest, load, moment = 0.0, -np.inf, 0.0, 0.0
+    for i in range(n):
         depth = _interference(strips, sought.rigid, i)
-        sought.gap[i] = _settling(i, strips, law, inverse, q, active) - depth
-        worst = worse(worst, abs(sought.gap[i]))
-        deepest = worse(deepest, depth)
-        carried = q[i] * (strips.high[i] - strips.low[i])
-        load += carried
-        moment += carried * strips.y[i]
+        sought.gap[i] = raised[i] - depth if math.isfinite(depth) else -depth
+        if sought.m[i] > 0.0:
+            worst = worse(worst, abs(sought.gap[i]))
+            deepest = worse(deepest, depth)
+            carried = q[i] * (strips.high[i] - strips.low[i])
+            load += carried
+            moment += carried * strips.y[i]
+        else:
+            worst = worse(worst, -sought.gap[i])
     off = _balance(given, sought.rigid, load, moment / half, half)
-    _, noise = _scales(strips, sought.rigid, active, half)
+    _, noise = _scales(strips, sought.rigid, touching(sought.m), half)
     return worse((worst - noise) / deepest, _relative(given, off, load))

@@ -18,7 +18,7 @@ from nonhertz.plot.style import FIRST, INK, SECOND
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import SEMI_ELLIPTIC
-from nonhertz.strip.influence import coefficients
+from nonhertz.strip.influence import coefficients, remote_of
 from nonhertz.strip.records import Law, Strips
 from nonhertz.verify.claim import Check, Picture, Section
 
@@ -89,7 +89,8 @@ def _assemble(contact: Contact, solution: Solution) -> None:
     strips = Strips(y, edges[:-1], edges[1:], contact.curvature(y), contact.separation(y), at_rest)
     active = np.flatnonzero(solution.line_load > 0.0)
     square = np.maximum(solution.element_half_width, 1e-3) ** 2
-    coefficients(strips, square, active, law, np.empty((4, active.size, active.size)))
+    remote = remote_of(strips, law, float(square.max()))
+    coefficients(strips, square, active, law, remote, np.empty((4, active.size, active.size)))
 
 
 def _median(run: Callable[[], object]) -> float:
