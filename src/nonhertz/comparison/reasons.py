@@ -18,6 +18,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import PchipInterpolator
 
 from nonhertz.comparison.value import (
     Flags,
@@ -249,7 +250,10 @@ def _own_bias(place: _Place) -> Iterator[_Cause]:
     """Yield how far a parabola's half-width is from that of semi-elliptic strips; its pressure is off in proportion."""
     if place.solution is place.semi:
         return
-    of_semi = np.interp(place.y, place.semi.y, place.semi.half_width)
+    # The square of the half-width is smooth up to where the contact runs out; straight lines between the strips would
+    # be off by a share of the bias itself.
+    of_semi = np.sqrt(PchipInterpolator(place.semi.y, place.semi.half_width**2)(place.y, extrapolate=False))
+    of_semi = np.nan_to_num(of_semi, nan=0.0)
     own = place.solution.half_width[place.members]
     bias = np.abs(np.divide(own, of_semi, out=np.ones(own.size), where=of_semi > 0.0) - 1.0)
     median = float(np.median(bias))

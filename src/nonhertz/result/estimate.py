@@ -10,10 +10,12 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.compiled import entry
+from nonhertz.result.checks import WIDER_THAN_LONG
 from nonhertz.result.end_pressure import SHARP_END_ERROR, left_at_sharp_ends, sharp_end_error
 from nonhertz.result.maximum import distance_beyond, largest_pressure
 from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate
-from nonhertz.strip.grid import contact_of, reaching
+from nonhertz.strip.grid import contact_of, intervals, reaching
 from nonhertz.strip.levels import LEFT_OF_CHANGE, SAFETY, Levels
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import States
@@ -62,9 +64,10 @@ def error_estimate(
     # Relative to the penetration: what is approached before the bodies touch has no error, and may be most of it.
     penetration = float(np.max(state.rigid[0] + state.rigid[1] * places - separation))
     before_touch = float(state.rigid[0]) - penetration
-    # Towards a corner errors fall in proportion to the strips only.
+    # Towards a corner errors fall in proportion to the strips only, and anyhow in contacts that are wider than long.
     corners = at_corner or any(edge.kind is EdgeKind.CORNER for edge in edges)
-    error = levels.difference if corners else levels.remaining
+    wide = bool(wider_than_long(problem, state.row())[0])
+    error = levels.difference if corners or wide else levels.remaining
     usual = PRESSURE_LEFT * (levels.accuracy or 0.0)
     unseen = _relative(mean, penetration), _relative(mean * state.stiffness[0, 0], float(state.load))
     reach = 0.5 * float(np.ptp(state.edges))
@@ -131,6 +134,26 @@ def _largest(hertz_ratio: float, singular: Array, state: States) -> float:
     return float(largest_pressure(state.y, state.pressure, hertz_ratio * np.sqrt(state.m), singular)[0])
 
 
+def wider_than_long(problem: Problem, states: States) -> Flags:
+    """Return which contacts are wider than their longest piece is long."""
+    found = np.zeros(states.status.size, dtype=bool)
+    _find_wide(states, problem.element.hertz_ratio, found)
+    return found
+
+
+@entry
+def _find_wide(states: States, hertz_ratio: float, found: Flags) -> None:
+    for case in range(found.size):
+        row, widest, longest = 0 if states.edges.shape[0] == 1 else case, 0.0, 0.0
+        n = states.counts[row]
+        for m in states.m[case, :n]:
+            widest = max(widest, 2.0 * hertz_ratio * math.sqrt(m))
+        contact = intervals(states.edges[row, : n + 1], states.m[case, :n])
+        for k in range(contact.shape[0]):
+            longest = max(longest, contact[k, 1] - contact[k, 0])
+        found[case] = widest > WIDER_THAN_LONG * longest
+
+
 def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array) -> Flags:
     """Return which cases may have a large estimated error, including all without a solution on a coarser grid.
 
@@ -138,7 +161,8 @@ def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array
     """
     finest = levels[0]
     large = min(LARGE_ERROR, problem.accuracy) if problem.asked and problem.accuracy else LARGE_ERROR
-    share = LEFT_OF_CHANGE if problem.accuracy else 2.0 * SAFETY
+    wide = wider_than_long(problem, finest)
+    share = np.where(wide, 2.0 * SAFETY, LEFT_OF_CHANGE) if problem.accuracy else 2.0 * SAFETY
     highest = partial(_pressures, problem.element.hertz_ratio, singular)
     unsure: Flags = np.full(finest.status.shape, len(levels) == 1)
     width = finest.width
@@ -156,7 +180,7 @@ def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array
     unsure |= np.max(np.where(loads > 0.0, ripples, 0.0), axis=1) > 0.5 * LARGE_PRESSURE_ERROR * highest(finest)
     ends = SHARP_END_ERROR * sum(each * reaching(finest, side) for each, side in zip(last, (-1, 1), strict=True))
     unsure |= ends > 0.5 * large * np.sum((finest.m > 0.0) * width, axis=1)
-    for fine, coarse in itertools.pairwise(levels[: 2 if problem.accuracy else 3]):
+    for fine, coarse in itertools.pairwise(levels[: 2 if problem.accuracy and not wide.any() else 3]):
         unsure |= ~coarse.converged
         for value, whole, limit in (
             (_approaches, penetration, large),
