@@ -17,6 +17,7 @@ from itertools import product
 
 import numpy as np
 
+from nonhertz.compiled import compiled, entry
 from nonhertz.errors import InputError
 from nonhertz.strip.acceptance import steadily
 from nonhertz.strip.feasible import (
@@ -286,25 +287,47 @@ def _peaks(states: States, kinks: Array, accuracy: float) -> Array:
     What a strip bears is the mean over it: a sagitta of the pressure within it is missing from the maximum. On either
     side of y = 0, where pressures are equal that mirror each other.
     """
-    pressure, y = states.pressure, np.broadcast_to(states.y, states.r.shape)
-    width, found = np.broadcast_to(states.width, y.shape), np.full((len(y), 2, 2), np.nan)
-    if y.shape[1] < 3:
-        return found
-    for side, here in enumerate((y < 0.0, y >= 0.0)):
-        at = np.clip(np.where(here, pressure, -1.0).argmax(axis=1), 1, y.shape[1] - 2)[:, None]
-        before, peak, after = (np.take_along_axis(pressure, at + step, axis=1)[:, 0] for step in (-1, 0, 1))
-        place, wide = (np.take_along_axis(each, at, axis=1)[:, 0] for each in (y, width))
-        with np.errstate(divide="ignore", invalid="ignore"):
-            sagitta = (2.0 * peak - before - after) / (8.0 * peak)
-            wanted = wide * np.maximum(np.sqrt(POINTED * accuracy / sagitta), LEAST_AT_PEAK)
-        # Two strips beside the middle may differ by rounding.
-        summit = peak >= (1.0 - SAME) * np.maximum(before, after)
-        pointed = (before > 0.0) & (after > 0.0) & summit & (sagitta > POINTED * accuracy)
-        pointed &= peak > (1.0 - ALIKE) * pressure.max(axis=1)
-        # At a kink it has no limit.
-        pointed &= ~np.any(np.abs(place[:, None] - kinks) < AT_KINK * wide[:, None], axis=1)
-        found[pointed, 0, side], found[pointed, 1, side] = place[pointed], wanted[pointed]
+    found = np.full((states.status.size, 2, 2), np.nan)
+    _find_peaks(states, kinks, accuracy, found)
     return found
+
+
+@entry
+def _find_peaks(states: States, kinks: Array, accuracy: float, found: Array) -> None:
+    for case in range(found.shape[0]):
+        row = 0 if states.edges.shape[0] == 1 else case
+        n, edges = states.counts[row], states.edges[row]
+        pressure, highest = np.empty(n), 0.0
+        for i in range(n):
+            pressure[i] = states.r[case, i] * math.sqrt(states.m[case, i])
+            highest = max(highest, pressure[i])
+        for side in range(2):
+            at = -1
+            for i in range(n):
+                if (edges[i] + edges[i + 1] >= 0.0) == (side == 1) and (at < 0 or pressure[i] > pressure[at]):
+                    at = i
+            if 0 < at < n - 1 and pressure[at] > (1.0 - ALIKE) * highest:
+                wanted = _wanted_at_peak(edges, pressure, at, accuracy)
+                place, wide = 0.5 * (edges[at] + edges[at + 1]), edges[at + 1] - edges[at]
+                for kink in kinks:
+                    if abs(place - kink) < AT_KINK * wide:
+                        wanted = np.nan  # there it has no limit
+                if not math.isnan(wanted):
+                    found[case, 0, side], found[case, 1, side] = place, wanted
+
+
+@compiled
+def _wanted_at_peak(edges: Array, pressure: Array, at: int, accuracy: float) -> float:
+    """Return the width wanted for a summit of the pressure at a strip, NaN if it is none or not too pointed."""
+    before, peak, after = pressure[at - 1], pressure[at], pressure[at + 1]
+    # Two strips beside the middle may differ by rounding.
+    if not (before > 0.0 and after > 0.0 and peak >= (1.0 - SAME) * max(before, after)):
+        return np.nan
+    sagitta = (2.0 * peak - before - after) / (8.0 * peak)
+    if not sagitta > POINTED * accuracy:
+        return np.nan
+    width = edges[at + 1] - edges[at]
+    return float(width * max(math.sqrt(POINTED * accuracy / sagitta), LEAST_AT_PEAK))
 
 
 def _ends(states: States) -> Array:
