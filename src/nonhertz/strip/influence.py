@@ -21,6 +21,10 @@ from nonhertz.strip.element import POWERS, POWERS_AT, REMOTE, evaluate, evaluate
 from nonhertz.strip.records import Array, Flags, Indices, Law, Strips
 
 
+# Widths over distances below which nine terms of the series of a logarithm are exact to rounding.
+SHORT = 0.25
+
+
 class Remote(NamedTuple):
     """What strips and their images do far away: there the series of an element in 1 / t^2 needs a few terms only.
 
@@ -50,7 +54,7 @@ def remote_of(strips: Strips, law: Law, widest: float) -> Remote:
     """Return what strips with m up to ``widest`` [mm^2] do far away."""
     y, n, terms = strips.y, strips.y.size, law.terms
     first, beyond = np.empty((terms.shape[0], n), np.int64), np.empty((terms.shape[0], n), np.int64)
-    powers = np.zeros((n, 1 + POWERS, n))
+    powers, distance, work = np.zeros((n, 1 + POWERS, n)), np.empty(n), np.empty((4, n))
     reach = REMOTE * math.sqrt(widest)
     for k in range(terms.shape[0]):
         sign, offset, weight = terms[k, 0], terms[k, 1], terms[k, 2]
@@ -65,23 +69,48 @@ def remote_of(strips: Strips, law: Law, widest: float) -> Remote:
                 after += 1
             first[k, j], beyond[k, j] = before, after
             for i in range(before):
-                _add_far(powers[j], i, weight, left - y[i], width, widest)
+                distance[i] = left - y[i]
             for i in range(after, n):
-                _add_far(powers[j], i, weight, y[i] - right, width, widest)
+                distance[i] = y[i] - right
+            _add_far(powers[j], 0, before, distance, width, weight, widest, work)
+            _add_far(powers[j], after, n, distance, width, weight, widest, work)
     return Remote(first, beyond, powers, widest)
 
 
 @compiled
-def _add_far(powers: Array, i: int, weight: float, nearer: float, width: float, widest: float) -> None:
-    """Add what a source at this distance of its nearer edge does at place ``i``."""
-    farther = nearer + width
-    inner, outer = widest / (nearer * nearer), widest / (farther * farther)
-    powers[0, i] += weight * math.log1p(width / nearer)
-    inner_power = outer_power = weight
+def _add_far(
+    powers: Array, first: int, beyond: int, distances: Array, width: float, weight: float, widest: float, work: Array
+) -> None:
+    """Add what a source does at some places, at these distances from its nearer edge, in loops that vectorise."""
+    distance, logarithm = distances[first:beyond], powers[0][first:beyond]
+    inner, outer = work[0][first:beyond], work[1][first:beyond]
+    inner_power, outer_power = work[2][first:beyond], work[3][first:beyond]
+    n, nearest = distance.size, np.inf
+    for i in range(n):
+        nearest = min(nearest, distance[i])
+    if width < SHORT * nearest:
+        for i in range(n):
+            # ln(far / near) = 2 artanh(width / (far + near)), by its series
+            z = width / (2.0 * distance[i] + width)
+            x = z * z
+            later = 1.0 / 9.0 + x * (1.0 / 11.0 + x * (1.0 / 13.0 + x * (1.0 / 15.0 + x / 17.0)))
+            series = 1.0 + x * (1.0 / 3.0 + x * (0.2 + x * (1.0 / 7.0 + x * later)))
+            logarithm[i] += 2.0 * weight * z * series
+    else:
+        for i in range(n):
+            logarithm[i] += weight * math.log1p(width / distance[i])
+    for i in range(n):
+        nearer, farther = distance[i], distance[i] + width
+        inverse = 1.0 / (nearer * farther)
+        of_inner, of_outer = farther * inverse, nearer * inverse
+        inner[i], outer[i] = widest * of_inner * of_inner, widest * of_outer * of_outer
+        inner_power[i] = outer_power[i] = weight
     for k in range(1, 1 + POWERS):
-        inner_power *= inner
-        outer_power *= outer
-        powers[k, i] += outer_power - inner_power
+        power = powers[k][first:beyond]
+        for i in range(n):
+            inner_power[i] *= inner[i]
+            outer_power[i] *= outer[i]
+            power[i] += outer_power[i] - inner_power[i]
 
 
 @compiled
