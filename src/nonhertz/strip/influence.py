@@ -20,7 +20,6 @@ from nonhertz.compiled import compiled, entry
 from nonhertz.strip.element import POWERS, POWERS_AT, REMOTE, evaluate, evaluate_displacement
 from nonhertz.strip.records import Array, Flags, Indices, Law, Strips
 
-
 # Widths over distances below which nine terms of the series of a logarithm are exact to rounding.
 SHORT = 0.25
 

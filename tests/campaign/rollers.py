@@ -1,0 +1,55 @@
+"""Random rollers on rings and plates as engineers draw them, each reproducible from its number."""
+
+import numpy as np
+
+import nonhertz as nh
+
+SEED = 20261122
+KINDS = ("straight", "crown", "logarithmic", "two radii", "partial crown", "lundberg", "tapered ends")
+HALF_SPACE = {"side_faces": "none", "depth": "none"}
+
+
+def roller_case(number):
+    """Contact and what is prescribed: load or approach, tilt or moment."""
+    rng = np.random.default_rng([SEED, number])
+    diameter = rng.uniform(6.0, 40.0)
+    length = diameter * rng.uniform(0.7, 2.5)
+    load = length * diameter / 20.0 * 10.0 ** rng.uniform(1.7, 3.3)
+    ends = HALF_SPACE if rng.random() < 0.4 else {}
+    roller = nh.Roller(diameter=diameter, length=length, profile=profile(rng, diameter, length, load), **ends)
+    contact = nh.Contact(roller, other_body(rng, diameter, length))
+    tilt = rng.choice([0.0, 1.0]) * rng.uniform(-1e-3, 1e-3)
+    way = rng.integers(4)
+    if way == 0:
+        return contact, {"approach": nh.solve(contact, load=load, tilt=tilt).approach, "tilt": tilt}
+    if way == 1:
+        return contact, {"load": load, "moment": load * length * rng.uniform(-0.1, 0.1)}
+    return contact, {"load": load, "tilt": tilt}
+
+
+def profile(rng, diameter, length, load):
+    """One of the usual profiles, from too little relief to too much."""
+    make = nh.profile
+    match rng.choice(KINDS):
+        case "crown":
+            return make.crown(length**2 / 8.0 / 10.0 ** rng.uniform(-2.5, -1.0))
+        case "logarithmic":
+            return make.iso_logarithmic(diameter=diameter, length=length)
+        case "two radii":
+            radius = length**2 / 8.0 / 10.0 ** rng.uniform(-3.0, -2.0)
+            return make.two_radius(radius, radius / rng.uniform(3.0, 20.0), length * rng.uniform(0.4, 0.8))
+        case "partial crown":
+            return make.partial_crown(length * rng.uniform(10.0, 60.0), length * rng.uniform(0.3, 0.8))
+        case "lundberg":
+            return make.lundberg(load=load * rng.uniform(0.5, 1.5), length=length, radius=0.5 * diameter)
+        case "tapered ends":
+            return make.tapered_ends(length * rng.uniform(0.3, 0.8), 10.0 ** rng.uniform(-3.3, -2.0))
+    return make.straight()
+
+
+def other_body(rng, diameter, length):
+    """A plate, or a ring inside or outside, with its ends near those of the roller or far away."""
+    if rng.random() < 0.3:
+        return nh.Plate()
+    ring = diameter * rng.uniform(2.0, 8.0) * rng.choice([-1.0, 1.0])
+    return nh.Ring(diameter=ring, length=None if rng.random() < 0.6 else length * rng.uniform(0.9, 1.3))

@@ -1,0 +1,84 @@
+"""300 random rollers: the accuracy that is asked for is met, and what is stated about it is true.
+
+The truth is a grid whose errors are a few millionths.
+"""
+
+import os
+import warnings
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from extent import extent
+from rollers import roller_case
+
+import nonhertz as nh
+
+CASES, SOME = 300, 100
+ASKED = (1e-3, 1e-4, 1e-5)
+TRUE, LEAST = 3e-6, 0.1  # the accuracy of the truth, and of errors too small to be judged by it, of what is asked for
+MET, STATED = 0.98, 0.99
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One roller at one accuracy: errors and what is stated of them, of approach or load and of the maximum."""
+
+    number: int
+    asked: float
+    error: float
+    stated: float
+    of_maximum: float
+    stated_of_maximum: float
+
+
+def findings(number):
+    """Solve one roller at all accuracies."""
+    contact, given = roller_case(number)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        true = nh.solve(contact, **given, accuracy=TRUE)
+        return [finding(number, asked, true, nh.solve(contact, **given, accuracy=asked)) for asked in ASKED]
+
+
+def finding(number, asked, true, found):
+    """Compare one solution with the true one."""
+    stated = found.error_estimate
+    of_approach = abs(found.approach - true.approach) / true.penetration
+    error, own = max((of_approach, stated.approach), (abs(found.load / true.load - 1.0), stated.load))
+    of_maximum = abs(found.max_pressure / true.max_pressure - 1.0)
+    return Finding(number, asked, error, own, of_maximum, stated.max_pressure)
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("asked", ASKED)
+def test_what_is_asked_is_met_and_what_is_stated_is_true(everything, asked):
+    found = [each for each in everything if each.asked == asked]
+    errors = np.array([each.error for each in found])
+    stated = np.array([each.error <= max(each.stated, LEAST * asked) for each in found])
+    print(
+        f"\nasked {asked:g}: {np.mean(errors <= asked):.1%} met, {stated.mean():.1%} as stated; errors at the median, "
+    )
+    print(f"98 % and most: {np.quantile(errors, 0.5):.1e}, {np.quantile(errors, 0.98):.1e}, {errors.max():.1e}")
+    assert np.mean(errors <= asked) >= MET
+    assert stated.mean() >= STATED
+
+
+# The maximum of the truth is itself no better than 1e-4 or so: enough for these two.
+@pytest.mark.campaign
+@pytest.mark.parametrize("asked", ASKED[:2])
+def test_a_maximum_that_has_a_limit_is_within_ten_times_of_what_is_asked(everything, asked):
+    found = [each for each in everything if each.asked == asked and np.isfinite(each.stated_of_maximum)]
+    errors = np.array([each.of_maximum for each in found])
+    stated = np.array([each.of_maximum <= max(each.stated_of_maximum, LEAST * asked) for each in found])
+    print(f"\nasked {asked:g}, maximum: {np.mean(errors <= 10.0 * asked):.1%} met, {stated.mean():.1%} as stated")
+    assert len(found) > 0.7 * len(everything) / len(ASKED)
+    assert np.mean(errors <= 10.0 * asked) >= MET
+    assert stated.mean() >= STATED
+
+
+@pytest.fixture(scope="module")
+def everything():
+    with ProcessPoolExecutor(os.cpu_count()) as pool:
+        return [each for one in pool.map(findings, range(extent(CASES, SOME)), chunksize=10) for each in one]
