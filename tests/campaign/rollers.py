@@ -5,7 +5,6 @@ import numpy as np
 import nonhertz as nh
 
 SEED = 20261122
-KINDS = ("straight", "crown", "logarithmic", "two radii", "partial crown", "lundberg", "tapered ends")
 HALF_SPACE = {"side_faces": "none", "depth": "none"}
 
 
@@ -29,22 +28,18 @@ def roller_case(number):
 
 def profile(rng, diameter, length, load):
     """One of the usual profiles, from too little relief to too much."""
-    make = nh.profile
-    match rng.choice(KINDS):
-        case "crown":
-            return make.crown(length**2 / 8.0 / 10.0 ** rng.uniform(-2.5, -1.0))
-        case "logarithmic":
-            return make.iso_logarithmic(diameter=diameter, length=length)
-        case "two radii":
-            radius = length**2 / 8.0 / 10.0 ** rng.uniform(-3.0, -2.0)
-            return make.two_radius(radius, radius / rng.uniform(3.0, 20.0), length * rng.uniform(0.4, 0.8))
-        case "partial crown":
-            return make.partial_crown(length * rng.uniform(10.0, 60.0), length * rng.uniform(0.3, 0.8))
-        case "lundberg":
-            return make.lundberg(load=load * rng.uniform(0.5, 1.5), length=length, radius=0.5 * diameter)
-        case "tapered ends":
-            return make.tapered_ends(length * rng.uniform(0.3, 0.8), 10.0 ** rng.uniform(-3.3, -2.0))
-    return make.straight()
+    make, drop_of_one = nh.profile, length**2 / 8.0  # the radius of a crown that falls by 1 mm at its ends
+    radius = drop_of_one / 10.0 ** rng.uniform(-3.0, -2.0)
+    drawn = {
+        "straight": make.straight,
+        "crown": lambda: make.crown(drop_of_one / 10.0 ** rng.uniform(-2.5, -1.0)),
+        "logarithmic": lambda: make.iso_logarithmic(diameter=diameter, length=length),
+        "two radii": lambda: make.two_radius(radius, radius / rng.uniform(3.0, 20.0), length * rng.uniform(0.4, 0.8)),
+        "partial crown": lambda: make.partial_crown(length * rng.uniform(10.0, 60.0), length * rng.uniform(0.3, 0.8)),
+        "lundberg": lambda: make.lundberg(load=load * rng.uniform(0.5, 1.5), length=length, radius=0.5 * diameter),
+        "tapered ends": lambda: make.tapered_ends(length * rng.uniform(0.3, 0.8), 10.0 ** rng.uniform(-3.3, -2.0)),
+    }
+    return drawn[rng.choice(list(drawn))]()
 
 
 def other_body(rng, diameter, length):

@@ -157,6 +157,9 @@ def show(portion):
         begun = True
         print("begun", flush=True)
 
+# What has to be compiled is compiled before: threads cannot be stopped in the middle of that.
+nh.solve_many(contact, load=[2e3, 9e3], strips=41).max_pressure
+
 try:
     nh.solve_many(contact, load=np.linspace(2e3, 9e3, 200_000), strips=41, announce=show)
 except nh.Interrupted as stop:

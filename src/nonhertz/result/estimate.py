@@ -33,7 +33,13 @@ MISSED = 0.02  # of the deepest interference: an overlap this large where no str
 
 
 def error_estimate(
-    problem: Problem, levels: Levels, edges: tuple[EdgePressure, ...], singular: Array, at_corner: bool
+    problem: Problem,
+    levels: Levels,
+    edges: tuple[EdgePressure, ...],
+    singular: Array,
+    highest: float,
+    *,
+    at_corner: bool,
 ) -> ErrorEstimate:
     """Return the estimated errors of the finest level; infinite if the loop failed.
 
@@ -45,8 +51,10 @@ def error_estimate(
         How the contact ends.
     singular : ndarray, shape (k,)
         The ends at which the pressure has no limit [mm].
+    highest : float
+        The largest pressure of the finest level more than a half-width from these, as `States.pressure`.
     at_corner : bool
-        Whether its largest pressure is at a corner of the profile within the contact.
+        Whether that is at a corner of the profile within the contact.
     """
     state = levels.finest
     if not state.converged:
@@ -55,7 +63,6 @@ def error_estimate(
     floor = sharp_end_error(edges, sum(high - low for low, high in contact_of(state)))
     left = left_at_sharp_ends(problem, state, edges)
     unlimited = at_corner or any(edge.kind is EdgeKind.CUT_OFF for edge in edges)
-    largest = partial(_largest, problem.element.hertz_ratio, singular)
     places, separation = within(problem, state.edges)
     # Relief deeper than the bodies approach is out of contact, however deep it is.
     near = np.minimum(separation, np.maximum(state.rigid[0] + state.rigid[1] * places, np.min(separation)))
@@ -71,18 +78,22 @@ def error_estimate(
     usual = PRESSURE_LEFT * (levels.accuracy or 0.0)
     unseen = _relative(mean, penetration), _relative(mean * state.stiffness[0, 0], float(state.load))
     reach = 0.5 * float(np.ptp(state.edges))
+
+    def largest(of: States) -> float:
+        return highest if of is state else _largest(problem.element.hertz_ratio, singular, of)
+
     return ErrorEstimate(
         approach=max(floor, error(partial(_beyond, before_touch)) + unseen[0]) + left if by_load else 0.0,
         load=0.0 if by_load else max(floor, error(_load) + unseen[1]) + left,
         max_pressure=math.inf
         if unlimited
-        else max(floor, usual, levels.difference(largest)) + _beside_strips(problem, state, singular, ripples),
+        else max(floor, usual, levels.difference(largest)) + _beside_strips(problem, state, singular, ripples, highest),
         moment=0.0 if by_moment else max(floor, error(_moment, float(state.load) * reach) + unseen[1]) + left,
         tilt=max(floor, error(_tilt, penetration / reach) + unseen[0]) + left if by_moment else 0.0,
     )
 
 
-def _beside_strips(problem: Problem, state: States, singular: Array, ripples: Array) -> float:
+def _beside_strips(problem: Problem, state: States, singular: Array, ripples: Array, highest: float) -> float:
     """Return the relative error of the largest pressure caused by what strips do not resolve.
 
     Flattening the departure from a parabola within each strip takes ripples of pressure. And on strips as wide as the
@@ -90,7 +101,7 @@ def _beside_strips(problem: Problem, state: States, singular: Array, ripples: Ar
     falls away there, the last strip may well have the largest pressure.
     """
     half_width = problem.element.hertz_ratio * np.sqrt(state.m)
-    highest, bearing = float(largest_pressure(state.y, state.pressure, half_width, singular)[0]), state.m > 0.0
+    bearing = state.m > 0.0
     hidden, sure = 0.0, []
     for end in singular:
         near = bearing & (np.abs(state.y - end) <= half_width)

@@ -77,7 +77,9 @@ def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
     sharp = (edge.y for edge in edges if edge.kind is EdgeKind.SINGULAR)
     singular = singular_ends(sharp, at_corners, float(np.ptp(state.edges)))
     places = np.array([end.y for end in singular])
-    within = bool(state.converged) and _peaks_at_kink(contact, problem, state, places)
+    half_width = problem.element.hertz_ratio * np.sqrt(state.m)
+    highest, at = map(float, largest_pressure(state.y, state.pressure, half_width, places))
+    within = bool(state.converged) and _is_at_kink(contact, state, at, places)
     return Solution(
         contact=contact,
         element=problem.element,
@@ -96,7 +98,7 @@ def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
         singular_ends=singular,
         peaks_at_corner=within,
         iterations=int(state.steps),
-        error_estimate=error_estimate(problem, levels, edges, places, within),
+        error_estimate=error_estimate(problem, levels, edges, places, highest, at_corner=within),
         warnings=(),
     )
 
@@ -126,10 +128,8 @@ def _at_corner(end: EdgePressure, corner: float, pressure: float, width: float) 
     return replace(end, y=corner, kind=EdgeKind.CORNER, pressure=pressure, strip_width=width, convention=why)
 
 
-def _peaks_at_kink(contact: Contact, problem: Problem, state: States, ends: Array) -> bool:
-    """Return whether the largest pressure is at a corner of the profile, where it has no limit either."""
-    half_width = problem.element.hertz_ratio * np.sqrt(state.m)
-    y = float(largest_pressure(state.y, state.pressure, half_width, ends)[1])
+def _is_at_kink(contact: Contact, state: States, y: float, ends: Array) -> bool:
+    """Return whether the largest pressure, at y [mm], is at a corner of the profile: it has no limit there either."""
     width = float(state.width[np.abs(state.y - y).argmin()])
     return any(
         abs(place - y) <= AT_CORNER * width and place not in ends

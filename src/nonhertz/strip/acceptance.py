@@ -143,12 +143,16 @@ def first_unmet(strips: Strips, given: Given, law: Law, answer: Answer) -> tuple
 
 def steadily(states: States) -> Flags:
     """Return in which of many cases the bodies resist being pressed together and being tilted."""
-    ends = np.abs(states.edges[:, [0, -1]]).max(axis=1)
-    with np.errstate(invalid="ignore"):
-        stiffness = states.stiffness
-        resist = (stiffness[:, 0, 0] > 0.0) & (stiffness[:, 1, 1] >= UNSTEADY * stiffness[:, 0, 0] * ends * ends)
-    steadily: Flags = resist & np.all(np.isfinite(stiffness), axis=(1, 2))
-    return steadily
+    found = np.empty(states.status.size, dtype=bool)
+    _find_steady(states, found)
+    return found
+
+
+@entry
+def _find_steady(states: States, found: Flags) -> None:
+    for case in range(found.size):
+        edges = states.edges[0 if states.edges.shape[0] == 1 else case]
+        found[case] = steady(states.stiffness[case], max(abs(edges[0]), abs(edges[-1])))
 
 
 @compiled

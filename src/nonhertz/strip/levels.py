@@ -10,6 +10,7 @@ Every level is taken for all cases before the next; a single case is a batch of 
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -81,9 +82,9 @@ class Levels:
         usually leave. Elsewhere it is the `difference`.
         """
         change = self._changes(quantity, scale)
-        if self.accuracy is None or not change.size:
+        if self.accuracy is None or not change:
             return self.difference(quantity, scale)
-        return float(max(LEFT_OF_CHANGE * change[0], USUALLY_LEFT * self.accuracy))
+        return max(LEFT_OF_CHANGE * change[0], USUALLY_LEFT * self.accuracy)
 
     def difference(self, quantity: Callable[[States], float], scale: float | None = None) -> float:
         """Return an estimate of the error of any quantity, relative to ``scale`` or else to itself.
@@ -93,17 +94,18 @@ class Levels:
         so twice the larger of the last change and half the change before it.
         """
         changes = self._changes(quantity, scale)
-        if not changes.size:
+        if not changes:
             return math.inf
-        error = float(SAFETY * np.max([changes[0], 0.5 * changes[-1]]))
-        return error if math.isfinite(error) else math.inf
+        error = SAFETY * max(changes[0], 0.5 * changes[-1])
+        return error if math.isfinite(sum(changes)) else math.inf
 
-    def _changes(self, quantity: Callable[[States], float], scale: float | None) -> Array:
+    def _changes(self, quantity: Callable[[States], float], scale: float | None) -> list[float]:
         """Return the last two relative changes, the last one first; none if there is nothing to relate them to."""
-        values = [quantity(state) for state in self.states if state.converged]
+        values = [quantity(state) for state in [state for state in self.states if state.converged][:3]]
         whole = abs(values[0]) if scale is None else scale
-        changes: Array = np.abs(np.diff(values[:3]))
-        return changes / whole if whole > 0.0 else np.zeros(0)
+        if not whole > 0.0:
+            return []
+        return [abs(fine - coarse) / whole for fine, coarse in itertools.pairwise(values)]
 
 
 def levels_from(problem: Problem, states: list[States]) -> Levels:

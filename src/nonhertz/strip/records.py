@@ -212,7 +212,9 @@ class States(NamedTuple):
         return cls.unsolved(np.zeros(1, dtype=np.int64), np.zeros((1, 1)), 0)
 
     def only(self, cases: Indices) -> States:
-        """Return the states of some cases."""
+        """Return the states of some cases, whose numbers ascend."""
+        if cases.size == self.status.size:
+            return self
         counts, edges = (self.counts, self.edges) if self.shared else (self.counts[cases], self.edges[cases])
         return States(
             counts, edges, self.r[cases], self.m[cases], self.rigid[cases], self.gap[cases], self.stiffness[cases],
