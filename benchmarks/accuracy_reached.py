@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from entrants import TO
 
 ASKED = {"approach": 1e-4, "max_pressure": 0.02}
 PEERS = ("tamaas", "ContactMechanics")
@@ -67,6 +68,9 @@ def _from(entry: Entry, entries: list[Entry]) -> list[Entry]:
 
 
 def _finer(one: Any, other: Any) -> bool:
+    if isinstance(one, str) and isinstance(other, str):
+        (kind, _, accuracy), (other_kind, _, wider) = one.partition(TO), other.partition(TO)
+        return kind == other_kind and float(accuracy) < float(wider)
     if isinstance(one, str) or isinstance(other, str):
         return False
     return one != other and bool(np.all(np.asarray(one) >= np.asarray(other)))

@@ -18,7 +18,9 @@ from races import Race
 
 import nonhertz as nh
 
-BATCH, LOAD_RANGE, LEARNT = 256, 0.1, "learnt"
+BATCH, LOAD_RANGE = 256, 0.1
+# Grids by their accuracy: an automatic grid for each case, or that of the first of many, used for all.
+AUTOMATIC, LEARNT, TO = "automatic", "learnt", " to "
 Cells = tuple[int, int]
 
 
@@ -54,30 +56,35 @@ Solve = Callable[[float], Answer]  # of the program's own tolerance
 
 
 def strips(race: Race, grid: int | str, element: str) -> Solve:
-    """Return a solve on that many equal strips, or on the automatic grid."""
+    """Return a solve on that many equal strips, or on the automatic grid of an accuracy."""
     chosen = {"semi-elliptic": nh.SEMI_ELLIPTIC, "parabolic": nh.PARABOLIC}[element]
 
     def solve(_: float) -> Answer:
-        solution = nh.solve(race.contact, load=race.load, tilt=race.tilt, element=chosen, strips=grid)
+        solution = nh.solve(race.contact, load=race.load, tilt=race.tilt, element=chosen, **asked(grid))
         # Pressures are computed when they are asked for: here, where the clock sees it.
         return Answer(solution.approach, solution.max_pressure, solution.centre_pressure, (solution.y,))
 
     return solve
 
 
-def batch(race: Race, grid: int | str, element: str, threads: int) -> Solve:
-    """Return a solve of many loads in one call, on equal strips or on a grid learnt from the first of them.
+def asked(grid: int | str) -> dict[str, Any]:
+    """Return a grid as `nonhertz.solve` takes it: a number of strips, or an accuracy."""
+    return {"strips": grid} if isinstance(grid, int) else {"accuracy": float(grid.partition(TO)[2])}
 
-    The last load is the one that counts: the grid was not made for it.
+
+def batch(race: Race, grid: int | str, element: str, threads: int) -> Solve:
+    """Return a solve of many loads in one call: on equal strips, automatic grids, or one learnt from the first load.
+
+    The last load is the one that counts: a learnt grid was not made for it.
     """
     chosen = {"semi-elliptic": nh.SEMI_ELLIPTIC, "parabolic": nh.PARABOLIC}[element]
     loads = race.load * np.linspace(1.0 - LOAD_RANGE, 1.0, BATCH)
 
     def solve(_: float) -> Answer:
-        strips = grid
-        if grid == LEARNT:
-            strips = nh.solve(race.contact, load=loads[0], tilt=race.tilt, element=chosen).edges
-        found = nh.solve_many(race.contact, load=loads, tilt=race.tilt, element=chosen, strips=strips, threads=threads)
+        on = asked(grid)
+        if isinstance(grid, str) and grid.startswith(LEARNT):
+            on = {"strips": nh.solve(race.contact, load=loads[0], tilt=race.tilt, element=chosen, **on).edges}
+        found = nh.solve_many(race.contact, load=loads, tilt=race.tilt, element=chosen, threads=threads, **on)
         return Answer(float(found.approach[-1]), float(found.max_pressure[-1]))
 
     return solve

@@ -32,15 +32,18 @@ from nonhertz.plot import save
 
 ROOT = Path(__file__).parents[1]
 FOLDER = ROOT / "docs" / "benchmarks"
+ACCURACIES = ("1e-2", "2e-3", "1e-3", "1e-4", "1e-5")
+ON_AUTOMATIC = tuple(entrants.AUTOMATIC + entrants.TO + each for each in ACCURACIES)
+LEARNT = tuple(entrants.LEARNT + entrants.TO + each for each in ACCURACIES)
 STRIPS = {
-    "strips: semi-elliptic": ("auto", 11, 21, 41, 81, 161, 321),
-    "strips: parabolic": ("auto", 41),
-    "batch: semi-elliptic": (entrants.LEARNT, 21, 41, 81, 161),
+    "strips: semi-elliptic": (*ON_AUTOMATIC, 11, 21, 41, 81, 161, 321),
+    "strips: parabolic": (ON_AUTOMATIC[-2], 41),
+    "batch: semi-elliptic": (*LEARNT, *ON_AUTOMATIC, 21, 41, 81, 161),
 }
 # Cells four and sixteen times as many along as across: contacts are long, and a narrow peak at an end wants the latter.
 CELLS = [(8, 32), (16, 64), (32, 128), (16, 256), (64, 256), (32, 512), (128, 512), (64, 1024)]
 FULL_SIZE, FULL_RACE = (512, 1024), "crowned"
-QUICK_CELLS, QUICK_STRIPS, QUICK_FULL = [(16, 64)], ("auto", 21), (16, 64)
+QUICK_CELLS, QUICK_STRIPS, QUICK_FULL = [(16, 64)], (ON_AUTOMATIC[-2], 21), (16, 64)
 PLAYOFF_CELLS = (64, 256)
 JUDGES = ("ContactMechanics: with restart", "tamaas", "patch")
 LONGEST = 1.0  # s, for the repeats of a run

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from accuracy_reached import ASKED, Entry
+from entrants import AUTOMATIC, TO
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from races import QUANTITIES
@@ -21,7 +22,7 @@ LOOK: dict[str, dict[str, Any]] = {
     "ContactMechanics": {"color": "#CC79A7", "marker": "D", "label": "ContactMechanics"},
 }
 LEAST = 1e-7  # smaller errors are drawn here
-AUTOMATIC, EQUAL = -1.0, 0.0  # shapes of strips; of cells it is their number along over that across
+EQUAL = 0.0  # the shape of equal strips; of cells it is their number along over that across
 FIRST_SHAPES = (EQUAL, 4.0)  # drawn thick and open
 
 
@@ -63,8 +64,8 @@ def _panel(axes: Axes, race: dict[str, Any], quantity: str) -> None:
 
 
 def _program(axes: Axes, entries: list[Entry], quantity: str, look: dict[str, Any]) -> None:
-    """Draw a line for each shape of cells; the automatic grid is a point."""
-    shapes: dict[float, list[Entry]] = {}
+    """Draw a line for each shape of cells, and for automatic grids of rising accuracy."""
+    shapes: dict[float | str, list[Entry]] = {}
     for entry in entries:
         shapes.setdefault(_shape(entry["grid"]), []).append(entry)
     for shape, ladder in shapes.items():
@@ -80,7 +81,7 @@ def _note(colour: str) -> dict[str, Any]:
     return {"textcoords": "offset points", "fontsize": SMALL_SIZE, "color": colour}
 
 
-def _shape(grid: Any) -> float:
+def _shape(grid: Any) -> float | str:
     if isinstance(grid, str):
-        return AUTOMATIC
+        return grid.partition(TO)[0]
     return EQUAL if isinstance(grid, int) else grid[1] / grid[0]
