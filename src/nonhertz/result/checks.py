@@ -17,6 +17,7 @@ from nonhertz.errors import InputError
 from nonhertz.model.body import BODIES, Body, BodyName
 from nonhertz.model.contact import Contact
 from nonhertz.result.solution import Solution
+from nonhertz.strip.resolution import PLACES, departures
 
 Array = NDArray[np.float64]
 
@@ -25,6 +26,9 @@ MOST_OF_MODULUS = 0.1  # the hardness of metals and ceramics is a few hundredths
 LEAST_DEPTH, LEAST_OF_ALL = 3.0, 1.0  # half-widths: a warning below the first, an error below the second
 HEAVIEST = 1.0 + 1e-9  # largest kappa, with room for the rounding of a sum that is 1
 WIDER_THAN_LONG = 1.02  # so that rounding does not make a circle count as wide
+# Of the penetration; waves from 0.75 half-widths upwards then cost the approach up to MODEL_ERROR times the square, by
+# the plane grid. Usual profiles have 4e-4 at most.
+MOST_UNEVEN, MODEL_ERROR = 0.01, 7.0
 
 
 @dataclass(frozen=True)
@@ -65,7 +69,7 @@ def checks(solution: Solution, freed: tuple[End, ...]) -> tuple[ValidityCheck, .
     area = 2.0 * float(np.sum(solution.half_width * solution.strip_width))
     mean = float(np.sum(solution.line_load * solution.strip_width)) / area
     return (
-        _long(solution), curved(contact, y, half_width), small_strains(contact, mean),
+        _long(solution), curved(contact, y, half_width), _even(solution), small_strains(contact, mean),
         *thick(contact, solution.element, y, half_width), *image_weights(freed),
     )  # fmt: skip
 
@@ -97,6 +101,49 @@ def curved(contact: Contact, y: Array, half_width: Array) -> ValidityCheck:
         "half-spaces nor a parabolic separation describe such a contact."
     )
     return ValidityCheck(what, criterion, ratio, MOST_OF_RADIUS, (sentence,) if ratio > MOST_OF_RADIUS else ())
+
+
+def unevenness(contact: Contact, y: Array, half_width: Array, load: Array, rigid: Array) -> Array:
+    """Return how far the bodies depart from parabolas within a half-width to either side, for one case or many.
+
+    Parameters
+    ----------
+    contact : Contact
+        The bodies.
+    y, half_width, load : ndarray, shape (..., n)
+        Centres, half-widths [mm] and loads of strips.
+    rigid : ndarray, shape (..., 2)
+        Approach and tilt [mm, rad]; relief beyond the interference does not count.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Root mean square departures [mm], in the mean of all strips by their loads.
+    """
+    places = y[..., None] + 2.0 * half_width[..., None] * PLACES
+    separation = contact.separation_at(places.ravel()).reshape(places.shape)
+    near = np.minimum(separation, rigid[..., :1, None] + rigid[..., 1:, None] * places)
+    with np.errstate(divide="ignore", invalid="ignore"):  # a case that was not solved may bear nothing
+        departure: Array = np.sum(load * departures(near), axis=-1) / np.sum(load, axis=-1)
+    return departure
+
+
+def _even(solution: Solution) -> ValidityCheck:
+    rigid = np.array([solution.approach, solution.tilt])
+    load = solution.line_load * solution.strip_width
+    departure = float(unevenness(solution.contact, solution.y, solution.half_width, load, rigid))
+    ratio = departure / solution.penetration if solution.penetration > 0.0 else 0.0
+    share, cost = 100.0 * ratio, 100.0 * MODEL_ERROR * ratio**2
+    sentence = (
+        f"Within a half-width the bodies depart by {1e3 * departure:.2g} um from parabolas, {share:.2g} % of the "
+        f"penetration and over {100.0 * MOST_UNEVEN:g} %: such short waves change the pressure across, which strips "
+        f"take as given, and the approach by up to {cost:.2g} %; compare with the plane grid."
+    )
+    return ValidityCheck(
+        "Relief that varies slowly along the contact",
+        f"departure from a parabola within a half-width up to {100.0 * MOST_UNEVEN:g} % of the penetration",
+        ratio, MOST_UNEVEN, (sentence,) if ratio > MOST_UNEVEN else (), "Compare with the plane grid.",
+    )  # fmt: skip
 
 
 def small_strains(contact: Contact, mean: float) -> ValidityCheck:

@@ -16,9 +16,11 @@ from nonhertz.result.checks import (
     LEAST_OF_ALL,
     MOST_OF_MODULUS,
     MOST_OF_RADIUS,
+    MOST_UNEVEN,
     checks,
     refuse_thin_bodies,
     sharper_curvature,
+    unevenness,
 )
 from nonhertz.result.ends import step_at
 from nonhertz.result.estimate import LARGE_ERROR, LARGE_PRESSURE_ERROR, MISSED, may_be_uncertain
@@ -63,6 +65,13 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States], sing
     areas = np.sum(2.0 * half_width * width, axis=1)
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
     hard = finest.load / problem.compliance > 0.5 * MOST_OF_MODULUS * softer * areas
+    pressed = np.max(
+        finest.rigid[:, :1] + finest.rigid[:, 1:] * y - contact.separation_at(y.ravel()).reshape(y.shape), axis=1
+    )
+    departure = unevenness(
+        contact, np.broadcast_to(y, half_width.shape), half_width, finest.r * finest.m * width, finest.rigid
+    )
+    uneven = departure > 0.9 * MOST_UNEVEN * pressed
     thin = np.any(problem.influence.shallowest(y) < LEAST_DEPTH * half_width, axis=1)
     region = _searched(contact, float(finest.edges[:, 0].min()), float(finest.edges[:, -1].max()))
     coarse = may_be_uncertain(problem, levels, singular) | suspects(problem, finest, region)
@@ -74,7 +83,7 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States], sing
         beside = np.abs(y - peak[:, None]).argmin(axis=1)
         coarse |= nearest <= AT_CORNER * np.broadcast_to(width, finest.m.shape)[np.arange(peak.size), beside]
     heavy = any(end.requested > HEAVIEST for end in problem.influence.ends)
-    found: Flags = wide | flat | hard | thin | coarse | heavy
+    found: Flags = wide | flat | hard | uneven | thin | coarse | heavy
     return found
 
 

@@ -15,13 +15,13 @@ from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import Array
 
 WITHIN = 9  # places in a strip
-_PLACES = (np.arange(WITHIN) + 0.5) / WITHIN - 0.5
-_PARABOLA = np.linalg.qr(np.vander(_PLACES, 3))[0]
+PLACES = (np.arange(WITHIN) + 0.5) / WITHIN - 0.5
+_PARABOLA = np.linalg.qr(np.vander(PLACES, 3))[0]
 
 
 def within(problem: Problem, edges: Array) -> tuple[Array, Array]:
     """Return places within each strip and the separation there, shape (..., strips, places) each."""
-    y = 0.5 * (edges[..., 1:] + edges[..., :-1])[..., None] + np.diff(edges)[..., None] * _PLACES
+    y = 0.5 * (edges[..., 1:] + edges[..., :-1])[..., None] + np.diff(edges)[..., None] * PLACES
     return y, problem.separation(y.ravel()).reshape(y.shape)
 
 
