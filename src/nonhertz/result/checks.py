@@ -133,17 +133,17 @@ def _even(solution: Solution) -> ValidityCheck:
     load = solution.line_load * solution.strip_width
     departure = float(unevenness(solution.contact, solution.y, solution.half_width, load, rigid))
     ratio = departure / solution.penetration if solution.penetration > 0.0 else 0.0
+    what = "Relief that varies slowly along the contact"
+    criterion = f"departure from a parabola within a half-width up to {100.0 * MOST_UNEVEN:g} % of the penetration"
+    if ratio <= MOST_UNEVEN:
+        return ValidityCheck(what, criterion, ratio, MOST_UNEVEN)
     share, cost = 100.0 * ratio, 100.0 * MODEL_ERROR * ratio**2
     sentence = (
         f"Within a half-width the bodies depart by {1e3 * departure:.2g} um from parabolas, {share:.2g} % of the "
         f"penetration and over {100.0 * MOST_UNEVEN:g} %: such short waves change the pressure across, which strips "
         f"take as given, and the approach by up to {cost:.2g} %; compare with the plane grid."
     )
-    return ValidityCheck(
-        "Relief that varies slowly along the contact",
-        f"departure from a parabola within a half-width up to {100.0 * MOST_UNEVEN:g} % of the penetration",
-        ratio, MOST_UNEVEN, (sentence,) if ratio > MOST_UNEVEN else (), "Compare with the plane grid.",
-    )  # fmt: skip
+    return ValidityCheck(what, criterion, ratio, MOST_UNEVEN, (sentence,), "Compare with the plane grid.")
 
 
 def small_strains(contact: Contact, mean: float) -> ValidityCheck:
