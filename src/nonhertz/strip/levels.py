@@ -45,7 +45,7 @@ MORE_STRIPS = (1, 5, 25)  # times as many to begin with, in case fewer miss the 
 FEWER_STRIPS = (1.0, 0.94, 0.88, 0.82, 0.76)  # tried in turn where a grid has no solution
 # Fractions of the strips: a rough grid that grades the final one, then half of the final one and all of it; and these
 # again, if the solution shows that another contact was missed.
-LESSONS = ((0.35,), (0.5,), (0.5, 1.0))
+LESSONS = ((0.4,), (0.5, 1.0))
 REPEATS = (LESSONS[-1], LESSONS[-1])
 WELL_FILLED = 0.4  # fraction of the region that the contact must fill before a grid is graded from it
 SAFETY = 2.0
