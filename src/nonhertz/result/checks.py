@@ -113,7 +113,7 @@ def unevenness(contact: Contact, y: Array, half_width: Array, load: Array, rigid
     y, half_width, load : ndarray, shape (..., n)
         Centres, half-widths [mm] and loads of strips.
     rigid : ndarray, shape (..., 2)
-        Approach and tilt [mm, rad]; relief beyond the interference does not count.
+        Approach and tilt [mm, rad]; only places where all of this lies within the interference count.
 
     Returns
     -------
@@ -122,7 +122,9 @@ def unevenness(contact: Contact, y: Array, half_width: Array, load: Array, rigid
     """
     places = y[..., None] + 2.0 * half_width[..., None] * PLACES
     separation = contact.separation_at(places.ravel()).reshape(places.shape)
-    near = np.minimum(separation, rigid[..., :1, None] + rigid[..., 1:, None] * places)
+    # Towards the ends of bodies and of the interference the relief may fall as it likes.
+    pressed = separation < rigid[..., :1, None] + rigid[..., 1:, None] * places
+    near = np.where(pressed, separation, np.inf)
     with np.errstate(divide="ignore", invalid="ignore"):  # a case that was not solved may bear nothing
         departure: Array = np.sum(load * departures(near), axis=-1) / np.sum(load, axis=-1)
     return departure
