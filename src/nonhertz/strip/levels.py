@@ -56,9 +56,10 @@ ACCURACY, COARSENESS, ORDER, ORDER_COARSER, LEFT_OF_CHANGE = 1e-4, 0.28, 2.2, 3.
 USUALLY_LEFT = 0.6  # of the accuracy aimed for: about the largest error found where the change was small
 LEAST_FINER, MARGIN = 0.4, 0.95
 FULL = 0.97
-# At the largest pressure: its sagitta in a strip over the accuracy, how much narrower strips may become at once, and by
-# what share of it another may be less and yet count as the largest.
-POINTED, LEAST_AT_PEAK, ALIKE, SAME, AT_KINK = 5.0, 0.2, 0.01, 1e-9, 3.0
+# At the largest pressure: its sagitta in a strip over the accuracy, how much narrower strips may become at once, below
+# which share of their width they are solved again, and by what share of it another may be less and yet count as the
+# largest.
+POINTED, LEAST_AT_PEAK, TOO_WIDE, ALIKE, SAME, AT_KINK = 5.0, 0.2, 0.7, 0.01, 1e-9, 3.0
 
 
 @dataclass(frozen=True)
@@ -181,7 +182,8 @@ def on_automatic_strips(
     for lesson, shares in enumerate(LESSONS + REPEATS):
         if lesson >= len(LESSONS):
             finer = learning.finer_wanted(states, accuracy)
-            again = np.flatnonzero((finer < 1.0) | (states[0].converged & learning.incomplete(states[0])))
+            wanting = learning.incomplete(states[0]) | learning.pointed(states[0])
+            again = np.flatnonzero((finer < 1.0) | (states[0].converged & wanting))
             done = np.setdiff1d(np.arange(rows.size), again)
             groups.append((rows[done], [level.only(done) for level in states]))
             rows, states, coarseness = rows[again], [level.only(again) for level in states], (coarseness * finer)[again]
@@ -264,6 +266,12 @@ class _Learning:
             missing[row] = bool(overlaps(self.problem, states.one(int(row)), self.finite))
         return missing
 
+    def pointed(self, states: States) -> Flags:
+        """Return in which cases the largest pressure is far too pointed for its strips."""
+        peaks = _peaks(states, self.kinks[0], self.problem.accuracy or ACCURACY)
+        pointed: Flags = np.any(peaks[:, 1] < TOO_WIDE * peaks[:, 2], axis=1)
+        return pointed
+
     def _terrain(self, states: States) -> Terrain:
         low, high = np.broadcast_to(_ends(states), (states.status.size, 2)).T
         if np.all(low == self.finite[0]) and np.all(high == self.finite[1]):
@@ -278,19 +286,20 @@ class _Learning:
         suspected = suspects(self.problem, states, self.finite).tolist()
         found = [overlaps(self.problem, states.one(row), self.finite) if it else [] for row, it in enumerate(suspected)]
         extras = np.full((len(found), 2, 2 + max(map(len, found))), np.nan)
-        extras[..., :2] = _peaks(states, self.kinks[0], self.problem.accuracy or ACCURACY)
+        extras[..., :2] = _peaks(states, self.kinks[0], self.problem.accuracy or ACCURACY)[:, :2]
         for row, places in enumerate(found):
             extras[row, :, 2 : 2 + len(places)] = np.array(places).reshape(-1, 2).T
         return extras
 
 
 def _peaks(states: States, kinks: Array, accuracy: float) -> Array:
-    """Return where the largest pressure is too pointed for its strips, and the width wanted there, shape (cases, 2, 2).
+    """Return where the largest pressure is too pointed for its strips, and widths, shape (cases, 3, 2).
 
-    What a strip bears is the mean over it: a sagitta of the pressure within it is missing from the maximum. On either
-    side of y = 0, where pressures are equal that mirror each other.
+    Places, the widths wanted there, and those that the strips have. What a strip bears is the mean over it: a sagitta
+    of the pressure within it is missing from the maximum. On either side of y = 0, where pressures are equal that
+    mirror each other.
     """
-    found = np.full((states.status.size, 2, 2), np.nan)
+    found = np.full((states.status.size, 3, 2), np.nan)
     _find_peaks(states, kinks, accuracy, found)
     return found
 
@@ -316,7 +325,7 @@ def _find_peaks(states: States, kinks: Array, accuracy: float, found: Array) -> 
                     if abs(place - kink) < AT_KINK * wide:
                         wanted = np.nan  # there it has no limit
                 if not math.isnan(wanted):
-                    found[case, 0, side], found[case, 1, side] = place, wanted
+                    found[case, 0, side], found[case, 1, side], found[case, 2, side] = place, wanted, wide
 
 
 @compiled
