@@ -26,8 +26,8 @@ MOST_OF_MODULUS = 0.1  # the hardness of metals and ceramics is a few hundredths
 LEAST_DEPTH, LEAST_OF_ALL = 3.0, 1.0  # half-widths: a warning below the first, an error below the second
 HEAVIEST = 1.0 + 1e-9  # largest kappa, with room for the rounding of a sum that is 1
 WIDER_THAN_LONG = 1.02  # so that rounding does not make a circle count as wide
-# Of the penetration; waves from 0.75 half-widths upwards then cost the approach up to MODEL_ERROR times the square, by
-# the plane grid. Usual profiles have 4e-4 at most.
+# Of the largest interference; waves from 0.75 half-widths upwards then cost the approach up to MODEL_ERROR times the
+# square, by the plane grid. Usual profiles have 4e-4 at most.
 MOST_UNEVEN, MODEL_ERROR = 0.01, 7.0
 
 
@@ -134,15 +134,16 @@ def _even(solution: Solution) -> ValidityCheck:
     rigid = np.array([solution.approach, solution.tilt])
     load = solution.line_load * solution.strip_width
     departure = float(unevenness(solution.contact, solution.y, solution.half_width, load, rigid))
-    ratio = departure / solution.penetration if solution.penetration > 0.0 else 0.0
+    deepest = float(np.max(solution.interference))
+    ratio = departure / deepest if deepest > 0.0 else 0.0
     what = "Relief that varies slowly along the contact"
-    criterion = f"departure from a parabola within a half-width up to {100.0 * MOST_UNEVEN:g} % of the penetration"
+    criterion = f"departure from a parabola within a half-width up to {100.0 * MOST_UNEVEN:g} % of the interference"
     if ratio <= MOST_UNEVEN:
         return ValidityCheck(what, criterion, ratio, MOST_UNEVEN)
     share, cost = 100.0 * ratio, 100.0 * MODEL_ERROR * ratio**2
     sentence = (
         f"Within a half-width the bodies depart by {1e3 * departure:.2g} um from parabolas, {share:.2g} % of the "
-        f"penetration and over {100.0 * MOST_UNEVEN:g} %: such short waves change the pressure across, which strips "
+        f"interference and over {100.0 * MOST_UNEVEN:g} %: such short waves change the pressure across, which strips "
         f"take as given, and the approach by up to {cost:.2g} %; compare with the plane grid."
     )
     return ValidityCheck(what, criterion, ratio, MOST_UNEVEN, (sentence,), "Compare with the plane grid.")
