@@ -8,7 +8,7 @@ import numpy as np
 
 from nonhertz.errors import InputError
 from nonhertz.strip.grid import uniform
-from nonhertz.strip.problem import Problem, sprung
+from nonhertz.strip.problem import Problem, row_of, sprung
 from nonhertz.strip.records import Array
 
 LOOKS, CLOSER_LOOKS = 20000, 4
@@ -26,8 +26,8 @@ def feasible(problem: Problem, edges: Array) -> bool:
 
 def refuse_infeasible(problem: Problem, edges: Array, *, chosen: bool = True) -> None:
     """Refuse a prescription that no loads on these strips can meet; ``chosen`` if the user gave the strips."""
-    y = 0.5 * (edges[1:] + edges[:-1])
-    separation = problem.separation(y)
+    strips = problem.grids(*row_of(edges), at_rest=True)
+    y, separation = strips.y[0], strips.separation[0]
     usable = y[np.isfinite(separation)]
     refuse_endless_relief(y, separation)
     by_load, by_moment = problem.prescribed

@@ -17,6 +17,9 @@ from nonhertz.strip.settle import settle_all, sought_of, strips_of
 from nonhertz.strip.start import springs
 
 
+KEPT_GRIDS = 2  # those of thousands of strips take megabytes
+
+
 @dataclass(frozen=True)
 class Problem:
     """What the strips have to satisfy, on any grid.
@@ -55,6 +58,7 @@ class Problem:
     accuracy: float | None = None
     asked: bool = False
     _sampled: dict[tuple[float, float, int], tuple[Array, Array]] = field(default_factory=dict, repr=False)
+    _laid: dict[bytes, Grids] = field(default_factory=dict, repr=False)
 
     def sampled(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
         """Return evenly spaced places and the separation there, cached."""
@@ -98,14 +102,23 @@ class Problem:
         at_rest : bool
             Whether to take what displacement is measured against as at rest: a matrix less to fill.
         """
-        y = 0.5 * (edges[:, 1:] + edges[:, :-1])
-        flat = y.ravel()
-        curvature, separation, shallowest = (
-            asked(flat).reshape(y.shape) for asked in (self.curvature, self.separation, self.influence.shallowest)
-        )
-        at_rest = at_rest or not self.influence.references
-        at_depth = np.zeros((len(y), 0, 0)) if at_rest else self.influence.at_depth(y, edges)
-        return Grids(count, edges, y, curvature, separation, shallowest, at_depth)
+        # The strips of one case are asked for when they are checked, solved and judged.
+        key = edges.tobytes() if len(edges) == 1 else b""
+        found = self._laid.get(key)
+        if found is None:
+            y = 0.5 * (edges[:, 1:] + edges[:, :-1])
+            flat = y.ravel()
+            curvature, separation, shallowest = (
+                asked(flat).reshape(y.shape) for asked in (self.curvature, self.separation, self.influence.shallowest)
+            )
+            found = Grids(count, edges, y, curvature, separation, shallowest, np.zeros((len(y), 0, 0)))
+        if not (at_rest or found.at_depth.size) and self.influence.references:
+            found = found._replace(at_depth=self.influence.at_depth(found.y, edges))
+        if key:
+            if len(self._laid) >= KEPT_GRIDS:
+                self._laid.clear()
+            self._laid[key] = found
+        return found
 
 
 def row_of(edges: Array) -> tuple[Indices, Array]:
