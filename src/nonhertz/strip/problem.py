@@ -16,7 +16,6 @@ from nonhertz.strip.records import ITERATION_LIMIT, Array, Flags, Given, Grids, 
 from nonhertz.strip.settle import settle_all, sought_of, strips_of
 from nonhertz.strip.start import springs
 
-
 KEPT_GRIDS = 2  # those of thousands of strips take megabytes
 
 
@@ -57,8 +56,9 @@ class Problem:
     crests: Callable[[], tuple[float, ...]] = tuple
     accuracy: float | None = None
     asked: bool = False
-    _sampled: dict[tuple[float, float, int], tuple[Array, Array]] = field(default_factory=dict, repr=False)
-    _laid: dict[bytes, Grids] = field(default_factory=dict, repr=False)
+    # Not given to `replace`, so that a problem of other bodies knows nothing of these.
+    _sampled: dict[tuple[float, float, int], tuple[Array, Array]] = field(init=False, default_factory=dict, repr=False)
+    _laid: dict[bytes, Grids] = field(init=False, default_factory=dict, repr=False)
 
     def sampled(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
         """Return evenly spaced places and the separation there, cached."""
@@ -82,8 +82,11 @@ class Problem:
         return self._sampled[key]
 
     def of(self, target: Array) -> Problem:
-        """Return the problem with another target."""
-        return replace(self, target=target)
+        """Return the problem with another target, and all that is known of the bodies."""
+        other = replace(self, target=target)
+        for known in ("_sampled", "_laid"):
+            object.__setattr__(other, known, getattr(self, known))
+        return other
 
     @cached_property
     def law(self) -> Law:
