@@ -23,7 +23,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import elliprd, elliprf
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import numbers, positive
@@ -268,6 +267,8 @@ def point_contact(
         raise InputError("radius_y", radius_y, condition, "use line_contact for straight bodies")
 
     slenderness = _axis_ratio(short_radius / long_radius)
+    from scipy.special import elliprd, elliprf
+
     displacement = 1.5 * float(elliprf(0.0, slenderness**2, 1.0))  # delta a / (K Q)
     curvature = float(elliprd(0.0, slenderness**2, 1.0))  # a^3 / (K Q R), R the long radius
     # Of the two curvature conditions the one with the long radius is used: it hardly depends on the axis ratio.
@@ -456,6 +457,8 @@ def half_space_line_compression(contact: LineContact, *, length: float) -> float
 
 def _axis_ratio(radius_ratio: float) -> float:
     """Return b/a <= 1 for Rx/Ry <= 1, by the iteration in the module's docstring."""
+    from scipy.special import elliprd
+
     target = math.log(radius_ratio)
     log_ratio = target / 1.75
     # The start is off by at most 22 (at a radius ratio of 1e-100), and 22 / 7^20 is below rounding.

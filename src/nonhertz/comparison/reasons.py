@@ -18,7 +18,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import PchipInterpolator
 
 from nonhertz.comparison.value import (
     Flags,
@@ -250,6 +249,8 @@ def _own_bias(place: _Place) -> Iterator[_Cause]:
     """Yield how far a parabola's half-width is from that of semi-elliptic strips; its pressure is off in proportion."""
     if place.solution is place.semi:
         return
+    from scipy.interpolate import PchipInterpolator
+
     # The square of the half-width is smooth up to where the contact runs out; straight lines between the strips would
     # be off by a share of the bias itself.
     of_semi = np.sqrt(PchipInterpolator(place.semi.y, place.semi.half_width**2)(place.y, extrapolate=False))

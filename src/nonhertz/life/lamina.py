@@ -21,7 +21,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_of, text, whole
@@ -201,5 +200,7 @@ def _slices(solution: Solved, edges: Array) -> Array:
 
     low = float(gap.min())
     high = low + (solution.load / stiffness) ** (1.0 / STIFFENING)
+    from scipy.optimize import brentq
+
     found = brentq(lambda approach: loads(approach).sum() - solution.load, low, high, xtol=1e-15, rtol=1e-13)
     return loads(float(found))

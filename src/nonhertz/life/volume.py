@@ -18,7 +18,6 @@ from typing import Unpack
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
 from nonhertz.errors import InputError
 from nonhertz.hertz import line_contact
@@ -110,6 +109,8 @@ def depths() -> tuple[Array, Array]:
 def _levels() -> tuple[Array, Array]:
     """Return the depths over the half-width at which stresses are evaluated, and the matrix to all `depths`."""
     root = np.linspace(np.sqrt(SHALLOWEST), np.sqrt(PANELS[-1]), LEVELS)
+    from scipy.interpolate import CubicSpline
+
     return root**2, np.asarray(CubicSpline(root, np.eye(LEVELS))(np.sqrt(depths()[0])))
 
 

@@ -10,15 +10,18 @@ the possible error of the pressure. A body smaller than a quarter of a cell may 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import sparse
 
 from nonhertz.patch.cascade import Gap
 from nonhertz.patch.kernel import edges_from, rectangles
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.verdict import displacement
+
+if TYPE_CHECKING:
+    from scipy import sparse
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -62,6 +65,8 @@ def between(solution: PatchSolution, gap: Gap) -> Unseen:
     x, y = (_places(each, side) for each, side in ((solution.x, solution.dx), (solution.y, solution.dy)))
     # A profile that falls away where the contact ends, as a logarithmic one does, does not raise the pressure there.
     inner = ~_grown(np.pad(~solution.footprint, 1, constant_values=True))[1:-1, 1:-1]
+    from scipy import sparse
+
     near, holes = _grown(solution.footprint), sparse.csr_array(~whole, dtype=float)
     # For a part of a cell, not a whole cell: what is unseen may be that narrow, and then raises the pressure more.
     side = edges_from(0.0, 1, solution.dx / PARTS), edges_from(0.0, 1, solution.dy / PARTS)
@@ -116,6 +121,8 @@ def _weights(cells: int, nodes: int) -> sparse.csr_array:
             if other != k:
                 weights[:, k] *= (place - at[:, other]) / (at[:, k] - at[:, other])
     rows = np.repeat(np.arange(place.size), nodes)
+    from scipy import sparse
+
     return sparse.csr_array((weights.ravel(), (rows, at.ravel())), shape=(place.size, cells))
 
 

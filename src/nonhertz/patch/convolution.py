@@ -21,7 +21,6 @@ from concurrent.futures import Executor
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import fft
 
 from nonhertz.bodies.influence import Influence
 from nonhertz.patch.grid import Grid
@@ -79,6 +78,8 @@ class Convolution:
 
     def _spectra(self, terms: Array) -> tuple[Array | Spectrum, Spectrum | None]:
         """Return the spectra of all shifted terms, real without images, and of all mirrored terms."""
+        from scipy import fft
+
         shifts = [(offset, weight) for sign, offset, weight in terms.tolist() if sign > 0.0]
         mirrors = [(offset, weight) for sign, offset, weight in terms.tolist() if sign < 0.0]
         shifted: Array | Spectrum
@@ -92,6 +93,8 @@ class Convolution:
 
     def _complex_spectrum(self, terms: list[tuple[float, float]], first: float, before: int) -> Spectrum:
         """Return the spectrum of weighted kernels at first - offset + k dy, k starting at -``before``, cyclic."""
+        from scipy import fft
+
         count = 2 * self._half[1]
         kernel = np.zeros((self._half[0] + 1, count))
         for offset, weight in terms:

@@ -17,7 +17,6 @@ from concurrent.futures import Executor
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import fft
 
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.kernel import edges_from, rectangles
@@ -42,6 +41,8 @@ class Inverse:
     """
 
     def __init__(self, grid: Grid, pool: Executor | None = None) -> None:
+        from scipy import fft
+
         self._pool = pool
         half = [fast_half(-(-(cells + APART) // 2)) for cells in grid.cells]
         self._size = 2 * half[0], 2 * half[1]

@@ -12,7 +12,6 @@ from concurrent.futures import Executor
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import fft
 
 Array = NDArray[np.float64]
 Spectrum = NDArray[np.complex128]
@@ -45,6 +44,8 @@ def filtered(
     ndarray, shape (nx, ny)
         The part of the result where the field was.
     """
+    from scipy import fft
+
     nx, ny = field.shape
     spectrum: Spectrum = np.empty((nx, size[1] // 2 + 1), dtype=complex)
     result = np.empty((nx, ny))
@@ -88,4 +89,6 @@ def times_even(columns: Spectrum, half: Array | Spectrum) -> Spectrum:
 
 def fast_half(cells: int) -> int:
     """Return half of the smallest even size, at least twice ``cells``, that has a fast transform."""
+    from scipy import fft
+
     return int(fft.next_fast_len(cells, real=True))

@@ -30,7 +30,6 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import PchipInterpolator
 
 from nonhertz.result.solution import Solution
 
@@ -197,6 +196,8 @@ def _at_edges(solution: Solution, run: Integers, values: Array, least: float) ->
     led = value[[0, -1]] + slope * (edges[[0, -1]] - y[[0, -1]])
     low, high = np.clip(led, least * value[[0, -1]], HIGHEST * value[[0, -1]])
     places = np.concatenate([edges[:1], y, edges[-1:]])
+    from scipy.interpolate import PchipInterpolator
+
     curve = PchipInterpolator(places, np.concatenate([[low], value, [high]]))
     at_edges = np.maximum(curve(edges), 0.0)  # rounding at a run-out
     return np.stack([at_edges[:-1], at_edges[1:]]) / value
