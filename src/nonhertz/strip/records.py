@@ -157,7 +157,8 @@ class States(NamedTuple):
     @property
     def width(self) -> Array:
         """Strip widths [mm]."""
-        return np.diff(self.edges, axis=-1)
+        width: Array = self.edges[..., 1:] - self.edges[..., :-1]
+        return width
 
     @property
     def converged(self) -> Flags:
@@ -168,13 +169,13 @@ class States(NamedTuple):
     @property
     def load(self) -> Array:
         """K Q [mm^2]."""
-        load: Array = np.sum(self.r * self.m * self.width, axis=-1)
+        load: Array = (self.r * self.m * self.width).sum(axis=-1)
         return load
 
     @property
     def moment(self) -> Array:
         """K T [mm^3]."""
-        moment: Array = np.sum(self.r * self.m * self.width * self.y, axis=-1)
+        moment: Array = (self.r * self.m * self.width * self.y).sum(axis=-1)
         return moment
 
     @property
