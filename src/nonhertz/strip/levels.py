@@ -183,7 +183,8 @@ def on_automatic_strips(
         if lesson >= len(LESSONS):
             finer = learning.finer_wanted(states, accuracy)
             wanting = learning.incomplete(states[0]) | learning.pointed(states[0])
-            again = np.flatnonzero((finer < 1.0) | (states[0].converged & wanting))
+            worth = ~learning.too_thin(states[0])
+            again = np.flatnonzero(worth & ((finer < 1.0) | (states[0].converged & wanting)))
             done = np.setdiff1d(np.arange(rows.size), again)
             groups.append((rows[done], [level.only(done) for level in states]))
             rows, states, coarseness = rows[again], [level.only(again) for level in states], (coarseness * finer)[again]
@@ -265,6 +266,15 @@ class _Learning:
         for row in np.flatnonzero(suspects(self.problem, states, self.finite) & ~missing):
             missing[row] = bool(overlaps(self.problem, states.one(int(row)), self.finite))
         return missing
+
+    def too_thin(self, states: States) -> Flags:
+        """Return in which cases a body is thinner than its contact is wide; no number of strips saves them."""
+        if not self.problem.influence.references:
+            return np.zeros(states.status.size, dtype=bool)
+        y = states.y
+        shallowest = self.problem.influence.shallowest(y.ravel()).reshape(y.shape)
+        thin: Flags = np.any(shallowest < self.problem.element.hertz_ratio * np.sqrt(states.m), axis=1)
+        return thin
 
     def pointed(self, states: States) -> Flags:
         """Return in which cases the largest pressure is far too pointed for its strips."""
