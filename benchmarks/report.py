@@ -21,9 +21,10 @@ from machine import machine
 from matplotlib.figure import Figure
 
 import nonhertz as nh
+from nonhertz.bodies.depths import depth
 from nonhertz.plot import save
 from nonhertz.plot.style import FAINT_INK, FIRST, LINE, SECOND, THIN, sheet_style
-from nonhertz.strip import levels, newton, state
+from nonhertz.strip import acceptance, levels, problem
 
 ROOT = Path(__file__).parents[1]
 FOLDER = ROOT / "docs" / "benchmarks"
@@ -34,7 +35,7 @@ COMMAND_RUNS = 11
 SPLIT_RUNS = 101
 MANY_ROUNDS = 9
 BELOW_ROUNDS = 5
-PARTS = ("assembly", "linear algebra", "rest of the Newton loop", "laying the grid", "Python around them")
+PARTS = ("solving strips", "laying strips", "points at depth", "checking the answer", "Python around them")
 
 
 def main() -> None:
@@ -97,13 +98,13 @@ def command_time(*words: str) -> float:
 def automatic(solve: cases.Solve) -> dict[str, float]:
     """Return time, strips and Newton steps of a solve on the automatic grid."""
     solution = solve()
-    with timed(state, "newton") as loop:
+    with timed(levels, "settled") as levels_solved:
         solve()
     return {
         "time": median_time(solve),
         "strips": solution.strips,
         "steps": solution.iterations,
-        "steps on all grids": sum(steps for _, steps, _ in loop.returned),
+        "steps on all grids": sum(int(states.steps.sum()) for states in levels_solved.returned),
     }
 
 
@@ -174,9 +175,9 @@ class Stopwatch:
     def around(self, function: Callable[..., Any]) -> Callable[..., Any]:
         """Return the function with this watch running inside it."""
 
-        def watched(*arguments: Any) -> Any:
+        def watched(*arguments: Any, **named: Any) -> Any:
             start = time.perf_counter()
-            returned = function(*arguments)
+            returned = function(*arguments, **named)
             self.seconds += time.perf_counter() - start
             self.returned.append(returned)
             return returned
@@ -196,39 +197,18 @@ def timed(module: ModuleType, name: str) -> Iterator[Stopwatch]:
 
 
 def split(solve: cases.Solve, runs: int = SPLIT_RUNS) -> dict[str, float]:
-    """Return the share of each part in the time of a solve, from the fastest of many runs.
-
-    The compiled loop cannot be looked into. Its parts are timed in runs in which the loop itself is Python and
-    the parts compiled; what the loop takes beside them is the difference to the runs between, as users have them.
-    """
+    """Return the share of each part in the time of a solve, from the fastest of many runs."""
     solve()
-    watches = {}
-    compiled, interpreted = newton.newton, newton.newton.py_func
+    compiled = (problem, "settle_all"), (levels, "lay_all"), (depth, "_at_depth"), (acceptance, "_first_unmet_of")
     with ExitStack() as stack:
-        inside_loop = ((newton, name) for name in ("coefficients", "_curved", "_directions"))
-        for module, name in ((levels, "sizes"), (levels, "graded"), *inside_loop):
-            watches[name] = stack.enter_context(timed(module, name))
-        stack.callback(setattr, state, "newton", compiled)
+        watches = {name: stack.enter_context(timed(module, name)) for module, name in compiled}
         rows = []
         for _ in range(runs):
-            loop = Stopwatch()
-            state.newton = loop.around(compiled)
             whole = seconds(solve, watches)
-            grid = watches["sizes"].seconds + watches["graded"].seconds
-            state.newton = interpreted
-            seconds(solve, watches)
-            algebra = watches["_curved"].seconds + watches["_directions"].seconds
-            inside = watches["coefficients"].seconds, algebra
-            rows.append([whole, loop.seconds, grid, *inside])
-    whole, of_loop, of_grid, of_assembly, of_algebra = np.min(rows, axis=0)
-    parts = (
-        of_assembly,
-        of_algebra,
-        of_loop - of_assembly - of_algebra,
-        of_grid,
-        whole - of_loop - of_grid,
-    )
-    return dict(zip(PARTS, (float(part / whole) for part in parts), strict=True))
+            parts = [watch.seconds for watch in watches.values()]
+            rows.append([*parts, whole - sum(parts)])
+    best = min(rows, key=sum)
+    return dict(zip(PARTS, (part / sum(best) for part in best), strict=True))
 
 
 def seconds(solve: cases.Solve, watches: dict[str, Stopwatch]) -> float:
