@@ -88,6 +88,8 @@ class Element:
     """t in [SMALL, CANCELLING] -> A', B, t B'."""
     _leading: tuple[float, float, float, float] = field(repr=False)
     """For t -> 0: A' = l0 ln(l1/t), B = l2 t ln(l3/t)."""
+    smoothed: Callable[[Array], tuple[Array, Array]] = field(repr=False)
+    """t > 0 -> (1/pi) int phi t / (xi^2 + t^2), and its second derivative."""
 
     def functions(self, t: ArrayLike) -> tuple[Array, Array, Array, Array]:
         """Return A, t A', B and t B' at ``t``, arrays of its shape, odd in t.
@@ -277,6 +279,27 @@ def _parabolic_closed_forms(t: Array) -> tuple[Array, Array, Array]:
     return slope, 3.0 * t * inverse, 3.0 * t * (inverse - 1.0 / root)
 
 
+def _semi_elliptic_smoothed(t: Array) -> tuple[Array, Array]:
+    root = np.sqrt(1.0 + t * t)
+    return 2.0 / np.pi / (root + t), 2.0 / np.pi / root**3
+
+
+def _parabolic_smoothed(t: Array) -> tuple[Array, Array]:
+    near, x = np.minimum(t, CANCELLING), np.maximum(t, CANCELLING) ** -2.0
+    angle = np.arctan(1.0 / near)
+    value = 1.5 / np.pi * ((1.0 + near * near) * angle - near)
+    second = 3.0 / np.pi * (angle - near / (1.0 + near * near))
+    # (1 + t^2) arctan(1/t) - t and arctan(1/t) - t / (1 + t^2), by their series in 1 / t
+    powers = range(LONG_SERIES)
+    far_value = sum((-x) ** k * (1.0 / (2 * k + 1) - 1.0 / (2 * k + 3)) for k in powers)
+    far_second = sum((-x) ** k * (1.0 - 1.0 / (2 * k + 3)) for k in powers)
+    is_far = t > CANCELLING
+    return (
+        np.where(is_far, 1.5 / np.pi * np.sqrt(x) * far_value, value),
+        np.where(is_far, 3.0 / np.pi * x**1.5 * far_second, second),
+    )
+
+
 def _semi_elliptic_moment(k: int) -> float:
     """Return int (2/pi) sqrt(1 - xi^2) xi^2k."""
     return math.comb(2 * k, k) / (4.0**k * (k + 1))
@@ -308,6 +331,7 @@ SEMI_ELLIPTIC = Element(
     _closed_forms=_semi_elliptic_closed_forms,
     # A' = (4/pi) (ln(4/t) - 1), B = (4/pi) t ln(4/t)
     _leading=(4.0 / math.pi, 4.0 / math.e, 4.0 / math.pi, 4.0),
+    smoothed=_semi_elliptic_smoothed,
 )
 
 #: The paper's element: parabolic across, with the bias that this shape introduces (see docs/explain/theory.md).
@@ -321,6 +345,7 @@ PARABOLIC = Element(
     _closed_forms=_parabolic_closed_forms,
     # A' = 3/2 (ln(2/t) - 1) + 1 - 1/4 = 3/2 (ln(2/t) - 1/2), B = 3 t ln(2/t)
     _leading=(1.5, 2.0 / math.sqrt(math.e), 3.0, 2.0),
+    smoothed=_parabolic_smoothed,
 )
 
 ELEMENTS = {element.name: element for element in (SEMI_ELLIPTIC, PARABOLIC)}

@@ -1,0 +1,277 @@
+"""What a free side face adds to a load and its mirror image: the elastic quarter-space.
+
+A body that ends at a side face is a quarter-space near there. Hetenyi's solution lays two half-spaces over each other,
+one under the top and one under the side face. A load on either brings normal stress on the plane of the other, which
+a load there takes away, which brings stress on the first, and so on; shear is taken away by mirroring all loads. The
+sum of this series is found at once, as the solution of an integral equation, for loads that vary as cos(k x) along the
+edge. What it adds to the displacement of a load and its image has no singularity but at the edge itself.
+
+With distances from the edge u (of the place) and v (of the load) multiplied by k, a load of 1 per unit of length on one
+face brings on the plane of the other
+
+    a(z, v) = (2/pi) [2 z K1(R) / R - z^3 K2(R) / R^2 + z K0(R) - (1 - 2 nu) S],     R^2 = z^2 + v^2,
+
+with Bessel functions K0, K1, K2 and S the integral of K0 over z from there on. As an operator, f -> A f, it is the same
+for both faces. The loads beyond the given one are T = A (1 - A A)^-1 A, and
+
+    e(u, v) = 2 integral of [K0(|u - t|) + K0(u + t)] T(t, v) dt
+
+is the displacement over the half-space compliance K per unit of load (theory: docs/explain/theory.md).
+
+References
+----------
+M. Hetenyi, A general solution for the elastic quarter space, Journal of Applied Mechanics 37 (1970), 70-76: the two
+overlapping half-spaces.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from numpy.polynomial import chebyshev, legendre
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+#: ``-d e / d ln(u + v)`` towards the edge, where the quarter-space is a wedge: by Flamant's solution, whatever nu.
+EDGE_SLOPE = 16.0 / (math.pi**2 - 4.0)
+
+_SMALLEST, _LARGEST = 2.0**-26, 24.0  # e varies as a logarithm below the first, and is below 1e-9 beyond the second
+_NODES = 10  # on each panel of the integral equation
+_LOGARITHMIC = 24  # halvings of a panel towards the singularity of K0
+
+# The form in which e is kept; it leaves 1e-7.
+_DISTANCES = np.geomspace(0.8, 8.0, 8)
+_DIRECTIONS = 20
+_FIRST_SAMPLE, _LAST_SAMPLE, _SAMPLES = -14.0, 3.5, 140  # powers of two
+_DAMPING = 1e-8
+_RATIO_NODES, _RATIO_DEGREE = 20, 8
+_ANY_POISSON = 0.3
+
+
+@dataclass(frozen=True)
+class FreeFace:
+    """What a free side face adds, as images at several distances whose weights depend on the direction.
+
+    In the direction r = (u - v)^2 / (u + v)^2, in which e is smooth, and at the distance t = u + v of the image,
+
+        e = sum over j of w_j(r) 2 K0(d_j t) + v_j(r) exp(-d_j t).
+
+    Back from cos(k x), the first are images at the distances d_j t, the second pressures of a half-plane.
+
+    Attributes
+    ----------
+    poisson : float
+        Poisson's ratio.
+    distances : ndarray, shape (m,)
+        d_j.
+    weights : ndarray, shape (directions, 2, m)
+        Coefficients of w_j and v_j in Chebyshev polynomials of 2 r - 1.
+    """
+
+    poisson: float
+    distances: Array
+    weights: Array
+
+    def towards(self, u: Array, v: Array) -> Array:
+        """Return w_j and v_j, shape (..., 2, m), of places ``u`` and loads ``v`` of shape (...)."""
+        direction = np.asarray(((u - v) / (u + v)) ** 2)
+        degree = len(self.weights) - 1
+        basis = chebyshev.chebvander(2.0 * direction - 1.0, degree).reshape(*direction.shape, degree + 1)
+        found: Array = np.tensordot(basis, self.weights, 1)
+        return found
+
+    def moments(self, ratio: Array, powers: int) -> Array:
+        """Return the integrals of e s^2k ds / pi, k = 0 to ``powers``, for u = s and v = s times ``ratio``.
+
+        They are the coefficients of the series of a concentrated load's displacement in the distance across.
+
+        Returns
+        -------
+        ndarray, shape (..., powers + 1)
+        """
+        distance = np.multiply.outer(1.0 + ratio, self.distances)
+        weights = self.towards(np.ones_like(ratio), ratio)
+        found = np.empty((*ratio.shape, powers + 1))
+        for k in range(powers + 1):
+            of_images, of_planes = 4.0**k * math.gamma(k + 0.5) ** 2, math.gamma(2 * k + 1)
+            terms = (of_images * weights[..., 0, :] + of_planes * weights[..., 1, :]) / distance ** (2 * k + 1)
+            found[..., k] = np.sum(terms, axis=-1) / math.pi
+        return found
+
+    def over_image(self) -> Array:
+        """Return what is added far away over what the image does: powers of 2 r - 1 in the direction r, highest first.
+
+        It is accurate to 2e-4.
+        """
+        nodes = chebyshev.chebpts1(_RATIO_NODES)
+        aside = np.sqrt(0.5 * (1.0 + nodes))
+        ratio = (1.0 - aside) / (1.0 + aside)
+        values = (1.0 + ratio) * self.moments(ratio, 0)[:, 0]
+        powers = chebyshev.cheb2poly(chebyshev.chebfit(nodes, values, _RATIO_DEGREE))
+        return np.ascontiguousarray(powers[::-1], dtype=float)
+
+
+def edge_kernel(u: Array, v: Array) -> Array:
+    """Return the limit of e towards the edge, less a constant; it does not depend on Poisson's ratio.
+
+    ``u`` and ``v`` are distances in any unit, not both zero.
+    """
+    face = free_face(_ANY_POISSON)
+    weights = face.towards(u, v)
+    of_direction = np.sum(weights[..., 1, :] - 2.0 * weights[..., 0, :] * np.log(face.distances), axis=-1)
+    found: Array = of_direction - EDGE_SLOPE * np.log(u + v)
+    return found
+
+
+@cache
+def free_face(poisson: float) -> FreeFace:
+    """Return what the free side face of a material adds."""
+    solved = _Solved.of(poisson)
+    nodes = chebyshev.chebpts1(_DIRECTIONS)
+    size = 2.0 ** np.linspace(_FIRST_SAMPLE, _LAST_SAMPLE, _SAMPLES)
+    aside = np.sqrt(0.5 * (1.0 + nodes))  # of the distances, from their mean over it
+    fitted = np.array([_fitted(size, solved.at(size * (1.0 + each), size * (1.0 - each))) for each in aside])
+    to_chebyshev = np.linalg.inv(chebyshev.chebvander(nodes, _DIRECTIONS - 1))
+    return FreeFace(poisson, _DISTANCES, np.tensordot(to_chebyshev, fitted, 1))
+
+
+def _fitted(size: Array, wanted: Array) -> Array:
+    """Return w_j and v_j, shape (2, m), of e in one direction, at these means of both distances."""
+    from scipy import special
+
+    distance = np.multiply.outer(2.0 * size, _DISTANCES)
+    basis = np.hstack([2.0 * special.k0(distance), np.exp(-distance)])
+    damped = np.vstack([basis, _DAMPING * np.eye(basis.shape[1])])
+    found: Array = np.linalg.lstsq(damped, np.concatenate([wanted, np.zeros(basis.shape[1])]), rcond=None)[0]
+    return found.reshape(2, -1)
+
+
+@dataclass(frozen=True)
+class _Solved:
+    """The function e, on the nodes of the integral equation, and in between by the polynomials of each panel."""
+
+    panels: Array
+    values: Array
+
+    @classmethod
+    def of(cls, poisson: float) -> _Solved:
+        """Solve the integral equation."""
+        panels = _panels()
+        y, weight = _nodes(panels)
+        brought = _brought(panels, y, poisson)
+        operator = brought * weight
+        _mend_corner(operator, panels, y, weight)
+        beyond = operator @ np.linalg.solve(np.eye(y.size) - operator @ operator, brought)
+        values = 2.0 * _raised(panels, y, weight) @ beyond
+        # By reciprocity; what differs is error.
+        return cls(panels, 0.5 * (values + values.T))
+
+    def at(self, u: Array, v: Array) -> Array:
+        """Return e at places within the panels."""
+        panels, nodes = self.panels.size - 1, _NODES
+        blocks = self.values.reshape(panels, nodes, panels, nodes)
+        (row, left), (column, right) = (_interpolation(self.panels, each) for each in (u, v))
+        found: Array = np.einsum("ki,kij,kj->k", left, blocks[row, :, column, :], right)
+        return found
+
+
+def _panels() -> Array:
+    """Return panels that double in size away from the edge, up to a few wave lengths."""
+    found = [0.0, _SMALLEST]
+    while found[-1] < _LARGEST:
+        found.append(found[-1] + (found[-1] if found[-1] < 1.0 else min(2.0, max(1.0, 0.5 * found[-1]))))
+    return np.array(found)
+
+
+def _nodes(panels: Array) -> tuple[Array, Array]:
+    """Return Gauss nodes and weights on all panels."""
+    node, weight = legendre.leggauss(_NODES)
+    centre, half = 0.5 * (panels[1:] + panels[:-1]), 0.5 * np.diff(panels)
+    return (centre[:, None] + half[:, None] * node).ravel(), (half[:, None] * weight).ravel()
+
+
+def _interpolation(panels: Array, places: Array) -> tuple[NDArray[np.int64], Array]:
+    """Return the panel of each place, and the weights of the panel's nodes there."""
+    panel = np.clip(np.searchsorted(panels, places) - 1, 0, panels.size - 2)
+    low, high = panels[panel], panels[panel + 1]
+    return panel, legendre.legvander((2.0 * places - low - high) / (high - low), _NODES - 1) @ _to_legendre()
+
+
+@cache
+def _to_legendre() -> Array:
+    """Return the matrix from values at Gauss nodes to Legendre coefficients."""
+    node, _ = legendre.leggauss(_NODES)
+    return np.asarray(np.linalg.inv(legendre.legvander(node, _NODES - 1)), dtype=float)
+
+
+def _brought(panels: Array, y: Array, poisson: float) -> Array:
+    """Return the kernel a between all nodes: places in rows, loads in columns."""
+    from scipy import special
+
+    z = y[:, None]
+    distance = np.hypot(z, y)
+    of_order_0, of_order_1 = special.k0(distance), special.k1(distance)
+    of_order_2 = of_order_0 + 2.0 * of_order_1 / distance
+    beyond = _integral_beyond(panels, of_order_0)
+    near = 2.0 * z * of_order_1 / distance - z**3 * of_order_2 / distance**2
+    found: Array = 2.0 / math.pi * (near + z * of_order_0 - (1.0 - 2.0 * poisson) * beyond)
+    return found
+
+
+def _integral_beyond(panels: Array, values: Array) -> Array:
+    """Return the integrals of columns of nodal values from each node to the end."""
+    node, weight = legendre.leggauss(_NODES)
+    to_end = np.empty((_NODES, _NODES))
+    for degree, unit in enumerate(np.eye(_NODES)):
+        antiderivative = legendre.legint(unit)
+        to_end[:, degree] = legendre.legval(1.0, antiderivative) - legendre.legval(node, antiderivative)
+    blocks = values.reshape(panels.size - 1, _NODES, -1)
+    half = 0.5 * np.diff(panels)
+    within = half[:, None, None] * (to_end @ _to_legendre() @ blocks)
+    whole = half[:, None] * (weight @ blocks)
+    after = np.cumsum(whole[::-1], axis=0)[::-1] - whole
+    return (within + after[:, None, :]).reshape(values.shape)
+
+
+def _mend_corner(operator: Array, panels: Array, y: Array, weight: Array) -> None:
+    """Let the operator take a constant load on the first panel to its exact stress there.
+
+    A constant load near the edge is one that the operator leaves as it is, so that an error of this panel, however
+    small it is, would change the loads everywhere.
+    """
+    z, v = y[:_NODES, None], y[:_NODES]
+    rough = (4.0 / math.pi * z * v**2 / (z**2 + v**2) ** 2) @ weight[:_NODES]
+    t = panels[1] / v
+    exact = 2.0 / math.pi * (np.arctan(t) - t / (1.0 + t**2))
+    first = np.arange(_NODES)
+    operator[first, first] += exact - rough
+
+
+def _raised(panels: Array, y: Array, weight: Array) -> Array:
+    """Return the matrix from loads at nodes to displacement there over 2 K, mirrored loads included."""
+    from scipy import special
+
+    direct = special.k0(np.abs(y[:, None] - y) + np.eye(y.size)) * weight
+    node, share = legendre.leggauss(_NODES)
+    halved = np.concatenate([[0.0], 2.0 ** np.arange(-_LOGARITHMIC, 1.0)])
+    toward = (0.5 * (halved[1:] + halved[:-1])[:, None] + 0.5 * np.diff(halved)[:, None] * node).ravel()
+    shares = (0.5 * np.diff(halved)[:, None] * share).ravel()
+    for i, place in enumerate(y):
+        own = i // _NODES
+        # On its own panel and beside it K0 is integrated with the polynomials, on panels halved towards the place.
+        for panel in range(max(0, own - 1), min(panels.size - 1, own + 2)):
+            low, high = panels[panel : panel + 2]
+            middle = min(max(place, low), high)
+            points = np.concatenate([middle - (middle - low) * toward, middle + (high - middle) * toward])
+            parts = np.concatenate([(middle - low) * shares, (high - middle) * shares])
+            there = parts > 0.0
+            local = (2.0 * points[there] - low - high) / (high - low)
+            distance = np.maximum(np.abs(points[there] - place), np.finfo(float).tiny)
+            rule = (parts[there] * special.k0(distance)) @ legendre.legvander(local, _NODES - 1) @ _to_legendre()
+            direct[i, panel * _NODES : (panel + 1) * _NODES] = rule
+    raised: Array = direct + special.k0(y[:, None] + y) * weight
+    return raised
