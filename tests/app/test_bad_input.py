@@ -17,7 +17,7 @@ LOAD = "[load]\nload = 20000.0\n"
 LENGTH = "a number in mm, or text with a unit of length such as '20 mm'"
 LENGTH_REMEDY = "give the distance between the side faces in mm, or leave it out for an unbounded body"
 DIAMETER_REMEDY = "give the diameter in mm, negative for a concave surface, or leave it out for a flat one"
-FACES_REMEDY = "write 'mirror', 'calibrated', 'none' or a weight of the images, or a pair for low and high y"
+FACES_REMEDY = "write 'free', 'mirror', 'calibrated', 'none' or a weight of the images, or a pair for low and high y"
 IMAGES_REMEDY = "give 1 to 100, or 'series' for all of them"
 DEPTH_REMEDY = "write 'none', 'plane-strain', 'diameter' or a depth in mm such as the thickness of a ring"
 NOT_CONVEX = (
@@ -265,7 +265,7 @@ MISTAKES = {
     "number for a title": (f"title = 3\n{A}{B}{LOAD}", ["title = 3 must be text: put it in quotes."]),
     # Side faces
     "misspelt side faces": refused_word(
-        "side_faces", "'miror'", "be one of 'mirror', 'calibrated', 'none' or a weight", FACES_REMEDY
+        "side_faces", "'miror'", "be one of 'free', 'mirror', 'calibrated', 'none' or a weight", FACES_REMEDY
     ),
     "negative weight": refused_word("side_faces", "-1.2", "not be negative", FACES_REMEDY),
     "weight of nan": refused_word("side_faces", "nan", "be a finite number", FACES_REMEDY),
@@ -273,10 +273,13 @@ MISTAKES = {
     "weight with a unit": (with_keys("side_faces = '1 mm'"), [f"body.a.side_faces = '1 mm' {PLAIN}"]),
     "side faces that are true": (
         with_keys("side_faces = true"),
-        [f"body.a.side_faces = True must be one of 'mirror', 'calibrated', 'none' or a weight: {FACES_REMEDY}."],
+        [
+            "body.a.side_faces = True must be one of 'free', 'mirror', 'calibrated', 'none' or a weight: "
+            f"{FACES_REMEDY}."
+        ],
     ),
     "table of side faces": refused_word(
-        "side_faces", "{}", "be one of 'mirror', 'calibrated', 'none' or a weight", FACES_REMEDY
+        "side_faces", "{}", "be one of 'free', 'mirror', 'calibrated', 'none' or a weight", FACES_REMEDY
     ),
     "no side faces in a list": (
         with_keys("side_faces = []"),
@@ -289,14 +292,17 @@ MISTAKES = {
     "both side faces": (
         with_keys("side_faces = ['miror', '1']"),
         [
-            "body.a.side_faces[1] = 'miror' must be one of 'mirror', 'calibrated', 'none' or a weight: "
+            "body.a.side_faces[1] = 'miror' must be one of 'free', 'mirror', 'calibrated', 'none' or a weight: "
             f"{FACES_REMEDY}.",
             f"body.a.side_faces[2] = '1' {PLAIN}",
         ],
     ),
     "list in a list of side faces": (
         with_keys("side_faces = ['none', [1, 2]]"),
-        [f"body.a.side_faces[2] = [1, 2] must be one of 'mirror', 'calibrated', 'none' or a weight: {FACES_REMEDY}."],
+        [
+            "body.a.side_faces[2] = [1, 2] must be one of 'free', 'mirror', 'calibrated', 'none' or a weight: "
+            f"{FACES_REMEDY}."
+        ],
     ),
     "side faces without a length": (
         f"[body.a]\ndiameter = 20\nside_faces = 'calibrated'\n{B}{LOAD}",
@@ -389,7 +395,7 @@ MISTAKES = {
     "all of a finite body": (
         f"{A}kind = 'roller'\nside_faces = 'clibrated'\nimages = 0\ndepth = '8 N'\neffective_length = 21\n{B}{LOAD}",
         [
-            "body.a.side_faces = 'clibrated' must be one of 'mirror', 'calibrated', 'none' or a weight: "
+            "body.a.side_faces = 'clibrated' must be one of 'free', 'mirror', 'calibrated', 'none' or a weight: "
             f"{FACES_REMEDY}.",
             f"body.a.images = 0 must be a whole number from 1 to 100: {IMAGES_REMEDY}.",
             f"body.a.depth = '8 N' must have a unit of length: write {LENGTH}.",

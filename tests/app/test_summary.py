@@ -173,9 +173,10 @@ def test_the_result_has_both_ends(name: str, request: pytest.FixtureRequest) -> 
             "exponent": edge.exponent,
             "strength": edge.strength,
             "correction": edge.correction,
+            "correction_exponent": edge.correction_exponent,
             "convention": edge.convention,
             "converges": edge.kind is not nh.EdgeKind.SINGULAR,
         }
         assert set(UNITS["edge_pressure"]) <= set(entry)
     assert result["max_pressure"] == solution.max_pressure
-    assert UNITS["edge_pressure"]["correction"] == "mm^(-2 exponent)"
+    assert UNITS["edge_pressure"]["correction"] == "mm^-correction_exponent"

@@ -3,9 +3,9 @@
 import numpy as np
 
 import nonhertz as nh
-from nonhertz.bodies.influence import HALF_SPACE
-from nonhertz.strip import problem, settle
-from nonhertz.strip.records import Law, Strips
+from nonhertz.bodies.influence import HALF_SPACE, Influence
+from nonhertz.strip import influence, problem, settle
+from nonhertz.strip.records import Strips
 
 NO_DEPTH = np.zeros((0, 0))
 
@@ -17,7 +17,7 @@ def strips_between(low, high, *, curvature=0.1, separation=0.0, at_depth=NO_DEPT
 
 
 def law_of(element=nh.SEMI_ELLIPTIC, terms=HALF_SPACE):
-    return Law(np.atleast_2d(terms), element.table, element.line_factor, element.hertz_ratio)
+    return influence.law_of(Influence(np.atleast_2d(terms)), element)
 
 
 def interpret(monkeypatch, **replaced):

@@ -184,7 +184,7 @@ def test_bodies_and_contacts_are_values():
 
 # Refused, each with one sentence: "field = value must condition: remedy."
 
-NO_FACE_RULE = "must be one of 'mirror', 'calibrated', 'none' or a weight"
+NO_FACE_RULE = "must be one of 'free', 'mirror', 'calibrated', 'none' or a weight"
 NO_DEPTH_RULE = "must be one of 'none', 'plane-strain', 'diameter' or a length"
 NOT_CONVEX = "must only be used for a convex body, which has a diameter"
 NO_COUNT = "must be a whole number from 1 to 100"
@@ -211,19 +211,19 @@ NO_SUM = "must only be used for a body with a depth, without which it has no sum
             lambda: roller(effective_length=21.0),
             "effective_length = 21.0 must not exceed the length of 20.0 mm",
         ),
-        (lambda: roller(side_faces="free"), f"side_faces = 'free' {NO_FACE_RULE}"),
-        (lambda: roller(side_faces=("mirror", "free")), f"side_faces = 'free' {NO_FACE_RULE}"),
+        (lambda: roller(side_faces="fre"), f"side_faces = 'fre' {NO_FACE_RULE}"),
+        (lambda: roller(side_faces=("mirror", "fre")), f"side_faces = 'fre' {NO_FACE_RULE}"),
         (lambda: roller(side_faces=-0.5), "side_faces = -0.5 must not be negative"),
         (lambda: roller(side_faces=("mirror", -0.5)), "side_faces = -0.5 must not be negative"),
         (lambda: roller(side_faces=math.nan), "side_faces = nan must be a finite number"),
         (lambda: roller(side_faces=math.inf), "side_faces = inf must be a finite number"),
         (
             lambda: roller(side_faces=True),
-            "side_faces = True must be one of 'mirror', 'calibrated', 'none' or a weight",
+            "side_faces = True must be one of 'free', 'mirror', 'calibrated', 'none' or a weight",
         ),
         (
             lambda: roller(side_faces=None),
-            "side_faces = None must be one of 'mirror', 'calibrated', 'none' or a weight",
+            "side_faces = None must be one of 'free', 'mirror', 'calibrated', 'none' or a weight",
         ),
         (
             lambda: roller(side_faces=(1.0, 1.0, 1.0)),

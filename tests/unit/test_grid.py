@@ -200,7 +200,7 @@ def displaced_finite_bodies(solution, y):
     q = solution.contact.compliance * solution.line_load
     r = np.divide(q, m, out=np.zeros_like(q), where=m > 0.0)
     influence = influence_of(solution.contact, solution.element)
-    return displacements(influence, y, solution.edges, r, m, solution.element.table)
+    return displacements(influence, y, solution.edges, r, m, solution.element)
 
 
 @pytest.mark.parametrize(

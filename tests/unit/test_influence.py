@@ -123,7 +123,7 @@ def test_displacement_is_the_coefficients_times_the_loads(element):
 def test_displacement_does_not_depend_on_how_a_strip_is_cut(element):
     def from_strips(edges):
         r, m = np.full(edges.size - 1, 0.03), np.full(edges.size - 1, 0.2)
-        return displacements(Influence(HALF_SPACE), np.array([0.7]), edges, r, m, element.table)
+        return displacements(Influence(HALF_SPACE), np.array([0.7]), edges, r, m, element)
 
     whole, parts = from_strips(np.array([-1.0, 2.0])), from_strips(np.array([-1.0, 0.4, 1.1, 2.0]))
     np.testing.assert_allclose(parts, whole, rtol=1e-13, atol=0.0)
@@ -243,6 +243,6 @@ def test_points_at_depth_count_against_the_displacement_alone(element):
 def test_displacements_are_those_of_the_surface_against_the_points_at_depth(element):
     terms = np.vstack([HALF_SPACE, (-1.0, 7.0, 0.7)])
     influence = Influence(terms, (deep(1.5, terms=terms),))
-    found = displacements(influence, Y, EDGES, R, M, element.table)
+    found = displacements(influence, Y, EDGES, R, M, element)
     expected = blocks(element, terms=terms, at_depth=influence.at_depth(Y, EDGES))[0] @ (R * M)[ACTIVE]
     np.testing.assert_allclose(found[ACTIVE], expected, rtol=1e-13, atol=0.0)

@@ -128,11 +128,11 @@ def with_ends(solution: Solution, *ends: EdgePressure) -> Solution:
 
 
 def run_out(y: float) -> EdgePressure:
-    return EdgePressure(float(y), EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, None, "")
+    return EdgePressure(float(y), EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, None, 0.0, "")
 
 
 def sharp(y: float, strength: float | None = 656.4) -> EdgePressure:
-    return EdgePressure(float(y), EdgeKind.SINGULAR, 3000.0, 0.003, 0.5, 1.0 / 3.0, strength, 0.1, "")
+    return EdgePressure(float(y), EdgeKind.SINGULAR, 3000.0, 0.003, 0.5, 1.0 / 3.0, strength, 0.1, 2.0 / 3.0, "")
 
 
 def runs(edges: NDArray[np.float64], touching: NDArray[np.bool_]) -> tuple[tuple[float, float], ...]:

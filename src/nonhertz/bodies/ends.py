@@ -19,6 +19,7 @@ TOGETHER = 1.0 - 1e-4
 # kappa at and above which the pressure counts as finite up to an end: alpha is below 0.015 there, a change of less than
 # 10 % in pressure over three decades of distance.
 FINITE_FROM = 0.999
+_HALVINGS = 60
 
 
 @dataclass(frozen=True)
@@ -44,17 +45,60 @@ class End:
     weights: tuple[float, float]
     requested: float
     image_weight: float
+    free: float
 
 
-def edge_exponent(kappa: float) -> float:
+def edge_exponent(kappa: float, free: float = 0.0) -> float:
     """Return alpha of a pressure that varies with the distance s from an end as s^-alpha.
+
+    Parameters
+    ----------
+    kappa : float
+        Sum over the bodies that end there of image weight times share of the compliance.
+    free : float
+        The part of it that is free of normal stress, too. There the loads of both faces are those of a wedge: one that
+        varies as s^-alpha brings mu s^-alpha on the other face, so that both together are 1 / (1 - mu^2) times the
+        pressure. Whatever Poisson's ratio is.
 
     Examples
     --------
     >>> edge_exponent(0.0), edge_exponent(1.0)  # a half-space ends, and a mirrored end that both bodies share
     (0.5, 0.0)
+    >>> round(edge_exponent(0.5, free=0.5), 5)  # a free end on a long body of the same material
+    0.22599
     """
-    return math.acos(kappa) / math.pi
+    mirrored = math.acos(kappa) / math.pi
+    # What images leave on the side face presses it outwards: the end is softer, and alpha less.
+    return _zero_between(0.0, mirrored, kappa, free) if free > 0.0 and kappa < 1.0 else mirrored
+
+
+def edge_powers(kappa: float, free: float = 0.0) -> tuple[float, float, float]:
+    """Return the first three powers of the distance from an end whose pressures move its surface by smooth terms only.
+
+    The first is -alpha; arguments as for `edge_exponent`.
+    """
+    alpha = edge_exponent(kappa, free)
+    if not free > 0.0:
+        return -alpha, alpha, 2.0 - alpha
+    return -alpha, -_zero_between(0.0, -1.0, kappa, free), -_zero_between(-2.0, -1.0, kappa, free)
+
+
+def _zero_between(positive: float, negative: float, kappa: float, free: float) -> float:
+    """Return the exponent at which the slope of `_wedge` is zero, between those where it has these signs."""
+    for _ in range(_HALVINGS):
+        middle = 0.5 * (positive + negative)
+        if _wedge(middle, kappa, free) > 0.0:
+            positive = middle
+        else:
+            negative = middle
+    return 0.5 * (positive + negative)
+
+
+def _wedge(alpha: float, kappa: float, free: float) -> float:
+    """Return the slope that a pressure s^-alpha leaves on the surfaces of two wedges: zero for that of an end."""
+    cosine = math.cos(math.pi * alpha)
+    brought = (1.0 - alpha) / math.cos(0.5 * math.pi * alpha)
+    return cosine - kappa - free * (1.0 - cosine) * brought**2 / (1.0 - brought**2)
 
 
 def shares(contact: Pair) -> tuple[float, float]:
@@ -70,15 +114,16 @@ def ends(contact: Pair) -> tuple[End, ...]:
         faces = contact.a.faces[index], contact.b.faces[index]
         asked = contact.a.face_weights[index], contact.b.face_weights[index]
         kappa = asked[0] * share[0], asked[1] * share[1]
+        free = contact.a.free_faces[index] * share[0], contact.b.free_faces[index] * share[1]
         together = _nearness(contact, faces)
         requested = kappa[0] + together * kappa[1], kappa[1] + together * kappa[0]
         by = 1.0 / max(requested[0], 1.0), 1.0 / max(requested[1], 1.0)
         if together == 1.0:
             weights = by[0] * asked[0], by[0] * asked[1]
-            found.append(End(0.5 * (faces[0] + faces[1]), side, weights, requested[0], by[0] * requested[0]))
+            found.append(End(0.5 * (faces[0] + faces[1]), side, weights, requested[0], by[0] * requested[0], sum(free)))
         else:
-            found.append(End(faces[0], side, (by[0] * asked[0], 0.0), requested[0], by[0] * kappa[0]))
-            found.append(End(faces[1], side, (0.0, by[1] * asked[1]), requested[1], by[1] * kappa[1]))
+            found.append(End(faces[0], side, (by[0] * asked[0], 0.0), requested[0], by[0] * kappa[0], free[0]))
+            found.append(End(faces[1], side, (0.0, by[1] * asked[1]), requested[1], by[1] * kappa[1], free[1]))
     return tuple(end for end in found if end.image_weight > 0.0)
 
 

@@ -65,18 +65,23 @@ class Images:
         The body's share of the total compliance.
     far : FarImages or None
         Those of a series that are so far away that they act as line loads.
+    free : ndarray, shape (faces, 3)
+        Rows (place, side, share) of the side faces that are free of normal stress, too.
     """
 
     places: dict[tuple[float, float], float]
     share: float
     far: FarImages | None
+    free: Array
 
     @classmethod
     def of(cls, body: Solid, weights: tuple[float, float], share: float) -> Images:
         """Return the images about the faces at low and high y of a body, given the weight of the first about each."""
         both = min(weights) > 0.0  # a single mirror makes a single image
         far = FarImages.of(body.length, weights, share) if body.images == SERIES and both and body.length else None
-        return cls(_chains(body, weights, share), share, far)
+        sides = zip(body.faces, (-1, 1), body.free_faces, strict=True)
+        free = [(place, side, share) for place, side, is_free in sides if is_free]
+        return cls(_chains(body, weights, share), share, far, np.array(free, dtype=float).reshape(-1, 3))
 
     def with_direct(self) -> Array:
         """Return rows (sign, offset, weight) of the load itself and its images."""

@@ -8,7 +8,8 @@ by how much.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 import numpy as np
@@ -46,6 +47,28 @@ class DeepPair(Pair, Protocol):
 
 
 @dataclass(frozen=True)
+class FreeSide:
+    """A side face that is free of normal stress, too.
+
+    Attributes
+    ----------
+    y : float
+        Where [mm].
+    side : int
+        -1 at the low, 1 at the high end of its body.
+    share : float
+        Share of its body in the compliance of the contact.
+    poisson : float
+        Poisson's ratio of its body.
+    """
+
+    y: float
+    side: int
+    share: float
+    poisson: float
+
+
+@dataclass(frozen=True)
 class Influence:
     """How strips act on the centre line: on both surfaces, and on what their displacement is measured against.
 
@@ -57,11 +80,15 @@ class Influence:
         One for each body whose displacement is not measured against a point far away.
     ends : tuple of End
         The free side faces that the images in ``terms`` are about.
+    faces : tuple of FreeSide
+        Those of them on which images leave no normal stress. What the images about one face leave on another is not
+        taken away.
     """
 
     terms: Array
     references: tuple[Reference, ...] = ()
     ends: tuple[End, ...] = ()
+    faces: tuple[FreeSide, ...] = ()
 
     def at_depth(self, y: Array, edges: Array) -> Array:
         """Return the displacement of the references per unit of K q, shape (..., places, strips).
@@ -91,7 +118,14 @@ def influence_of(contact: DeepPair, shape: Shape) -> Influence:
             terms[place] = terms.get(place, 0.0) + weight
         if reference is not None:
             references.append(reference)
-    return Influence(rows(terms), tuple(references), found)
+    return Influence(rows(terms), tuple(references), found, tuple(_free_sides(contact)))
+
+
+def _free_sides(contact: DeepPair) -> Iterator[FreeSide]:
+    for body, share in zip((contact.a, contact.b), shares(contact), strict=True):
+        for y, side, free in zip(body.faces, (-1, 1), body.free_faces, strict=True):
+            if free:
+                yield FreeSide(y, side, share, body.material.poisson)
 
 
 def influence_within(contact: DeepPair, shape: Shape, which: int) -> tuple[Array, Reference | None]:
@@ -111,14 +145,19 @@ def influence_within(contact: DeepPair, shape: Shape, which: int) -> tuple[Array
     tuple of ndarray, shape (terms, 3), and Reference or None
         Rows (sign, offset, weight), with weight 1 for the load itself; None if the reference is far away.
     """
-    images, reference = _of_body(contact, shape, ends(contact), which)
+    # Stress and displacement below the surface are those of images alone.
+    images, reference = _of_body(contact, shape, ends(contact), which, free=False)
     terms = rows({DIRECT: 1.0, **images.places})
     terms[1:, 2] /= images.share
     return terms, reference
 
 
-def _of_body(contact: DeepPair, shape: Shape, found: tuple[End, ...], which: int) -> tuple[Images, Reference | None]:
+def _of_body(
+    contact: DeepPair, shape: Shape, found: tuple[End, ...], which: int, *, free: bool = True
+) -> tuple[Images, Reference | None]:
     body: Deep = (contact.a, contact.b)[which]
     weights = {end.side: end.weights[which] for end in found if end.weights[which] > 0.0}
     images = Images.of(body, (weights.get(-1, 0.0), weights.get(1, 0.0)), shares(contact)[which])
+    if not free:
+        images = replace(images, free=np.zeros((0, 3)))
     return images, body.behind.reference(body, shape, images)

@@ -44,6 +44,10 @@ class Solid(Protocol):
         """Weights of the images about the side faces; zero where a face is not freed or does not exist."""
 
     @property
+    def free_faces(self) -> tuple[bool, bool]:
+        """Whether the side faces are freed exactly: what images leave on them is taken away, too."""
+
+    @property
     def images(self) -> int | str:
         """Number of mirror images per face, or ``"series"``."""
 

@@ -64,12 +64,14 @@ class _Limitless:
     y: float
     exponent: float
     correction: float
+    correction_exponent: float
     half_width: float
     words: str
 
     def mean(self, distance: Array, width: Array | float) -> Array:
-        """Return the mean of s^-alpha (1 + c s^(2 alpha)) over a width about each distance s from the end."""
-        powers = _mean_of_power(distance, width, -self.exponent), _mean_of_power(distance, width, self.exponent)
+        """Return the mean of s^-alpha (1 + c s^beta) over a width about each distance s from the end."""
+        first, second = -self.exponent, self.correction_exponent - self.exponent
+        powers = _mean_of_power(distance, width, first), _mean_of_power(distance, width, second)
         return powers[0] + self.correction * powers[1]
 
 
@@ -217,7 +219,14 @@ def _limitless_end(place: _Place) -> Iterator[_Cause]:
 def _limitless_ends(solution: Solution) -> list[_Limitless]:
     """Return the sharp ends, and the corners of the profile at which the contact ends with rising pressure."""
     found = [
-        _Limitless(edge.y, edge.exponent, edge.correction or 0.0, width, f"the sharp end at y = {edge.y:.5g} mm")
+        _Limitless(
+            edge.y,
+            edge.exponent,
+            edge.correction or 0.0,
+            edge.correction_exponent,
+            width,
+            f"the sharp end at y = {edge.y:.5g} mm",
+        )
         for edge, width in zip(solution.edge_pressure, solution.half_width[[0, -1]].tolist(), strict=True)
         if edge.kind is EdgeKind.SINGULAR
     ]
@@ -227,7 +236,7 @@ def _limitless_ends(solution: Solution) -> list[_Limitless]:
         corner = _bend_beside(solution, int(last))
         if rises and corner is not None and all(abs(corner - end.y) > solution.strip_width[last] for end in found):
             words = f"the corner at y = {corner:.5g} mm, where the contact ends"
-            found.append(_Limitless(corner, AT_CORNER, 0.0, float(solution.half_width[inner]), words))
+            found.append(_Limitless(corner, AT_CORNER, 0.0, 0.0, float(solution.half_width[inner]), words))
     return found
 
 

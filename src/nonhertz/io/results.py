@@ -30,7 +30,7 @@ UNITS: dict[str, Any] = {
         "pressure": "MPa",
         "strip_width": "mm",
         "strength": "MPa mm^exponent",
-        "correction": "mm^(-2 exponent)",
+        "correction": "mm^-correction_exponent",
     },
     "singular_ends": {"y": "mm"},
     "stiffness": [["N/mm", "N/rad"], ["N mm/mm", "N mm/rad"]],
@@ -133,6 +133,7 @@ def _edge_object(edge: EdgePressure) -> dict[str, Any]:
         "exponent": plain(edge.exponent),
         "strength": plain(edge.strength),
         "correction": plain(edge.correction),
+        "correction_exponent": plain(edge.correction_exponent),
         "convention": edge.convention,
         "converges": edge.converges,
     }

@@ -195,6 +195,12 @@ class Body:
         return low, high
 
     @property
+    def free_faces(self) -> tuple[bool, bool]:
+        """Whether the side faces at low and high y are free of normal stress, too."""
+        low, high = (self.length is not None and side.exact for side in self.sides)
+        return low, high
+
+    @property
     def bends(self) -> tuple[float, ...]:
         """Axial positions [mm] where the relief bends."""
         return tuple(self.position + bend for bend in self.profile.bends)

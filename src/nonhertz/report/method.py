@@ -92,7 +92,13 @@ def _of_profiles(found: CaseResults) -> Iterator[str]:
 
 
 def _body_words(name: str, body: Body) -> Iterator[str]:
-    weights = [weight for weight in body.face_weights if weight > 0.0]
+    sides = zip(body.face_weights, body.free_faces, strict=True)
+    if any(body.free_faces):
+        yield (
+            f"Side faces of body {name} are free of shear and of normal stress, as those of an elastic quarter-space. "
+            "Stress below the surface is that of mirrored pressure, which leaves a normal stress on them."
+        )
+    weights = [weight for weight, free in sides if weight > 0.0 and not free]
     if weights:
         parts = " and ".join(f"{weight:.3g}" for weight in dict.fromkeys(weights))
         yield (

@@ -1,15 +1,17 @@
 """The strength K of a singular end, from the strips near it.
 
 At distances s small compared with the half-width the equations of the strips are those of a plane wedge. Pressures of
-``s^-alpha``, ``s^alpha`` and ``s^(2 - alpha)`` move its surface by nothing but smooth terms, so the pressure is ``K
-s^-alpha (1 + c s^(2 alpha) + d s^2 + ...)``. Strips have one pressure each and satisfy the equations at their centres
-only; on the automatic grid that makes the last one wrong by 5 %, the third by 2 %, the seventh by 0.5 %, however
-narrow they are. So it is not the powers that are fitted to the pressures of the strips but what these very strips
-make of the powers: the constant pressures that move their centres exactly as the power does, by the kernel ln|s - s'|
-+ kappa ln(s + s') of the wedge. Its displacements under a power have closed forms.
+``s^-alpha``, ``s^alpha`` and ``s^(2 - alpha)``, at a free end of other powers, move its surface by nothing but smooth
+terms, so the pressure is ``K s^-alpha (1 + c s^(2 alpha) + d s^2 + ...)``. Strips have one pressure each and satisfy
+the equations at their centres only; on the automatic grid that makes the last one wrong by 5 %, the third by 2 %, the
+seventh by 0.5 %, however narrow they are. So it is not the powers that are fitted to the pressures of the strips but
+what these very strips make of the powers: the constant pressures that move their centres exactly as the power does, by
+the kernel ln|s - s'| + kappa ln(s + s') of the wedge and what a free face adds to it. Its displacements under a power
+have closed forms.
 
 What remains is that strips are semi-elliptic across up to the end, where the true contact flares. Solutions that
 leave the shape across free (`docs/end_study.py`) have a lower K by a factor that hardly depends on anything but kappa.
+For ends that are free of normal stress, too, there is no such solution, and no factor.
 """
 
 from __future__ import annotations
@@ -17,7 +19,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bodies.ends import edge_exponent
+from nonhertz.bodies.ends import edge_powers
+from nonhertz.bodies.quarter_space import edge_kernel
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 
 Array = NDArray[np.float64]
@@ -26,17 +29,19 @@ Array = NDArray[np.float64]
 # second are not affected by the end.
 FIT_REACH, WEDGE_REACH = 0.5, 1.0
 FEWEST_STRIPS = 4
+_NODES, _PANELS = 12, 60  # of integrals over powers
 # K of semi-elliptic strips over the true one is 1 + FLARE (1 - kappa): within 0.1 % for contacts longer than 30
 # half-widths, 0.5 % for those 4 long. Parabolic strips have no such factor: theirs depends on the profile.
 FLARE = 0.006
 
 
 def fitted_strength(
-    edges: Array, pressure: Array, kappa: float, half_width: float, element: Element
+    edges: Array, pressure: Array, freed: tuple[float, float], half_width: float, element: Element
 ) -> tuple[float | None, float | None]:
-    """Return K [MPa mm^alpha] and c [mm^(-2 alpha)] of p = K s^-alpha (1 + c s^(2 alpha)).
+    """Return K [MPa mm^alpha] and c [mm^-beta] of p = K s^-alpha (1 + c s^beta).
 
-    K is the limit at the end; c makes the two terms fit the strips up to half a half-width as well as they can.
+    The powers are those of `nonhertz.bodies.ends.edge_powers`. K is the limit at the end; c makes the two terms fit the
+    strips up to half a half-width as well as they can.
 
     Parameters
     ----------
@@ -44,8 +49,8 @@ def fitted_strength(
         Distances of the strips' edges from the end [mm], ascending from 0.
     pressure : ndarray, shape (n,)
         Pressures of the strips on the centre line [MPa], outermost strip first.
-    kappa : float
-        Of the end [-].
+    freed : tuple of float
+        kappa of the end and the part of it that is free of normal stress, too.
     half_width : float
         That of the last strip [mm].
     element : Element
@@ -63,23 +68,23 @@ def fitted_strength(
     if near < FEWEST_STRIPS or not np.all(np.isfinite(1.0 / pressure[:near])):
         return None, None
     affected = int(np.count_nonzero(centre[:run] < WEDGE_REACH * half_width))
-    alpha = edge_exponent(kappa)
-    powers = np.array([-alpha, alpha, 2.0 - alpha])
-    of_powers = _wedge_pressures(edges[: affected + 1] / half_width, kappa, powers)
+    kappa, free = freed
+    powers = edge_powers(kappa, free)
+    of_powers = _wedge_pressures(edges[: affected + 1] / half_width, kappa, free, np.array(powers))
     relative = of_powers[:near] / pressure[:near, None]
     strength = float(np.linalg.lstsq(relative, np.ones(near), rcond=None)[0][0])
     if strength <= 0.0:
         return None, None
-    if element is SEMI_ELLIPTIC:
+    if element is SEMI_ELLIPTIC and not free:
         strength /= 1.0 + FLARE * (1.0 - kappa)
     # Weighted by their widths, or the many narrow strips next to the end would decide.
     first, second, width = relative[:, 0], relative[:, 1], np.diff(edges[: near + 1])
     left = width * (1.0 - strength * first)
     correction = float(left @ second / (width * second @ second)) / strength
-    return strength * half_width**alpha, correction * half_width ** (-2.0 * alpha)
+    return strength * half_width ** -powers[0], correction * half_width ** (powers[0] - powers[1])
 
 
-def _wedge_pressures(edges: Array, kappa: float, powers: Array) -> Array:
+def _wedge_pressures(edges: Array, kappa: float, free: float, powers: Array) -> Array:
     """Return the constant pressures of strips that move their centres as the pressures s^power do.
 
     Parameters
@@ -88,6 +93,8 @@ def _wedge_pressures(edges: Array, kappa: float, powers: Array) -> Array:
         Distances from the end, ascending from 0; the pressures end with the last one.
     kappa : float
         Weight of the image about the end.
+    free : float
+        Weight of what a free face adds to the image.
     powers : ndarray, shape (k,)
         Above -1, and not integer.
 
@@ -99,9 +106,29 @@ def _wedge_pressures(edges: Array, kappa: float, powers: Array) -> Array:
     y = edges / length
     centre = 0.5 * (y[1:] + y[:-1])
     to_edges = _integral_of_log(y - centre[:, None]) + kappa * _integral_of_log(y + centre[:, None])
+    of_strips = to_edges[:, 1:] - to_edges[:, :-1]
     moved = _wedge_displacement(centre[:, None], kappa, powers)
-    pressures: Array = np.linalg.solve(to_edges[:, 1:] - to_edges[:, :-1], moved) * length**powers
+    if free:
+        node, share = np.polynomial.legendre.leggauss(_NODES)
+        width = np.diff(y)[:, None]
+        # Logarithms here are positive where displacements are negative, of loads twice as large.
+        added = edge_kernel(centre[:, None, None], centre[:, None] + 0.5 * width * node) @ share
+        of_strips = of_strips - 0.25 * free * added * width.T
+        moved = moved - 0.5 * free * _added_under_powers(centre, powers)
+    pressures: Array = np.linalg.solve(of_strips, moved) * length**powers
     return pressures
+
+
+def _added_under_powers(x: Array, powers: Array) -> Array:
+    """Return the integrals over t from 0 to 1 of t^power times what a free edge adds at x, shape (n, k)."""
+    node, share = np.polynomial.legendre.leggauss(_NODES)
+    panels: Array = 2.0 ** np.arange(-_PANELS, 1.0)
+    half = 0.5 * np.diff(panels)[:, None]
+    t, weight = (panels[:-1, None] + half * (1.0 + node)).ravel(), (half * share).ravel()
+    added: Array = (edge_kernel(x[:, None], t) * weight) @ t[:, None] ** powers
+    at_edge = edge_kernel(x, np.zeros(1))[:, None]
+    whole: Array = added + at_edge * panels[0] ** (1.0 + powers) / (1.0 + powers)
+    return whole
 
 
 def _integral_of_log(x: Array) -> Array:

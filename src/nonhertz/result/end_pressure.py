@@ -2,9 +2,9 @@
 
 Where a contact runs out inside the bodies, its pressure falls to zero. Where it reaches the end of a body, the surface
 stops abruptly, and at distances s small compared with the half-width the equations of the strips become those of a
-plane wedge, with p ~ K / s^alpha and cos(pi alpha) = kappa (`nonhertz.bodies.ends`). Only for kappa = 1, as where both
-bodies end together with mirrored faces, is that a finite pressure. For a smaller kappa every refinement raises the
-pressure of the last strip, so that value is meaningless; K and alpha are not.
+plane wedge, with p ~ K / s^alpha and, where faces are mirrored, cos(pi alpha) = kappa (`nonhertz.bodies.ends`). Only
+for kappa = 1, as where both bodies end together with mirrored or free faces, is that a finite pressure. For a smaller
+kappa every refinement raises the pressure of the last strip, so that value is meaningless; K and alpha are not.
 
 `nonhertz.result.end_fit` fits K to the strips within half a half-width of the end.
 """
@@ -16,7 +16,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bodies.ends import FINITE_FROM, edge_exponent
+from nonhertz.bodies.ends import FINITE_FROM, edge_powers
 from nonhertz.model.contact import Contact
 from nonhertz.result.end_fit import FIT_REACH, fitted_strength
 from nonhertz.result.ends import corner_ends
@@ -100,16 +100,17 @@ def _is_sharp(contact: Contact, problem: Problem, edges: Array, side: int) -> bo
     """Return whether a contact that extends to the end of the strips ends at a sharp end of a body."""
     at, next_in = (-1, -2) if side > 0 else (0, 1)
     place, width = float(edges[at]), abs(float(edges[at] - edges[next_in]))
-    return place in contact.interval and _image_weight(problem, place, side, AT_ONE_PLACE * width) < FINITE_FROM
+    return place in contact.interval and _freed(problem, place, side, AT_ONE_PLACE * width)[0] < FINITE_FROM
 
 
 def sharp_end_error(edges: tuple[EdgePressure, ...], length: float) -> float:
     """Return the relative error that strips cause at the ends of a contact, proportional to the last one's width.
 
     Measured on straight rollers: a tenth of both end strips' widths over the length, on equal and graded grids alike;
-    0.4 of that at kappa = 1/4, 0.2 at 1/2, 0.06 at 3/4 and zero at 1.
+    0.4 of that at kappa = 1/4, 0.2 at 1/2, 0.06 at 3/4 and zero at 1. Ends that are free of normal stress count as
+    those of images with the same exponent.
     """
-    left = (edge.strip_width * math.pow(1.0 - edge.image_weight, 1.5) for edge in edges if not edge.converges)
+    left = (edge.strip_width * _sharpness(edge) for edge in edges if not edge.converges)
     return SHARP_END_ERROR * sum(left) / length
 
 
@@ -128,14 +129,22 @@ def left_at_sharp_ends(problem: Problem, state: States, edges: tuple[EdgePressur
             beside = half_width[int(np.argmin(np.abs(distance - half_width)))]
             at = int(np.argmin(np.abs(distance - beside)))
             borne = float(state.r[at] * state.m[at] * half_width[at])
-            left += borne * math.pow(1.0 - edge.image_weight, 1.5)
+            left += borne * _sharpness(edge)
     return LEFT_AT_END * left / float(state.load)
 
 
-def _image_weight(problem: Problem, place: float, side: int, reach: float) -> float:
-    """Return kappa summed over the free faces within ``reach`` of an end of the strips, at most 1."""
-    found = (end.image_weight for end in problem.influence.ends if end.side == side and abs(end.y - place) <= reach)
-    return min(sum(found), 1.0)
+def _sharpness(edge: EdgePressure) -> float:
+    """Return the error that an end causes, over that of an end of half-spaces."""
+    return math.pow(1.0 - math.cos(math.pi * edge.exponent), 1.5)
+
+
+def _freed(problem: Problem, place: float, side: int, reach: float) -> tuple[float, float]:
+    """Return kappa summed over the free faces within ``reach`` of an end of the strips, at most 1, and its free part.
+
+    The second is what `nonhertz.bodies.ends.End` calls free.
+    """
+    found = [end for end in problem.influence.ends if end.side == side and abs(end.y - place) <= reach]
+    return min(sum(end.image_weight for end in found), 1.0), min(sum(end.free for end in found), 1.0)
 
 
 def _edge_pressure(contact: Contact, problem: Problem, state: States, side: int) -> EdgePressure:
@@ -145,25 +154,35 @@ def _edge_pressure(contact: Contact, problem: Problem, state: States, side: int)
         touched = contact_of(state)
         y = touched[at][(side + 1) // 2] if touched else place
         words = "the contact ends before both bodies do"
-        return EdgePressure(y, EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, None, words)
+        return EdgePressure(y, EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, None, 0.0, words)
     pressure = centre_pressure(contact, problem, state)[::-side]
     if place not in contact.interval:
         words = "the strips end before the contact does"
-        return EdgePressure(place, EdgeKind.CUT_OFF, float(pressure[0]), width, 0.0, 0.0, None, None, words)
+        return EdgePressure(place, EdgeKind.CUT_OFF, float(pressure[0]), width, 0.0, 0.0, None, None, 0.0, words)
     convention = _convention(contact, problem, place, side, AT_ONE_PLACE * width)
-    kappa = _image_weight(problem, place, side, AT_ONE_PLACE * width)
+    kappa, free = _freed(problem, place, side, AT_ONE_PLACE * width)
     if not _is_sharp(contact, problem, state.edges, side):
-        return EdgePressure(place, EdgeKind.FINITE, float(pressure[0]), width, kappa, 0.0, None, None, convention)
-    exponent = edge_exponent(kappa)
+        return EdgePressure(place, EdgeKind.FINITE, float(pressure[0]), width, kappa, 0.0, None, None, 0.0, convention)
+    first, second, _ = edge_powers(kappa, free)
+    exponent = -first
     half_width = problem.element.hertz_ratio * math.sqrt(float(state.m[at]))
     strength = correction = None
     # The face of the other body a little further out distorts the pressure where K would be fitted.
-    alone = kappa == _image_weight(problem, place, side, FIT_REACH * half_width)
+    alone = (kappa, free) == _freed(problem, place, side, FIT_REACH * half_width)
     if alone and exponent >= LEAST_EXPONENT:
         distance = np.abs(state.edges - place)[::-side]
-        strength, correction = fitted_strength(distance, pressure, kappa, half_width, problem.element)
+        strength, correction = fitted_strength(distance, pressure, (kappa, free), half_width, problem.element)
     return EdgePressure(
-        place, EdgeKind.SINGULAR, float(pressure[0]), width, kappa, exponent, strength, correction, convention
+        place,
+        EdgeKind.SINGULAR,
+        float(pressure[0]),
+        width,
+        kappa,
+        exponent,
+        strength,
+        correction,
+        second - first,
+        convention,
     )
 
 
@@ -177,6 +196,8 @@ def _convention(contact: Contact, problem: Problem, place: float, side: int, rea
             words.append(f"{name} goes on")
         elif math.isfinite(face) and abs(face - place) > reach:
             words.append(f"{name} can touch only up to here, {abs(face - place):.3g} mm short of its side face")
+        elif body.free_faces[index]:
+            words.append(f"{name} ends with its side face free")
         elif weight > 0.0:
             words.append(f"{name} ends with its side face freed by images of weight {weight:.3g}")
         else:

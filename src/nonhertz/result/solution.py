@@ -101,13 +101,16 @@ class EdgePressure:
     image_weight : float
         kappa [-]: image weight times share of the compliance, summed over the bodies with a free face here.
     exponent : float
-        alpha [-] of p ~ K / s^alpha, s the distance from the end, cos(pi alpha) = kappa; zero where finite.
+        alpha [-] of p ~ K / s^alpha, s the distance from the end; zero where finite. Where faces are mirrored,
+        cos(pi alpha) = kappa.
     strength : float or None
         K [MPa mm^alpha], from the strips within half a half-width of the end. None where nothing is singular, where too
         few strips or a face of the other body lie that close, and for alpha below 0.1, where the pressure is nearly
         constant and K alone would mislead.
     correction : float or None
-        c [mm^(-2 alpha)] of p = K s^-alpha (1 + c s^(2 alpha)), within 2 % up to half a half-width; see `at`.
+        c [mm^-beta] of p = K s^-alpha (1 + c s^beta), within 2 % up to half a half-width; see `at`.
+    correction_exponent : float
+        beta [-]: 2 alpha at a mirrored end, from the eigenvalues of the wedge at a free one; zero where finite.
     convention : str
         What ends here and what is freed, in words.
 
@@ -126,10 +129,11 @@ class EdgePressure:
     exponent: float
     strength: float | None
     correction: float | None
+    correction_exponent: float
     convention: str
 
     def at(self, distance: ArrayLike) -> Array:
-        """Return the pressure K s^-alpha (1 + c s^(2 alpha)) [MPa] at a ``distance`` s > 0 from the end [mm].
+        """Return the pressure K s^-alpha (1 + c s^beta) [MPa] at a ``distance`` s > 0 from the end [mm].
 
         Parameters
         ----------
@@ -147,7 +151,7 @@ class EdgePressure:
             raise InputError("distance", distance, "be positive", remedy)
         if self.strength is None or self.correction is None:
             return np.full(s.shape, np.nan)
-        pressure: Array = self.strength * s**-self.exponent * (1.0 + self.correction * s ** (2.0 * self.exponent))
+        pressure: Array = self.strength * s**-self.exponent * (1.0 + self.correction * s**self.correction_exponent)
         return pressure
 
     @property

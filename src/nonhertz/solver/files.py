@@ -169,7 +169,7 @@ class _Likeness:
                 body.material.modulus, body.material.poisson, *body.interval,
             )),
             len(terms), *np.sum(np.abs(terms), axis=0).tolist(), len(problem.influence.references),
-            len(problem.influence.ends), len(bends), float(np.sum(np.abs(bends))),
+            len(problem.influence.ends), len(problem.influence.faces), len(bends), float(np.sum(np.abs(bends))),
         ]  # fmt: skip
         surfaces = np.array([*of_bodies, problem.influence.shallowest(places)])
         return cls(places, surfaces, np.array(numbers, dtype=float))

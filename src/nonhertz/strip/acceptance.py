@@ -16,6 +16,7 @@ import numpy as np
 
 from nonhertz.compiled import compiled, entry
 from nonhertz.strip.element import evaluate
+from nonhertz.strip.influence import added_by_face
 from nonhertz.strip.problem import Problem, row_of
 from nonhertz.strip.records import Array, Flags, Given, Grids, Law, States, Strips
 from nonhertz.strip.settle import strips_of
@@ -237,6 +238,10 @@ def _lift_and_bend(i: int, strips: Strips, law: Law, answer: Answer) -> tuple[fl
                 lower = evaluate((sign * strips.low[j] + offset) * inverse, law.table)
                 risen += sign * terms[k, 2] * (upper[0] - lower[0])
                 curved += sign * terms[k, 2] * (upper[2] - lower[2])
+            for k in range(law.faces.shape[0]):
+                added = added_by_face(strips.y[i], strips.low[j], strips.high[j], inverse, law, k)
+                risen += law.faces[k, 2] * added[0]
+                curved += law.faces[k, 2] * added[2]
             if strips.at_depth.size:
                 risen -= strips.at_depth[i, j]
             lift += q[j] * risen

@@ -17,7 +17,8 @@ import numpy as np
 
 from nonhertz.bodies.influence import Influence
 from nonhertz.compiled import compiled, entry
-from nonhertz.strip.element import POWERS, POWERS_AT, REMOTE, evaluate, evaluate_displacement
+from nonhertz.strip.element import POWERS, POWERS_AT, REMOTE, Element, evaluate, evaluate_displacement
+from nonhertz.strip.free_end import AWAY, TABLE_SIZE, Four, far_terms, far_whole, free_end, free_end_table
 from nonhertz.strip.records import Array, Flags, Indices, Law, Strips
 
 # Widths over distances below which nine terms of the series of a logarithm are exact to rounding.
@@ -33,8 +34,9 @@ class Remote(NamedTuple):
 
     Attributes
     ----------
-    first, beyond : ndarray of int, shape (terms, n)
-        The places that are not far from a term of a source: from ``first`` to before ``beyond``.
+    first, beyond : ndarray of int, shape (terms + faces, n)
+        The places that are not far from a term of a source: from ``first`` to before ``beyond``. After the terms of the
+        law, those for which a free side face is near.
     powers : ndarray, shape (n, 1 + POWERS, n)
         Of each source, at each place: the logarithm of the far edge over the near one, and the differences of
         ``(widest / y'^2)^k`` between the edges, weighted and added up over all terms that are far.
@@ -52,7 +54,8 @@ class Remote(NamedTuple):
 def remote_of(strips: Strips, law: Law, widest: float) -> Remote:
     """Return what strips with m up to ``widest`` [mm^2] do far away."""
     y, n, terms = strips.y, strips.y.size, law.terms
-    first, beyond = np.empty((terms.shape[0], n), np.int64), np.empty((terms.shape[0], n), np.int64)
+    sums = terms.shape[0] + law.faces.shape[0]
+    first, beyond = np.empty((sums, n), np.int64), np.empty((sums, n), np.int64)
     powers, distance, work = np.zeros((n, 1 + POWERS, n)), np.empty(n), np.empty((4, n))
     reach = REMOTE * math.sqrt(widest)
     for k in range(terms.shape[0]):
@@ -73,7 +76,48 @@ def remote_of(strips: Strips, law: Law, widest: float) -> Remote:
                 distance[i] = y[i] - right
             _add_far(powers[j], 0, before, distance, width, weight, widest, work)
             _add_far(powers[j], after, n, distance, width, weight, widest, work)
+    for k in range(law.faces.shape[0]):
+        at = terms.shape[0] + k
+        _add_beyond_face(strips, law.faces[k], law.face_tables, widest, powers, first[at], beyond[at])
     return Remote(first, beyond, powers, widest)
+
+
+@compiled
+def _add_beyond_face(
+    strips: Strips, face: Array, tables: Array, widest: float, powers: Array, first: Indices, beyond: Indices
+) -> None:
+    """Add what a free side face adds where it is far from place and source together, and fill in where it is not."""
+    n, place, side, weight, table = strips.y.size, face[0], face[1], face[2], int(face[3])
+    root = math.sqrt(widest)
+    u, terms, work = np.empty(n), np.empty((2, 1 + POWERS, n)), np.empty((2, n))
+    for i in range(n):
+        u[i] = max(side * (place - strips.y[i]), 0.0) / root
+    of_low = max(side * (place - strips.low[0]), 0.0) / root
+    far_terms(u, of_low, tables, table, terms[0], work)
+    for j in range(n):
+        # From one strip to the next the edge between them is the same.
+        of_high, low, high = max(side * (place - strips.high[j]), 0.0) / root, terms[j % 2], terms[1 - j % 2]
+        far_terms(u, of_high, tables, table, high, work)
+        inner, outer = min(of_low, of_high), max(of_low, of_high)
+        begin = end = 0
+        for i in range(n):
+            if u[i] + inner < AWAY:
+                begin, end = (i if end == 0 else begin), i + 1
+        first[j], beyond[j] = begin, end
+        for k in range(1 + POWERS):
+            _add_difference(powers[j][k][:begin], side * weight, low[k][:begin], high[k][:begin])
+            _add_difference(powers[j][k][end:], side * weight, low[k][end:], high[k][end:])
+        for i in range(n):
+            if inner <= u[i] < outer and not begin <= i < end:
+                for k in range(1 + POWERS):
+                    powers[j, k, i] += weight * far_whole(u[i], k, tables, table)
+        of_low = of_high
+
+
+@compiled
+def _add_difference(power: Array, weight: float, of_low: Array, of_high: Array) -> None:
+    for i in range(power.size):
+        power[i] += weight * (of_low[i] - of_high[i])
 
 
 @compiled
@@ -147,6 +191,14 @@ def coefficients(strips: Strips, m: Array, active: Indices, law: Law, remote: Re
                 seen_there[1, i] += weight * (ta1 - ta0)
                 seen_there[2, i] += weight * (b1 - b0)
                 seen_there[3, i] += weight * (tb1 - tb0)
+        for k in range(law.faces.shape[0]):
+            weight, at = law.faces[k, 2], law.terms.shape[0] + k
+            for i in range(remote.first[at, source], remote.beyond[at, source]):
+                a, ta, b, tb = added_by_face(y[i], strips.low[source], strips.high[source], inverse, law, k)
+                seen_there[0, i] += weight * a
+                seen_there[1, i] += weight * ta
+                seen_there[2, i] += weight * b
+                seen_there[3, i] += weight * tb
         for kind in range(4):
             for i in range(active.size):
                 out[kind, i, j] = seen_there[kind, active[i]]
@@ -202,11 +254,7 @@ def lift(strips: Strips, m: Array, q: Array, law: Law, remote: Remote, wanted: F
             factor = power * law.table[POWERS_AT + 2 * k - 2]
             for i in range(n):
                 out[i] += factor * powers[k, i]
-        for k in range(law.terms.shape[0]):
-            for i in range(remote.first[k, j], remote.beyond[k, j]):
-                if wanted[i]:
-                    seen_there = _term(strips.y[i], strips.low[j], strips.high[j], inverse, law.terms, k, law.table)
-                    out[i] += q[j] * seen_there
+        _lift_nearby(strips, j, inverse, q[j], law, remote, wanted, out)
     if strips.at_depth.size:
         for i in range(n):
             for j in range(n):
@@ -214,11 +262,39 @@ def lift(strips: Strips, m: Array, q: Array, law: Law, remote: Remote, wanted: F
 
 
 @compiled
-def seen(y: float, low: float, high: float, inverse: float, terms: Array, table: Array) -> float:
-    """Return [A] at ``y`` of one strip with 1/a = ``inverse``, its images included."""
+def _lift_nearby(
+    strips: Strips, j: int, inverse: float, q: float, law: Law, remote: Remote, wanted: Flags, out: Array
+) -> None:
+    """Add the displacement by one source where it is not far away."""
+    low, high, terms = strips.low[j], strips.high[j], law.terms.shape[0]
+    for k in range(terms):
+        for i in range(remote.first[k, j], remote.beyond[k, j]):
+            if wanted[i]:
+                out[i] += q * _term(strips.y[i], low, high, inverse, law.terms, k, law.table)
+    for k in range(law.faces.shape[0]):
+        for i in range(remote.first[terms + k, j], remote.beyond[terms + k, j]):
+            if wanted[i]:
+                out[i] += law.faces[k, 2] * q * added_by_face(strips.y[i], low, high, inverse, law, k)[0]
+
+
+@compiled
+def added_by_face(y: float, low: float, high: float, inverse: float, law: Law, k: int) -> Four:
+    """Return what a free side face adds to [A], [t A'], [B] and [t B'] at ``y`` of one strip with 1/a = ``inverse``."""
+    place, side, first = law.faces[k, 0], law.faces[k, 1], int(law.faces[k, 3])
+    u = max(side * (place - y), 0.0) * inverse
+    one, other = side * (place - low) * inverse, side * (place - high) * inverse
+    inner, outer = max(min(one, other), 0.0), max(one, other, 0.0)
+    return free_end(u, inner, outer, law.face_tables, first, law.table)
+
+
+@compiled
+def seen(y: float, low: float, high: float, inverse: float, law: Law) -> float:
+    """Return [A] at ``y`` of one strip with 1/a = ``inverse``, with its images and what free side faces add."""
     total = 0.0
-    for k in range(terms.shape[0]):
-        total += _term(y, low, high, inverse, terms, k, table)
+    for k in range(law.terms.shape[0]):
+        total += _term(y, low, high, inverse, law.terms, k, law.table)
+    for k in range(law.faces.shape[0]):
+        total += law.faces[k, 2] * added_by_face(y, low, high, inverse, law, k)[0]
     return total
 
 
@@ -230,25 +306,34 @@ def _term(y: float, low: float, high: float, inverse: float, terms: Array, k: in
     return float(sign * terms[k, 2] * (upper - lower))
 
 
-def displacements(influence: Influence, y: Array, edges: Array, r: Array, m: Array, table: Array) -> Array:
+def law_of(influence: Influence, element: Element) -> Law:
+    """Return how strips act, for the compiled core."""
+    materials = sorted({face.poisson for face in influence.faces})
+    tables = [free_end_table(element, poisson) for poisson in materials]
+    faces = [(face.y, face.side, face.share, TABLE_SIZE * materials.index(face.poisson)) for face in influence.faces]
+    return Law(
+        influence.terms, element.table, element.line_factor, element.hertz_ratio,
+        np.array(faces, dtype=float).reshape(-1, 4), np.concatenate([np.zeros(0), *tables]),
+    )  # fmt: skip
+
+
+def displacements(influence: Influence, y: Array, edges: Array, r: Array, m: Array, element: Element) -> Array:
     """Return the displacement per unit of compliance at several places ``y``, relative to the points at depth."""
     at_depth: Array = influence.at_depth(y, edges) @ (r * m)
     raised = np.empty(y.size)
-    _on_the_surface(y, edges[:-1], edges[1:], r, m, influence.terms, table, raised)
+    _on_the_surface(y, edges[:-1], edges[1:], r, m, law_of(influence, element), raised)
     return raised - at_depth
 
 
 @entry
-def _on_the_surface(
-    places: Array, low: Array, high: Array, r: Array, m: Array, terms: Array, table: Array, result: Array
-) -> None:
+def _on_the_surface(places: Array, low: Array, high: Array, r: Array, m: Array, law: Law, result: Array) -> None:
     for i in range(places.size):
         result[i] = 0.0
     for j in range(m.size):
         if m[j] > 0.0:
             inverse, q = 1.0 / math.sqrt(m[j]), r[j] * m[j]
             for i in range(places.size):
-                result[i] += q * seen(places[i], low[j], high[j], inverse, terms, table)
+                result[i] += q * seen(places[i], low[j], high[j], inverse, law)
 
 
 @compiled

@@ -151,7 +151,7 @@ def overlapping(problem: Problem, state: States, interval: tuple[float, float]) 
     overlap = np.where(apart & (depth <= 0.0), depth, 0.0)
     suspect = np.flatnonzero(apart & (depth > 0.0))
     if suspect.size:
-        lift = displacements(problem.influence, y[suspect], state.edges, state.r, state.m, problem.element.table)
+        lift = displacements(problem.influence, y[suspect], state.edges, state.r, state.m, problem.element)
         overlap[suspect] = depth[suspect] - lift
     overlap[(overlap > 0.0) & (overlap < NOTICED * np.max(depth))] = 0.0
     return y, overlap

@@ -11,6 +11,7 @@ import numpy as np
 from nonhertz.bodies.influence import Influence
 from nonhertz.compiled import entry
 from nonhertz.strip.element import Element
+from nonhertz.strip.influence import law_of
 from nonhertz.strip.newton import TOLERANCE
 from nonhertz.strip.records import ITERATION_LIMIT, Array, Flags, Given, Grids, Indices, Law, States
 from nonhertz.strip.settle import settle_all, sought_of, strips_of
@@ -91,7 +92,7 @@ class Problem:
     @cached_property
     def law(self) -> Law:
         """How strips act, for the compiled core."""
-        return Law(self.influence.terms, self.element.table, self.element.line_factor, self.element.hertz_ratio)
+        return law_of(self.influence, self.element)
 
     def grids(self, count: Indices, edges: Array, *, at_rest: bool = False) -> Grids:
         """Return grids with everything that is known about them before their loads are.

@@ -65,12 +65,18 @@ class Law(NamedTuple):
         kappa: in a line contact a^2 = kappa K q rho.
     hertz_ratio : float
         Half-width of the Hertz line contact of equal load over that of the element.
+    faces : ndarray, shape (faces, 4)
+        Rows (place, side, weight, where its table begins) of the side faces that are free of normal stress, too.
+    face_tables : ndarray
+        Their tables; see `nonhertz.strip.free_end`.
     """
 
     terms: Array
     table: Array
     line_factor: float
     hertz_ratio: float
+    faces: Array
+    face_tables: Array
 
 
 class Sought(NamedTuple):

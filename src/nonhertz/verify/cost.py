@@ -18,8 +18,8 @@ from nonhertz.plot.style import FIRST, INK, SECOND
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import SEMI_ELLIPTIC
-from nonhertz.strip.influence import coefficients, remote_of
-from nonhertz.strip.records import Law, Strips
+from nonhertz.strip.influence import coefficients, law_of, remote_of
+from nonhertz.strip.records import Strips
 from nonhertz.verify.claim import Check, Picture, Section
 
 if TYPE_CHECKING:
@@ -84,7 +84,7 @@ def _solve(contact: Contact, count: int) -> Solution:
 
 def _assemble(contact: Contact, solution: Solution) -> None:
     element, y, edges = SEMI_ELLIPTIC, solution.y, solution.edges
-    law = Law(influence_of(contact, element).terms, element.table, element.line_factor, element.hertz_ratio)
+    law = law_of(influence_of(contact, element), element)
     at_rest = np.zeros((0, 0))
     strips = Strips(y, edges[:-1], edges[1:], contact.curvature(y), contact.separation(y), at_rest)
     active = np.flatnonzero(solution.line_load > 0.0)

@@ -9,12 +9,13 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.bodies.quarter_space import free_face
 from nonhertz.compiled import compiled, entry
 
 if TYPE_CHECKING:
@@ -73,9 +74,11 @@ class Depth(ABC):
         below = self.below(body, shape)
         if below is None:
             return None
-        factor = 1.0 / (2.0 * (1.0 - body.material.poisson))
+        poisson = body.material.poisson
+        factor = 1.0 / (2.0 * (1.0 - poisson))
         far = None if images.far is None else images.far.less_depth(below, factor)
-        return PointsAtDepth(below, factor, images.with_direct(), far)
+        over_image = free_face(poisson).over_image() if images.free.size else np.zeros(0)
+        return PointsAtDepth(below, factor, images.with_direct(), far, images.free, over_image)
 
 
 @dataclass(frozen=True)
@@ -93,12 +96,19 @@ class PointsAtDepth:
         compliance.
     far : callable or None
         y [mm] -> displacement that the far images add at the surface relative to depth, per unit of load.
+    faces : ndarray, shape (faces, 3)
+        Rows (place, side, weight) of the side faces that are free of normal stress, too.
+    over_image : ndarray
+        What such a face adds far away over what the image does; see `nonhertz.bodies.quarter_space`. A point at depth
+        is moved by as many times its image.
     """
 
     below: Callable[[Array], Array]
     poisson_factor: float
     terms: Array
     far: Callable[[Array], Array] | None = None
+    faces: Array = field(default_factory=lambda: np.zeros((0, 3)))
+    over_image: Array = field(default_factory=lambda: np.zeros(0))
 
     def displacement(self, y: Array, edges: Array) -> Array:
         """Return the displacement at depth under ``y`` per unit of K q of each strip, shape (..., places, strips)."""
@@ -107,6 +117,8 @@ class PointsAtDepth:
         found = np.empty((len(places), *shape[-2:]))
         depth = self.below(places.ravel()).reshape(places.shape)
         _at_depth(places, depth, ends, self.poisson_factor, self.terms, found)
+        if self.faces.size:
+            _at_depth_by_faces(places, depth, ends, self.poisson_factor, self.faces, self.over_image, found)
         if self.far is not None:
             found -= self.far(places.ravel()).reshape(places.shape)[..., None] * np.diff(ends)[:, None, :]
         return found.reshape(shape)
@@ -124,6 +136,39 @@ def _at_depth(y: Array, depth: Array, edges: Array, poisson_factor: float, terms
                 _by_quadrature(y[row, i], depth[row, i], edges[row], poisson_factor, terms, out[row, i])
             else:
                 _by_closed_form(y[row, i], depth[row, i], edges[row], poisson_factor, terms, out[row, i])
+
+
+@entry
+def _at_depth_by_faces(
+    y: Array, depth: Array, edges: Array, poisson_factor: float, faces: Array, over_image: Array, out: Array
+) -> None:
+    """Add what free side faces add to the displacement at depth, by Gauss's rule of three points on each strip."""
+    for k in range(faces.shape[0]):
+        place, side, weight = faces[k, 0], faces[k, 1], faces[k, 2]
+        for row in range(y.shape[0]):
+            for i in range(y.shape[1]):
+                u = max(side * (place - y[row, i]), 0.0)
+                for e in range(out.shape[2]):
+                    half = 0.5 * (edges[row, e + 1] - edges[row, e])
+                    middle = side * (place - 0.5 * (edges[row, e + 1] + edges[row, e]))
+                    total = 0.0
+                    for part, share in ((-SIDE, SIDE_WEIGHT), (0.0, MIDDLE_WEIGHT), (SIDE, SIDE_WEIGHT)):
+                        v = max(middle + part * half, 0.0)
+                        total += share * _by_face(u, v, depth[row, i], poisson_factor, over_image)
+                    out[row, i, e] += weight * half * total
+
+
+@compiled
+def _by_face(u: float, v: float, depth: float, poisson_factor: float, over_image: Array) -> float:
+    """Return what a free side face adds to the displacement at a depth below ``u`` by a unit load at ``v``."""
+    distance = u + v
+    if distance == 0.0:
+        return 0.0
+    aside = (u - v) / distance
+    x, ratio = 2.0 * aside * aside - 1.0, 0.0
+    for c in over_image:
+        ratio = ratio * x + c
+    return ratio * _kernel(distance / depth, poisson_factor) / depth
 
 
 @compiled

@@ -6,6 +6,7 @@ from numbers import Real
 from typing import Final
 
 from nonhertz.bodies.sides.calibrated import Calibrated
+from nonhertz.bodies.sides.free import Free
 from nonhertz.bodies.sides.half_space import HalfSpace
 from nonhertz.bodies.sides.mirror import Mirror
 from nonhertz.bodies.sides.side_face import SideFace
@@ -16,7 +17,7 @@ from nonhertz.inputs.checks import not_negative
 FaceRule = str | float
 
 #: Treatments by their keywords.
-SIDE_FACES: Final[dict[str, SideFace]] = {face.word: face for face in (Mirror(), Calibrated(), HalfSpace())}
+SIDE_FACES: Final[dict[str, SideFace]] = {face.word: face for face in (Free(), Mirror(), Calibrated(), HalfSpace())}
 
 WORDS: Final = ", ".join(map(repr, SIDE_FACES))
 _REMEDY: Final = f"write {WORDS} or {Weighted.meaning}, or a pair for low and high y"

@@ -1,7 +1,8 @@
 """The interface of a treatment of a side face.
 
 A side face of a half-space is freed of shear by an image of the pressure behind it. The image doubles the normal
-stress on the face instead of removing it, so the end is still too stiff; a weight above 1 compensates for part of that.
+stress on the face instead of removing it, so the end is still too stiff; a weight above 1 compensates for part of that,
+and what an elastic quarter-space adds (`nonhertz.bodies.quarter_space`) for all of it.
 """
 
 from __future__ import annotations
@@ -19,10 +20,13 @@ class SideFace(ABC):
         Its keyword in files and Python; empty if given as a number.
     meaning : str
         What it does, as it follows the word in descriptions of case files.
+    exact : bool
+        Whether the normal stress that an image leaves is taken away, too.
     """
 
     word: ClassVar[str]
     meaning: ClassVar[str]
+    exact: ClassVar[bool] = False
 
     @abstractmethod
     def image_weight(self, poisson: float) -> float:
