@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from nonhertz.model.body import Roller as Roller
     from nonhertz.model.body import TabulatedDiameter as TabulatedDiameter
     from nonhertz.model.contact import Contact as Contact
+    from nonhertz.model.corner import Chamfer as Chamfer
     from nonhertz.model.material import MATERIALS as MATERIALS
     from nonhertz.model.material import Material as Material
     from nonhertz.result.solution import EdgeKind as EdgeKind
@@ -71,6 +72,7 @@ _HOMES = {
     "AccuracyWarning": "nonhertz.errors",
     "Body": "nonhertz.model.body",
     "Case": "nonhertz.io.casefile",
+    "Chamfer": "nonhertz.model.corner",
     "Comparison": "nonhertz.comparison",
     "Contact": "nonhertz.model.contact",
     "CaseError": "nonhertz.errors",

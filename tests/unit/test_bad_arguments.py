@@ -63,6 +63,7 @@ REFUSED: dict[str, set[str]] = {
     "not negative": NUMBER | {"minus one"},
     "positive": POSITIVE | {"tiny"},
     "positive?": (POSITIVE | {"tiny"}) - {"none"},
+    "angle": POSITIVE | {"three"},
     "load": POSITIVE | {"tiny"},
     "share": POSITIVE | {"three"},
     "whole": POSITIVE | {"half"},
@@ -174,6 +175,8 @@ BODY = {
     "length": (20.0, "positive?"),
     "profile": (nh.profile.crown(100.0), "thing"),
     "effective_length": (10.0, "positive?"),
+    "corner_radius": (None, "positive?"),
+    "chamfer": (None, "optional"),
     "position": (0.0, "number"),
     "side_faces": ("mirror", "rule"),
     "images": (1, "images"),
@@ -194,6 +197,8 @@ DESIGN = {
 FIT = {"shift": (True, "flag"), "tilt": (False, "flag")}
 
 ENTRIES: dict[str, Entry] = {
+    "Chamfer": entry(nh.Chamfer, length=(1.0, "positive"), angle=(0.3, "angle"), blend_radius=(0.0, "not negative")),
+    "Chamfer.drop": entry(nh.Chamfer(1.0, 0.3).drop, distance=(0.5, "numbers")),
     "solve": entry(
         nh.solve, contact=(CONTACT, "thing"), **PRESCRIBED, element=(nh.SEMI_ELLIPTIC, "thing"), strips=(11, "strips"),
         accuracy=(None, "optional"),

@@ -90,6 +90,8 @@ BODIES = {
     "series": nh.Roller(diameter=20.0, length=LENGTH, images="series", depth=8.0),
     "changing diameter": nh.Ring(diameter=nh.TabulatedDiameter(y=(-10.0, 10.0), diameter=(79.0, 81.0)), length=LENGTH),
     "own material": nh.Plate(material=nh.Material(100e3, 0.25), depth=12.0, length=40.0, position=0.5),
+    "corner radius": nh.Roller(diameter=20.0, length=LENGTH, corner_radius=0.5, side_faces="free"),
+    "chamfer": nh.Roller(diameter=20.0, length=LENGTH, chamfer=nh.Chamfer(1.0, 0.3, blend_radius=2.0)),
     "effective length": nh.Roller(diameter=20.0, length=LENGTH, effective_length=18.0),
 }
 

@@ -44,6 +44,7 @@ from nonhertz.io.profiles import BROKEN, profile_schema, quantity_schema, read_p
 from nonhertz.io.units import begins_with_digits, in_unit
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter, convex
 from nonhertz.model.contact import Contact
+from nonhertz.model.corner import Chamfer
 from nonhertz.model.material import MATERIALS, STEEL, Material
 from nonhertz.model.profile import Profile, straight
 
@@ -215,6 +216,27 @@ def _read_depth(value: Any) -> Any:
     return _word_or_quantity("depth", value, "mm")
 
 
+class ChamferTable(Table):
+    """Chamfers at both ends of a body, each with an arc that blends it into the surface."""
+
+    length: Length = Field(description="length along the axis, the arc included [mm]")
+    angle: Angle = Field(description="angle from the axis [rad], below pi / 2")
+    blend_radius: Length = Field(
+        default=Chamfer.blend_radius,
+        description="radius of the arc between surface and chamfer [mm]; 0 for an edge, where pressure has no limit",
+    )
+
+    @field_validator("length", "angle", "blend_radius")
+    @classmethod
+    def _check(cls, value: float, info: ValidationInfo) -> float:
+        Chamfer(**{"length": MOST, "angle": 1e-3, **info.data, str(info.field_name): value})
+        return value
+
+    def chamfer(self) -> Chamfer:
+        """Return the chamfer."""
+        return Chamfer(self.length, self.angle, self.blend_radius)
+
+
 class BodyTable(Table):
     """One of the two bodies."""
 
@@ -245,6 +267,12 @@ class BodyTable(Table):
         default=None,
         description="length in the middle that can touch [mm]; chamfers or undercuts take the rest away",
     )
+    corner_radius: Length | None = Field(
+        default=None,
+        description="radius of the corners between surface and side faces [mm], which the length includes; the profile "
+        "ends where they begin",
+    )
+    chamfer: ChamferTable | None = Field(default=None, description="chamfers in place of a corner radius")
     position: Length = Field(default=Body.position, description="axial position of the middle of the body [mm]")
     material: Annotated[Material, PlainValidator(_read_material, json_schema_input_type=Word | MaterialTable)] = Field(
         default=STEEL, description="name of a material, or a table of modulus and poisson"
@@ -262,7 +290,9 @@ class BodyTable(Table):
         description="mirror images per side face: a number, or 'series' for all of them, which needs a depth",
     )
 
-    @field_validator("diameter", "side_faces", "length", "effective_length", "position", "depth", "images")
+    @field_validator(
+        "diameter", "side_faces", "length", "effective_length", "corner_radius", "position", "depth", "images"
+    )
     @classmethod
     def _check(cls, value: Any, info: ValidationInfo) -> Any:
         name = str(info.field_name)
@@ -277,10 +307,22 @@ class BodyTable(Table):
                 raise
         return value
 
+    @model_validator(mode="after")
+    def _check_corner(self) -> Self:
+        chamfer = None if self.chamfer is None else self.chamfer.chamfer()
+        given = {name: getattr(self, name) for name in ("length", "effective_length", "corner_radius", "profile")}
+        try:
+            Body(chamfer=chamfer, **given)
+        except InputError as error:
+            raise TableError([Mistake((error.field,), error)]) from None
+        return self
+
     def body(self) -> Body:
         """Return the body."""
-        given = self.model_fields_set - {"kind"}
-        return (self.kind or self._likely_kind())(**{name: getattr(self, name) for name in given})
+        given = {name: getattr(self, name) for name in self.model_fields_set - {"kind"}}
+        if self.chamfer is not None:
+            given["chamfer"] = self.chamfer.chamfer()
+        return (self.kind or self._likely_kind())(**given)
 
     def _likely_kind(self) -> type[Body]:
         """Return the class of a body without a kind: a roller if it is convex and has a length, else `Body`."""

@@ -11,9 +11,10 @@ import json
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, get_args
 
 from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
 
 from nonhertz.errors import CaseError, InputError
 from nonhertz.io.bounds import MISTAKES
@@ -174,21 +175,24 @@ def _from_pydantic(item: Any, place: Place) -> list[Mistake]:
 
 def _table_at(table: type[BaseModel], place: Place) -> type[BaseModel]:
     for part in place:
-        inner = table.model_fields[str(part)].annotation
-        assert isinstance(inner, type)
-        assert issubclass(inner, BaseModel)
-        table = inner
+        (table,) = _tables_in(table.model_fields[str(part)].annotation)
     return table
 
 
 def _way_out(table: type[BaseModel], place: Place) -> str:
     field = _table_at(table, place[:-1]).model_fields[str(place[-1])]
-    if not _is_table(field.annotation):
+    if not _tables_in(field.annotation):
         return f"give {field.description}"
     inner = _table_at(table, place).model_fields
-    headings = [f"[{path_of((*place, name))}]" for name in inner if _is_table(inner[name].annotation)]
+    headings = [f"[{path_of((*place, name))}]" for name in inner if _is_needed(inner[name])]
     return "write it under a heading " + (" and ".join(headings) or f"[{path_of(place)}]")
 
 
-def _is_table(annotation: object) -> bool:
-    return isinstance(annotation, type) and issubclass(annotation, BaseModel)
+def _is_needed(field: FieldInfo) -> bool:
+    return field.is_required() and bool(_tables_in(field.annotation))
+
+
+def _tables_in(annotation: object) -> list[type[BaseModel]]:
+    """Return the class of a table that may be given, in a list that is empty if this is none."""
+    kinds = get_args(annotation) or (annotation,)  # of a table that may be left out, or None
+    return [kind for kind in kinds if isinstance(kind, type) and issubclass(kind, BaseModel)]

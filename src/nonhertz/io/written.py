@@ -7,6 +7,7 @@ profiles, so it needs no other file.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from nonhertz.errors import InputError
@@ -56,10 +57,12 @@ def _body(body: Body) -> dict[str, Any]:
             remedy = "give a TabulatedDiameter of its values"
             raise InputError("diameter", body.diameter, "be a number or a table to go into a case file", remedy)
         table["diameter"] = float(body.diameter)
-    for name in ("length", "effective_length", "position"):
+    for name in ("length", "effective_length", "corner_radius", "position"):
         value = getattr(body, name)
         if value is not None:
             table[name] = float(value)
+    if body.chamfer is not None:
+        table["chamfer"] = {name: float(value) for name, value in asdict(body.chamfer).items()}
     table["material"] = _material(body.material)
     profiles = list(_profiles(body.profile))
     if profiles:

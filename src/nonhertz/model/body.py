@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from numbers import Real
 from typing import Final, Literal
 
@@ -18,6 +19,7 @@ from nonhertz.bodies.sides import FaceRule, side_faces
 from nonhertz.bodies.sides.side_face import SideFace
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, numbers, positive
+from nonhertz.model.corner import Chamfer, Cornered, Rounded
 from nonhertz.model.material import STEEL, Material
 from nonhertz.model.profile import Profile, Straight
 from nonhertz.model.profile.base import moved_back, places
@@ -99,13 +101,19 @@ class Body:
         Relief along the axis, positive where material is removed.
     effective_length : float or None
         Length in the middle of the body that can touch [mm], where chamfers or undercuts remove the rest;
-        at most ``length``; None for all of it.
+        at most ``length``; None for all of it. Not together with a corner.
+    corner_radius : float or None
+        Radius of the corners between surface and side faces [mm]. The length includes them; the profile ends where they
+        begin, and they go on with its slope. None for sharp ends, or a ``chamfer``.
+    chamfer : Chamfer or None
+        What takes the corners away instead of a radius.
     position : float
         Axial position y of the middle of the body [mm].
     side_faces : str or float or pair of them
-        How the side faces are freed of stress: by images of the pressure with weight 1 (``"mirror"``), with the
-        weight that comes closest to the exact free face (``"calibrated"``) or with a weight given as a number, or not
-        at all (``"none"``). A pair is for the faces at low and high y. A body without a length has none.
+        How the side faces are freed of stress: exactly (``"free"``), by images of the pressure with weight 1
+        (``"mirror"``), with the weight that comes closest to the exact free face (``"calibrated"``) or with a weight
+        given as a number, or not at all (``"none"``). A pair is for the faces at low and high y. A body without a
+        length has none.
     images : int or str
         Mirror images per face: 1; or n, with the n - 1 shifted images that mirrors of mirrors make between them; or
         ``"series"`` for all of them, which needs a depth, without which their sum diverges.
@@ -130,6 +138,8 @@ class Body:
     length: float | None = None
     profile: Profile = field(default_factory=Straight)
     effective_length: float | None = None
+    corner_radius: float | None = None
+    chamfer: Chamfer | None = None
     position: float = 0.0
     side_faces: FaceRule | tuple[FaceRule, FaceRule] = "mirror"
     images: int | Literal["series"] = FEWEST_IMAGES
@@ -148,6 +158,7 @@ class Body:
             positive("length", self.length, _LENGTH_REMEDY)
         if self.effective_length is not None:
             self._check_effective_length(self.effective_length)
+        self._check_corner()
         finite("position", self.position, "give the axial position of the body's middle in mm")
         if isinstance(self.side_faces, list) or (isinstance(self.side_faces, np.ndarray) and self.side_faces.ndim):
             object.__setattr__(self, "side_faces", tuple(self.side_faces))
@@ -162,12 +173,35 @@ class Body:
         if self.length is not None and effective_length > self.length:
             raise InputError("effective_length", effective_length, f"not exceed the length of {self.length} mm", remedy)
 
+    def _check_corner(self) -> None:
+        for name, remedy in (("chamfer", "make one with nonhertz.Chamfer"), ("corner_radius", "give it in mm")):
+            if getattr(self, name) is None:
+                continue
+            for other in ("effective_length", "chamfer"):
+                if name != other and getattr(self, other) is not None:
+                    raise InputError(name, getattr(self, name), f"not be given together with {other}", "leave one out")
+            if self.length is None:
+                raise InputError(
+                    "length", None, f"be given where {name} is", "give the distance between the faces in mm"
+                )
+            if name == "chamfer" and not isinstance(self.chamfer, Chamfer):
+                raise InputError(name, self.chamfer, "be a Chamfer", remedy)
+        _ = self.surface
+
+    @cached_property
+    def surface(self) -> Profile:
+        """The profile with the corners."""
+        corner = self.chamfer if self.corner_radius is None else Rounded(self.corner_radius)
+        if corner is None or self.length is None:
+            return self.profile
+        return Cornered(self.profile, 0.5 * self.length, corner)
+
     @property
     def interval(self) -> tuple[float, float]:
         """The axial interval [mm] on which the body can touch; infinite for an unbounded body."""
         length = self.effective_length if self.effective_length is not None else self.length
         low, high = (-np.inf, np.inf) if length is None else (-0.5 * length, 0.5 * length)
-        defined = self.profile.extent
+        defined = self.surface.extent
         return (self.position + max(low, defined[0]), self.position + min(high, defined[1]))
 
     @property
@@ -203,12 +237,12 @@ class Body:
     @property
     def bends(self) -> tuple[float, ...]:
         """Axial positions [mm] where the relief bends."""
-        return tuple(self.position + bend for bend in self.profile.bends)
+        return tuple(self.position + bend for bend in self.surface.bends)
 
     @property
     def crests(self) -> tuple[float, ...]:
         """Axial positions [mm] at which the relief may stand out between sampled places."""
-        return tuple(self.position + crest for crest in self.profile.crests)
+        return tuple(self.position + crest for crest in self.surface.crests)
 
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm] at the positions ``y`` [mm]."""
@@ -216,7 +250,7 @@ class Body:
 
     def relief_at(self, y: Array) -> Array:
         """Return the relief at positions that are known to be finite numbers."""
-        return self.profile.relief_at(moved_back(y, self.position, self.profile.extent))
+        return self.surface.relief_at(moved_back(y, self.position, self.surface.extent))
 
     def curvature(self, y: ArrayLike) -> Array:
         """Return the curvature 1/R [1/mm] across the contact at ``y`` [mm], negative where concave.

@@ -8,7 +8,7 @@ from __future__ import annotations
 import functools
 import inspect
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 from nonhertz.io.casefile import Case, schema
@@ -16,13 +16,20 @@ from nonhertz.io.measured import KIND as MEASURED
 from nonhertz.io.profiles import profile_tables
 from nonhertz.measured import prepare
 from nonhertz.model.body import Body, TabulatedDiameter
+from nonhertz.model.corner import Chamfer
 from nonhertz.model.material import MATERIALS, Material
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.report.method import formula, source
 from nonhertz.result.numerals import given
 
 LONGEST_LIST = 8  # entries; a longer list is summarised
-_ABSENT = {"diameter": "flat", "length": "unbounded", "effective_length": "the whole length"}
+_ABSENT = {
+    "diameter": "flat",
+    "length": "unbounded",
+    "effective_length": "the whole length",
+    "corner_radius": "none",
+    "chamfer": "none",
+}
 _OF_THE_BODY = "from the body"
 
 
@@ -183,6 +190,8 @@ def _shown(value: Any) -> str:
         return _material(value)
     if isinstance(value, TabulatedDiameter):
         return f"{_sequence(value.diameter)} at y = {_sequence(value.y)}"
+    if isinstance(value, Chamfer):
+        value = asdict(value)
     if isinstance(value, dict):
         return ", ".join(f"{key} = {_shown(entry)}" for key, entry in value.items())
     return _sequence(value) if isinstance(value, list | tuple) else str(value)

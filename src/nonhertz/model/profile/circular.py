@@ -13,7 +13,7 @@ from nonhertz.inputs.checks import finite, flag, not_negative, positive
 from nonhertz.model.profile.base import Array, Formula, Profile
 
 
-def _drop(radius: float, y: ArrayLike) -> Array:
+def drop_of_circle(radius: float, y: ArrayLike) -> Array:
     """Drop [mm] of a circle at the distance ``y`` from its summit; infinite beyond the circle."""
     size, distance = abs(radius), np.abs(y)
     inside = np.maximum((size - distance) * (size + distance), 0.0)
@@ -38,9 +38,9 @@ class Arcs(Formula):
     def relief_at(self, y: Array) -> Array:
         """Return the relief [mm]; infinite beyond the point where an arc becomes vertical."""
         distance = np.abs(y)
-        middle = _drop(self.radius, np.minimum(distance, self.junction))
-        end = _drop(self.end_radius, np.maximum(distance, self.junction) - self.end_summit)
-        return np.asarray(middle + end - _drop(self.end_radius, self.junction - self.end_summit))
+        middle = drop_of_circle(self.radius, np.minimum(distance, self.junction))
+        end = drop_of_circle(self.end_radius, np.maximum(distance, self.junction) - self.end_summit)
+        return np.asarray(middle + end - drop_of_circle(self.end_radius, self.junction - self.end_summit))
 
     @property
     def bends(self) -> tuple[float, ...]:

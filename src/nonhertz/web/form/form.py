@@ -35,7 +35,7 @@ ALTERNATIVES: Final = (("load", "approach"), ("tilt", "moment"))
 COMMON: Final = ("shift", "scale")
 #: Keys that most cases leave at their defaults, folded away.
 FOLDED: Final = (
-    *("effective_length", "position", "side_faces", "images", "depth"),
+    *("effective_length", "corner_radius", "chamfer", "position", "side_faces", "images", "depth"),
     *COMMON,
     *("solver", "life"),
 )

@@ -1,0 +1,141 @@
+"""Corners between surface and side faces: their shape, what they refuse, and what grids make of them."""
+
+import math
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.model.corner import Cornered, Rounded
+from nonhertz.result.ends import corner_ends
+
+CROWN = nh.profile.crown(radius=3000.0)
+CHAMFER = nh.Chamfer(length=1.0, angle=math.radians(15.0), blend_radius=2.0)
+
+
+def roller(**changes):
+    return nh.Roller(**{"diameter": 15.0, "length": 20.0, "profile": CROWN, "corner_radius": 0.5} | changes)
+
+
+def test_the_length_includes_the_corner_and_the_profile_ends_where_it_begins():
+    body = roller()
+    assert body.interval == (-10.0, 10.0)
+    on_land = np.linspace(-9.5, 9.5, 21)
+    np.testing.assert_array_equal(body.relief(on_land), CROWN.relief(on_land))
+    assert body.bends == (-9.5, 9.5)
+
+
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+def test_a_rounded_corner_goes_on_with_the_slope_of_the_profile(side):
+    body, distance = roller(), np.array([0.0, 0.1, 0.3, 0.5])
+    slope = 9.5 / math.sqrt(3000.0**2 - 9.5**2)
+    circle = 0.5 - np.sqrt(0.25 - distance**2)
+    expected = float(CROWN.relief(9.5)) + slope * distance + circle
+    np.testing.assert_allclose(body.relief(side * (9.5 + distance)), expected, rtol=1e-9)
+
+
+def test_a_corner_of_a_moved_body_moves_with_it():
+    moved = roller(position=3.0)
+    np.testing.assert_allclose(moved.relief([-6.8, 12.8]), roller().relief([-9.8, 9.8]), rtol=1e-12)
+    assert moved.bends == (-6.5, 12.5)
+    assert moved.interval == (-7.0, 13.0)
+
+
+def test_beyond_the_side_faces_there_is_no_body():
+    assert np.all(np.isinf(roller().surface.relief([-10.1, 10.1])))
+
+
+def test_a_chamfer_begins_with_an_arc_and_ends_straight():
+    arc = 2.0 * math.sin(CHAMFER.angle)
+    distance = np.array([0.0, 0.2, arc, 0.8, 1.0])
+    expected = np.where(
+        distance <= arc,
+        2.0 - np.sqrt(4.0 - np.minimum(distance, arc) ** 2),
+        2.0 * (1.0 - math.cos(CHAMFER.angle)) + (distance - arc) * math.tan(CHAMFER.angle),
+    )
+    np.testing.assert_allclose(CHAMFER.drop(distance), expected, rtol=1e-12)
+    body = roller(corner_radius=None, chamfer=CHAMFER, profile=nh.profile.straight())
+    np.testing.assert_allclose(body.relief(9.0 + distance), expected, rtol=1e-9, atol=1e-15)
+    np.testing.assert_allclose(body.bends, [-9.0 - arc, -9.0, 9.0, 9.0 + arc])
+
+
+def test_a_chamfer_without_a_blend_is_an_edge():
+    body = roller(corner_radius=None, chamfer=nh.Chamfer(length=1.0, angle=0.3), profile=nh.profile.straight())
+    np.testing.assert_allclose(body.relief([9.0, 9.5]), [0.0, 0.5 * math.tan(0.3)], rtol=1e-12)
+    solution = _quiet(nh.Contact(body, nh.Ring(diameter=80.0)))
+    assert [end.kind for end in solution.singular_ends] == [nh.EdgeKind.CORNER] * 2
+
+
+def _quiet(contact, **load):
+    with pytest.warns(nh.AccuracyWarning):
+        return nh.solve(contact, **{"load": 20e3} | load)
+
+
+def test_bends_of_the_profile_beyond_the_land_are_not_there():
+    profile = nh.profile.partial_crown(radius=500.0, straight=19.4)
+    assert roller(profile=profile).bends == (-9.5, 9.5)
+    assert roller(profile=profile, corner_radius=0.2).bends == (-9.8, -9.7, 9.7, 9.8)
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: roller(corner_radius=0.0), "corner_radius = 0.0 must be positive"),
+        (lambda: roller(corner_radius=math.nan), "corner_radius = nan must be a finite number"),
+        (lambda: roller(corner_radius=10.0), "length = 20.0 must leave a land"),
+        (lambda: roller(chamfer=CHAMFER), "corner_radius = 0.5 must not be given together with chamfer"),
+        (lambda: roller(effective_length=18.0), "corner_radius = 0.5 must not be given together with effective_length"),
+        (lambda: nh.Plate(corner_radius=0.5), "length = None must be given where corner_radius is"),
+        (lambda: roller(corner_radius=None, chamfer=0.5), "chamfer = 0.5 must be a Chamfer"),
+        (
+            lambda: roller(profile=nh.profile.tabulated([-5.0, 5.0], [0.0, 0.0])),
+            "must reach both ends of the land, y = -9.5 and 9.5 mm, with a gentle slope",
+        ),
+        (lambda: roller(profile=nh.profile.crown(radius=9.6)), "with a gentle slope"),
+        (lambda: nh.Chamfer(length=0.0, angle=0.3), "length = 0.0 must be positive"),
+        (lambda: nh.Chamfer(length=1.0, angle=1.6), "angle = 1.6 must lie between 0 and pi / 2"),
+        (lambda: nh.Chamfer(length=1.0, angle=0.3, blend_radius=4.0), "blend_radius = 4.0 must leave the arc"),
+        (lambda: nh.Chamfer(length=1.0, angle=0.3, blend_radius=-1.0), "blend_radius = -1.0 must not be negative"),
+    ],
+)
+def test_impossible_corners_are_refused(make, message):
+    with pytest.raises(nh.InputError) as refused:
+        make()
+    assert message in str(refused.value)
+
+
+def test_contacts_end_within_the_corner_and_their_pressure_has_a_limit():
+    contact = nh.Contact(roller(), nh.Ring(diameter=80.0, depth=10.0))
+    found = [nh.solve(contact, load=30e3, tilt=5.8e-4, accuracy=accuracy) for accuracy in (1e-4, 1e-5)]
+    for solution in found:
+        assert [edge.kind for edge in solution.edge_pressure] == [nh.EdgeKind.RUN_OUT] * 2
+        assert 9.5 < solution.contact_y[-1][1] < 9.6
+        assert 9.5 < solution.max_pressure_y < 9.55
+        assert not corner_ends(contact, solution.edges, solution.centre_pressure, solution.half_width)
+    coarse, fine = found
+    assert coarse.max_pressure == pytest.approx(fine.max_pressure, rel=coarse.error_estimate.max_pressure)
+    assert coarse.max_pressure == pytest.approx(fine.max_pressure, rel=5e-3)
+    assert coarse.approach == pytest.approx(fine.approach, rel=1e-4)
+
+
+@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")  # so small a corner needs more strips for its maximum
+def test_a_small_radius_approaches_a_sharp_end():
+    ring = nh.Ring(diameter=80.0, depth=10.0)
+    sharp = _quiet(nh.Contact(roller(corner_radius=None, profile=nh.profile.straight()), ring))
+    round_ = nh.solve(nh.Contact(roller(corner_radius=0.02, profile=nh.profile.straight()), ring), load=20e3)
+    assert round_.approach == pytest.approx(sharp.approach, rel=3e-3)
+
+
+def test_lives_count_the_pressure_at_the_corner():
+    # Without the corner the end of the profile is singular, and its pressure is left out up to a half-width from it.
+    ring = nh.Ring(diameter=80.0, depth=10.0)
+    steep = nh.profile.crown(radius=9.5**2 / 0.02)
+    with_corner = nh.solve(nh.Contact(roller(profile=steep), ring), load=30e3, tilt=5.8e-4)
+    assert nh.life.assess(with_corner) is not None
+    assert with_corner.max_pressure > 1.5 * float(np.max(with_corner.centre_pressure[np.abs(with_corner.y) < 9.0]))
+
+
+def test_a_surface_with_corners_adds_and_shifts_like_any_profile():
+    surface = Cornered(CROWN, 10.0, Rounded(0.5))
+    np.testing.assert_allclose(surface.shifted(1.0).relief([10.6]), surface.relief([9.6]), rtol=1e-12)
+    np.testing.assert_allclose(surface.scaled(2.0).relief([9.8]), 2.0 * surface.relief([9.8]), rtol=1e-12)
