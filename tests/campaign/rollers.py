@@ -1,5 +1,7 @@
 """Random rollers on rings and plates as engineers draw them, each reproducible from its number."""
 
+from dataclasses import replace
+
 import numpy as np
 
 import nonhertz as nh
@@ -16,7 +18,33 @@ def roller_case(number):
     load = length * diameter / 20.0 * 10.0 ** rng.uniform(1.7, 3.3)
     ends = HALF_SPACE if rng.random() < 0.4 else {}
     roller = nh.Roller(diameter=diameter, length=length, profile=profile(rng, diameter, length, load), **ends)
-    contact = nh.Contact(roller, other_body(rng, diameter, length))
+    return pressed(rng, roller, other_body(rng, diameter, length), load)
+
+
+def whole_roller_case(number):
+    """The same of rollers with free ends, whole ones or with a depth, mostly with corners."""
+    rng = np.random.default_rng([SEED, 1, number])
+    diameter = rng.uniform(6.0, 40.0)
+    length = diameter * rng.choice([0.7, 1.0, 1.6, 2.5])  # each takes a second before its first roller
+    load = length * diameter / 20.0 * 10.0 ** rng.uniform(1.7, 3.3)
+    given = {"side_faces": "free", "depth": rng.choice(["finite", "finite", "plane-strain", "none"])}
+    corner = diameter * rng.uniform(0.02, 0.1)
+    way = rng.integers(4)
+    if way < 2:
+        given["corner_radius"] = corner
+    elif way == 2:
+        angle = rng.uniform(0.1, 0.6)
+        given["chamfer"] = nh.Chamfer(corner, angle, blend_radius=corner * rng.uniform(0.3, 0.9) / np.sin(angle))
+    roller = nh.Roller(diameter=diameter, length=length, profile=profile(rng, diameter, length, load), **given)
+    other = other_body(rng, diameter, length)
+    if other.length is not None and rng.random() < 0.5:
+        other = replace(other, side_faces="free")
+    return pressed(rng, roller, other, load)
+
+
+def pressed(rng, roller, other, load):
+    """Contact and what is prescribed."""
+    contact, length = nh.Contact(roller, other), roller.length
     tilt = rng.choice([0.0, 1.0]) * rng.uniform(-1e-3, 1e-3)
     way = rng.integers(4)
     if way == 0:

@@ -7,11 +7,12 @@ import os
 import warnings
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 import pytest
 from extent import extent
-from rollers import roller_case
+from rollers import roller_case, whole_roller_case
 
 import nonhertz as nh
 
@@ -34,11 +35,11 @@ class Finding:
     limited: bool
 
 
-def findings(number):
+def findings(number, made=roller_case):
     """Solve one roller at all accuracies."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", nh.AccuracyWarning)
-        contact, given = roller_case(number)
+        contact, given = made(number)
         true = nh.solve(contact, **given, accuracy=TRUE)
         return [finding(number, asked, true, nh.solve(contact, **given, accuracy=asked)) for asked in ASKED]
 
@@ -80,7 +81,8 @@ def test_a_maximum_that_has_a_limit_is_within_ten_times_of_what_is_asked(everyth
     assert stated.mean() >= MAXIMUM_STATED
 
 
-@pytest.fixture(scope="module")
-def everything():
+@pytest.fixture(scope="module", params=[roller_case, whole_roller_case], ids=["usual", "whole"])
+def everything(request):
     with ProcessPoolExecutor(os.cpu_count()) as pool:
-        return [each for one in pool.map(findings, range(extent(CASES, SOME)), chunksize=10) for each in one]
+        solve = partial(findings, made=request.param)
+        return [each for one in pool.map(solve, range(extent(CASES, SOME)), chunksize=10) for each in one]

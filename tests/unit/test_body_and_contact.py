@@ -185,7 +185,7 @@ def test_bodies_and_contacts_are_values():
 # Refused, each with one sentence: "field = value must condition: remedy."
 
 NO_FACE_RULE = "must be one of 'free', 'mirror', 'calibrated', 'none' or a weight"
-NO_DEPTH_RULE = "must be one of 'none', 'plane-strain', 'diameter' or a length"
+NO_DEPTH_RULE = "must be one of 'none', 'plane-strain', 'diameter', 'finite' or a length"
 NOT_CONVEX = "must only be used for a convex body, which has a diameter"
 NO_COUNT = "must be a whole number from 1 to 100"
 NO_SUM = "must only be used for a body with a depth, without which it has no sum"
@@ -246,8 +246,14 @@ NO_SUM = "must only be used for a body with a depth, without which it has no sum
         (lambda: nh.Plate(depth=-5.0), "depth = -5.0 must be positive"),
         (lambda: roller(depth=math.nan), "depth = nan must be a finite number"),
         (lambda: roller(depth=math.inf), "depth = inf must be a finite number"),
-        (lambda: roller(depth=True), "depth = True must be one of 'none', 'plane-strain', 'diameter' or a length"),
-        (lambda: roller(depth=None), "depth = None must be one of 'none', 'plane-strain', 'diameter' or a length"),
+        (
+            lambda: roller(depth=True),
+            "depth = True must be one of 'none', 'plane-strain', 'diameter', 'finite' or a length",
+        ),
+        (
+            lambda: roller(depth=None),
+            "depth = None must be one of 'none', 'plane-strain', 'diameter', 'finite' or a length",
+        ),
         (lambda: nh.Plate(depth="plane-strain"), f"depth = 'plane-strain' {NOT_CONVEX}"),
         (lambda: nh.Plate(depth="diameter"), f"depth = 'diameter' {NOT_CONVEX}"),
         (lambda: nh.Ring(diameter=-80.0, depth="plane-strain"), f"depth = 'plane-strain' {NOT_CONVEX}"),

@@ -34,6 +34,8 @@ import numpy as np
 from numpy.polynomial import chebyshev, legendre
 from numpy.typing import NDArray
 
+from nonhertz.bodies.stored import stored
+
 Array = NDArray[np.float64]
 
 #: ``-d e / d ln(u + v)`` towards the edge, where the quarter-space is a wedge: by Flamant's solution, whatever nu.
@@ -130,13 +132,19 @@ def edge_kernel(u: Array, v: Array) -> Array:
 @cache
 def free_face(poisson: float) -> FreeFace:
     """Return what the free side face of a material adds."""
+    return FreeFace(poisson, _DISTANCES, _weights(poisson))
+
+
+@stored(__name__)
+def _weights(poisson: float) -> Array:
+    """Return the weights of `FreeFace`."""
     solved = _Solved.of(poisson)
     nodes = chebyshev.chebpts1(_DIRECTIONS)
     size = 2.0 ** np.linspace(_FIRST_SAMPLE, _LAST_SAMPLE, _SAMPLES)
     aside = np.sqrt(0.5 * (1.0 + nodes))  # of the distances, from their mean over it
     fitted = np.array([_fitted(size, solved.at(size * (1.0 + each), size * (1.0 - each))) for each in aside])
     to_chebyshev = np.linalg.inv(chebyshev.chebvander(nodes, _DIRECTIONS - 1))
-    return FreeFace(poisson, _DISTANCES, np.tensordot(to_chebyshev, fitted, 1))
+    return np.tensordot(to_chebyshev, fitted, 1)
 
 
 def _fitted(size: Array, wanted: Array) -> Array:

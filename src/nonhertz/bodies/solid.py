@@ -32,6 +32,10 @@ class Solid(Protocol):
         """Elastic constants."""
 
     @property
+    def diameter(self) -> object:
+        """Diameter across the contact [mm]: a number, a function of y, or None for a flat body."""
+
+    @property
     def length(self) -> float | None:
         """Distance between the side faces [mm]; None for an unbounded body."""
 

@@ -120,7 +120,8 @@ class Body:
     depth : str or float
         The point that the displacement is measured against: far away (``"none"``), where it makes the compression
         of a long cylinder that of plane strain (``"plane-strain"``, the default for a roller), a diameter below the
-        surface (``"diameter"``), or at a given depth [mm], such as the thickness of a ring.
+        surface (``"diameter"``), at a given depth [mm], such as the thickness of a ring; or the axis of a roller that
+        deforms as a whole (``"finite"``), whose side faces are ``"free"``.
 
     Raises
     ------
@@ -166,6 +167,7 @@ class Body:
         if self.length is None and self.side_faces != "mirror" and max(asked) > 0.0:
             raise InputError("length", None, f"be given where side_faces = {self.side_faces!r}", _FACELESS_REMEDY)
         check_images(self.images, self.face_weights, isinstance(self.behind, Endless))
+        self.behind.refuse(self)
 
     def _check_effective_length(self, effective_length: float) -> None:
         remedy = "give the length that can touch in mm, or leave it out for all of the body"

@@ -92,8 +92,8 @@ class Chamfer(Corner):
     Examples
     --------
     >>> chamfer = Chamfer(length=1.0, angle=0.3, blend_radius=2.0)
-    >>> round(float(chamfer.drop(np.array(1.0))), 4)
-    0.2159
+    >>> round(float(chamfer.drop(1.0)), 4)
+    0.2158
     """
 
     length: float

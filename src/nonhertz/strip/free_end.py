@@ -23,8 +23,9 @@ from numpy.polynomial import chebyshev, legendre
 from numpy.typing import NDArray
 
 from nonhertz.bodies.quarter_space import EDGE_SLOPE, FreeFace, free_face
+from nonhertz.bodies.stored import stored
 from nonhertz.compiled import compiled
-from nonhertz.strip.element import LEADING_AT, POWERS, POWERS_AT, Element
+from nonhertz.strip.element import ELEMENTS, LEADING_AT, POWERS, POWERS_AT, Element
 
 Array = NDArray[np.float64]
 Four = tuple[float, float, float, float]
@@ -50,12 +51,23 @@ SLOPES_AT = WHOLE_AT + POWERS + 2
 TABLE_SIZE = SLOPES_AT + 2
 
 
-@cache
 def free_end_table(element: Element, poisson: float) -> Array:
     """Return what the compiled core reads for the free side face of a body, in one flat array.
 
     Polynomials on squares, those of the series far away, and the slopes of h and c towards the edge.
     """
+    if ELEMENTS.get(element.name) is element:
+        return _table(element.name, poisson)
+    return _made(element, poisson)
+
+
+@stored(__name__, "nonhertz.strip.element", "nonhertz.bodies.quarter_space")
+def _table(name: str, poisson: float) -> Array:
+    return _made(ELEMENTS[name], poisson)
+
+
+@cache
+def _made(element: Element, poisson: float) -> Array:
     face = free_face(poisson)
     slopes = EDGE_SLOPE * element.table[LEADING_AT : LEADING_AT + 3 : 2] / 2.0
     return np.concatenate([_squares(element, face), _directions(face), slopes])

@@ -311,10 +311,10 @@ def law_of(influence: Influence, element: Element) -> Law:
     materials = sorted({face.poisson for face in influence.faces})
     tables = [free_end_table(element, poisson) for poisson in materials]
     faces = [(face.y, face.side, face.share, TABLE_SIZE * materials.index(face.poisson)) for face in influence.faces]
-    return Law(
-        influence.terms, element.table, element.line_factor, element.hertz_ratio,
-        np.array(faces, dtype=float).reshape(-1, 4), np.concatenate([np.zeros(0), *tables]),
-    )  # fmt: skip
+    # One table is long enough to be copied for nothing.
+    table = tables[0] if len(tables) == 1 else np.concatenate([np.zeros(0), *tables])
+    rows = np.array(faces, dtype=float).reshape(-1, 4)
+    return Law(influence.terms, element.table, element.line_factor, element.hertz_ratio, rows, table)
 
 
 def displacements(influence: Influence, y: Array, edges: Array, r: Array, m: Array, element: Element) -> Array:

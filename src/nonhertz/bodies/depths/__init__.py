@@ -8,6 +8,7 @@ from typing import Final
 from nonhertz.bodies.depths.depth import Depth
 from nonhertz.bodies.depths.diameter import Diameter
 from nonhertz.bodies.depths.endless import Endless
+from nonhertz.bodies.depths.finite import Finite
 from nonhertz.bodies.depths.plane_strain import PlaneStrain
 from nonhertz.bodies.depths.thickness import Thickness
 from nonhertz.errors import InputError
@@ -16,7 +17,7 @@ from nonhertz.inputs.checks import positive
 DepthRule = str | float
 
 #: Choices by their keywords.
-DEPTHS: Final[dict[str, Depth]] = {depth.word: depth for depth in (Endless(), PlaneStrain(), Diameter())}
+DEPTHS: Final[dict[str, Depth]] = {depth.word: depth for depth in (Endless(), PlaneStrain(), Diameter(), Finite())}
 
 WORDS: Final = ", ".join(map(repr, DEPTHS))
 _REMEDY: Final = f"write {WORDS} or a depth in mm such as the thickness of a ring"

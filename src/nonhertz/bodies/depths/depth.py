@@ -69,6 +69,15 @@ class Depth(ABC):
     def below(self, body: Solid, shape: Shape) -> Callable[[Array], Array] | None:
         """Return y [mm] -> depth of the point below the surface [mm]; None if it is far away."""
 
+    def refuse(self, body: Solid) -> None:
+        """Refuse a body that cannot have it.
+
+        Raises
+        ------
+        InputError
+        """
+        return
+
     def reference(self, body: Solid, shape: Shape, images: Images) -> Reference | None:
         """Return what the displacement of a body with these mirror images is measured against; None if far away."""
         below = self.below(body, shape)

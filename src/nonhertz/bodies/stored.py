@@ -1,0 +1,66 @@
+"""Arrays that take seconds to compute, kept between processes."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import io
+import sys
+from collections.abc import Callable
+from functools import cache, wraps
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.compiled.folders import UnwritableError, read, write
+
+Array = NDArray[np.float64]
+
+
+def stored(*modules: str) -> Callable[[Callable[..., Array]], Callable[..., Array]]:
+    """Keep what a function returns, in this process and beside the machine code on disk.
+
+    Parameters
+    ----------
+    *modules : str
+        Names of the modules that the result depends on: where their text changes, it is computed again.
+
+    Returns
+    -------
+    callable
+        A decorator of functions of numbers and text that return an array; the array is read-only.
+    """
+
+    def decorate(make: Callable[..., Array]) -> Callable[..., Array]:
+        @cache
+        @wraps(make)
+        def found(*arguments: float | str) -> Array:
+            key = repr((make.__module__, make.__qualname__, arguments, np.__version__, _texts(modules))).encode()
+            name = f"{make.__module__}.{make.__qualname__}-{hashlib.sha256(key).hexdigest()[:32]}"
+            content = read(name, key)
+            if content is not None:
+                array: Array = np.load(io.BytesIO(content), allow_pickle=False)
+            else:
+                array = make(*arguments)
+                file = io.BytesIO()
+                np.save(file, array, allow_pickle=False)
+                # Where nothing can be written it takes its time again, which `nonhertz.compiled` has told of.
+                with contextlib.suppress(UnwritableError):
+                    write(name, key, file.getvalue())
+            array.flags.writeable = False
+            return array
+
+        return found
+
+    return decorate
+
+
+def _texts(modules: tuple[str, ...]) -> str:
+    """Return a digest of the sources of modules."""
+    digest = hashlib.sha256()
+    for each in modules:
+        path = sys.modules[each].__file__
+        assert path is not None
+        digest.update(hashlib.sha256(Path(path).read_bytes()).digest())
+    return digest.hexdigest()
