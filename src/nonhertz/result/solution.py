@@ -118,7 +118,8 @@ class EdgePressure:
     -----
     On the automatic grid K of semi-elliptic strips is within 0.2 % of solutions whose shape across is free, 0.5 % where
     the contact is only five half-widths long (docs/explain/end-table.md). That includes the factor 1 / (1 + 0.006 (1 -
-    kappa)) for the true shape across near the end, which those solutions gave. Parabolic strips are within 3 %.
+    kappa)) for the true shape across near the end, which those solutions gave. Parabolic strips are within 3 %. At
+    faces that are free of normal stress, too, there is no such factor, and K has been compared with strips only.
     """
 
     y: float

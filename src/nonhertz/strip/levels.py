@@ -342,8 +342,9 @@ def _find_peaks(states: States, kinks: Array, accuracy: float, found: Array) -> 
 def _wanted_at_peak(edges: Array, pressure: Array, at: int, accuracy: float) -> float:
     """Return the width wanted for a summit of the pressure at a strip, NaN if it is none or not too pointed."""
     before, peak, after = pressure[at - 1], pressure[at], pressure[at + 1]
-    # Two strips beside the middle may differ by rounding.
-    if not (before > 0.0 and after > 0.0 and peak >= (1.0 - SAME) * max(before, after)):
+    # Two strips beside the middle may differ by rounding. A contact may run out beside its largest pressure, as on the
+    # corner of a roller.
+    if not (max(before, after) > 0.0 and peak >= (1.0 - SAME) * max(before, after)):
         return np.nan
     sagitta = (2.0 * peak - before - after) / (8.0 * peak)
     if not sagitta > POINTED * accuracy:
