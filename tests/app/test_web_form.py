@@ -160,7 +160,8 @@ def test_a_form_is_the_document_again_whatever_is_changed():
 def test_every_key_of_the_schema_is_in_the_form():
     document = every_kind() | {"life": with_life()["life"], "solver": {}}
     document["body"]["b"] |= {"diameter": {"y": [], "diameter": []}, "side_faces": ["mirror", "none"], "chamfer": {}}
-    document["body"]["a"]["chamfer"] = {}
+    document["body"]["a"] |= {"chamfer": {}, "bore": {}}
+    document["body"]["b"]["bore"] = {}
     document["body"]["b"]["profile"] = document["body"]["a"]["profile"]
     documents = [document, DOCUMENTS["tables for values"]]
     shown = {each["name"] for each in documents for each in Inputs(form_of(each)).fields}

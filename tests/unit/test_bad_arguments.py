@@ -172,6 +172,7 @@ STRESS = {**WITHIN, "displacement": (False, "flag")}
 BODY = {
     "material": (STEEL, "thing"),
     "diameter": (20.0, "diameter"),
+    "bore": (None, "optional"),
     "length": (20.0, "positive?"),
     "profile": (nh.profile.crown(100.0), "thing"),
     "effective_length": (10.0, "positive?"),

@@ -1,5 +1,6 @@
 """A whole roller: modes around it, the smooth part of its displacement, and what is kept of it."""
 
+import inspect
 import math
 
 import numpy as np
@@ -7,9 +8,25 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.bodies import whole_roller as module
-from nonhertz.bodies.harmonic_elements import Cylinder
+from nonhertz.bodies.harmonic_elements import HarmonicElements
+from nonhertz.bodies.outline import Outline
 from nonhertz.bodies.stored import stored
 from nonhertz.bodies.whole_roller import whole_roller
+
+
+def elements(half_length=1.0, poisson=0.3, bore=0.0, most=24):
+    return HarmonicElements(Outline.cylinder(half_length, bore), poisson, most)
+
+
+def uniformly(outline, poisson=0.3, load=np.ones_like):
+    """The smooth part under a load over the length, at places from end to end; computed, never from disk."""
+    half = outline.half_length
+    whole = module.WholeRoller(half, inspect.unwrap(module._matrix)(outline, poisson))
+    edges = np.linspace(-half, half, 401)
+    return whole.displacement(half * PLACES, edges) @ load(0.5 * (edges[1:] + edges[:-1]) / half)
+
+
+PLACES = np.array([-1.0, -0.8, -0.4, 0.0, 0.4, 0.8, 1.0])
 
 
 @pytest.mark.parametrize(
@@ -21,12 +38,12 @@ from nonhertz.bodies.whole_roller import whole_roller
     ],
 )  # fmt: skip
 def test_modes_in_the_middle_of_a_long_cylinder_are_those_of_an_endless_one(poisson, n, k, expected):
-    moved = Cylinder(8.0, poisson).compressed(n, [lambda z: np.cos(k * z)], np.zeros(1))
+    moved = elements(8.0, poisson).compressed(n, [lambda z: np.cos(k * z)], np.zeros(1))
     assert moved[0, 0] / (2.0 * math.pi) == pytest.approx(expected, abs=1e-4)
 
 
 def test_a_uniform_pressure_all_around_moves_the_surface_by_the_same_everywhere():
-    moved = Cylinder(1.0, 0.3).compressed(0, [np.ones_like], np.linspace(-1.0, 1.0, 5))
+    moved = elements().compressed(0, [np.ones_like], np.linspace(-1.0, 1.0, 5))
     # In units of p R / (2 mu), u = -(1 - nu) / (1 + nu) for a cylinder that is free to grow longer.
     in_k = 2.0 * math.pi / (1.0 - 0.3) * 0.5 * (1.0 - 0.3) / (1.0 + 0.3)
     np.testing.assert_allclose(moved[:, 0], in_k, rtol=1e-9)
@@ -34,19 +51,19 @@ def test_a_uniform_pressure_all_around_moves_the_surface_by_the_same_everywhere(
 
 def test_even_and_odd_loads_move_the_surface_evenly_and_oddly():
     places = np.array([-0.7, 0.7])
-    moved = Cylinder(1.0, 0.3).compressed(2, [lambda z: z**2, lambda z: z], places)
+    moved = elements().compressed(2, [lambda z: z**2, lambda z: z], places)
     np.testing.assert_allclose(moved[0], [moved[1, 0], -moved[1, 1]], rtol=1e-12)
 
 
 @pytest.mark.parametrize("n", [0, 2, 6])
 def test_modes_are_reciprocal(n):
     node, weight = np.polynomial.legendre.leggauss(24)
-    moved = Cylinder(1.0, 0.3).compressed(n, [np.ones_like, lambda z: z, lambda z: z**4], node)
+    moved = elements().compressed(n, [np.ones_like, lambda z: z, lambda z: z**4], node)
     assert weight @ (moved[:, 0] * node**4) == pytest.approx(weight @ moved[:, 2], rel=1e-4)
 
 
 def test_the_smooth_part_is_symmetric_and_does_not_mix_even_and_odd():
-    found = whole_roller(1.0, 0.3).matrix
+    found = whole_roller(Outline.cylinder(1.0), 0.3).matrix
     np.testing.assert_array_equal(found, found.T)
     count = np.arange(len(found))
     assert np.all(found[np.add.outer(count, count) % 2 == 1] == 0.0)
@@ -54,19 +71,98 @@ def test_the_smooth_part_is_symmetric_and_does_not_mix_even_and_odd():
 
 
 def test_a_strip_moves_as_its_parts_do():
-    whole, y = whole_roller(1.0, 0.3), np.array([[-0.5, 0.1, 0.9]])
+    whole, y = whole_roller(Outline.cylinder(1.0), 0.3), np.array([[-0.5, 0.1, 0.9]])
     parts = whole.displacement(y, np.array([[-0.3, 0.0, 0.2, 0.7]]))
     np.testing.assert_allclose(parts.sum(axis=-1), whole.displacement(y, np.array([[-0.3, 0.7]]))[..., 0], rtol=1e-12)
 
 
-@pytest.mark.parametrize("half_length", [0.3, 1.0, 3.0])
-def test_more_modes_by_elements_change_little(half_length, monkeypatch):
-    edges, y = np.linspace(-half_length, half_length, 101), half_length * np.array([0.0, 0.6, 1.0])
-    found = whole_roller(half_length, 0.3).displacement(y, edges).sum(axis=-1)
+@pytest.mark.parametrize(("half_length", "bore"), [(0.3, 0.0), (1.0, 0.0), (3.0, 0.0), (1.0, 0.8)])
+def test_more_modes_by_elements_change_little(half_length, bore, monkeypatch):
+    outline = Outline.cylinder(half_length, bore)
+    found = uniformly(outline)
     monkeypatch.setattr(module, "_MODES", 36)
-    fresh = module.WholeRoller(half_length, module._matrix.__wrapped__(half_length, 0.3))
-    # The whole compression is about 8 in these units.
-    np.testing.assert_allclose(fresh.displacement(y, edges).sum(axis=-1), found, atol=0.01)
+    monkeypatch.setattr(module, "_WALLS", 9.0)
+    # The whole compression of a solid roller is about 8 in these units.
+    atol = 3e-3 * (8.0 + np.abs(found).max() * (bore > 0.0))
+    np.testing.assert_allclose(uniformly(outline), found, atol=atol)
+
+
+@pytest.mark.parametrize(("bore", "n"), [(0.5, 0), (0.5, 2), (0.8, 6)])
+def test_modes_of_a_bored_cylinder_are_those_of_a_plane_one(bore, n):
+    # In the middle of a long one under the same load all along: plane, and free to grow longer for n = 0.
+    poisson = 0.3
+    moved = elements(8.0, poisson, bore).compressed(n, [np.ones_like], np.zeros(1))[0, 0]
+    modulus_over_shear = 2.0 * (1.0 + poisson)
+    to_displacement = (1.0 - poisson) / (2.0 * math.pi)  # with a shear modulus of 1
+    assert moved * to_displacement == pytest.approx(plane_mode(bore, n, poisson, modulus_over_shear), rel=2e-4)
+
+
+def plane_mode(bore, n, poisson, modulus):
+    """Inward displacement of a ring of outer radius 1 under a pressure cos(n theta), by Michell's functions."""
+    if n == 0:  # Lame, without axial stress
+        return ((1.0 - poisson) + (1.0 + poisson) * bore**2) / (1.0 - bore**2) / modulus
+
+    def stresses_and_motion(power):
+        # Airy's function r^power cos(n theta), in plane strain: sigma_rr, tau_rt, 2 mu u_r.
+        m = power
+
+        def at(r):
+            rr = (m - n * n) * r ** (m - 2)
+            shear = n * (m - 1) * r ** (m - 2)
+            square = (m * m - n * n) * r ** (m - 2)  # of Laplace's operator
+            # 2 mu u_r = -dphi/dr + (1 - nu) times the integral of that along r; 0 / 0 for a harmonic function
+            radial = -m * r ** (m - 1) + (0.0 if m * m == n * n else (1.0 - poisson) * square * r / (m - 1))
+            return rr, shear, radial
+
+        return at
+
+    functions = [stresses_and_motion(m) for m in (n, n + 2, -n, 2 - n)]
+    matrix = np.array([[f(r)[i] for f in functions] for r in (1.0, bore) for i in (0, 1)])
+    amplitudes = np.linalg.solve(matrix, [-1.0, 0.0, 0.0, 0.0])
+    return -0.5 * sum(a * f(1.0)[2] for a, f in zip(amplitudes, functions, strict=True))
+
+
+def test_a_thin_ring_ovals_under_two_loads():
+    # Per side of a ring of E I under two opposite loads P: P r^3 (pi / 4 - 2 / pi) / (2 E I); plane strain in the
+    # middle of a long one. A wall of 0.05 diameters.
+    wall, poisson = 0.1, 0.3
+    middle = uniformly(Outline.cylinder(3.0, 1.0 - wall), poisson)[3]
+    ring = 6.0 * math.pi * (math.pi / 4.0 - 2.0 / math.pi) * ((1.0 - 0.5 * wall) / wall) ** 3
+    assert middle == pytest.approx(ring, rel=0.03)
+
+
+def test_as_the_bore_closes_a_roller_becomes_a_solid_one():
+    solid = uniformly(Outline.cylinder(1.0))
+    np.testing.assert_allclose(uniformly(Outline.cylinder(1.0, 0.01)), solid, atol=0.02)
+    apart = [np.abs(uniformly(Outline.cylinder(1.0, bore)) - solid).max() for bore in (0.2, 0.1, 0.05)]
+    assert apart == sorted(apart, reverse=True)
+
+
+@pytest.mark.parametrize("taper", [0.05, 0.1])
+def test_a_tapered_roller_is_the_same_in_any_unit_of_length(taper):
+    # The flat body that it is compared with has waves of another length at each end.
+    small, mean, large = (
+        uniformly(Outline((-unit, unit), ((1.0 - taper) * unit, (1.0 + taper) * unit), (0.0, 0.0)))
+        for unit in (1.0 / (1.0 + taper), 1.0, 1.0 / (1.0 - taper))
+    )
+    for other in (small, large):
+        np.testing.assert_allclose(other[1:-1], mean[1:-1], atol=0.02)
+        np.testing.assert_allclose(other, mean, atol=0.06)
+
+
+def test_a_slightly_tapered_roller_is_nearly_a_cylinder():
+    tapered = uniformly(Outline((-1.0, 1.0), (0.995, 1.005), (0.0, 0.0)))
+    np.testing.assert_allclose(tapered, uniformly(Outline.cylinder(1.0)), atol=0.04)
+
+
+def test_a_bore_that_widens_softens_the_roller_where_it_does():
+    z = (-1.0, 0.1, 0.2, 1.0)
+    stepped = uniformly(Outline(z, (1.0,) * 4, (0.3, 0.3, 0.6, 0.6)))
+    narrow, wide = (uniformly(Outline.cylinder(1.0, bore)) for bore in (0.3, 0.6))
+    # The wide part is held by the narrow one, which is dragged along where they meet.
+    assert np.all(stepped[4:] < wide[4:])
+    assert np.all(stepped[3:] > narrow[3:])
+    assert np.all(np.diff(stepped) > 0.0)
 
 
 def test_sums_over_modes_are_those_of_their_terms():
@@ -92,12 +188,16 @@ def roller(**changes):
         (lambda: roller(side_faces=("free", "none")), "must only be used for a body with two free side faces"),
         (lambda: roller(images=3), "images = 3 must be 1 where depth = 'finite'"),
         (lambda: roller(length=500.0), "must only be used for a length of 0.1 to 10 diameters, not 25"),
-        (lambda: roller(diameter=nh.TabulatedDiameter((-1.0, 1.0), (19.0, 20.0))), "only be used for a body of one"),
+        (lambda: roller(diameter=nh.TabulatedDiameter((-1.0, 1.0), (18.0, 20.0))), "where the radius changes by less"),
+        (lambda: roller(bore=19.0), "bore = 19.0 must leave a wall of 0.08 times the radius at least, not 0.5 mm"),
+        (lambda: roller(bore=25.0), "bore = 25.0 must leave a wall of 0.08 times the radius at least, not -2.5 mm"),
+        (lambda: roller(bore=-1.0), "bore = -1.0 must be positive"),
+        (lambda: roller(bore=5.0, depth="plane-strain"), "bore = 5.0 must only be given where depth = 'finite'"),
         (lambda: nh.Ring(diameter=-80.0, length=20.0, side_faces="free", depth="finite"), "for a convex body"),
         (lambda: nh.Body(diameter=20.0, depth="finite"), "must only be used for a body with two free side faces"),
     ],
 )
-def test_bodies_that_are_no_solid_cylinder_are_refused(make, message):
+def test_bodies_that_are_no_whole_roller_are_refused(make, message):
     with pytest.raises(nh.InputError) as refused:
         make()
     assert message in str(refused.value)
@@ -119,6 +219,16 @@ def test_twice_the_roller_under_four_times_the_load_approaches_twice_as_far():
         return nh.solve(nh.Contact(body, nh.Ring(diameter=80.0 * scale)), load=1e4 * scale**2)
 
     assert solved(2.0).approach == pytest.approx(2.0 * solved(1.0).approach, rel=1e-9)
+
+
+def test_a_hollow_roller_ovals():
+    profile = nh.profile.crown(radius=3000.0)
+    solid, hollow = (
+        nh.solve(nh.Contact(roller(profile=profile, bore=bore), nh.Ring(diameter=80.0)), load=1e4)
+        for bore in (None, 12.0)
+    )
+    # Ovalling of a wall of 4 mm: some 35 um at 10 kN, half of it on each side.
+    assert 2.0 * (hollow.approach - solid.approach) == pytest.approx(0.035, rel=0.05)
 
 
 def test_arrays_are_computed_once_and_kept_on_disk(tmp_path, monkeypatch):

@@ -92,6 +92,14 @@ BODIES = {
     "own material": nh.Plate(material=nh.Material(100e3, 0.25), depth=12.0, length=40.0, position=0.5),
     "corner radius": nh.Roller(diameter=20.0, length=LENGTH, corner_radius=0.5, side_faces="free"),
     "chamfer": nh.Roller(diameter=20.0, length=LENGTH, chamfer=nh.Chamfer(1.0, 0.3, blend_radius=2.0)),
+    "hollow": nh.Roller(diameter=20.0, length=LENGTH, bore=8.0, side_faces="free", depth="finite"),
+    "stepped bore": nh.Roller(
+        diameter=20.0,
+        length=LENGTH,
+        bore=nh.TabulatedDiameter(y=(0.0, 0.5), diameter=(8.0, 10.0)),
+        side_faces="free",
+        depth="finite",
+    ),
     "effective length": nh.Roller(diameter=20.0, length=LENGTH, effective_length=18.0),
 }
 

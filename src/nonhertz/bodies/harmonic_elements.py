@@ -1,52 +1,58 @@
-"""Spectral finite elements for a solid cylinder under pressure that varies as cos(n theta).
+"""Spectral finite elements for a body of revolution under pressure that varies as cos(n theta).
 
 In the plane of radius r and axial position z, displacement is (u cos, v sin, w cos) of n theta, and the energy that of
-three-dimensional elasticity. Elements are products of polynomials through Gauss-Lobatto nodes; they shrink towards the
-edge between surface and end face. Lengths are in radii. Only half of the length is solved for: loads are even or odd.
+three-dimensional elasticity. Elements are products of polynomials through Gauss-Lobatto nodes, in z and in the share s
+of the wall from the bore or the axis to the surface; they shrink towards the edges between surface and side faces.
+Lengths are in a radius of the surface. Where the outline is symmetric, only half of the length is solved for.
 """
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
+from typing import Any
 
 import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
+from nonhertz.bodies.outline import Outline, breaks, with_kinks
+
 Array = NDArray[np.float64]
-#: One term of a strain: component of displacement, functions of r and of z at quadrature points, factor.
-Term = tuple[int, Array, Array, float]
 
 DEGREE = 6
 _SMALLEST, _GROWTH, _LARGEST = 0.1, 2.6, 0.6  # sizes of elements [radii]
+_BY_WAVE = 2.4  # size of the smallest times the most waves around
+_NODES = DEGREE + 1
 U, V, W = range(3)
 
 
 @dataclass(frozen=True)
-class Cylinder:
-    """A solid cylinder with end faces free of stress, from its middle to one of them.
+class HarmonicElements:
+    """A body of revolution with side faces, and a bore if it has one, free of stress.
 
     Parameters
     ----------
-    half_length : float
-        Half its length [radii].
+    outline : Outline
+        A section through its axis.
     poisson : float
         Poisson's ratio.
+    most : int
+        The largest number of waves around.
     """
 
-    half_length: float
+    outline: Outline
     poisson: float
+    most: int
 
     def compressed(self, n: int, loads: Sequence[Callable[[Array], Array]], places: Array) -> Array:
-        """Return how far the surface moves inwards under pressures cos(n theta) f(z).
+        """Return how far the surface moves inwards under radial line loads cos(n theta) f(z) on each arc of 1 rad.
 
         Parameters
         ----------
         n : int
-            Number of waves around, even.
+            Number of waves around, not 1.
         loads : sequence of callable
             z [radii] -> f; even and odd functions in turn.
         places : ndarray, shape (m,)
@@ -55,112 +61,148 @@ class Cylinder:
         Returns
         -------
         ndarray, shape (m, loads)
-            Over the pressure's amplitude, the radius and K = (1 - nu^2) / (pi E).
+            Over the load's amplitude and K = (1 - nu^2) / (pi E).
         """
         # Imported here, because most contacts need no finite elements.
         from scipy.sparse.linalg import splu
 
-        radial, axial = _breaks(1.0), _breaks(self.half_length)
-        rows, columns = _count(radial), _count(axial)
-        stiffness, forces = self._stiffness(n, radial, axial), self._forces(loads, rows, axial)
+        forces = self._forces(loads)
         moved = np.zeros_like(forces)
-        for odd in (False, True):
-            free = _free(n, rows, columns, odd=odd)
-            matrix = stiffness[free][:, free].tocsc()
-            factors = splu(matrix, "MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
-            these = slice(int(odd), None, 2)
+        constant, linear, square = self._stiffness
+        stiffness = constant.copy()
+        stiffness.data = constant.data + n * linear.data + n * n * square.data
+        for free, these in self._systems(n):
+            factors = splu(
+                stiffness[free][:, free].tocsc(),
+                "MMD_AT_PLUS_A",
+                diag_pivot_thresh=0.0,
+                options={"SymmetricMode": True},
+            )
             moved[free, these] = factors.solve(forces[free, these])
-        surface = moved[: rows * columns].reshape(rows, columns, -1)[-1]
+        surface = moved[: self._rows * self._columns].reshape(self._rows, self._columns, -1)[-1]
+        half = self.outline.symmetric
         # The shear modulus is 1: 1 / mu = 2 pi K / (1 - nu).
-        found: Array = -2.0 * np.pi / (1.0 - self.poisson) * _interpolated(axial, surface, np.abs(places))
-        found[:, 1::2] *= np.sign(places)[:, None]
+        inwards = _interpolated(self._axial, surface, np.abs(places) if half else places)
+        found: Array = -2.0 * np.pi / (1.0 - self.poisson) * inwards
+        if half:
+            found[:, 1::2] *= np.sign(places)[:, None]
         return found
 
-    def _forces(self, loads: Sequence[Callable[[Array], Array]], rows: int, axial: Array) -> Array:
-        """Return the forces of pressures on the surface, shape (unknowns, loads)."""
-        forces = np.zeros((3, rows, _count(axial), len(loads)))
-        node, weight = legendre.leggauss(DEGREE + 1)
+    @cached_property
+    def _axial(self) -> Array:
+        smallest = min(_SMALLEST, _BY_WAVE / self.most)
+        half = breaks(self.outline.half_length, smallest, _GROWTH, _LARGEST)
+        if self.outline.symmetric:
+            return with_kinks(half, tuple(each for each in self.outline.kinks if each > 0.0))
+        return with_kinks(np.concatenate([-half[:0:-1], half]), self.outline.kinks)
+
+    @cached_property
+    def _shares(self) -> Array:
+        """Borders of elements from the bore or the axis to the surface, as shares of the wall."""
+        wall = self.outline.wall
+        return breaks(wall, min(_SMALLEST, _BY_WAVE / self.most), _GROWTH, _LARGEST) / wall
+
+    @property
+    def _rows(self) -> int:
+        return DEGREE * (self._shares.size - 1) + 1
+
+    @property
+    def _columns(self) -> int:
+        return DEGREE * (self._axial.size - 1) + 1
+
+    def _forces(self, loads: Sequence[Callable[[Array], Array]]) -> Array:
+        """Return the forces of loads on the surface, shape (unknowns, loads)."""
+        forces = np.zeros((3, self._rows, self._columns, len(loads)))
+        node, weight = legendre.leggauss(_NODES)
         values, _ = _polynomials(node)
-        for e, (low, high) in enumerate(itertools.pairwise(axial)):
+        for e, (low, high) in enumerate(zip(self._axial[:-1], self._axial[1:], strict=True)):
             z, half = 0.5 * (low + high) + 0.5 * (high - low) * node, 0.5 * (high - low)
             pressure = np.array([load(z) for load in loads]).T
             forces[U, -1, e * DEGREE : (e + 1) * DEGREE + 1] -= half * values.T @ (weight[:, None] * pressure)
         return forces.reshape(-1, len(loads))
 
-    def _stiffness(self, n: int, radial: Array, axial: Array):  # type: ignore[no-untyped-def]  # scipy has no types
+    @cached_property
+    def _stiffness(self) -> tuple[Any, Any, Any]:
+        """The parts of the stiffness that are constant, linear and quadratic in n, with the same places filled."""
         from scipy import sparse
 
-        rows, columns, nodes = _count(radial), _count(axial), DEGREE + 1
-        local = np.arange(nodes)
-        values, to_row, to_column = [], [], []
-        for i, inner in enumerate(radial[:-1]):
-            for j, low in enumerate(axial[:-1]):
-                matrix = self._element(n, (inner, radial[i + 1]), (low, axial[j + 1]))
+        rows, columns = self._rows, self._columns
+        local = np.arange(_NODES)
+        values: tuple[list[Array], ...] = ([], [], [])
+        to_row, to_column = [], []
+        for i in range(self._shares.size - 1):
+            for j in range(self._axial.size - 1):
                 of_component = rows * columns * np.arange(3)[:, None, None]
                 unknown = (of_component + columns * (i * DEGREE + local)[:, None] + j * DEGREE + local).ravel()
-                values.append(matrix.ravel())
                 to_row.append(np.repeat(unknown, unknown.size))
                 to_column.append(np.tile(unknown, unknown.size))
-        places = np.concatenate(to_row), np.concatenate(to_column)
-        size = 3 * rows * columns
-        return sparse.csc_matrix((np.concatenate(values), places), shape=(size, size))
+                for into, part in zip(
+                    values, self._element(self._shares[i : i + 2], self._axial[j : j + 2]), strict=True
+                ):
+                    into.append(part.ravel())
+        places, size = (np.concatenate(to_row), np.concatenate(to_column)), 3 * rows * columns
+        constant, linear, square = (
+            sparse.csc_matrix((np.concatenate(part), places), shape=(size, size)) for part in values
+        )
+        return constant, linear, square
 
-    def _element(self, n: int, radial: tuple[float, float], axial: tuple[float, float]) -> Array:
-        """Return the stiffness of one element between two radii and two axial positions."""
-        node, weight = legendre.leggauss(DEGREE + 1)
+    def _element(self, shares: Array, axial: Array) -> tuple[Array, Array, Array]:
+        """Return the parts of the stiffness of one element, constant, linear and quadratic in n."""
+        node, weight = legendre.leggauss(_NODES)
         values, slopes = _polynomials(node)
-        half_r, half_z = 0.5 * (radial[1] - radial[0]), 0.5 * (axial[1] - axial[0])
-        radius = radial[0] + half_r * (1.0 + node)
-        by_r, along_r, over_r = values, slopes / half_r, values / radius[:, None]
-        by_z, along_z = values, slopes / half_z
-        strain_r: list[Term] = [(U, along_r, by_z, 1.0)]
-        strain_t: list[Term] = [(U, over_r, by_z, 1.0), (V, over_r, by_z, n)]
-        strain_z: list[Term] = [(W, by_r, along_z, 1.0)]
-        shear_rt: list[Term] = [(U, over_r, by_z, -n), (V, over_r, by_z, -1.0), (V, along_r, by_z, 1.0)]
-        shear_rz: list[Term] = [(U, by_r, along_z, 1.0), (W, along_r, by_z, 1.0)]
-        shear_tz: list[Term] = [(V, by_r, along_z, 1.0), (W, over_r, by_z, -n)]
-        parts = [
-            ([*strain_r, *strain_t, *strain_z], 2.0 * self.poisson / (1.0 - 2.0 * self.poisson)),
-            (strain_r, 2.0), (strain_t, 2.0), (strain_z, 2.0),
-            (shear_rt, 1.0), (shear_rz, 1.0), (shear_tz, 1.0),
-        ]  # fmt: skip
-        size = DEGREE + 1
-        matrix = np.zeros((3, size, size, 3, size, size))
-        for terms, modulus in parts:
-            for one, one_r, one_z, factor in terms:
-                for other, other_r, other_z, other_factor in terms:
-                    of_r = np.einsum("qi,qj,q->ij", one_r, other_r, half_r * weight * radius)
-                    of_z = np.einsum("qi,qj,q->ij", one_z, other_z, half_z * weight)
-                    product = np.einsum("ij,kl->ikjl", of_r, of_z)
-                    matrix[one, :, :, other] += modulus * factor * other_factor * product
-        return matrix.reshape(3 * size * size, -1)
+        half_s, half_z = 0.5 * np.diff(shares)[0], 0.5 * np.diff(axial)[0]
+        s, z = shares[0] + half_s * (1.0 + node), axial[0] + half_z * (1.0 + node)
+        (outer, inner), (outer_slope, inner_slope) = self.outline.radii(z), self.outline.slopes(z)
+        wall = outer - inner
+        # At (s, z): the radius, and how much s changes with z where r does not.
+        radius = (inner + s[:, None] * wall).ravel()
+        shift = (-(inner_slope + s[:, None] * (outer_slope - inner_slope)) / wall).ravel()
+        measure = (half_s * half_z * weight[:, None] * weight * wall).ravel() * radius
+        value, along_s, along_z = (
+            np.einsum("qi,pj->qpij", one, other).reshape(node.size**2, -1)
+            for one, other in ((values, values), (slopes / half_s, values), (values, slopes / half_z))
+        )
+        by_r = along_s / np.tile(wall, node.size)[:, None]
+        by_z, by_t = along_z + shift[:, None] * along_s, value / radius[:, None]
+        none = np.zeros_like(value)
+        # Strains (r, theta, z, r theta, r z, theta z) by (u, v, w): what is constant and what is linear in n.
+        fixed = np.array([
+            [by_r, none, none], [by_t, none, none], [none, none, by_z],
+            [none, by_r - by_t, none], [by_z, none, by_r], [none, by_z, none],
+        ])  # fmt: skip
+        waves = np.array([
+            [none] * 3, [none, by_t, none], [none] * 3, [-by_t, none, none], [none] * 3, [none, none, -by_t],
+        ])  # fmt: skip
+        fixed, waves = (each.transpose(0, 2, 1, 3).reshape(6, radius.size, -1) for each in (fixed, waves))
+        elasticity = np.diag([2.0, 2.0, 2.0, 1.0, 1.0, 1.0])
+        elasticity[:3, :3] += 2.0 * self.poisson / (1.0 - 2.0 * self.poisson)
+        stress_fixed, stress_waves = (
+            (np.einsum("ab,bqi->aqi", elasticity, each) * measure[:, None]).reshape(-1, each.shape[-1])
+            for each in (fixed, waves)
+        )
+        fixed, waves = fixed.reshape(stress_fixed.shape), waves.reshape(stress_waves.shape)
+        mixed = fixed.T @ stress_waves
+        return fixed.T @ stress_fixed, mixed + mixed.T, waves.T @ stress_waves
 
+    def _systems(self, n: int) -> list[tuple[NDArray[np.int64], slice]]:
+        """Return the unknowns that are not zero, and which loads they are solved for."""
+        if self.outline.symmetric:
+            return [(self._free(n, odd=odd), slice(int(odd), None, 2)) for odd in (False, True)]
+        return [(self._free(n, odd=None), slice(None))]
 
-def _breaks(length: float) -> Array:
-    """Return the borders of elements from 0 to a length, which shrink towards its end."""
-    found, size = [length], min(_SMALLEST, 0.5 * length)
-    while found[-1] - size > 0.4 * size:
-        found.append(found[-1] - size)
-        size = min(_GROWTH * size, _LARGEST)
-    return np.array([*found[:0:-1], length]) if found[-1] == 0.0 else np.array([0.0, *found[::-1]])
-
-
-def _count(breaks: Array) -> int:
-    return DEGREE * (breaks.size - 1) + 1
-
-
-def _free(n: int, rows: int, columns: int, *, odd: bool) -> NDArray[np.int64]:
-    """Return the unknowns that are not zero on the axis or in the middle, by symmetry."""
-    held = np.zeros((3, rows, columns), dtype=bool)
-    held[:2, 0] = True
-    if n:
-        held[W, 0] = True
-    else:
-        held[V] = True  # no torsion
-    held[[U, V] if odd else [W], :, 0] = True
-    if odd and n == 0:
-        held[W, 0, 0] = True  # a motion along the axis
-    return np.flatnonzero(~held)
+    def _free(self, n: int, odd: bool | None) -> NDArray[np.int64]:
+        """Return the unknowns that are not zero on the axis, in the middle by symmetry, or so that nothing drifts."""
+        held = np.zeros((3, self._rows, self._columns), dtype=bool)
+        if not self.outline.bored:
+            held[:2, 0] = True
+            if n:
+                held[W, 0] = True
+        if n == 0:
+            held[V] = True  # no torsion
+            held[W, 0, 0] = True  # a motion along the axis
+        if odd is not None:
+            held[[U, V] if odd else [W], :, 0] = True
+        return np.flatnonzero(~held)
 
 
 @cache
@@ -177,12 +219,12 @@ def _polynomials(places: Array) -> tuple[Array, Array]:
     return legendre.legvander(places, DEGREE) @ from_nodes, slopes @ from_nodes
 
 
-def _interpolated(breaks: Array, values: Array, places: Array) -> Array:
+def _interpolated(borders: Array, values: Array, places: Array) -> Array:
     """Return nodal values (nodes, k) at places."""
     found = []
     for place in places:
-        e = int(np.clip(np.searchsorted(breaks, place) - 1, 0, breaks.size - 2))
-        local = (2.0 * place - breaks[e] - breaks[e + 1]) / (breaks[e + 1] - breaks[e])
+        e = int(np.clip(np.searchsorted(borders, place) - 1, 0, borders.size - 2))
+        local = (2.0 * place - borders[e] - borders[e + 1]) / (borders[e + 1] - borders[e])
         weights, _ = _polynomials(np.array([local]))
         found.append(weights[0] @ values[e * DEGREE : (e + 1) * DEGREE + 1])
     return np.array(found)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
 
@@ -34,6 +35,10 @@ class Solid(Protocol):
     @property
     def diameter(self) -> object:
         """Diameter across the contact [mm]: a number, a function of y, or None for a flat body."""
+
+    @property
+    def bore(self) -> float | Callable[[Array], ArrayLike] | None:
+        """Diameter of the bore [mm]: a number, a function of the distance from the middle, or None."""
 
     @property
     def length(self) -> float | None:

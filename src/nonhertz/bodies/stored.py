@@ -6,7 +6,7 @@ import contextlib
 import hashlib
 import io
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from functools import cache, wraps
 from pathlib import Path
 
@@ -29,13 +29,13 @@ def stored(*modules: str) -> Callable[[Callable[..., Array]], Callable[..., Arra
     Returns
     -------
     callable
-        A decorator of functions of numbers and text that return an array; the array is read-only.
+        A decorator of functions of numbers, text and frozen values of these that return an array; it is read-only.
     """
 
     def decorate(make: Callable[..., Array]) -> Callable[..., Array]:
         @cache
         @wraps(make)
-        def found(*arguments: float | str) -> Array:
+        def found(*arguments: Hashable) -> Array:
             key = repr((make.__module__, make.__qualname__, arguments, np.__version__, _texts(modules))).encode()
             name = f"{make.__module__}.{make.__qualname__}-{hashlib.sha256(key).hexdigest()[:32]}"
             content = read(name, key)

@@ -1,12 +1,16 @@
 """What makes a flat body with free ends a whole roller: the difference, which is smooth at the scale of the radius.
 
-A solid cylinder is pressed on two opposite sides by the same load along its length. The pressure around it is a sum of
-cos(n theta), n even, and each of these modes moves the surface in its own way. Near the contact, modes of high n move
-it as waves of the wave number n / R do on a flat body with the same free ends, which is what strips and their images
-are made of. So a whole roller is the flat body, plus the sum over n of that difference, plus what a sum over n differs
-from the integral over all wave numbers. All of this hardly depends on how wide the contact is. For low n it is found by
-finite elements; for high n the difference is local, (n - beta) / (n^2 - 1) in place of 1 / n in plane strain, with beta
-= (1 - 2 nu) / (2 (1 - nu)). Sums over n of the flat body's functions have closed forms (Gradshteyn & Ryzhik 8.526).
+A roller, solid or bored, is pressed on two opposite sides by the same load along its length. The pressure around it is
+a sum of cos(n theta), n even, and each of these modes moves the surface in its own way. Near the contact, modes of high
+n move it as waves of the wave number n / R do on a flat body with the same free ends, which is what strips and their
+images are made of. So a whole roller is the flat body, plus the sum over n of that difference, plus what a sum over n
+differs from the integral over all wave numbers. All of this hardly depends on how wide the contact is. For low n it is
+found by finite elements; for high n the difference is local, (n - beta) / (n^2 - 1) in place of 1 / n in plane strain,
+with beta = (1 - 2 nu) / (2 (1 - nu)). Sums over n of the flat body's functions have closed forms (Gradshteyn & Ryzhik
+8.526).
+
+A bore is felt by waves that reach through the wall, which are among the low n. Where the diameter varies, n / R is
+taken with the geometric mean of R at both ends of a distance.
 
 The difference is kept as a matrix between Legendre polynomials along the axis. Displacement is measured against the
 roller's axis, and the load on the opposite side is in. The roller is free to grow longer.
@@ -23,14 +27,15 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
-from nonhertz.bodies.harmonic_elements import Cylinder
+from nonhertz.bodies.harmonic_elements import HarmonicElements
+from nonhertz.bodies.outline import Outline
 from nonhertz.bodies.quarter_space import FreeFace, free_face
 from nonhertz.bodies.stored import stored
 
 Array = NDArray[np.float64]
 
 SHORTEST, LONGEST = 0.1, 10.0  # length over diameter
-_MODES = 24
+_MODES, _WALLS = 24, 6.0  # waves around, at least and times the wall, that need finite elements
 _FEWEST_TERMS, _TERMS_PER_RADIUS = 9, 5  # polynomials along the axis
 _PANELS, _NODES = 18, 8  # halvings towards logarithms, and nodes on each panel
 # Half-width over radius for which the local part of high modes is exact. Up to twice that it leaves 0.2 % of the
@@ -91,23 +96,35 @@ def _norms(count: int, half_length: float) -> Array:
     return norms
 
 
-def whole_roller(half_length: float, poisson: float) -> WholeRoller:
-    """Return the smooth part for half a length in radii and a material."""
-    return WholeRoller(half_length, _matrix(half_length, poisson))
+def whole_roller(outline: Outline, poisson: float) -> WholeRoller:
+    """Return the smooth part for an outline, in a radius of the surface, and a material."""
+    return WholeRoller(outline.half_length, _matrix(outline, poisson))
 
 
-@stored(__name__, "nonhertz.bodies.harmonic_elements", "nonhertz.bodies.quarter_space")
-def _matrix(half_length: float, poisson: float) -> Array:
+@stored(__name__, "nonhertz.bodies.harmonic_elements", "nonhertz.bodies.outline", "nonhertz.bodies.quarter_space")
+def _matrix(outline: Outline, poisson: float) -> Array:
     """Return the matrix of `WholeRoller`."""
-    count = math.ceil(_FEWEST_TERMS + _TERMS_PER_RADIUS * half_length)
+    half_length = outline.half_length
+    count = math.ceil(_FEWEST_TERMS + _TERMS_PER_RADIUS * half_length / math.sqrt(min(1.0, outline.wall)))
     node, weight = legendre.leggauss(count + 6)
-    grid = _Grid.of(half_length * node, half_length, count, free_face(poisson))
-    total = _modes(grid, poisson)
+    if outline.symmetric:  # the other half does the same
+        weight = np.where(node > 0.0, 2.0, node == 0.0)[node >= 0.0] * weight[node >= 0.0]
+        node = node[node >= 0.0]
+    grid = _Grid.of(half_length * node, outline, count, free_face(poisson))
+    most = _most_waves(outline)
+    total = _modes(grid, outline, poisson, most)
     total += grid.moved(_sum_over_images, _sum_over_planes) + grid.moved(*_flat(1.0)) / math.pi
-    total += _local(poisson) * grid.at_places
+    total += _local(poisson, most) * grid.at_places
     matrix = (grid.at_places * (half_length * weight)[:, None]).T @ total
-    parity = np.add.outer(np.arange(count), np.arange(count)) % 2
-    return np.where(parity == 0, 0.5 * (matrix + matrix.T), 0.0)
+    matrix = 0.5 * (matrix + matrix.T)
+    if outline.symmetric:
+        matrix[np.add.outer(np.arange(count), np.arange(count)) % 2 == 1] = 0.0
+    return matrix
+
+
+def _most_waves(outline: Outline) -> int:
+    """Return the waves around up to which finite elements are needed: shorter ones do not reach through the wall."""
+    return max(_MODES, 2 * math.ceil(0.5 * _WALLS / outline.wall))
 
 
 @dataclass(frozen=True)
@@ -121,11 +138,11 @@ class _Grid:
     at_places : ndarray, shape (places, m)
         The polynomials there.
     loads : ndarray, shape (places, points, m)
-        The polynomials at the points, times the points' weights.
+        The polynomials at the points, times the points' weights, over the surface's radius.
     direct : ndarray, shape (places, points)
-        Distances.
+        Distances, over the surface's radius.
     image : ndarray, shape (2, places, points)
-        Distances of the images about both faces.
+        Those of the images about both faces.
     face : ndarray, shape (2, places, points, 2, k)
         Weights of what both free faces add.
     distances : ndarray, shape (k,)
@@ -141,17 +158,21 @@ class _Grid:
     distances: Array
 
     @classmethod
-    def of(cls, y: Array, half_length: float, count: int, free: FreeFace) -> _Grid:
+    def of(cls, y: Array, outline: Outline, count: int, free: FreeFace) -> _Grid:
         """Return those for some places."""
+        half_length = outline.half_length
         points, weights = np.array([_points(place, half_length) for place in y]).transpose(1, 0, 2)
         norm = _norms(count, half_length)
-        loads = legendre.legvander(points / half_length, count - 1) * norm * weights[..., None]
+        # Waves around are as long as the surface is wide.
+        (at_y, _), (at_points, _) = outline.radii(y), outline.radii(points)
+        radius = np.sqrt(at_y[:, None] * at_points)
+        loads = legendre.legvander(points / half_length, count - 1) * norm * (weights / radius)[..., None]
         of_places = half_length - y[:, None] * np.array([1.0, -1.0])[:, None, None]
         of_points = half_length - points * np.array([1.0, -1.0])[:, None, None]
         u, v = np.broadcast_to(of_places, of_points.shape), np.maximum(of_points, np.finfo(float).tiny)
         direct = np.maximum(np.abs(points - y[:, None]), np.finfo(float).tiny)
         at_places = legendre.legvander(y / half_length, count - 1) * norm
-        return cls(y, at_places, loads, direct, u + v, free.towards(u, v), free.distances)
+        return cls(y, at_places, loads, direct / radius, (u + v) / radius, free.towards(u, v), free.distances)
 
     def moved(self, of_images: Callable[[Array], Array], of_planes: Callable[[Array], Array]) -> Array:
         """Return what the polynomials as loads do by direct effect, images and free faces, shape (places, m).
@@ -188,19 +209,19 @@ def _flat(wave_number: float) -> tuple[Callable[[Array], Array], Callable[[Array
     return (lambda s: 2.0 * special.k0(wave_number * s)), (lambda s: np.exp(-wave_number * s))
 
 
-def _modes(grid: _Grid, poisson: float) -> Array:
+def _modes(grid: _Grid, outline: Outline, poisson: float, most: int) -> Array:
     """Return what low modes move the surface by, less the flat body's, shape (places, m)."""
-    half_length, count = float(grid.y.max()) / float(legendre.leggauss(grid.y.size)[0].max()), grid.loads.shape[2]
-    cylinder, norm = Cylinder(half_length, poisson), _norms(count, half_length)
+    half_length, count = outline.half_length, grid.loads.shape[2]
+    elements, norm = HarmonicElements(outline, poisson, most), _norms(count, half_length)
 
     def load(degree: int, z: Array) -> Array:
         found: Array = legendre.legval(z / half_length, np.eye(count)[degree]) * norm[degree]
         return found
 
     total = np.zeros((grid.y.size, count))
-    for n in range(0, _MODES + 1, 2):
+    for n in range(0, most + 1, 2):
         weight = (2.0 if n else 1.0) / math.pi
-        total += weight * cylinder.compressed(n, [partial(load, degree) for degree in range(count)], grid.y)
+        total += weight * elements.compressed(n, [partial(load, degree) for degree in range(count)], grid.y)
         total -= weight * grid.moved(*_flat(float(n or 1)))
     return total
 
@@ -229,7 +250,7 @@ def _sum_over_planes(distance: Array) -> Array:
     return _SPACING / math.pi * found
 
 
-def _local(poisson: float) -> float:
+def _local(poisson: float, most: int) -> float:
     """Return what high modes add at the place of the load, and what low ones do because the contact has a width."""
     from scipy import special
 
@@ -237,4 +258,4 @@ def _local(poisson: float) -> float:
     beta = (1.0 - 2.0 * poisson) / (2.0 * (1.0 - poisson))
     difference = (n - beta) / (n**2 - 1.0) - 1.0 / n
     shape = 2.0 * special.j1(n * _USUAL_WIDTH) / (n * _USUAL_WIDTH)
-    return 4.0 * float(np.sum(difference * np.where(n > _MODES, shape, shape - 1.0)))
+    return 4.0 * float(np.sum(difference * np.where(n > most, shape, shape - 1.0)))

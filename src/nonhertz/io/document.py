@@ -160,9 +160,9 @@ class DiameterTable(Table):
     diameter: Lengths = Field(description="diameters there [mm], all of one sign")
 
 
-def _read_diameter(value: Any) -> Any:
+def _read_diameter(value: Any, info: ValidationInfo) -> Any:
     if not isinstance(value, dict):
-        return in_unit("diameter", value, "mm")
+        return in_unit(str(info.field_name), value, "mm")
     table = _read_table(DiameterTable, value)
     try:
         return TabulatedDiameter(y=table.y, diameter=table.diameter)
@@ -285,17 +285,33 @@ class BodyTable(Table):
         description=f"the point that the displacement is measured against: {_choices(DEPTHS.values(), Thickness)}",
         json_schema_extra={"default": Body.depth},
     )
+    bore: Annotated[Any, PlainValidator(_read_diameter, json_schema_input_type=Length | DiameterTable)] = Field(
+        default=None,
+        description="diameter of the bore of a hollow roller [mm], or a table of y and diameter; a solid one has none",
+    )
     images: Annotated[Any, PlainValidator(_read_images), WithJsonSchema(_IMAGES_SCHEMA)] = Field(
         default=Body.images,
         description="mirror images per side face: a number, or 'series' for all of them, which needs a depth",
     )
 
     @field_validator(
-        "diameter", "side_faces", "length", "effective_length", "corner_radius", "position", "depth", "images"
+        *(
+            "diameter",
+            "side_faces",
+            "length",
+            "effective_length",
+            "corner_radius",
+            "position",
+            "depth",
+            "bore",
+            "images",
+        )
     )
     @classmethod
     def _check(cls, value: Any, info: ValidationInfo) -> Any:
         name = str(info.field_name)
+        if name == "bore" and "depth" not in info.data:
+            return value  # whose depth is a mistake already
         # Without a valid kind there is no telling what the other keys must satisfy.
         read = info.data if "kind" in info.data else {}
         kind = read.get("kind") or Body

@@ -50,13 +50,9 @@ def bodies(contact: Contact) -> dict[str, Any]:
 
 def _body(body: Body) -> dict[str, Any]:
     table: dict[str, Any] = {"kind": type(body).__name__.lower()}
-    if isinstance(body.diameter, TabulatedDiameter):
-        table["diameter"] = {"y": _plain(body.diameter.y), "diameter": _plain(body.diameter.diameter)}
-    elif body.diameter is not None:
-        if not isinstance(body.diameter, float | int):
-            remedy = "give a TabulatedDiameter of its values"
-            raise InputError("diameter", body.diameter, "be a number or a table to go into a case file", remedy)
-        table["diameter"] = float(body.diameter)
+    for name, value in (("diameter", body.diameter), ("bore", body.bore)):
+        if value is not None:
+            table[name] = _diameter(name, value)
     for name in ("length", "effective_length", "corner_radius", "position"):
         value = getattr(body, name)
         if value is not None:
@@ -70,6 +66,15 @@ def _body(body: Body) -> dict[str, Any]:
     for name in ("side_faces", "images", "depth"):
         table[name] = _plain(getattr(body, name))
     return table
+
+
+def _diameter(name: str, value: object) -> float | dict[str, Any]:
+    if isinstance(value, TabulatedDiameter):
+        return {"y": _plain(value.y), "diameter": _plain(value.diameter)}
+    if isinstance(value, float | int):
+        return float(value)
+    remedy = "give a TabulatedDiameter of its values"
+    raise InputError(name, value, "be a number or a table to go into a case file", remedy)
 
 
 def _material(material: Material) -> str | dict[str, float]:

@@ -11,7 +11,7 @@ from typing import Final, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.bodies.depths import DepthRule, depth_of
+from nonhertz.bodies.depths import DEPTHS, DepthRule, depth_of
 from nonhertz.bodies.depths.depth import Depth
 from nonhertz.bodies.depths.endless import Endless
 from nonhertz.bodies.images import FEWEST_IMAGES, check_images
@@ -95,6 +95,9 @@ class Body:
     diameter : float or callable or None
         Diameter across the contact [mm]: positive convex, negative concave, None flat. A callable takes
         positions y [mm] from the middle of the body and returns diameters [mm]; see `TabulatedDiameter`.
+    bore : float or TabulatedDiameter or None
+        Diameter of the bore of a hollow roller [mm], which may vary along the axis; None for a solid one. It needs
+        ``depth`` = ``"finite"``.
     length : float or None
         Distance between the side faces [mm]; None for an unbounded body.
     profile : Profile
@@ -136,6 +139,7 @@ class Body:
 
     material: Material = STEEL
     diameter: Diameter = None
+    bore: float | TabulatedDiameter | None = None
     length: float | None = None
     profile: Profile = field(default_factory=Straight)
     effective_length: float | None = None
@@ -155,6 +159,8 @@ class Body:
             finite("diameter", self.diameter, _DIAMETER_REMEDY)
             if self.diameter == 0.0:
                 raise InputError("diameter", self.diameter, "not be zero", _DIAMETER_REMEDY)
+        if self.bore is not None:
+            self._check_bore(self.bore)
         if self.length is not None:
             positive("length", self.length, _LENGTH_REMEDY)
         if self.effective_length is not None:
@@ -168,6 +174,17 @@ class Body:
             raise InputError("length", None, f"be given where side_faces = {self.side_faces!r}", _FACELESS_REMEDY)
         check_images(self.images, self.face_weights, isinstance(self.behind, Endless))
         self.behind.refuse(self)
+
+    def _check_bore(self, bore: float | TabulatedDiameter) -> None:
+        remedy = "give the diameter of the bore in mm, or leave it out for a solid body"
+        if not isinstance(bore, TabulatedDiameter):
+            positive("bore", bore, remedy)
+        elif bore.diameter[0] < 0.0:
+            raise InputError("bore", bore.diameter, "be positive", remedy)
+        if not self.behind.bored:
+            words = " or ".join(repr(depth.word) for depth in DEPTHS.values() if depth.bored)
+            condition = f"only be given where depth = {words}"
+            raise InputError("bore", bore, condition, f"write depth = {words}, or leave out the bore")
 
     def _check_effective_length(self, effective_length: float) -> None:
         remedy = "give the length that can touch in mm, or leave it out for all of the body"

@@ -25,6 +25,7 @@ from nonhertz.result.numerals import given
 LONGEST_LIST = 8  # entries; a longer list is summarised
 _ABSENT = {
     "diameter": "flat",
+    "bore": "none",
     "length": "unbounded",
     "effective_length": "the whole length",
     "corner_radius": "none",

@@ -54,11 +54,14 @@ class Depth(ABC):
         Where that is, as it follows the word in descriptions of case files.
     of_diameter : bool
         Whether only a body that is convex everywhere can have it.
+    bored : bool
+        Whether a bore is taken into account.
     """
 
     word: ClassVar[str]
     meaning: ClassVar[str]
     of_diameter: ClassVar[bool] = False
+    bored: ClassVar[bool] = False
 
     @property
     @abstractmethod

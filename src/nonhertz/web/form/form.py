@@ -35,10 +35,12 @@ ALTERNATIVES: Final = (("load", "approach"), ("tilt", "moment"))
 COMMON: Final = ("shift", "scale")
 #: Keys that most cases leave at their defaults, folded away.
 FOLDED: Final = (
-    *("effective_length", "corner_radius", "chamfer", "position", "side_faces", "images", "depth"),
+    *("effective_length", "corner_radius", "chamfer", "position", "side_faces", "images", "depth", "bore"),
     *COMMON,
     *("solver", "life"),
 )
+#: Keys that are a number in the form, unless a file has a table in their place.
+MOSTLY_NUMBERS: Final = ("bore",)
 #: The most frequently changed keys come first; the rest in the order of the schema.
 FIRST: Final = ("title", "kind", "load", "body", "diameter", "length", "profile", "material")
 
@@ -89,7 +91,9 @@ def _member(name: str, part: Schema, value: Any, place: Place, table: dict[str, 
         tables = list(profile_kinds().values()) if name == "profile" else alternatives(rows[0]["items"])
         return _list(tables, value, place, meaning)
     tables = [kind for kind in kinds if is_table(kind)]
-    if tables and len(kinds) == 1:
+    if name in MOSTLY_NUMBERS and not isinstance(value, dict):
+        tables, part = [], _plain(part)
+    if tables and (len(kinds) == 1 or name in MOSTLY_NUMBERS):
         return _table(tables[0] | {"description": meaning}, value, place, label_of(place))
     if tables:
         return _value_or_table(tables[0], part, value, place)
@@ -199,10 +203,13 @@ def _value_or_table(table: Schema, part: Schema, value: Any, place: Place) -> Fo
     if tabular:
         inner = _group(table | {"description": meaning_of(part)}, value, place, label_of(place))
         return replace(inner, members=(shape, *inner.members))
-    plain = {key: entry for key, entry in part.items() if key != "anyOf"} | {
-        "anyOf": [kind for kind in alternatives(part) if not is_table(kind)]
-    }
-    return FormGroup(path, label_of(place), (shape, input_for(plain, value, place)))
+    return FormGroup(path, label_of(place), (shape, input_for(_plain(part), value, place)))
+
+
+def _plain(part: Schema) -> Schema:
+    """Return a key without the tables that may stand in it."""
+    kept = {key: entry for key, entry in part.items() if key != "anyOf"}
+    return kept | {"anyOf": [kind for kind in alternatives(part) if not is_table(kind)]}
 
 
 def _one_or_two(part: Schema, value: Any, place: Place, ends: bool) -> FormGroup | FormField:

@@ -58,6 +58,7 @@ RANGES: Final[dict[str, Range]] = {
     "blend_radius": Range(0.0, 20.0, "linear", 1.0),
     "centre": Range(-20.0, 20.0, "linear", 0.0),
     "compliance": Range(1e-7, 1e-4, "log", 2.8e-6),
+    "bore": Range(0.5, 500.0, "log", 8.0),
     "corner_radius": Range(0.05, 10.0, "log", 0.5),
     "depth": LENGTH,
     "diameter": Range(1.0, 2000.0, "log", 20.0),

@@ -1,0 +1,101 @@
+"""The outline of a roller: a section through its axis."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+_KINK = 0.03  # change of slope at which an outline has a corner
+
+
+@dataclass(frozen=True)
+class Outline:
+    """Radii of the surface and of the bore along the axis, linear between places; all in some radius of the surface.
+
+    Parameters
+    ----------
+    z : tuple of float
+        Axial positions from the middle, ascending, from one side face to the other.
+    outer, inner : tuple of float
+        Radii of the surface and of the bore there; 0 where there is none.
+    """
+
+    z: tuple[float, ...]
+    outer: tuple[float, ...]
+    inner: tuple[float, ...]
+
+    @classmethod
+    def cylinder(cls, half_length: float, bore: float = 0.0) -> Outline:
+        """Return that of a cylinder of radius 1."""
+        return cls((-half_length, half_length), (1.0, 1.0), (bore, bore))
+
+    @property
+    def half_length(self) -> float:
+        """Half the distance between the side faces."""
+        return self.z[-1]
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether it is its own mirror image about the middle."""
+        z, outer, inner = (np.array(each) for each in (self.z, self.outer, self.inner))
+        return bool(np.all(z == -z[::-1]) and np.all(outer == outer[::-1]) and np.all(inner == inner[::-1]))
+
+    @property
+    def bored(self) -> bool:
+        """Whether there is a bore."""
+        return max(self.inner) > 0.0
+
+    @property
+    def wall(self) -> float:
+        """The thinnest wall; that of a solid one is the radius."""
+        return min(outer - inner for outer, inner in zip(self.outer, self.inner, strict=True))
+
+    @property
+    def steepest(self) -> float:
+        """The largest slope of the surface."""
+        return float(np.max(np.abs(np.diff(self.outer) / np.diff(self.z))))
+
+    @cached_property
+    def kinks(self) -> tuple[float, ...]:
+        """Axial positions of corners of the outline, but for the side faces."""
+        slopes = np.array([np.diff(radius) / np.diff(self.z) for radius in (self.outer, self.inner)])
+        sharp = np.any(np.abs(np.diff(slopes, axis=1)) > _KINK, axis=0)
+        return tuple(place for place, is_sharp in zip(self.z[1:-1], sharp, strict=True) if is_sharp)
+
+    def radii(self, z: Array) -> tuple[Array, Array]:
+        """Return the radii of surface and bore at places."""
+        outer: Array = np.interp(z, self.z, self.outer)
+        inner: Array = np.interp(z, self.z, self.inner)
+        return outer, inner
+
+    def slopes(self, z: Array) -> tuple[Array, Array]:
+        """Return how both radii change along the axis at places between the points."""
+        at = np.clip(np.searchsorted(self.z, z) - 1, 0, len(self.z) - 2)
+        outer, inner = (np.diff(radius) / np.diff(self.z) for radius in (self.outer, self.inner))
+        return outer[at], inner[at]
+
+
+def breaks(length: float, smallest: float, growth: float, largest: float) -> Array:
+    """Return borders of elements from 0 to a length, which shrink towards its end."""
+    found, size = [length], min(smallest, 0.5 * length)
+    while found[-1] - size > 0.4 * size:
+        found.append(found[-1] - size)
+        size = min(growth * size, largest)
+    return np.array([*found[:0:-1], length]) if found[-1] == 0.0 else np.array([0.0, *found[::-1]])
+
+
+def with_kinks(borders: Array, kinks: tuple[float, ...]) -> Array:
+    """Return borders of elements with some places among them, in place of those that lie close to these."""
+    found = list(borders)
+    for kink in kinks:
+        sizes = [high - low for low, high in itertools.pairwise(found) if low <= kink <= high]
+        near = 0.3 * min(sizes)
+        inner = [each for each in found[1:-1] if abs(each - kink) > near]
+        found = sorted({found[0], *inner, kink, found[-1]})
+    return np.array(found)
