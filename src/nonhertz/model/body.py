@@ -123,8 +123,9 @@ class Body:
     depth : str or float
         The point that the displacement is measured against: far away (``"none"``), where it makes the compression
         of a long cylinder that of plane strain (``"plane-strain"``, the default for a roller), a diameter below the
-        surface (``"diameter"``), at a given depth [mm], such as the thickness of a ring; or the axis of a roller that
-        deforms as a whole (``"finite"``), whose side faces are ``"free"``.
+        surface (``"diameter"``), at a given depth [mm], such as the thickness of a ring; or the axis of a solid
+        cylinder of infinite length (``"cylinder"``), or of a roller that deforms as a whole (``"finite"``), whose side
+        faces are ``"free"``.
 
     Raises
     ------

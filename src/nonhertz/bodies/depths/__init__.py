@@ -5,6 +5,7 @@ from __future__ import annotations
 from numbers import Real
 from typing import Final
 
+from nonhertz.bodies.depths.cylinder import Cylinder
 from nonhertz.bodies.depths.depth import Depth
 from nonhertz.bodies.depths.diameter import Diameter
 from nonhertz.bodies.depths.endless import Endless
@@ -17,7 +18,9 @@ from nonhertz.inputs.checks import positive
 DepthRule = str | float
 
 #: Choices by their keywords.
-DEPTHS: Final[dict[str, Depth]] = {depth.word: depth for depth in (Endless(), PlaneStrain(), Diameter(), Finite())}
+DEPTHS: Final[dict[str, Depth]] = {
+    depth.word: depth for depth in (Endless(), PlaneStrain(), Diameter(), Cylinder(), Finite())
+}
 
 WORDS: Final = ", ".join(map(repr, DEPTHS))
 _REMEDY: Final = f"write {WORDS} or a depth in mm such as the thickness of a ring"
