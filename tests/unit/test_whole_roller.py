@@ -38,12 +38,12 @@ PLACES = np.array([-1.0, -0.8, -0.4, 0.0, 0.4, 0.8, 1.0])
     ],
 )  # fmt: skip
 def test_modes_in_the_middle_of_a_long_cylinder_are_those_of_an_endless_one(poisson, n, k, expected):
-    moved = elements(8.0, poisson).compressed(n, [lambda z: np.cos(k * z)], np.zeros(1))
+    moved = elements(8.0, poisson).compressed(n, lambda z: np.cos(k * z)[:, None], np.zeros(1))
     assert moved[0, 0] / (2.0 * math.pi) == pytest.approx(expected, abs=1e-4)
 
 
 def test_a_uniform_pressure_all_around_moves_the_surface_by_the_same_everywhere():
-    moved = elements().compressed(0, [np.ones_like], np.linspace(-1.0, 1.0, 5))
+    moved = elements().compressed(0, lambda z: np.ones((z.size, 1)), np.linspace(-1.0, 1.0, 5))
     # In units of p R / (2 mu), u = -(1 - nu) / (1 + nu) for a cylinder that is free to grow longer.
     in_k = 2.0 * math.pi / (1.0 - 0.3) * 0.5 * (1.0 - 0.3) / (1.0 + 0.3)
     np.testing.assert_allclose(moved[:, 0], in_k, rtol=1e-9)
@@ -51,14 +51,14 @@ def test_a_uniform_pressure_all_around_moves_the_surface_by_the_same_everywhere(
 
 def test_even_and_odd_loads_move_the_surface_evenly_and_oddly():
     places = np.array([-0.7, 0.7])
-    moved = elements().compressed(2, [lambda z: z**2, lambda z: z], places)
+    moved = elements().compressed(2, lambda z: np.stack([z**2, z], -1), places)
     np.testing.assert_allclose(moved[0], [moved[1, 0], -moved[1, 1]], rtol=1e-12)
 
 
 @pytest.mark.parametrize("n", [0, 2, 6])
 def test_modes_are_reciprocal(n):
     node, weight = np.polynomial.legendre.leggauss(24)
-    moved = elements().compressed(n, [np.ones_like, lambda z: z, lambda z: z**4], node)
+    moved = elements().compressed(n, lambda z: np.stack([z**0, z, z**4], -1), node)
     assert weight @ (moved[:, 0] * node**4) == pytest.approx(weight @ moved[:, 2], rel=1e-4)
 
 
@@ -91,7 +91,7 @@ def test_more_modes_by_elements_change_little(half_length, bore, monkeypatch):
 def test_modes_of_a_bored_cylinder_are_those_of_a_plane_one(bore, n):
     # In the middle of a long one under the same load all along: plane, and free to grow longer for n = 0.
     poisson = 0.3
-    moved = elements(8.0, poisson, bore).compressed(n, [np.ones_like], np.zeros(1))[0, 0]
+    moved = elements(8.0, poisson, bore).compressed(n, lambda z: np.ones((z.size, 1)), np.zeros(1))[0, 0]
     modulus_over_shear = 2.0 * (1.0 + poisson)
     to_displacement = (1.0 - poisson) / (2.0 * math.pi)  # with a shear modulus of 1
     assert moved * to_displacement == pytest.approx(plane_mode(bore, n, poisson, modulus_over_shear), rel=2e-4)

@@ -8,7 +8,7 @@ Lengths are in a radius of the surface. Where the outline is symmetric, only hal
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
@@ -46,15 +46,15 @@ class HarmonicElements:
     poisson: float
     most: int
 
-    def compressed(self, n: int, loads: Sequence[Callable[[Array], Array]], places: Array) -> Array:
+    def compressed(self, n: int, loads: Callable[[Array], Array], places: Array) -> Array:
         """Return how far the surface moves inwards under radial line loads cos(n theta) f(z) on each arc of 1 rad.
 
         Parameters
         ----------
         n : int
             Number of waves around, not 1.
-        loads : sequence of callable
-            z [radii] -> f; even and odd functions in turn.
+        loads : callable
+            z [radii], shape (m,) -> f of each load, shape (m, loads); even and odd functions in turn.
         places : ndarray, shape (m,)
             Where, from the middle [radii].
 
@@ -110,16 +110,18 @@ class HarmonicElements:
     def _columns(self) -> int:
         return DEGREE * (self._axial.size - 1) + 1
 
-    def _forces(self, loads: Sequence[Callable[[Array], Array]]) -> Array:
+    def _forces(self, loads: Callable[[Array], Array]) -> Array:
         """Return the forces of loads on the surface, shape (unknowns, loads)."""
-        forces = np.zeros((3, self._rows, self._columns, len(loads)))
         node, weight = legendre.leggauss(_NODES)
         values, _ = _polynomials(node)
-        for e, (low, high) in enumerate(zip(self._axial[:-1], self._axial[1:], strict=True)):
-            z, half = 0.5 * (low + high) + 0.5 * (high - low) * node, 0.5 * (high - low)
-            pressure = np.array([load(z) for load in loads]).T
-            forces[U, -1, e * DEGREE : (e + 1) * DEGREE + 1] -= half * values.T @ (weight[:, None] * pressure)
-        return forces.reshape(-1, len(loads))
+        half = 0.5 * np.diff(self._axial)[:, None]
+        z = self._axial[:-1, None] + half * (1.0 + node)
+        pressure = loads(z.ravel())
+        pressure = pressure.reshape(*z.shape, -1) * (half * weight)[..., None]
+        forces = np.zeros((3, self._rows, self._columns, pressure.shape[-1]))
+        for e, of_element in enumerate(pressure):
+            forces[U, -1, e * DEGREE : (e + 1) * DEGREE + 1] -= values.T @ of_element
+        return forces.reshape(-1, forces.shape[-1])
 
     @cached_property
     def _stiffness(self) -> tuple[Any, Any, Any]:
@@ -177,7 +179,7 @@ class HarmonicElements:
         elasticity = np.diag([2.0, 2.0, 2.0, 1.0, 1.0, 1.0])
         elasticity[:3, :3] += 2.0 * self.poisson / (1.0 - 2.0 * self.poisson)
         stress_fixed, stress_waves = (
-            (np.einsum("ab,bqi->aqi", elasticity, each) * measure[:, None]).reshape(-1, each.shape[-1])
+            (np.tensordot(elasticity, each, 1) * measure[:, None]).reshape(-1, each.shape[-1])
             for each in (fixed, waves)
         )
         fixed, waves = fixed.reshape(stress_fixed.shape), waves.reshape(stress_waves.shape)
@@ -206,25 +208,25 @@ class HarmonicElements:
 
 
 @cache
-def _nodes() -> Array:
-    """Return the Gauss-Lobatto nodes."""
-    inner = legendre.legroots(legendre.legder(np.eye(DEGREE + 1)[DEGREE]))
-    return np.concatenate([[-1.0], np.sort(inner.real), [1.0]])
+def _from_nodes() -> tuple[Array, Array]:
+    """Return what makes Legendre coefficients of values at the Gauss-Lobatto nodes, and those of their slopes."""
+    inner = legendre.legroots(legendre.legder(np.eye(_NODES)[DEGREE]))
+    nodes = np.concatenate([[-1.0], np.sort(inner.real), [1.0]])
+    coefficients = np.linalg.inv(legendre.legvander(nodes, DEGREE))
+    slopes: Array = legendre.legder(coefficients)
+    return coefficients, slopes
 
 
 def _polynomials(places: Array) -> tuple[Array, Array]:
     """Return values and slopes of the polynomials through the nodes at places from -1 to 1, shape (places, nodes)."""
-    from_nodes = np.linalg.inv(legendre.legvander(_nodes(), DEGREE))
-    slopes = np.array([legendre.legval(places, legendre.legder(unit)) for unit in np.eye(DEGREE + 1)]).T
-    return legendre.legvander(places, DEGREE) @ from_nodes, slopes @ from_nodes
+    values, slopes = _from_nodes()
+    return legendre.legvander(places, DEGREE) @ values, legendre.legvander(places, DEGREE - 1) @ slopes
 
 
 def _interpolated(borders: Array, values: Array, places: Array) -> Array:
     """Return nodal values (nodes, k) at places."""
-    found = []
-    for place in places:
-        e = int(np.clip(np.searchsorted(borders, place) - 1, 0, borders.size - 2))
-        local = (2.0 * place - borders[e] - borders[e + 1]) / (borders[e + 1] - borders[e])
-        weights, _ = _polynomials(np.array([local]))
-        found.append(weights[0] @ values[e * DEGREE : (e + 1) * DEGREE + 1])
-    return np.array(found)
+    e = np.clip(np.searchsorted(borders, places) - 1, 0, borders.size - 2)
+    local = (2.0 * places - borders[e] - borders[e + 1]) / (borders[e + 1] - borders[e])
+    weights, _ = _polynomials(local)
+    found: Array = np.einsum("pn,pnk->pk", weights, values[e[:, None] * DEGREE + np.arange(_NODES)])
+    return found

@@ -21,7 +21,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -43,7 +42,7 @@ _PANELS, _NODES = 18, 8  # halvings towards logarithms, and nodes on each panel
 _USUAL_WIDTH = 0.03
 _LAST_MODE = 4000
 _SPACING = 2.0  # of the wave numbers of even modes, times the radius
-_BY_SERIES = 2.5
+_BY_SERIES, _REFLECTIONS = 2.5, 9  # beyond that by this many terms, of 1e-9 and less
 _ZETA = (1.2020569031595942, 1.0369277551433699, 1.0083492773819228, 1.0020083928260822, 1.0004941886041195,
          1.0001227133475785, 1.0000305882363070, 1.0000076371976379)  # of 3, 5, 7 ...  # fmt: skip
 
@@ -214,14 +213,14 @@ def _modes(grid: _Grid, outline: Outline, poisson: float, most: int) -> Array:
     half_length, count = outline.half_length, grid.loads.shape[2]
     elements, norm = HarmonicElements(outline, poisson, most), _norms(count, half_length)
 
-    def load(degree: int, z: Array) -> Array:
-        found: Array = legendre.legval(z / half_length, np.eye(count)[degree]) * norm[degree]
+    def loads(z: Array) -> Array:
+        found: Array = legendre.legvander(z / half_length, count - 1) * norm
         return found
 
     total = np.zeros((grid.y.size, count))
     for n in range(0, most + 1, 2):
         weight = (2.0 if n else 1.0) / math.pi
-        total += weight * elements.compressed(n, [partial(load, degree) for degree in range(count)], grid.y)
+        total += weight * elements.compressed(n, loads, grid.y)
         total -= weight * grid.moved(*_flat(float(n or 1)))
     return total
 
@@ -238,7 +237,7 @@ def _sum_over_images(distance: Array) -> Array:
         factor *= -(2 * k - 1) / (2 * k)
         series += factor * zeta * small ** (2 * k) / (2.0 * math.pi) ** (2 * k + 1)
     found[near] = np.euler_gamma + np.log(small / (4.0 * math.pi)) + 2.0 * math.pi * series
-    found[~near] = sum((2.0 * special.k0(j * large) for j in range(1, 16)), -math.pi / large)
+    found[~near] = sum((2.0 * special.k0(j * large) for j in range(1, _REFLECTIONS)), -math.pi / large)
     return _SPACING / math.pi * found
 
 
