@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 Schema = dict[str, Any]
 
 NAMES = {"number": "number", "integer": "whole number", "string": "text", "array": "list", "object": "table"}
-EVERY_PROFILE = ("kind", "shift", "scale")
+EVERY_PROFILE = ("kind", "shift", "scale", "flip")
 
 
 class CaseFileKeys(SphinxDirective):
@@ -33,7 +33,7 @@ class CaseFileKeys(SphinxDirective):
             "Profiles",
             "--------",
             "",
-            "What ``profile`` may list; all may have ``shift`` and ``scale`` too.",
+            "What ``profile`` may list; all may have ``shift``, ``scale`` and ``flip`` too.",
             "",
         ]
         lines += _profiles(whole["$defs"]["BodyTable"]["properties"]["profile"])

@@ -1,4 +1,4 @@
-"""Laws that hold for every profile: adding, shifting, scaling, mirror symmetry, similarity."""
+"""Laws that hold for every profile: adding, shifting, scaling, flipping, mirror symmetry, similarity."""
 
 from __future__ import annotations
 
@@ -103,6 +103,18 @@ def test_scale_multiplies_what_is_finite(profile: Profile, by: float) -> None:
     present = np.isfinite(relief)
     np.testing.assert_array_equal(scaled[present], by * relief[present])
     assert np.all(scaled[~present] == np.inf)
+
+
+@untimed
+@given(profiles, number(-30.0, 30.0), number(-2.0, 2.0))
+def test_flipping_mirrors_relief_bends_and_extent(profile: Profile, by: float, factor: float) -> None:
+    made = (profile.shifted(by).scaled(factor)) + crown(500.0, 2.0)
+    flipped = made.flipped()
+    np.testing.assert_array_equal(flipped.relief(Y), made.relief(-Y))
+    assert flipped.bends == tuple(sorted(-bend for bend in made.bends))
+    assert flipped.crests == tuple(sorted(-crest for crest in made.crests))
+    assert flipped.extent == tuple(-end for end in made.extent[::-1])
+    assert flipped.flipped() == made
 
 
 @untimed

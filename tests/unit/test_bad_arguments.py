@@ -546,8 +546,8 @@ RESULTS = {
     "subsurface.Extreme", "subsurface.Extremes", "subsurface.Field", "subsurface.Passage",
     "AccuracyWarning", "CaseError", "ConvergenceError", "InputError", "Interrupted", "NonhertzError",
     *(f"profile.{name}" for name in (
-        "Arcs", "Conical", "Logarithmic", "Profile", "Scaled", "Shifted", "Straight", "Sum", "Tabulated", "TaperedEnds",
-        "UniformPressure",
+        "Arcs", "Conical", "Flipped", "Logarithmic", "Profile", "Scaled", "Shifted", "Straight", "Sum", "Tabulated",
+        "TaperedEnds", "UniformPressure",
     )),
 }  # fmt: skip
 MODULES = {

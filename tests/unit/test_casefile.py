@@ -525,3 +525,13 @@ def test_a_profile_for_the_length_of_the_body_is_cut_off_where_corners_begin(tmp
     assert body.profile == nh.profile.iso_logarithmic(diameter=20.0, length=20.0)
     assert body.surface.relief(9.5) == body.profile.relief(9.5)
     assert body.interval == (-10.0, 10.0)
+
+
+def test_a_profile_is_flipped_about_the_middle_of_the_body_after_its_shift(tmp_path: Path) -> None:
+    table = "{ kind = 'crown', radius = 4000, centre = 1, shift = 2, flip = true }"
+    body = read(tmp_path, with_body(f"diameter = 20\nlength = 20\nprofile = {table}")).contact.a
+    assert float(body.relief(-3.0)) == 0.0
+    assert float(body.relief(3.0)) == pytest.approx(36.0 / 8000.0, rel=1e-5)
+    assert mistakes_of({"body": {"a": {"profile": [{"kind": "straight", "flip": 1}]}, "b": {}}, "load": {"load": 1}})[
+        0
+    ].startswith("body.a.profile[1].flip = 1 must be true or false")

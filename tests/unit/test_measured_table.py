@@ -57,6 +57,7 @@ def test_every_step_can_be_set(folder):
     expected = prepare(trace, **options, cutoff=0.25, slope=0.1, points=77).profile("linear")
     y = np.linspace(-3.0, 3.0, 7)
     assert_allclose(profile.relief(y + 1.0), 2.0 * expected.relief(y), rtol=1e-12)
+    assert read(folder, keys + ", flip = true") == profile.flipped()
 
 
 def test_roughness_that_is_left_in_is_warned_of(folder):
@@ -120,7 +121,7 @@ def test_keys_are_those_of_the_functions():
     """What the table takes, `read_trace` and `prepare` take, and the other way round."""
     assert set(READING) == set(inspect.signature(read_trace).parameters) - {"source", "name"}
     assert set(PREPARING) == set(inspect.signature(prepare).parameters) - {"trace"}
-    assert set(KEYS) == {*READING, *PREPARING, "file", "interpolation", "shift", "scale"}
+    assert set(KEYS) == {*READING, *PREPARING, "file", "interpolation", "shift", "scale", "flip"}
 
 
 def test_the_schema_describes_every_key():
@@ -133,7 +134,7 @@ def test_the_schema_describes_every_key():
 def test_the_reference_lists_every_key():
     page = (DOCS / "reference" / "case-file.md").read_text(encoding="utf-8")
     section = page.split("### Measured profiles")[1].split("\n## ")[0]
-    assert set(re.findall(r"^\| `(\w+)`", section, re.MULTILINE)) == set(KEYS) - {"shift", "scale"}
+    assert set(re.findall(r"^\| `(\w+)`", section, re.MULTILINE)) == set(KEYS) - {"shift", "scale", "flip"}
 
 
 @pytest.mark.parametrize(

@@ -75,6 +75,17 @@ def test_sums_shifts_and_factors_are_written_too(kind):
     )
 
 
+@pytest.mark.parametrize("kind", [kind for kind in CATALOGUE if kind != "straight"])
+def test_flipped_profiles_are_written_too(kind):
+    profile = (CATALOGUE[kind](**PARAMETERS[kind]).shifted(0.25) + nh.profile.crown(8000, 1.0).flipped()).flipped()
+    case = made(profile.scaled(0.5).shifted(0.125))
+    y = np.linspace(-8.0, 8.0, 101)
+    np.testing.assert_allclose(back(case).contact.separation(y), case.contact.separation(y), rtol=1e-12, atol=1e-15)
+    first, second = document(case)["body"]["a"]["profile"]
+    assert first["flip"] is True
+    assert "flip" not in second
+
+
 @pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)
 def test_the_examples_come_back_as_they_are_and_need_no_other_file(path, tmp_path):
     case = read_case(path)

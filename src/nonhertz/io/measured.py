@@ -74,6 +74,7 @@ KEYS: dict[str, dict[str, Any]] = {
     },
     "shift": _LENGTH | {"description": "How far to move the profile towards positive y."},
     "scale": _NUMBER | {"description": "Factor on the relief."},
+    "flip": _SWITCH | {"description": "Whether to mirror the profile about the middle of the body, after its shift."},
 }
 _LENGTHS = {"trim", "cutoff", "shift"}
 
@@ -239,7 +240,7 @@ def _made(values: Mapping[str, Any], folder: Path) -> Profile:
                 profile = change(profile, values[name])
             except InputError as error:
                 raise InputError(name, error.value, error.condition, error.remedy) from None
-    return profile
+    return profile.flipped() if values.get("flip") else profile
 
 
 def _placed(error: InputError, table: Mapping[str, Any]) -> Mistake:

@@ -10,11 +10,11 @@ import inspect
 import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 from nonhertz.errors import InputError
 from nonhertz.io.bounds import PROFILES
-from nonhertz.io.measured import KIND, measured_schema, read_measured
+from nonhertz.io.measured import KEYS, KIND, measured_schema, read_measured
 from nonhertz.io.mistakes import InFile, Mistake, TableError, missing, mistake_in, nearest, unknown
 from nonhertz.io.units import in_unit
 from nonhertz.model.profile import CATALOGUE, PARAMETER_UNITS, Profile, from_file
@@ -24,16 +24,17 @@ BROKEN = object()
 
 _LIST_REMEDY = "write a list of tables such as [{ kind = 'crown', radius = 4000.0 }]"
 # Keys that every table may have in addition to the parameters of its kind.
-_COMMON_UNITS = {"shift": "mm", "scale": ""}
-_COMMON_MEANINGS = {
-    "shift": "How far to move the profile towards positive y [mm].",
-    "scale": "Factor on the relief.",
-}
 _FEWER_REMEDY = "add them up in one of kind 'tabulated'"
 _UPLOAD_REMEDY = "give y and relief, or upload the measured profile"
 _FILE_MEANING = "Text file of two columns, y and relief [mm]; its path is relative to the case file."
 # Dimensions of the body; if a table leaves them out, they are taken from the body.
 _OF_THE_BODY = ("length", "diameter")
+#: Keys that every kind of the catalogue may have beside its parameters: unit, None for a switch, and meaning.
+COMMON: Final[dict[str, tuple[str | None, str]]] = {
+    "shift": ("mm", "How far to move the profile towards positive y [mm]."),
+    "scale": ("", "Factor on the relief."),
+    "flip": (None, str(KEYS["flip"]["description"])),
+}
 # Harmless values in place of missing or invalid parameters, to find out whether the others are valid.
 _STAND_INS = (0.5, 1e-3, 7.0, 1e4)
 
@@ -132,9 +133,11 @@ class _Reader:
         else:
             self._take_from_body()
         scale, shift = self.values.pop("scale", 1.0), self.values.pop("shift", 0.0)
+        flip = self.values.pop("flip", False)
         profile = self._from_file() if from_points else self._made()
         profile = self._changed(profile, "scale", Profile.scaled, scale)
         profile = self._changed(profile, "shift", Profile.shifted, shift)
+        profile = profile.flipped() if flip else profile
         if self.mistakes:
             raise TableError(self.mistakes)
         return profile
@@ -168,17 +171,20 @@ class _Reader:
                 self._note(name, error)
 
     def _value(self, name: str, value: Any) -> Any:
-        unit = _COMMON_UNITS.get(name, PARAMETER_UNITS.get(name))
+        unit = COMMON[name][0] if name in COMMON else PARAMETER_UNITS.get(name)
         if unit is not None:
             if isinstance(value, list):
                 return [in_unit(name, entry, unit) for entry in value]
             return in_unit(name, value, unit)
-        if name in self.parameters and isinstance(self.parameters[name].default, bool):
+        if name in COMMON or isinstance(self._default(name), bool):
             if not isinstance(value, bool):
                 raise InputError(name, value, "be true or false", "write it without quotes")
         elif not isinstance(value, str):
             raise InputError(name, value, "be text", "put it in quotes")
         return value
+
+    def _default(self, name: str) -> Any:
+        return self.parameters[name].default if name in self.parameters else None
 
     def _refuse_points_beside_file(self) -> None:
         for name in ("y", "relief"):
@@ -268,7 +274,7 @@ class _Reader:
 
 def _known_keys(kind: str) -> tuple[str, ...]:
     parameters = inspect.signature(CATALOGUE[kind]).parameters
-    return (*parameters, *_COMMON_UNITS, *(("file",) if kind == "tabulated" else ()))
+    return (*parameters, *COMMON, *(("file",) if kind == "tabulated" else ()))
 
 
 def _kind_schema(kind: str) -> dict[str, Any]:
@@ -280,8 +286,8 @@ def _kind_schema(kind: str) -> dict[str, Any]:
         properties[name] = _parameter_schema(name, parameter) | {"description": meanings.get(name, "")}
         if parameter.default is parameter.empty and name not in _OF_THE_BODY and kind != "tabulated":
             required.append(name)
-    for name, unit in _COMMON_UNITS.items():
-        properties[name] = quantity_schema(unit) | {"description": _COMMON_MEANINGS[name]}
+    for name, (unit, meaning) in COMMON.items():
+        properties[name] = ({"type": "boolean"} if unit is None else quantity_schema(unit)) | {"description": meaning}
     if kind == "tabulated":
         properties["file"] = {"type": "string", "description": _FILE_MEANING}
     return {

@@ -14,7 +14,7 @@ from nonhertz.errors import InputError
 from nonhertz.io.bounds import FORMAT
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.material import MATERIALS, Material
-from nonhertz.model.profile import Profile, Scaled, Shifted, Straight, Sum
+from nonhertz.model.profile import Flipped, Profile, Scaled, Shifted, Straight, Sum
 
 if TYPE_CHECKING:
     from nonhertz.io.casefile import Case, LifeCase
@@ -94,11 +94,23 @@ def _profiles(profile: Profile) -> list[dict[str, Any]]:
     if isinstance(profile, Sum):
         return [table for part in profile.parts for table in _profiles(part)]
     if isinstance(profile, Shifted):
-        return [table | {"shift": table.get("shift", 0.0) + profile.by} for table in _profiles(profile.profile)]
+        return [_shifted(table, profile.by) for table in _profiles(profile.profile)]
+    if isinstance(profile, Flipped):
+        return [_flipped(table) for table in _profiles(profile.profile)]
     if isinstance(profile, Scaled):
         return [table | {"scale": table.get("scale", 1.0) * profile.by} for table in _profiles(profile.profile)]
     remedy = "tabulate it: nonhertz.profile.tabulated(y, profile.relief(y))"
     raise InputError("profile", type(profile).__name__, "be from the catalogue to go into a case file", remedy)
+
+
+def _shifted(table: dict[str, Any], by: float) -> dict[str, Any]:
+    # A table is flipped last, after its shift.
+    return table | {"shift": table.get("shift", 0.0) + (-by if table.get("flip") else by)}
+
+
+def _flipped(table: dict[str, Any]) -> dict[str, Any]:
+    rest = {name: value for name, value in table.items() if name != "flip"}
+    return rest if "flip" in table else rest | {"flip": True}
 
 
 def _solver(options: Mapping[str, Any]) -> dict[str, Any]:

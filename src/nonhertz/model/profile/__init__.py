@@ -2,7 +2,7 @@
 
 A profile is a function of the axial coordinate y [mm], measured from the middle of its body, whose value is
 the relief [mm], positive where material is removed. Profiles are values: they add (``crown(...) +
-chamfer(...)``), shift along the axis and scale, and each operation returns a new one. Besides its function a
+chamfer(...)``), shift along the axis, scale and flip, and each operation returns a new one. Besides its function a
 profile knows its *bends*, the places where slope or curvature jumps, because the strips must be refined there,
 and its *extent*, outside which there is nothing to touch. An infinite relief means the same: no body here.
 
@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from nonhertz.model.profile.base import Profile, Scaled, Shifted, Straight, Sum
+from nonhertz.model.profile.base import Flipped, Profile, Scaled, Shifted, Straight, Sum
 from nonhertz.model.profile.circular import Arcs, crown, partial_crown, two_radius
 from nonhertz.model.profile.linear import Conical, TaperedEnds, chamfer, conical, straight, tapered_ends
 from nonhertz.model.profile.logarithm import (
@@ -76,6 +76,7 @@ __all__ = [
     "PARAMETER_UNITS",
     "Arcs",
     "Conical",
+    "Flipped",
     "Logarithmic",
     "Profile",
     "Scaled",

@@ -1,4 +1,4 @@
-"""What a profile is, and how profiles add, shift and scale."""
+"""What a profile is, and how profiles add, shift, scale and flip."""
 
 from __future__ import annotations
 
@@ -70,6 +70,10 @@ class Profile(ABC):
         """Return this profile with its relief multiplied by ``by``; infinite relief stays infinite."""
         finite("by", by, "give a factor")
         return Scaled(self, float(by))
+
+    def flipped(self) -> Profile:
+        """Return this profile mirrored about y = 0: its relief at y is that of this one at -y."""
+        return Flipped(self)
 
     def __add__(self, other: Profile) -> Profile:
         if not isinstance(other, Profile):
@@ -208,3 +212,34 @@ class Scaled(Formula):
     def extent(self) -> tuple[float, float]:
         """The profile's extent."""
         return self.profile.extent
+
+
+@dataclass(frozen=True)
+class Flipped(Formula):
+    """A profile mirrored about y = 0, as a body that is turned end for end has it."""
+
+    profile: Profile
+
+    def flipped(self) -> Profile:
+        """Return the profile that this one mirrors."""
+        return self.profile
+
+    def relief_at(self, y: Array) -> Array:
+        """Return the profile's relief at ``-y``."""
+        return self.profile.relief_at(-y)
+
+    @property
+    def crests(self) -> tuple[float, ...]:
+        """The profile's crests, mirrored."""
+        return tuple(-crest for crest in reversed(self.profile.crests))
+
+    @property
+    def bends(self) -> tuple[float, ...]:
+        """The profile's bends, mirrored."""
+        return tuple(-bend for bend in reversed(self.profile.bends))
+
+    @property
+    def extent(self) -> tuple[float, float]:
+        """The profile's extent, mirrored."""
+        low, high = self.profile.extent
+        return (-high, -low)

@@ -32,7 +32,7 @@ from nonhertz.web.form.ranges import start, start_list
 #: One of each pair is given; the form shows the first unless the document has the other.
 ALTERNATIVES: Final = (("load", "approach"), ("tilt", "moment"))
 #: Keys that all kinds of profile have, kept when the kind is changed.
-COMMON: Final = ("shift", "scale")
+COMMON: Final = ("shift", "scale", "flip")
 #: Keys that most cases leave at their defaults, folded away.
 FOLDED: Final = (
     *("effective_length", "corner_radius", "chamfer", "position", "side_faces", "images", "depth", "bore"),

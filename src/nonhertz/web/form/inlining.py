@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.io.mistakes import path_of
-from nonhertz.io.profiles import profile_tables, read_profile
+from nonhertz.io.profiles import COMMON, profile_tables, read_profile
 from nonhertz.model.profile import Tabulated
 from nonhertz.web.limits import POINTS
 
@@ -40,7 +40,7 @@ def inlined(document: dict[str, Any], folder: Path) -> tuple[dict[str, Any], tup
 
 
 def _points(table: dict[str, Any], folder: Path, path: str, notes: list[str]) -> dict[str, Any]:
-    moved = {name: table[name] for name in ("shift", "scale") if name in table}
+    moved = {name: table[name] for name in COMMON if name in table}
     profile = read_profile({name: value for name, value in table.items() if name not in moved}, {}, folder)
     assert isinstance(profile, Tabulated)
     every = -(-len(profile.y) // POINTS)
