@@ -414,6 +414,9 @@ ENTRIES: dict[str, Entry] = {
     "profile.tabulated": entry(
         profile.tabulated, y=([-1.0, 1.0], "table"), relief=([0.0, 1.0], "table"), interpolation=("pchip", "word")
     ),
+    "profile.with_drop": entry(
+        profile.with_drop, kind=("crown", "word"), drop=(0.02, "number"), at=(9.5, "number")
+    ),
     "profile.from_file": entry(profile.from_file, path=(None, "thing"), interpolation=("pchip", "word")),
     "profile.Profile.shifted": entry(TABLE.shifted, by=(0.0, "number")),
     "profile.Profile.scaled": entry(TABLE.scaled, by=(1.0, "number")),
@@ -503,7 +506,7 @@ def test_nonsense_ends_in_the_right_answer_or_in_one_sentence(name):
 @pytest.mark.parametrize("name", ENTRIES)
 def test_unknown_keywords_are_refused_by_name(name):
     case = ENTRIES[name]
-    expected = (TypeError, nh.InputError) if name in {"life.model", "measured.fit"} else TypeError
+    expected = (TypeError, nh.InputError) if name in {"life.model", "measured.fit", "profile.with_drop"} else TypeError
     with pytest.raises(expected, match="unknown_keyword"):
         case.call(**case.good, unknown_keyword=1)
 

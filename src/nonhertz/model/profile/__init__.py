@@ -8,15 +8,16 @@ and its *extent*, outside which there is nothing to touch. An infinite relief me
 
 The lower-case functions are the catalogue, under the names that engineers use, each with its source. Each returns a
 `Profile`, and raises `InputError` if a value is out of range. Profiles for a design load take the same four parameters:
-load [N], length [mm], radius (combined, across the contact) [mm] and compliance (of both bodies) [1/MPa].
+load [N], length [mm], radius (combined, across the contact) [mm] and compliance (of both bodies) [1/MPa]. `with_drop`
+makes any of them from its drop at a place, as a drawing states it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from nonhertz.model.profile.base import Flipped, Profile, Scaled, Shifted, Straight, Sum
+from nonhertz.model.profile.catalogue import CATALOGUE, PARAMETER_UNITS
 from nonhertz.model.profile.circular import Arcs, crown, partial_crown, two_radius
+from nonhertz.model.profile.drop import with_drop
 from nonhertz.model.profile.linear import Conical, TaperedEnds, chamfer, conical, straight, tapered_ends
 from nonhertz.model.profile.logarithm import (
     Logarithmic,
@@ -29,47 +30,6 @@ from nonhertz.model.profile.logarithm import (
 )
 from nonhertz.model.profile.table import Tabulated, from_file, tabulated
 from nonhertz.model.profile.uniform_pressure import UniformPressure, lundberg
-
-#: Profiles that a case file may refer to by name.
-CATALOGUE: dict[str, Callable[..., Profile]] = {
-    "straight": straight,
-    "crown": crown,
-    "partial-crown": partial_crown,
-    "two-radius": two_radius,
-    "logarithmic": logarithmic,
-    "lundberg": lundberg,
-    "johns-gohar": johns_gohar,
-    "fujiwara-kawase": fujiwara_kawase,
-    "iso-logarithmic": iso_logarithmic,
-    "iso-tapered": iso_tapered,
-    "iso-thrust": iso_thrust,
-    "conical": conical,
-    "tapered-ends": tapered_ends,
-    "chamfer": chamfer,
-    "tabulated": tabulated,
-}
-
-#: Unit of every numeric parameter in the catalogue; a name has the same unit in every function.
-PARAMETER_UNITS: dict[str, str] = {
-    "amplitude": "mm",
-    "angle": "rad",
-    "centre": "mm",
-    "compliance": "1/MPa",
-    "diameter": "mm",
-    "end_radius": "mm",
-    "fraction": "",
-    "k1": "",
-    "k2": "",
-    "length": "mm",
-    "load": "N",
-    "middle": "mm",
-    "radius": "mm",
-    "relief": "mm",
-    "straight": "mm",
-    "width": "mm",
-    "y": "mm",
-    "zm": "mm",
-}
 
 __all__ = [
     "CATALOGUE",
@@ -102,4 +62,5 @@ __all__ = [
     "tabulated",
     "tapered_ends",
     "two_radius",
+    "with_drop",
 ]

@@ -1,0 +1,206 @@
+"""A profile by its drop at a place, as a drawing states it, in place of the parameter that sets its size.
+
+The drop is the relief at the place less that in the middle of the body. Relief is proportional to an amplitude, to the
+tangent of an angle and to a factor on the whole, so one profile of each gives the value. Other parameters are searched
+in their logarithm: first at steps over all sizes, which finds where the drop passes the stated one whether it grows
+with the parameter or falls and wherever the kind refuses values, then by Brent's method between two steps.
+"""
+
+from __future__ import annotations
+
+import inspect
+import math
+from collections.abc import Callable, Iterable, Mapping
+from itertools import pairwise
+from typing import Any, Final
+
+import numpy as np
+
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import finite, one_of
+from nonhertz.model.profile.base import Profile
+from nonhertz.model.profile.catalogue import BY_DROP, CATALOGUE
+
+#: In place of a parameter, for kinds that have none which a drop could determine.
+SCALE: Final = "scale"
+
+_AT_REMEDY = "give the position in mm from the middle of the body, on the side where the drop is measured"
+_DROP_REMEDY = "give in mm how much more relief there is than in the middle, negative where the surface stands out"
+# Parameters to which relief is proportional: the value for a multiple of the relief at the value for 1.
+_PROPORTIONAL: Final[dict[str, Callable[[float], float]]] = {"amplitude": float, "angle": math.atan}
+# Relative difference of drops that is rounding in the largest arcs.
+_UNCHANGED: Final = 1e-6
+# Relative error of a drop beyond which the search ended at a jump.
+_PASSED: Final = 1e-9
+# Steps of the search, in mm or N: beyond anything that is made, and three to a decade, so that a drop that grows and
+# falls again with a parameter is passed on both ways.
+_STEPS: Final = np.geomspace(1e-12, 1e12, 73).tolist()
+
+
+def with_drop(kind: str, drop: float, at: float, **parameters: Any) -> Profile:
+    """Return a profile of the catalogue by its drop at a place, in place of the parameter that the drop determines.
+
+    Parameters
+    ----------
+    kind : str
+        Its name in case files, such as ``"crown"``.
+    drop : float
+        Relief at ``at`` less the relief in the middle of the body [mm].
+    at : float
+        Position from the middle of the body [mm], not zero; negative for the side of negative y.
+    **parameters : object
+        The other parameters of the kind, as the function of that name takes them. The drop determines the first that is
+        not given of: ``radius``, ``straight`` of a partial crown; ``end_radius``, ``radius`` of two radii;
+        ``amplitude`` of a logarithm; ``load`` of a profile for a design load, then ``zm``; ``angle``, then ``straight``
+        of tapered ends and ``width`` of a chamfer. Profiles of ISO 16281 and tabulated ones are scaled.
+
+    Returns
+    -------
+    Profile
+        The profile. Its drop is right to 1e-12 of itself, and its catalogue entry has the parameter that was found.
+
+    Raises
+    ------
+    InputError
+        If no value of the parameter makes that drop, or it is given already, or another value is out of range.
+
+    Notes
+    -----
+    Where several values make the drop, as they may of one that first grows with the parameter and then falls, it is
+    the smallest.
+
+    Examples
+    --------
+    >>> crown = with_drop("crown", drop=0.02, at=9.5)
+    >>> round(crown.catalogue_entry[1]["radius"], 3), round(float(crown.relief(9.5)), 12)
+    (2256.26, 0.02)
+    """
+    one_of("kind", kind, tuple(CATALOGUE), "choose a profile of the catalogue")
+    finite("drop", drop, _DROP_REMEDY)
+    finite("at", at, _AT_REMEDY)
+    if at == 0.0:
+        raise InputError("at", at, "not be the middle of the body", _AT_REMEDY)
+    if kind == "straight":
+        raise InputError("drop", drop, "be left out of 'straight', which has no relief", "choose another kind")
+    free = determined(kind, parameters)
+    if free is None:
+        given = " and ".join(BY_DROP[kind])
+        raise InputError("drop", drop, f"not be given together with {given}", "leave one out")
+    _check_names(kind, free, parameters)
+    make = CATALOGUE[kind]
+    if free == SCALE:
+        return scaled_to_drop(make(**parameters), kind, drop, at)
+    if free in _PROPORTIONAL:
+        return _proportional(lambda value: make(**parameters, **{free: value}), kind, free, drop, at)
+    return _searched(lambda value: make(**parameters, **{free: value}), kind, free, drop, at)
+
+
+def determined(kind: str, given: Iterable[str]) -> str | None:
+    """Return what a drop determines beside the given parameters of a kind, `SCALE` if no parameter; None if nothing."""
+    names = BY_DROP.get(kind)
+    return SCALE if names is None else next((name for name in names if name not in given), None)
+
+
+def scaled_to_drop(profile: Profile, kind: str, drop: float, at: float) -> Profile:
+    """Return a profile times the factor that gives it a drop.
+
+    Parameters
+    ----------
+    profile : Profile
+        The profile, whose relief differs between the place and the middle.
+    kind : str
+        What errors call it.
+    drop, at : float
+        As in `with_drop` [mm].
+    """
+    return profile.scaled(drop / _own_drop(profile, kind, SCALE, at))
+
+
+def _check_names(kind: str, free: str, parameters: Mapping[str, Any]) -> None:
+    known = inspect.signature(CATALOGUE[kind]).parameters
+    for name, value in parameters.items():
+        if name not in known:
+            raise InputError(name, value, f"be a parameter of '{kind}'", f"choose from {', '.join(known)}")
+    for name, parameter in known.items():
+        if name not in parameters and name != free and parameter.default is parameter.empty:
+            raise InputError(name, None, f"be given, because the drop determines {free}", "give both")
+
+
+def _own_drop(profile: Profile, kind: str, name: str, at: float) -> float:
+    drop = _drop(profile, at)
+    if not math.isfinite(drop):
+        raise InputError("at", at, f"be where '{kind}' has a finite relief", "give a place farther inside, in mm")
+    if drop == 0.0:
+        raise _without_effect(kind, name, at)
+    return drop
+
+
+def _without_effect(kind: str, name: str, at: float) -> InputError:
+    return InputError("at", at, f"be where the {name} of '{kind}' changes the drop", "give a place farther out, in mm")
+
+
+def _drop(profile: Profile, at: float) -> float:
+    there, middle = profile.relief_at(np.array([float(at), 0.0])).tolist()
+    # No body in the middle, beyond the points of a table: no drop is measured from there.
+    return math.nan if math.isinf(middle) else there - middle
+
+
+def _proportional(make: Callable[[float], Profile], kind: str, name: str, drop: float, at: float) -> Profile:
+    value = _PROPORTIONAL[name]
+    multiple = drop / _own_drop(make(value(1.0)), kind, name, at)
+    try:
+        return make(value(multiple))
+    except InputError as error:
+        if error.field != name:
+            raise
+        condition = f"not make {name} = {error.value:.3g}, which in '{kind}' must {error.condition}"
+        raise InputError("drop", drop, condition, "check drop and at") from None
+
+
+def _searched(make: Callable[[float], Profile], kind: str, name: str, drop: float, at: float) -> Profile:
+    from scipy.optimize import brentq
+
+    if drop == 0.0:
+        raise InputError("drop", drop, f"not be zero, which no {name} of '{kind}' makes", "leave the profile out")
+    tried = _tried(make, name, at)
+    drops = [each for _, each in tried if math.isfinite(each)]
+    if not drops:
+        raise InputError("at", at, f"be where some {name} of '{kind}' has a finite relief", "give a place in mm")
+    if max(drops) - min(drops) <= _UNCHANGED * max(drops):
+        raise _without_effect(kind, name, at)
+
+    def between(share: float, first: float, second: float) -> float:
+        # The ends themselves, not rounded, so that the signs found there hold.
+        return second if share == 1.0 else first * (second / first) ** share
+
+    def excess(share: float, first: float, second: float) -> float:
+        # Bounded, because it is infinite where the profile has ended before the place.
+        missed = _drop(make(between(share, first, second)), at) - drop
+        return min(max(missed, -abs(drop)), abs(drop))
+
+    for (first, one), (second, other) in pairwise(tried):
+        if first * second > 0.0 and (one - drop) * (other - drop) <= 0.0:
+            ends = (first, second)
+            share = brentq(excess, 0.0, 1.0, args=ends, xtol=1e-16, rtol=4.0 * np.finfo(float).eps)
+            # At the end of a circle the drop jumps to infinity, past what no radius makes.
+            if abs(excess(share, *ends)) < _PASSED * abs(drop):
+                return make(between(share, *ends))
+    which = f"the drops that any {name} of '{kind}' makes at y = {at:g} mm"
+    condition = f"lie between about {min(drops):.3g} and {max(drops):.3g} mm, {which}"
+    raise InputError("drop", drop, condition, "check drop and at")
+
+
+def _tried(make: Callable[[float], Profile], name: str, at: float) -> list[tuple[float, float]]:
+    """Return values of a parameter with their drops, smallest values first, and then negative ones.
+
+    Values that the kind refuses are left out. If it refuses all, another parameter is to blame.
+    """
+    found, refused = [], None
+    for value in (*_STEPS, *(-step for step in _STEPS)):
+        try:
+            found.append((value, _drop(make(value), at)))
+        except InputError as error:
+            refused = error if refused is None or refused.field == name else refused
+    if not found and refused is not None:
+        raise refused
+    return found
