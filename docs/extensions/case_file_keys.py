@@ -9,6 +9,7 @@ from docutils.statemachine import StringList
 from sphinx.util.docutils import SphinxDirective
 
 from nonhertz.io.casefile import schema
+from nonhertz.io.profiles import COMMON, required_keys
 
 if TYPE_CHECKING:
     from docutils import nodes
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 Schema = dict[str, Any]
 
 NAMES = {"number": "number", "integer": "whole number", "string": "text", "array": "list", "object": "table"}
-EVERY_PROFILE = ("kind", "shift", "scale", "flip")
+EVERY_PROFILE = ("kind", *COMMON)
 
 
 class CaseFileKeys(SphinxDirective):
@@ -33,7 +34,9 @@ class CaseFileKeys(SphinxDirective):
             "Profiles",
             "--------",
             "",
-            "What ``profile`` may list; all may have ``shift``, ``scale`` and ``flip`` too.",
+            "What ``profile`` may list; those of the catalogue may have "
+            + ", ".join(f"``{key}``" for key in COMMON)
+            + " too.",
             "",
         ]
         lines += _profiles(whole["$defs"]["BodyTable"]["properties"]["profile"])
@@ -92,7 +95,7 @@ def _profiles(value: Schema) -> list[str]:
     for each in profiles:
         keys = [key for key in each["properties"] if key not in EVERY_PROFILE]
         needed, others = (
-            [f"``{key}``" for key in keys if (key in each["required"]) == wanted] for wanted in (True, False)
+            [f"``{key}``" for key in keys if (key in required_keys(each)) == wanted] for wanted in (True, False)
         )
         name = each["properties"]["kind"]["const"]
         rows.append((f"``{name}``", " ".join(needed), " ".join(others), each.get("description", "")))

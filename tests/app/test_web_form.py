@@ -192,8 +192,31 @@ def test_a_profile_has_the_fields_of_its_kind(kind):
     document = {"body": {"a": {"profile": [{"kind": kind}]}}}
     shown = {each["name"] for each in Inputs(form_of(document)).fields}
     wanted = {path_of(("body", "a", "profile", 1, name)) for name in kinds()[kind]["properties"]}
-    assert wanted <= shown
-    assert {name for name in shown if name.startswith("body.a.profile[1].")} == wanted
+    # One of a size and a drop is shown, as one of load and approach.
+    aside = {"body.a.profile[1].drop"} if "oneOf" in kinds()[kind] else set()
+    assert {name for name in shown if name.startswith("body.a.profile[1].")} == wanted - aside
+
+
+@pytest.mark.parametrize("kind", [kind for kind, part in kinds().items() if "oneOf" in part])
+def test_a_profile_can_be_switched_to_its_drop_and_back(kind):
+    document = {"body": {"a": {"profile": [{"kind": kind}]}}}
+    size = kinds()[kind]["oneOf"][0]["required"][0]
+    for chosen, other in ((size, "drop"), ("drop", size), (size, "drop")):
+        label = f"{size} or drop"
+        (switch,) = (field for field in form(document).fields if field.label == label)
+        (option,) = (option for option in switch.options if option.value == chosen)
+        for path, value in option.edits:
+            if value is not None or other in document["body"]["a"]["profile"][0]:
+                set_at(document, path, value)
+        shown = {field.path for field in form(document).fields}
+        assert f"body.a.profile[1].{chosen}" in shown
+        assert f"body.a.profile[1].{other}" not in shown
+        assert other not in document["body"]["a"]["profile"][0]
+
+
+def test_a_profile_with_both_a_size_and_a_drop_shows_both():
+    profile = {"kind": "crown", "radius": 4000.0, "drop": "20 um"}
+    assert document_in(form_of({"body": {"a": {"profile": [profile]}}}))["body"]["a"]["profile"] == [profile]
 
 
 def test_words_to_choose_from_are_those_that_the_solver_knows():

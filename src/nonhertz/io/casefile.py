@@ -308,14 +308,14 @@ def case_in(document: dict[str, Any], path: Path, text: str | None = None, *, fi
     # Imported here: pydantic and its schemas take a tenth of a second.
     from pydantic import ValidationError
 
-    from nonhertz.io.document import CaseTable
+    from nonhertz.io.document import CaseTable, reading
     from nonhertz.io.mistakes import case_error, mistakes_in
     from nonhertz.io.origin import Origin, with_notes
     from nonhertz.strip.element import ELEMENTS
 
     folder = path.parent if files else None
     try:
-        table, notes = with_notes(lambda: CaseTable.model_validate(document, context={"folder": folder}))
+        table, notes = with_notes(lambda: CaseTable.model_validate(document, context=reading(document, folder)))
     except ValidationError as error:
         raise case_error(_in_order(mistakes_in(error, CaseTable), document)) from None
     case = Case(

@@ -39,8 +39,9 @@ from nonhertz.bodies.sides.weighted import Weighted
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import MOST, above_zero, finite, one_line, positive
 from nonhertz.io.bounds import FORMAT, LOADS, MISTAKES
+from nonhertz.io.dimensions import BROKEN, dimensions
 from nonhertz.io.mistakes import Mistake, TableError, missing, mistake_in, mistakes_in, nearest, unknown
-from nonhertz.io.profiles import BROKEN, profile_schema, quantity_schema, read_profile
+from nonhertz.io.profiles import profile_schema, quantity_schema, read_profile
 from nonhertz.io.units import begins_with_digits, in_unit
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter, convex
 from nonhertz.model.contact import Contact
@@ -161,8 +162,12 @@ class DiameterTable(Table):
 
 
 def _read_diameter(value: Any, info: ValidationInfo) -> Any:
+    return _diameter(str(info.field_name), value)
+
+
+def _diameter(name: str, value: Any) -> Any:
     if not isinstance(value, dict):
-        return in_unit(str(info.field_name), value, "mm")
+        return in_unit(name, value, "mm")
     table = _read_table(DiameterTable, value)
     try:
         return TabulatedDiameter(y=table.y, diameter=table.diameter)
@@ -171,11 +176,10 @@ def _read_diameter(value: Any, info: ValidationInfo) -> Any:
 
 
 def _read_profile(value: Any, info: ValidationInfo) -> Profile:
-    # A rejected key is absent from the data.
-    body = {name: info.data.get(name, BROKEN) for name in ("length", "diameter")}
+    context = info.context or {}
     # None where no file may be read.
-    folder: Path | None = (info.context or {}).get("folder", Path())
-    return read_profile(value, body, folder)
+    folder: Path | None = context.get("folder", Path())
+    return read_profile(value, dimensions(info.data, context.get("radius")), folder)
 
 
 def _read_kind(value: Any) -> type[Body]:
@@ -343,6 +347,37 @@ class BodyTable(Table):
     def _likely_kind(self) -> type[Body]:
         """Return the class of a body without a kind: a roller if it is convex and has a length, else `Body`."""
         return Roller if self.length is not None and convex(self.diameter) else Body
+
+
+def reading(document: Any, folder: Path | None) -> dict[str, Any]:
+    """Return what the tables of a document need to know while they are read, pydantic's context for them.
+
+    Parameters
+    ----------
+    document : object
+        The whole document, valid or not.
+    folder : Path or None
+        Directory that the names of files are relative to; None where no file may be read.
+    """
+    bodies = document.get("body") if isinstance(document, dict) else None
+    return {"folder": folder, "radius": _combined_radius(bodies if isinstance(bodies, dict) else {})}
+
+
+def _combined_radius(bodies: dict[str, Any]) -> Any:
+    """Return the combined radius across the contact [mm] at the middles of two bodies, None if they have none.
+
+    It is found before the bodies are read one after the other, since the profile of one may depend on both.
+    """
+    curvature = 0.0
+    for name in ("a", "b"):
+        body = bodies.get(name)
+        if not isinstance(body, dict):
+            return BROKEN
+        try:
+            curvature += float(Body(diameter=_diameter("diameter", body.get("diameter"))).curvature(0.0))
+        except (InputError, TableError):
+            return BROKEN
+    return 1.0 / curvature if curvature > 0.0 else None
 
 
 class BodiesTable(Table):

@@ -9,32 +9,40 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any, Final
 
 from nonhertz.errors import InputError
 from nonhertz.io.bounds import PROFILES
+from nonhertz.io.dimensions import BROKEN
 from nonhertz.io.measured import KEYS, KIND, measured_schema, read_measured
 from nonhertz.io.mistakes import InFile, Mistake, TableError, missing, mistake_in, nearest, unknown
 from nonhertz.io.units import in_unit
-from nonhertz.model.profile import CATALOGUE, PARAMETER_UNITS, Profile, from_file
-
-#: Stands for a value of the body that is itself invalid.
-BROKEN = object()
+from nonhertz.model.profile import CATALOGUE, PARAMETER_UNITS, Profile, from_file, with_drop
+from nonhertz.model.profile.catalogue import BY_DROP
+from nonhertz.model.profile.drop import SCALE, determined, scaled_to_drop
 
 _LIST_REMEDY = "write a list of tables such as [{ kind = 'crown', radius = 4000.0 }]"
 # Keys that every table may have in addition to the parameters of its kind.
 _FEWER_REMEDY = "add them up in one of kind 'tabulated'"
 _UPLOAD_REMEDY = "give y and relief, or upload the measured profile"
 _FILE_MEANING = "Text file of two columns, y and relief [mm]; its path is relative to the case file."
-# Dimensions of the body; if a table leaves them out, they are taken from the body.
-_OF_THE_BODY = ("length", "diameter")
+# If a table leaves them out, they are taken from the body, or from both; a radius only where it is the one across.
+_OF_THE_BODY = {"length": "the body has one", "diameter": "the body has one", "radius": "both bodies together have one"}
 #: Keys that every kind of the catalogue may have beside its parameters: unit, None for a switch, and meaning.
 COMMON: Final[dict[str, tuple[str | None, str]]] = {
+    "drop": (
+        "mm",
+        "How much more relief there is at a place than in the middle of the body [mm], in place of the parameter that "
+        "this determines, or of the scale.",
+    ),
+    "at": ("mm", "The place of the drop, from the middle of the body [mm]; the end of the land if left out."),
     "shift": ("mm", "How far to move the profile towards positive y [mm]."),
     "scale": ("", "Factor on the relief."),
     "flip": (None, str(KEYS["flip"]["description"])),
 }
+_BY_DROP_SCHEMA = {"required": ["drop"]}
 # Harmless values in place of missing or invalid parameters, to find out whether the others are valid.
 _STAND_INS = (0.5, 1e-3, 7.0, 1e4)
 
@@ -47,7 +55,7 @@ def read_profile(value: Any, body: Mapping[str, Any], folder: Path | None) -> Pr
     value : object
         What the case file holds.
     body : mapping
-        The body's own ``length`` and ``diameter``: a number, None where it has none, or `BROKEN`.
+        Its `nonhertz.io.dimensions.dimensions`.
     folder : Path or None
         Directory that file names are relative to; None where no file may be read.
 
@@ -123,6 +131,8 @@ class _Reader:
         self.values: dict[str, Any] = {}
         self.mistaken: set[str] = set()
         self.mistakes: list[Mistake] = []
+        self.free: str | None = None  # what the drop determines
+        self.stated: tuple[float, float] | None = None  # the drop and its place
 
     def read(self) -> Profile:
         """Return the profile, or raise `TableError`."""
@@ -130,10 +140,13 @@ class _Reader:
         from_points = self.kind == "tabulated" and "file" in self.table
         if from_points:
             self._refuse_points_beside_file()
-        else:
+        self._take_drop()
+        if not from_points:
             self._take_from_body()
-        scale, shift = self.values.pop("scale", 1.0), self.values.pop("shift", 0.0)
-        flip = self.values.pop("flip", False)
+        changes = {name: self.values.pop(name) for name in COMMON if name in self.values}
+        scale, shift, flip = (
+            changes.get(name, other) for name, other in (("scale", 1.0), ("shift", 0.0), ("flip", False))
+        )
         profile = self._from_file() if from_points else self._made()
         profile = self._changed(profile, "scale", Profile.scaled, scale)
         profile = self._changed(profile, "shift", Profile.shifted, shift)
@@ -191,29 +204,77 @@ class _Reader:
             if name in self.values:
                 self._note(name, InputError(name, self.table[name], "not be given together with file", "keep one"))
 
+    def _take_drop(self) -> None:
+        if "drop" not in self.table and "drop" not in self.mistaken:
+            if "at" in self.values:
+                self._note(
+                    "at", InputError("at", self.table["at"], "not be given without drop", "give both or neither")
+                )
+            return
+        self.free = determined(self.kind, {*self.values, *self.mistaken})
+        if "drop" not in self.table:  # but a key that looks like it
+            return
+        at = self._place()
+        if self.free is None:
+            self._refuse_with("drop", " and ".join(BY_DROP[self.kind]))
+        elif "scale" in self.table:
+            self._refuse_with("scale", "drop")
+        elif "drop" in self.values and at is not BROKEN:
+            self.stated = (self.values["drop"], at)
+
+    def _refuse_with(self, name: str, other: str) -> None:
+        self._note(name, InputError(name, self.table[name], f"not be given together with {other}", "leave one out"))
+
+    def _place(self) -> Any:
+        """Return where the drop is [mm]; `BROKEN` if that is not known."""
+        remedy = "give a place in mm from the middle"
+        length, at = self.body.get("length"), self.values.get("at", self.body.get("at"))
+        if at is BROKEN or "at" in self.mistaken:
+            return BROKEN
+        if at is None:
+            self.mistakes.append(missing(("at",), "give the place of the drop in mm, because the body has no length"))
+            return BROKEN
+        if not isinstance(at, float):
+            self._note("at", InputError("at", at, "be a finite number", remedy))
+            return BROKEN
+        if isinstance(length, float) and abs(at) > 0.5 * length:
+            condition = f"lie on the body, which ends {0.5 * length:g} mm from its middle"
+            self._note("at", InputError("at", at, condition, remedy))
+            return BROKEN
+        return at
+
     def _take_from_body(self) -> None:
         for name, parameter in self.parameters.items():
-            if name in self.values or name in self.mistaken or parameter.default is not parameter.empty:
+            if name in self.values or name in self.mistaken or name == self.free:
                 continue
-            own = self.body.get(name) if name in _OF_THE_BODY else None
-            if own is BROKEN:
-                self.mistaken.add(name)
-            elif isinstance(own, float):
-                # The curved part of a logarithmic profile is the body's length less the straight middle.
-                straight = self.values.get("straight") if name == "length" else 0.0
-                fits = isinstance(straight, float) and 0.0 <= straight < own
-                self.values[name] = own - float(straight or 0.0) if fits else own
-            else:
-                self.mistaken.add(name)
-                if self.kind != "tabulated" or name == "y" or "y" in self.table:
-                    self.mistakes.append(missing((name,), self._way_out(name)))
+            own = self.body.get(name) if _is_of_the_body(self.kind, name) else None
+            if parameter.default is parameter.empty:
+                self._take(name, own)
+            elif own is not None and self.free != "zm" and "zm" not in self.table:
+                # Fujiwara and Kawase need a radius only where the relief at the end is not given.
+                self._take(name, own)
+                self.mistaken |= {"zm"} if own is BROKEN else set()
+
+    def _take(self, name: str, own: Any) -> None:
+        """Take a parameter from the body if that has it."""
+        if own is BROKEN:
+            self.mistaken.add(name)
+        elif isinstance(own, float):
+            # The curved part of a logarithmic profile is the body's length less the straight middle.
+            straight = self.values.get("straight") if name == "length" else 0.0
+            fits = isinstance(straight, float) and 0.0 <= straight < own
+            self.values[name] = own - float(straight or 0.0) if fits else own
+        else:
+            self.mistaken.add(name)
+            if self.kind != "tabulated" or name == "y" or "y" in self.table:
+                self.mistakes.append(missing((name,), self._way_out(name)))
 
     def _way_out(self, name: str) -> str:
         if self.kind == "tabulated":
             return "give the lists y and relief, or a file"
         unit = PARAMETER_UNITS.get(name)
         here = f"'{self.kind}' needs it" + (f", in {unit}" if unit else "")
-        return f"{here}, unless the body has one" if name in _OF_THE_BODY else here
+        return f"{here}, unless {_OF_THE_BODY[name]}" if _is_of_the_body(self.kind, name) else here
 
     def _from_file(self) -> Profile:
         options = {name: self.values[name] for name in ("interpolation",) if name in self.values}
@@ -224,11 +285,12 @@ class _Reader:
             self._note("file", InputError("file", name, "not be read here", _UPLOAD_REMEDY))
             return CATALOGUE["straight"]()
         try:
-            return from_file(self.folder / name, **options)
+            profile = from_file(self.folder / name, **options)
+            return profile if self.stated is None else scaled_to_drop(profile, self.kind, *self.stated)
         except InputError as error:
             if error.field == "path":
                 self._note("file", InputError("file", name, error.condition, error.remedy))
-            elif error.field in options:
+            elif error.field in (*options, "at"):
                 self._note(error.field, error)
             else:
                 self.mistakes.append(Mistake(("file", InFile(error.field)), error))
@@ -237,16 +299,23 @@ class _Reader:
         return CATALOGUE["straight"]()
 
     def _made(self) -> Profile:
-        make = CATALOGUE[self.kind]
         # Each round finds one more invalid parameter, whose value is not used in the next.
-        for _ in range(len(self.parameters) + 1):
-            made = self._attempt(make)
+        for _ in range(len(self.parameters) + 3):
+            made = self._attempt(self._maker())
             if isinstance(made, Profile):
                 return made
             if made is None:
                 break
             self._note(made.field, made)
         return CATALOGUE["straight"]()
+
+    def _maker(self) -> Callable[..., Profile]:
+        if self.stated is None or self.mistakes or self.mistaken:
+            # Any size does for finding out whether the others are valid.
+            if self.free is not None and self.free != SCALE:
+                self.mistaken.add(self.free)
+            return CATALOGUE[self.kind]
+        return partial(with_drop, self.kind, *self.stated)
 
     def _attempt(self, make: Callable[..., Profile]) -> Profile | InputError | None:
         """Return the profile, or an error about a parameter not yet reported; None if neither.
@@ -272,6 +341,12 @@ class _Reader:
         return about[0] if about and all(error.field == about[0].field for error in about) else None
 
 
+def _is_of_the_body(kind: str, name: str) -> bool:
+    # The radius of a profile for a design load is the one across the contact.
+    across = name == "radius" and "load" in inspect.signature(CATALOGUE[kind]).parameters
+    return name in ("length", "diameter") or across
+
+
 def _known_keys(kind: str) -> tuple[str, ...]:
     parameters = inspect.signature(CATALOGUE[kind]).parameters
     return (*parameters, *COMMON, *(("file",) if kind == "tabulated" else ()))
@@ -284,20 +359,27 @@ def _kind_schema(kind: str) -> dict[str, Any]:
     required = ["kind"]
     for name, parameter in inspect.signature(function).parameters.items():
         properties[name] = _parameter_schema(name, parameter) | {"description": meanings.get(name, "")}
-        if parameter.default is parameter.empty and name not in _OF_THE_BODY and kind != "tabulated":
+        if parameter.default is parameter.empty and not _is_of_the_body(kind, name) and kind != "tabulated":
             required.append(name)
     for name, (unit, meaning) in COMMON.items():
         properties[name] = ({"type": "boolean"} if unit is None else quantity_schema(unit)) | {"description": meaning}
     if kind == "tabulated":
         properties["file"] = {"type": "string", "description": _FILE_MEANING}
+    sized = [name for name in required if name in BY_DROP.get(kind, ())]
     return {
         "type": "object",
         "title": kind,
         "description": re.sub(r"^Return (the|an?) ", "", (inspect.getdoc(function) or "").partition("\n")[0]),
         "properties": properties,
-        "required": required,
+        "required": [name for name in required if name not in sized],
+        **({"oneOf": [{"required": sized, "not": _BY_DROP_SCHEMA}, _BY_DROP_SCHEMA]} if sized else {}),
         "additionalProperties": False,
     }
+
+
+def required_keys(schema: Mapping[str, Any]) -> list[str]:
+    """Return the keys that a profile of a schema needs where no drop is given."""
+    return [*schema["required"], *(schema["oneOf"][0]["required"] if "oneOf" in schema else ())]
 
 
 def _parameter_schema(name: str, parameter: inspect.Parameter) -> dict[str, Any]:

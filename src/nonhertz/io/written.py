@@ -60,7 +60,7 @@ def _body(body: Body) -> dict[str, Any]:
     if body.chamfer is not None:
         table["chamfer"] = {name: float(value) for name, value in asdict(body.chamfer).items()}
     table["material"] = _material(body.material)
-    profiles = list(_profiles(body.profile))
+    profiles = list(profile_tables(body.profile))
     if profiles:
         table["profile"] = profiles
     for name in ("side_faces", "images", "depth"):
@@ -82,8 +82,14 @@ def _material(material: Material) -> str | dict[str, float]:
     return named[0] if named else {"modulus": float(material.modulus), "poisson": float(material.poisson)}
 
 
-def _profiles(profile: Profile) -> list[dict[str, Any]]:
-    """Return the tables whose profiles add up to this one."""
+def profile_tables(profile: Profile) -> list[dict[str, Any]]:
+    """Return the tables whose profiles add up to this one.
+
+    Raises
+    ------
+    InputError
+        If it is of a user-defined class.
+    """
     entry = profile.catalogue_entry
     if entry is not None:
         kind, parameters = entry
@@ -92,13 +98,13 @@ def _profiles(profile: Profile) -> list[dict[str, Any]]:
     if isinstance(profile, Straight):
         return []
     if isinstance(profile, Sum):
-        return [table for part in profile.parts for table in _profiles(part)]
+        return [table for part in profile.parts for table in profile_tables(part)]
     if isinstance(profile, Shifted):
-        return [_shifted(table, profile.by) for table in _profiles(profile.profile)]
+        return [_shifted(table, profile.by) for table in profile_tables(profile.profile)]
     if isinstance(profile, Flipped):
-        return [_flipped(table) for table in _profiles(profile.profile)]
+        return [_flipped(table) for table in profile_tables(profile.profile)]
     if isinstance(profile, Scaled):
-        return [table | {"scale": table.get("scale", 1.0) * profile.by} for table in _profiles(profile.profile)]
+        return [table | {"scale": table.get("scale", 1.0) * profile.by} for table in profile_tables(profile.profile)]
     remedy = "tabulate it: nonhertz.profile.tabulated(y, profile.relief(y))"
     raise InputError("profile", type(profile).__name__, "be from the catalogue to go into a case file", remedy)
 

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from nonhertz.io import written
 from nonhertz.io.casefile import Case, schema
 from nonhertz.io.measured import KIND as MEASURED
 from nonhertz.io.profiles import profile_tables
@@ -19,6 +20,7 @@ from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.corner import Chamfer
 from nonhertz.model.material import MATERIALS, Material
 from nonhertz.model.profile import CATALOGUE
+from nonhertz.model.profile.drop import determined
 from nonhertz.report.method import formula, source
 from nonhertz.result.numerals import given
 
@@ -31,7 +33,7 @@ _ABSENT = {
     "corner_radius": "none",
     "chamfer": "none",
 }
-_OF_THE_BODY = "from the body"
+_OF_THE_BODY, _OF_BOTH, _AT_THE_END = "from the body", "from both bodies", "the end of the land"
 
 
 @dataclass(frozen=True)
@@ -111,11 +113,14 @@ def _body_group(title: str, place: str, table: Mapping[str, Any], body: Body) ->
                 )
             )
     tables = profile_tables(table)
+    made = iter(written.profile_tables(body.profile))
     profiles = tuple(
-        _profile_input(f"{place}.profile[{number}]", profile) for number, profile in enumerate(tables, start=1)
+        # A straight profile is left out of what was made.
+        _profile_input(f"{place}.profile[{number}]", profile, {} if profile["kind"] == "straight" else next(made))
+        for number, profile in enumerate(tables, start=1)
     )
     if not tables:
-        profiles = (_profile_input(f"{place}.profile", {"kind": "straight"}, default=True),)
+        profiles = (_profile_input(f"{place}.profile", {"kind": "straight"}, {}, default=True),)
     return InputGroup(title, tuple(entries), profiles)
 
 
@@ -153,15 +158,19 @@ def _life_entries(table: Mapping[str, Any]) -> Iterator[Entry]:
             yield Entry(f"life.{name}", _shown(table[name]), _unit(property_), property_["description"], False)
 
 
-def _profile_input(place: str, table: Mapping[str, Any], *, default: bool = False) -> ProfileInput:
+def _profile_input(
+    place: str, table: Mapping[str, Any], made: Mapping[str, Any], *, default: bool = False
+) -> ProfileInput:
     kind = table["kind"]
     described = _profile_kinds().get(kind, {})
     function = prepare if kind == MEASURED else CATALOGUE.get(kind)
     entries = [Entry(f"{place}.kind", kind, "", "relief along the axis", default)]
     for name, property_ in described.get("properties", {}).items():
         value, is_default = _parameter(name, table, function)
+        meaning = property_.get("description", "").replace("`", "").rstrip(".")
+        if "drop" in table and name == determined(kind, table):
+            value, is_default, meaning = _shown(made[name]), False, f"{meaning}; from the drop"
         if name != "kind" and value is not None:
-            meaning = property_.get("description", "").replace("`", "").rstrip(".")
             # Text includes its unit, and a word such as "auto" has none.
             unit = _unit(property_) if _has_digit(value) and not isinstance(table.get(name), str) else ""
             entries.append(Entry(f"{place}.{name}", value, unit, meaning, is_default))
@@ -173,11 +182,13 @@ def _parameter(name: str, table: Mapping[str, Any], function: Callable[..., Any]
     """Return the value of a profile's parameter as text, None if it has none, and whether it is a default."""
     if name in table:
         return _shown(table[name]), False
+    if name == "at" and "drop" in table:
+        return _AT_THE_END, True
     known = inspect.signature(function).parameters.get(name) if function else None
     if known is None or (known.default is known.empty and "file" in table):
         return None, True
     if known.default is known.empty:
-        return _OF_THE_BODY, True
+        return _OF_BOTH if name == "radius" else _OF_THE_BODY, True
     return (None if known.default is None else _shown(known.default)), True
 
 

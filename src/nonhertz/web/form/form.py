@@ -14,6 +14,7 @@ from typing import Any, Final
 
 from nonhertz.io.bounds import FORMAT
 from nonhertz.io.mistakes import Place, path_of
+from nonhertz.io.profiles import required_keys
 from nonhertz.model.body import Body, Roller
 from nonhertz.web.form.fields import Edits, FormField, FormGroup, Option, text_of
 from nonhertz.web.form.inputs import ABSENT, as_it_is, input_for, label_of, stray
@@ -36,7 +37,7 @@ COMMON: Final = ("shift", "scale", "flip")
 #: Keys that most cases leave at their defaults, folded away.
 FOLDED: Final = (
     *("effective_length", "corner_radius", "chamfer", "position", "side_faces", "images", "depth", "bore"),
-    *COMMON,
+    *("drop", "at", *COMMON),
     *("solver", "life"),
 )
 #: Keys that are a number in the form, unless a file has a table in their place.
@@ -63,8 +64,9 @@ def _table(part: Schema, value: Any, place: Place, legend: str) -> FormGroup | F
 def _group(part: Schema, given: dict[str, Any], place: Place, legend: str, *, there: bool = True) -> FormGroup:
     """Return the form of a table, with unknown keys as JSON; ``there`` says whether the document has the table."""
     known = part["properties"]
-    hidden = _unchosen(known, given)
-    members: list[FormField | FormGroup] = [*_switches(known, given, place)]
+    pairs = _pairs(part)
+    hidden = _unchosen(pairs, given)
+    members: list[FormField | FormGroup] = [*_switches(pairs, given, place)]
     folded: list[FormField | FormGroup] = []
     for name in sorted(set(known) - hidden, key=_rank(known)):
         entry = _member(name, known[name], given.get(name, ABSENT), (*place, name), given)
@@ -141,10 +143,8 @@ def _new_profile(kind: str, before: dict[str, Any] | None = None) -> dict[str, A
     part = profile_kinds()[kind]
     keys = part["properties"]
     kept = {name: value for name, value in (before or {}).items() if name in COMMON}
-    # Lists have to be given, unless a file replaces them; so does a radius, unless one of the rarer alternatives does.
-    needed = [
-        name for name in keys if name in part["required"] or name == "radius" or keys[name].get("type") == "array"
-    ]
+    # Lists have to be given, unless a file replaces them.
+    needed = [name for name in keys if name in required_keys(part) or keys[name].get("type") == "array"]
     new = {
         name: start_list(name) if keys[name].get("type") == "array" else start(keys[name].get("range", name))
         for name in needed
@@ -234,27 +234,30 @@ def _one_or_two(part: Schema, value: Any, place: Place, ends: bool) -> FormGroup
     return FormGroup(path, label_of(place), (shape, *members), base="[]")
 
 
-def _switches(known: Schema, given: dict[str, Any], place: Place) -> Iterator[FormField]:
+def _pairs(part: Schema) -> list[tuple[str, str]]:
+    """Return the pairs of keys in a table of which one is given, the usual one first."""
+    found = [pair for pair in ALTERNATIVES if set(pair) <= set(part["properties"])]
+    return found + [(each["required"][0], "drop") for each in part.get("oneOf", ())[:1]]
+
+
+def _switches(pairs: list[tuple[str, str]], given: dict[str, Any], place: Place) -> Iterator[FormField]:
     """Yield a choice for each pair of alternative keys."""
-    for pair in ALTERNATIVES:
-        if not set(pair) <= set(known):
-            continue
+    for pair in pairs:
         paths = {name: path_of((*place, name)) for name in pair}
         options = tuple(
             Option(name, name, [(paths[name], start(name)), *((paths[other], None) for other in pair if other != name)])
             for name in pair
         )
         chosen = next((name for name in pair if name in given), pair[0])
-        yield _switch("", " or ".join(pair), options, chosen)
+        yield _switch(path_of(place), " or ".join(pair), options, chosen)
 
 
-def _unchosen(known: Schema, given: dict[str, Any]) -> set[str]:
+def _unchosen(pairs: list[tuple[str, str]], given: dict[str, Any]) -> set[str]:
     """Return the keys to hide: the alternatives not chosen, and those a plate must not have."""
     aside: set[str] = set()
-    for pair in ALTERNATIVES:
-        if set(pair) <= set(known):
-            shown = [name for name in pair if name in given] or [pair[0]]
-            aside |= {name for name in pair if name not in shown}
+    for pair in pairs:
+        shown = [name for name in pair if name in given] or [pair[0]]
+        aside |= {name for name in pair if name not in shown}
     if given.get("kind") == "plate" and "diameter" not in given:
         aside.add("diameter")
     return aside

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.io.casefile import Case
-from nonhertz.io.document import BodyTable
+from nonhertz.io.document import BodyTable, reading
 from nonhertz.io.results import plain
 from nonhertz.model.body import Body
 from nonhertz.plot.contact_area import outlines
@@ -133,7 +133,7 @@ def drawable(bodies: Any) -> dict[str, Any]:
     made = {}
     for name in ("a", "b"):
         try:
-            table = BodyTable.model_validate(bodies.get(name), context={"folder": None})
+            table = BodyTable.model_validate(bodies.get(name), context=reading({"body": bodies}, None))
             made[name] = _relief(table.body())
         except (AttributeError, InputError, ValueError):
             continue
