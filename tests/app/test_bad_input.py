@@ -442,7 +442,7 @@ MISTAKES = {
             "choose from 'steel', 'silicon-nitride', 'cast-iron', 'bronze', 'aluminium'.",
             "load.load = -1.0 must be positive: give the force in N that presses the bodies together.",
             "load.tilt = '5 kg' must have a unit of angle: "
-            "write a number in rad, or text with a unit of angle such as '0.5 mrad'.",
+            "write a number in rad, or text with a unit of angle such as '0.5 mrad' or '8 um/25 mm'.",
         ],
     ),
 }

@@ -292,6 +292,19 @@ def test_inputs_have_names_of_their_own():
             assert each["data-for"] in ids
 
 
+def test_a_slope_keeps_its_slider_s_unit_where_the_angle_is_nearly_proportional_to_it():
+    def slider(angle: str) -> Any:
+        document = {"body": {"a": {"profile": [{"kind": "conical", "angle": angle}]}}}
+        return next(field.slider for field in form(document).fields if field.path.endswith("angle"))
+
+    flat, steep = slider("8 um/25 mm"), slider("1 mm/1 mm")
+    assert (flat.written, flat.factor) == ("um/25 mm", pytest.approx(4e-5, rel=1e-8))
+    assert flat.position == RANGES["angle"].position(0.00032)
+    # At 45 degrees twice the slope is not twice the angle.
+    assert slider("2 mm/1 mm").written == ""
+    assert (steep.written, steep.position) == ("mm/1 mm", RANGES["angle"].position(0.7853981633974483))
+
+
 def test_sliders_stand_where_the_value_is():
     fields = {field.path: field for field in form(with_life()).fields}
     slider = fields["life.spectrum[1].load"].slider

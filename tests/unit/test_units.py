@@ -40,7 +40,12 @@ UNITS = ("mm", "N", "MPa", "1/MPa", "rad", "N mm")
         ("0.5 mrad", "rad", 0.0005),
         ("0.03 deg", "rad", math.radians(0.03)),
         ("0.03°", "rad", math.radians(0.03)),
-        ("0.5 mm/m", "rad", 0.0005),
+        ("0.5 mm/m", "rad", math.atan(0.0005)),
+        ("8 um/25 mm", "rad", math.atan(0.00032)),
+        ("-8um / 2.5 cm", "rad", -math.atan(0.00032)),
+        ("1 mm/1 mm", "rad", math.pi / 4),
+        ("1e-3 mm/.5 mm", "rad", math.atan(0.002)),
+        ("1 in/1 ft", "rad", math.atan(1 / 12)),
         ("5 N m", "N mm", 5000.0),
         ("5 N·m", "N mm", 5000.0),
         ("5 N*m", "N mm", 5000.0),
@@ -80,6 +85,17 @@ def test_decimal_submultiples_do_not_gain_digits() -> None:
             "length = '5 mn m' must have a known unit: "
             "write a number in mm, or text with a unit of length such as '20 mm'.",
         ),
+        (
+            "8 um",
+            "rad",
+            "length = '8 um' must have a unit of angle: "
+            "write a number in rad, or text with a unit of angle such as '0.5 mrad' or '8 um/25 mm'.",
+        ),
+        (
+            "8 um/0 mm",
+            "rad",
+            "length = '8 um/0 mm' must divide by a length above zero: write a rise over the length that it takes.",
+        ),
         ("0.3", "", "length = '0.3' must be a plain number: write it without quotes and without a unit."),
     ],
 )
@@ -99,6 +115,16 @@ def test_a_refusal_is_one_sentence(text: str, unit: str, sentence: str) -> None:
         ("1,5 mm", "mm"),
         ("2 5 mm", "mm"),
         ("5 mm + 3 mm", "mm"),
+        ("8 um/25 mm", "mm"),
+        ("8 um/25 mm", "N"),
+        ("8 um/25 s", "rad"),
+        ("8 um/25", "rad"),
+        ("8/25 mm", "rad"),
+        ("8/25", "rad"),
+        ("8 um/25 mm2", "rad"),
+        ("8 um/25 mm/2 mm", "rad"),
+        ("8 um/0 mm", "rad"),
+        ("8 um/-25 mm", "rad"),
         ("5 mm^9", "mm"),
         ("5 degC", "rad"),  # converts, but not by a factor
         ("5 dB", "rad"),
@@ -130,6 +156,15 @@ def read_or_refused(text: str, unit: str) -> float | str:
         return float(in_unit("field", text, unit))
     except InputError as error:
         return str(error)
+
+
+# The first text with a unit imports pint.
+@settings(deadline=None)
+@given(rise=st.floats(-100.0, 100.0), run=st.floats(1e-3, 100.0))
+def test_a_slope_is_the_angle_of_that_tangent(rise: float, run: float) -> None:
+    angle = in_unit("field", f"{rise} um/{run} mm", "rad")
+    assert math.tan(angle) == pytest.approx(1e-3 * rise / run, rel=1e-14)
+    assert in_unit("field", f"{rise / run!r} um/mm", "rad") == pytest.approx(angle, rel=1e-14)
 
 
 # The first text with a unit imports pint.

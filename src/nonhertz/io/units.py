@@ -23,13 +23,16 @@ _KINDS = {
     "N": ("force", "20 kN"),
     "MPa": ("stress", "207 GPa"),
     "1/MPa": ("inverse stress", "2.8e-6 1/MPa"),
-    "rad": ("angle", "0.5 mrad"),
+    "rad": ("angle", "0.5 mrad' or '8 um/25 mm"),
     "N mm": ("moment", "5 N m"),
 }
 _BEGINNING = re.compile(r"\s*[-+]?\.?\d")
-_QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*", re.DOTALL)
+_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+_QUANTITY = re.compile(rf"\s*({_NUMBER})\s*(.*?)\s*", re.DOTALL)
 _FACTOR = r"(?:[A-Za-zµμ°%]+(?:(?:\^|\*\*)?-?[1-9]|[²³])?)"
 _UNIT = re.compile(rf"(?:1\s*/\s*|/\s*)?{_FACTOR}(?:(?:\s*[*·/]\s*|\s+){_FACTOR})*")
+# The slope of a line as drawings write it: so much on so much.
+_SLOPE = re.compile(rf"\s*({_NUMBER})\s*({_FACTOR})\s*/\s*(?:({_NUMBER})\s*)?({_FACTOR})\s*")
 _LONGEST = 40
 # To pint "Nm" is a measure of yarn and "Nmm" is unknown; on drawings both are moments.
 _RUN_TOGETHER = re.compile(r"\b([kM]?N)(m|cm|mm)\b")
@@ -44,8 +47,8 @@ def in_unit(field: str, value: Any, unit: str) -> Any:
     field : str
         Name of the input, for the message.
     value : object
-        A number, already in ``unit``, or text with a number and a unit. Anything else is returned unchanged,
-        for the model to reject in its own wording.
+        A number, already in ``unit``, or text with a number and a unit. An angle may also be text of one length over
+        another, its tangent. Anything else is returned unchanged, for the model to reject in its own wording.
     unit : str
         ``"mm"``, ``"N"``, ``"MPa"``, ``"1/MPa"``, ``"rad"``, ``"N mm"``, or ``""`` for a plain number.
 
@@ -68,6 +71,8 @@ def in_unit(field: str, value: Any, unit: str) -> Any:
     0.0005
     >>> in_unit("moment", "5 N m", "N mm")
     5000.0
+    >>> in_unit("angle", "25 mm/25 mm", "rad") == math.atan(1.0)
+    True
     """
     if isinstance(value, bool):
         return value
@@ -97,6 +102,9 @@ def begins_with_digits(text: str) -> bool:
 def _converted(field: str, text: str, unit: str) -> float:
     kind, example = _KINDS[unit]
     remedy = f"write a number in {unit}, or text with a unit of {kind} such as '{example}'"
+    slope = _slope(field, text) if unit == "rad" else None
+    if slope is not None:
+        return math.atan(slope)
     taken_apart = _QUANTITY.fullmatch(text)
     if taken_apart is None:
         raise InputError(field, text, "be a number with a unit", remedy)
@@ -107,6 +115,25 @@ def _converted(field: str, text: str, unit: str) -> float:
         factor = _factor(written, unit)
     except ValueError as error:
         raise InputError(field, text, str(error), remedy) from None
+    return _times(number, factor)
+
+
+def _slope(field: str, text: str) -> float | None:
+    """Return the ratio of two lengths that a text divides; None if it is no such text."""
+    taken_apart = _SLOPE.fullmatch(text)
+    if taken_apart is None:
+        return None
+    rise, risen, run, along = taken_apart.groups(default="1")
+    try:
+        height, length = (_times(float(number), _factor(unit, "mm")) for number, unit in ((rise, risen), (run, along)))
+    except ValueError:  # not lengths
+        return None
+    if length <= 0.0:
+        raise InputError(field, text, "divide by a length above zero", "write a rise over the length that it takes")
+    return height / length
+
+
+def _times(number: float, factor: float) -> float:
     # Dividing where the factor is below one gives exactly 0.0001 for "0.1 um", which multiplying does not.
     inverse = 1.0 / factor
     return number / round(inverse) if factor < 1.0 and round(inverse) * factor == 1.0 else number * factor

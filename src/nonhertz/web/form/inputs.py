@@ -19,7 +19,8 @@ ABSENT: Final = object()
 """Stands for the value of a missing key."""
 
 _LONG_LIST: Final = 24
-_WRITTEN_UNIT: Final = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*(\S.*)")
+_WRITTEN: Final = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S.*)")
+_LINEAR: Final = 1e-3  # relative: the angle of a slope is not proportional to it, which a slider takes for granted
 
 
 def input_for(part: Schema, value: Any, place: Place) -> FormField:
@@ -72,10 +73,13 @@ def _slider(name: str, unit: str, value: Any) -> Slider | None:
         return None
     if value is ABSENT:
         return Slider(found, found.position(found.start))
-    written = _WRITTEN_UNIT.fullmatch(value) if isinstance(value, str) else None
+    plain = Slider(found, found.position(number))
+    written = _WRITTEN.fullmatch(value) if isinstance(value, str) else None
     if written is None:
-        return Slider(found, found.position(number))
-    return Slider(found, found.position(number), in_unit(name, f"1 {written[1]}", unit), written[1])
+        return plain
+    factor = in_unit(name, f"1 {written[2]}", unit)
+    proportional = math.isclose(factor * float(written[1]), number, rel_tol=_LINEAR)
+    return Slider(plain.range, plain.position, factor, written[2]) if proportional else plain
 
 
 def options_of(words: tuple[str, ...]) -> tuple[Option, ...]:
