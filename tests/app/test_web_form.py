@@ -292,6 +292,12 @@ def test_inputs_have_names_of_their_own():
             assert each["data-for"] in ids
 
 
+@pytest.mark.parametrize("value", [float("nan"), float("inf")])
+def test_what_is_no_number_has_no_slider(value):
+    document = {"body": {"a": {"diameter": value}}}
+    assert next(field for field in form(document).fields if field.path == "body.a.diameter").slider is None
+
+
 def test_a_slope_keeps_its_slider_s_unit_where_the_angle_is_nearly_proportional_to_it():
     def slider(angle: str) -> Any:
         document = {"body": {"a": {"profile": [{"kind": "conical", "angle": angle}]}}}

@@ -62,16 +62,17 @@ def _filled(made: FormField, value: Any, name: str) -> FormField:
 
 def _slider(name: str, unit: str, value: Any) -> Slider | None:
     """Return the slider for a quantity, at its present value and in its written unit."""
+    absent = value is ABSENT
     try:
-        number = math.nan if value is ABSENT else in_unit(name, value, unit)
+        number = 0.0 if absent else in_unit(name, value, unit)
     except InputError:
         return None
-    if isinstance(number, bool) or not isinstance(number, float) or math.isinf(number):
+    if not isinstance(number, float) or not math.isfinite(number):  # a file may hold NaN
         return None
-    found = range_of(name, None if math.isnan(number) else number)
+    found = range_of(name, None if absent else number)
     if found is None:
         return None
-    if value is ABSENT:
+    if absent:
         return Slider(found, found.position(found.start))
     plain = Slider(found, found.position(number))
     written = _WRITTEN.fullmatch(value) if isinstance(value, str) else None
