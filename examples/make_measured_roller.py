@@ -1,8 +1,8 @@
 """Write measured-roller.txt: a roller 10 x 12 as a measuring machine leaves it, not levelled and not centred.
 
-Nothing in it is measured. It is a logarithmic profile with chamfers of 30 degrees, a waviness of the grinding,
-roughness of 0.1 um and five grains of dust, tilted by 1.2 mrad in a machine whose zero is somewhere else. The random
-numbers are those of one seed, so that the same file comes out every time.
+Nothing in it is measured. It is a logarithmic profile with chamfers of 30 degrees that an arc of 0.5 mm blends in, a
+waviness of the grinding, roughness of 0.1 um and five grains of dust, tilted by 1.2 mrad in a machine whose zero is
+somewhere else. The random numbers are those of one seed, so that the same file comes out every time.
 
     python examples/make_measured_roller.py [DIRECTORY]
 """
@@ -18,7 +18,8 @@ import numpy as np
 
 import nonhertz as nh
 
-LENGTH, CHAMFER = 12.0, 0.4  # mm
+LENGTH = 12.0  # mm
+CHAMFER = nh.Chamfer(length=0.4, angle=math.pi / 6, blend_radius=0.5)
 STEP, BEYOND = 0.004, 0.05  # mm: between points, and what the stylus leaves out at either end
 AMPLITUDE, STRAIGHT = 0.006, 4.0  # mm, of the logarithm and its straight middle
 WAVINESS, WAVELENGTH = 5e-5, 1.9  # mm
@@ -38,9 +39,9 @@ def profile() -> nh.profile.Profile:
 
 def height(y: np.ndarray) -> np.ndarray:
     """Return the heights [mm] of the surface at ``y`` [mm] from the middle of the roller."""
-    land = 0.5 * LENGTH - CHAMFER
+    land = 0.5 * LENGTH - CHAMFER.length
     inside = np.clip(y, -land, land)
-    form = -profile().relief(inside) - math.tan(math.pi / 6) * (np.abs(y) - np.abs(inside))
+    form = -profile().relief(inside) - CHAMFER.drop(np.abs(y) - np.abs(inside))
     return form + WAVINESS * np.sin(2.0 * np.pi * y / WAVELENGTH)
 
 

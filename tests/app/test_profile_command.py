@@ -124,7 +124,10 @@ def test_a_figure_has_a_panel_for_each_step(file):
 
     measured = nh.measured.prepare(read_trace(file, height_unit="um"))
     figure = measured_figure(measured, "roller", measured.fit("crown"))
-    # Five steps and the relief; roughness and what the fit leaves have panels of their own. Thinning is in the last.
-    assert len(figure.axes) == 5 + 1 + 2
+    # Five steps and the relief; roughness and what the fit leaves have panels of their own, and so have two corners.
+    # Thinning is in that of the relief.
+    assert len(figure.axes) == 5 + 1 + 2 + 2
+    cut = measured.trimmed(corner="cut")
+    assert len(measured_figure(cut, "roller", measured.fit("crown")).axes) == 5 + 1 + 2
     bare = measured_figure(measured.without("thin").without("smooth"))
-    assert len(bare.axes) == 4 + 1
+    assert len(bare.axes) == 4 + 1 + 2

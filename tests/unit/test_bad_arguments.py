@@ -421,20 +421,21 @@ ENTRIES: dict[str, Entry] = {
     "profile.Profile.shifted": entry(TABLE.shifted, by=(0.0, "number")),
     "profile.Profile.scaled": entry(TABLE.scaled, by=(1.0, "number")),
     "measured.Points": entry(
-        measured.Points, y=(Y, "table"), height=(Y, "table"), gaps=((), "intervals")
+        measured.Points, y=(Y, "table"), height=(Y, "table"), gaps=((), "intervals"), land=(None, "optional")
     ),
     "measured.Trace": entry(
         measured.Trace,
         y=(Y, "table"),
         height=(Y, "table"),
         gaps=((), "intervals"),
+        land=(None, "optional"),
         name=("a", "name"),
         notes=((), "lines"),
     ),
     "measured.Measured": entry(measured.Measured, trace=(TRACE, "thing"), steps=((), "names")),
     "measured.Level": entry(measured.Level, slope=(0.05, "positive")),
     "measured.Align": entry(measured.Align, by=("ends", "word"), slope=(0.05, "positive")),
-    "measured.Trim": entry(measured.Trim, length=(5.0, "positive?"), slope=(0.05, "positive")),
+    "measured.Trim": entry(measured.Trim, length=(5.0, "positive?"), slope=(0.05, "positive"), corner=("keep", "word")),
     "measured.Outliers": entry(measured.Outliers, threshold=(5.0, "positive")),
     "measured.Smooth": entry(measured.Smooth, cutoff=(0.8, "positive"), method=("gaussian", "word")),
     "measured.Thin": entry(measured.Thin, count=(201, "whole")),
@@ -444,6 +445,7 @@ ENTRIES: dict[str, Entry] = {
         level=(True, "flag"),
         align=(True, "prepared"),
         trim=("auto", "prepared"),
+        corner=("keep", "word"),
         outliers=(True, "prepared"),
         smooth=("gaussian", "prepared"),
         cutoff=(0.8, "positive"),

@@ -43,7 +43,7 @@ def test_a_crown_comes_back_out_of_tilt_noise_chamfers_and_dust(measured):
     # The dust is gone and the profile's own drop is that of the crown: at its end, 11 mm less a chord at either side,
     # within three standard deviations of a mean over the filter's width, 150 um of points 2 um apart.
     profile = measured.profile()
-    end = float(measured.points.y[-1])
+    end = float(measured.points.on_land.y[-1])
     assert_allclose(profile.relief(end), end**2 / (2.0 * RADIUS), atol=3.0 * NOISE / math.sqrt(75.0) * 2.0)
     assert measured.states[4].numbers["removed"] == 3
 

@@ -280,6 +280,7 @@ def profile(
     level: Annotated[bool | None, Parameter(show_default=False)] = None,
     align: str | None = None,
     trim: str | None = None,
+    corner: str | None = None,
     outliers: str | None = None,
     smooth: str | None = None,
     cutoff: str | None = None,
@@ -310,7 +311,9 @@ def profile(
     align : str
         How to find the middle of the body: ends, symmetry or no.
     trim : str
-        Cut off the chamfers: auto, a length to keep, or no.
+        What is kept: auto for the land and its corners, a length, or no for all.
+    corner : str
+        keep the corners that the trace holds, or cut them off.
     outliers : str
         Robust standard deviations beyond which points are removed, 5 by default, or no.
     smooth : str
@@ -336,8 +339,8 @@ def profile(
         refuse_unwritable(out)
     values = of_profile.options(
         position_unit=position_unit, height_unit=height_unit, position_column=position_column,
-        height_column=height_column, sense=sense, level=level, align=align, trim=trim, outliers=outliers,
-        smooth=smooth, cutoff=cutoff, slope=slope, points=points,
+        height_column=height_column, sense=sense, level=level, align=align, trim=trim, corner=corner,
+        outliers=outliers, smooth=smooth, cutoff=cutoff, slope=slope, points=points,
     )  # fmt: skip
     measured = of_profile.prepared(file, values)
     fits = of_profile.fitted(measured, fit)

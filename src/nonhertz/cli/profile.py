@@ -126,16 +126,25 @@ def print_profile(measured: Measured, fits: Sequence[Fit]) -> None:
 
 def profile_rows(measured: Measured) -> list[tuple[str, str]]:
     """Return name and sentence of every step, the resulting relief, and the roughness."""
-    found, points = measured.roughness, measured.points
+    found = measured.roughness
     low, high, most = found.main_band
     return [
         *((state.name, state.words) for state in measured.states),
-        ("relief", f"{1e3 * float(measured.relief[0]):.4g} um at y = {points.y[0]:.5g} mm and "
-                   f"{1e3 * float(measured.relief[-1]):.4g} um at y = {points.y[-1]:.5g} mm."),
+        ("relief", _relief(measured)),
         ("roughness", f"Ra {1e3 * found.ra:.3g}, Rq {1e3 * found.rq:.3g}, Rz {1e3 * found.rz:.3g} um below "
                       f"{found.cutoff:.3g} mm; most of it, {1e3 * most:.3g} um, in waves "
                       + (f"from {low:.3g} to {high:.3g} mm." if low else f"shorter than {high:.3g} mm.")),
     ]  # fmt: skip
+
+
+def _relief(measured: Measured) -> str:
+    points = measured.points
+    land, highest = points.on_land, points.height.max()
+    words = " and ".join(f"{1e3 * float(highest - land.height[k]):.4g} um at y = {land.y[k]:.5g} mm" for k in (0, -1))
+    if points.land is None:
+        return f"{words}."
+    ends = " and ".join(f"{1e3 * float(highest - points.height[k]):.4g} um at {points.y[k]:.5g} mm" for k in (0, -1))
+    return f"{words}, where the land ends; {ends}, where the profile ends."
 
 
 def fit_rows(fits: Sequence[Fit]) -> list[tuple[str, ...]]:

@@ -24,7 +24,7 @@ KIND = "measured"
 #: Keys that describe the columns of the file.
 READING = ("position_unit", "height_unit", "position_column", "height_column", "sense")
 #: Keys that say how to process the points.
-PREPARING = ("level", "align", "trim", "outliers", "smooth", "cutoff", "slope", "points")
+PREPARING = ("level", "align", "trim", "corner", "outliers", "smooth", "cutoff", "slope", "points")
 
 _UPLOAD_REMEDY = "give y and relief, or upload the measured profile"
 _TEXT: dict[str, Any] = {"type": "string"}
@@ -52,7 +52,11 @@ KEYS: dict[str, dict[str, Any]] = {
     },
     "trim": {
         "anyOf": [_SWITCH, {"const": "auto"}, _LENGTH],
-        "description": "'auto' cuts the chamfers off, a length is kept about y = 0, false keeps all.",
+        "description": "'auto' finds the land and its corners, a length is kept about y = 0, false keeps all.",
+    },
+    "corner": {
+        "enum": ["keep", "cut"],
+        "description": "Whether corners that the trace holds are kept, smoothed apart from the land, or cut off.",
     },
     "outliers": {
         "anyOf": [_SWITCH, _NUMBER],

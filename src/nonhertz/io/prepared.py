@@ -16,7 +16,21 @@ from nonhertz.measured import Fit, Measured, Roughness
 
 #: Units of the numbers; dimensionless ones are left out. Fitted parameters have the units of the catalogue.
 UNITS: dict[str, Any] = {
-    "steps": {"tilt": "rad", "shift": "mm", "low": "mm", "high": "mm", "limit": "mm", "cutoff": "mm", "rms": "mm"},
+    "steps": {
+        "tilt": "rad",
+        "shift": "mm",
+        "low": "mm",
+        "high": "mm",
+        "land_low": "mm",
+        "land_high": "mm",
+        "width_low": "mm",
+        "depth_low": "mm",
+        "width_high": "mm",
+        "depth_high": "mm",
+        "limit": "mm",
+        "cutoff": "mm",
+        "rms": "mm",
+    },
     "roughness": {"ra": "mm", "rq": "mm", "rz": "mm", "cutoff": "mm", "bands": {"from": "mm", "to": "mm", "rms": "mm"}},
     "fits": {"offset": "mm", "shift": "mm", "tilt": "rad", "rms": "mm", "largest": "mm"},
     "y": "mm",
@@ -92,14 +106,11 @@ def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Seq
     str
         TOML.
     """
-    smooth = any(state.name == "smooth" for state in measured.states)
     lines = [
         f"# Profile measured in {measured.trace.name}; for [body.a] or [body.b] of a case file beside this one.",
         f"profile = [{_table({'kind': KIND, 'file': file.as_posix(), **values})}]",
         "# Or the resulting points:",
-        "# profile = ["
-        + _table({"kind": "tabulated", "file": TABLE, "interpolation": "cubic" if smooth else "pchip"})
-        + "]",
+        "# profile = [" + _table({"kind": "tabulated", "file": TABLE, "interpolation": measured.interpolation}) + "]",
     ]
     if fits:
         best = fits[0]

@@ -10,6 +10,7 @@ import numpy as np
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import flag, listed, one_of
+from nonhertz.measured.corners import CORNER_CUTOFF, resolved
 from nonhertz.measured.filters import unresolved
 from nonhertz.measured.land import SurfaceStep, steps_in
 from nonhertz.measured.roughness import (
@@ -24,6 +25,7 @@ from nonhertz.measured.steps import (
     CUTOFF,
     THRESHOLD,
     Align,
+    Corners,
     Filter,
     Level,
     Middle,
@@ -36,7 +38,7 @@ from nonhertz.measured.steps import (
     enough_points,
 )
 from nonhertz.measured.trace import Array, Points, Trace
-from nonhertz.model.profile import Profile, tabulated
+from nonhertz.model.profile import Profile, Tabulated, tabulated
 from nonhertz.model.profile.table import Interpolation
 
 if TYPE_CHECKING:
@@ -102,9 +104,9 @@ class Measured:
         """Return a copy with y = 0 in the middle of the body; see `Align`."""
         return self._with(Align(by))
 
-    def trimmed(self, length: float | None = None, slope: float | None = None) -> Measured:
-        """Return a copy without chamfers; see `Trim`."""
-        return self._with(Trim(length) if slope is None else Trim(length, slope))
+    def trimmed(self, length: float | None = None, slope: float | None = None, corner: Corners = "keep") -> Measured:
+        """Return a copy of the body alone, with its corners or without; see `Trim`."""
+        return self._with(Trim(length, Trim.slope if slope is None else slope, corner))
 
     def without_outliers(self, threshold: float = THRESHOLD) -> Measured:
         """Return a copy without points that do not belong to the surface; see `Outliers`."""
@@ -118,7 +120,7 @@ class Measured:
         """Return a copy with fewer points; None keeps eight per cutoff. See `Thin`."""
         if points is None:
             cutoffs = [step.cutoff for step in self.steps if isinstance(step, Smooth)]
-            points = enough_points(self.points.span, cutoffs[0] if cutoffs else CUTOFF)
+            points = enough_points(self.points.on_land.span, cutoffs[0] if cutoffs else CUTOFF)
         return self._with(Thin(points))
 
     def without(self, name: str) -> Measured:
@@ -156,6 +158,12 @@ class Measured:
         """Relief [mm] at the points after the last step: greatest height minus height."""
         return np.asarray(self.points.height.max() - self.points.height)
 
+    @property
+    def interpolation(self) -> Interpolation:
+        """The curve through the points that suits them."""
+        smooth = self._has("smooth") and not self.points.gaps and not self._coarse_corners()
+        return "cubic" if smooth else "pchip"
+
     def profile(self, interpolation: Interpolation | None = None) -> Profile:
         """Return the profile to solve with, zero at its highest point.
 
@@ -163,21 +171,22 @@ class Measured:
         ----------
         interpolation : str or None
             The curve through the points, as in `nonhertz.profile.tabulated`. None takes ``"cubic"`` for a smoothed
-            line, which is dense and smooth enough not to overshoot, and ``"pchip"`` for any other.
+            line, which is dense and smooth enough not to overshoot, and ``"pchip"`` for any other, and where a corner
+            has too few points to be smoothed.
 
         Returns
         -------
         Profile
             The profile, defined between the outermost points.
         """
-        if interpolation is None:
-            interpolation = "cubic" if self._has("smooth") and not self.points.gaps else "pchip"
-        return tabulated(self.points.y.tolist(), self.relief.tolist(), interpolation)
+        table = tabulated(self.points.y.tolist(), self.relief.tolist(), interpolation or self.interpolation)
+        assert isinstance(table, Tabulated)
+        return table if self.points.land is None else replace(table, joints=self.points.land)
 
     @property
     def roughness(self) -> Roughness:
         """Roughness that the filter removed, or would remove at the default cutoff."""
-        return roughness_in(self._before("smooth", "thin"), self._cutoff)
+        return roughness_in(self._before("smooth", "thin").on_land, self._cutoff)
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -203,8 +212,8 @@ class Measured:
         tuple of str
             One sentence each; empty if there are no warnings.
         """
-        sentences = list(strain_on_strips(self.points, half_width, pressure, compliance, self._has("smooth")))
-        sentences += [*_bridged(self.points.gaps), *self._coarse(), *self._stepped()]
+        sentences = list(strain_on_strips(self.points.on_land, half_width, pressure, compliance, self._has("smooth")))
+        sentences += [*_bridged(self.points.gaps), *self._coarse(), *self._coarse_corners(), *self._stepped()]
         for state in self.states:
             count = state.numbers.get("removed", 0.0)
             if state.name == "outliers" and count > _MANY_OUTLIERS * (len(state.points) + count):
@@ -219,7 +228,7 @@ class Measured:
         from nonhertz.measured.fit import fit
 
         highest = float(self.points.height.max())
-        return fit(self._before("smooth", "thin"), kind, shift=shift, tilt=tilt, highest=highest, **fixed)
+        return fit(self._before("smooth", "thin").on_land, kind, shift=shift, tilt=tilt, highest=highest, **fixed)
 
     def fit_best(
         self, kinds: Iterable[str] | None = None, *, shift: bool = True, tilt: bool = False
@@ -228,7 +237,7 @@ class Measured:
         from nonhertz.measured.fit import fit_best
 
         highest = float(self.points.height.max())
-        return fit_best(self._before("smooth", "thin"), kinds, shift=shift, tilt=tilt, highest=highest)
+        return fit_best(self._before("smooth", "thin").on_land, kinds, shift=shift, tilt=tilt, highest=highest)
 
     def _before(self, *names: str) -> Points:
         """Return the points before the first of the named steps, or after the last step if none occurs."""
@@ -248,7 +257,7 @@ class Measured:
         """Return a sentence if the points that were smoothed do not resolve the cutoff everywhere."""
         if not self._has("smooth"):
             return []
-        points, cutoff = self._before("smooth"), self._cutoff
+        points, cutoff = self._before("smooth").on_land, self._cutoff
         length = unresolved(points, cutoff)
         if length <= _COARSE * points.span:
             return []
@@ -257,10 +266,22 @@ class Measured:
             f"{cutoff:.3g} mm; there the filter transmits more or less than half of a wave of that length."
         ]
 
+    def _coarse_corners(self) -> list[str]:
+        """Return a sentence for each corner that has too few points to be smoothed."""
+        points, cutoff = self._before("smooth", "thin"), min(CORNER_CUTOFF, self._cutoff)
+        corners = zip(("low", "high"), points.beyond_land, strict=True)
+        return [
+            f"The corner at the {name} end has {np.sum(corner)} points only, more than a fifth of {cutoff:.2g} mm "
+            "apart: too few to be smoothed, and the pressure there depends on where they lie; measure it in finer "
+            "steps, or cut it off and give corner_radius."
+            for name, corner in corners
+            if np.any(corner) and not resolved(points, corner, cutoff)
+        ]
+
     @property
     def _cutoff(self) -> float:
         cutoffs = [step.cutoff for step in self.steps if isinstance(step, Smooth)]
-        return cutoffs[0] if cutoffs else min(CUTOFF, 0.2 * self._before("smooth", "thin").span)
+        return cutoffs[0] if cutoffs else min(CUTOFF, 0.2 * self._before("smooth", "thin").on_land.span)
 
     def _has(self, name: str) -> bool:
         return any(step.name == name for step in self.steps)
@@ -279,6 +300,7 @@ def prepare(
     level: bool = True,
     align: bool | Middle = True,
     trim: float | str | bool = "auto",
+    corner: Corners = "keep",
     outliers: float | bool = True,
     smooth: bool | Filter = "gaussian",
     cutoff: float = CUTOFF,
@@ -296,7 +318,9 @@ def prepare(
     align : bool or str
         How to find the middle of the body: ``"ends"`` (or True), ``"symmetry"``; False leaves y alone.
     trim : str, float or False
-        ``"auto"`` finds the chamfers, a length [mm] is kept about y = 0, False keeps all.
+        ``"auto"`` finds the land and the corners, a length [mm] is kept about y = 0, False keeps all.
+    corner : str
+        What becomes of the corners where ``trim`` finds them: ``"keep"``, smoothed apart from the land, or ``"cut"``.
     outliers : bool or float
         Robust standard deviations beyond which points are removed, True for five; False keeps all.
     smooth : str or False
@@ -306,8 +330,8 @@ def prepare(
     slope : float or None
         Slope at which a chamfer begins; 0.05 if None.
     points : str, int or False
-        How many points to keep: ``"auto"`` for eight per cutoff (all, if there is no filter), or a number; False keeps
-        all.
+        How many points of the land to keep: ``"auto"`` for eight per cutoff (all, if there is no filter), or a number;
+        False keeps all. Corners have points of their own.
 
     Returns
     -------
@@ -327,7 +351,7 @@ def prepare(
     if align is not False:
         steps.append(Align("ends" if align is True else align, limit))
     if trim is not False:
-        steps.append(Trim(_length(trim), limit))
+        steps.append(Trim(_length(trim), limit, corner))
     if outliers is not False:
         steps.append(Outliers(THRESHOLD if outliers is True else outliers))
     if smooth is not False:

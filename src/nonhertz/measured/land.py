@@ -78,6 +78,29 @@ def land(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, float]:
     return float(points.y[first]), float(points.y[last])
 
 
+def corner_ends(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, float]:
+    """Return how far the corners go on beyond the ends of the land [mm]; an end of the land where there is no corner.
+
+    A corner falls away from the land. It ends at its lowest point, at the latest where another gentle stretch begins,
+    such as the next diameter of a stepped body or what the body lies on. Whatever rises from the land is no corner.
+
+    Arguments and errors are those of `land`.
+    """
+    low, high = land(points, slope)
+    level, runs = _gentle(points, slope)
+    others = [run for run in runs if _is_long(points, run)]
+    bounds = (
+        max((points.y[last] for _, last in others if points.y[last] < low), default=points.y[0]),
+        min((points.y[first] for first, _ in others if points.y[first] > high), default=points.y[-1]),
+    )
+    found = []
+    for end, bound in zip((low, high), bounds, strict=True):
+        among = np.flatnonzero((points.y >= min(end, bound)) & (points.y <= max(end, bound)))
+        levelled = points.height[among] - level * points.y[among]
+        found.append(float(points.y[among[int(np.argmin(levelled))]]))
+    return found[0], found[1]
+
+
 def steps_in(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[SurfaceStep, ...]:
     """Return the steps of up to 0.2 mm in a line, both those within the land and those that end it.
 

@@ -8,15 +8,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import ClassVar, Literal, Protocol, get_args
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, one_of, positive
+from nonhertz.measured.corners import CORNER_CUTOFF, FEWEST_IN_CORNER, SHARPEST, joint, positions, smoothed, turns
 from nonhertz.measured.filters import check_cutoff, gaussian, spline
-from nonhertz.measured.land import CHAMFER_SLOPE, land, symmetry, tilt
+from nonhertz.measured.land import CHAMFER_SLOPE, corner_ends, land, symmetry, tilt
 from nonhertz.measured.outlying import carried_on, outlying
 from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
 
@@ -39,6 +41,8 @@ _FEWEST_THINNED, _MOST_THINNED = 51, 1001
 Middle = Literal["ends", "symmetry"]
 #: How roughness is removed.
 Filter = Literal["gaussian", "spline"]
+#: What becomes of the corners beyond the land.
+Corners = Literal["keep", "cut"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,7 +124,7 @@ class Level:
         lean = tilt(points, self.slope)
         line = lean * (points.y - 0.5 * (low + high))
         words = f"A tilt of {1e3 * lean:.4g} mrad was removed, that of the land from {low:.4g} to {high:.4g} mm."
-        after = Points(points.y, points.height - line, points.gaps)
+        after = points.lifted(points.height - line)
         return StepResult(self.name, after, words, {"tilt": lean, "low": low, "high": high}, removed_height=line)
 
 
@@ -165,20 +169,25 @@ class Align:
         words += f"{high:.5g} mm" + ("", ", one of which is an end of the trace", ", where the trace ends")[len(at_end)]
         words += " and is symmetric about it." if self.by == "symmetry" else "."
         gaps = tuple((a - middle, b - middle) for a, b in points.gaps)
-        after = Points(points.y - middle, points.height, gaps)
+        ends = None if points.land is None else (points.land[0] - middle, points.land[1] - middle)
+        after = Points(points.y - middle, points.height, gaps, land=ends)
         return StepResult(self.name, after, words, {"shift": -middle, "low": low - middle, "high": high - middle})
 
 
 @dataclass(frozen=True)
 class Trim:
-    """Cut the chamfers off.
+    """Cut off what does not belong to the body, and mark where the land ends and the corners begin.
 
     Parameters
     ----------
     length : float or None
-        Length [mm] to keep, half of it on either side of y = 0; None finds the ends of the land.
+        Length [mm] to keep, half of it on either side of y = 0, all of it as one land; None finds the ends of the land
+        and of the corners.
     slope : float
         Slope at which the land ends and a chamfer begins.
+    corner : str
+        What becomes of the corners that are found, be they rounded or chamfered: ``"keep"`` them, up to the lowest
+        point of each, to be smoothed apart from the land; or ``"cut"`` them off. See `nonhertz.measured.corners`.
 
     Raises
     ------
@@ -189,15 +198,22 @@ class Trim:
     name: ClassVar[str] = "trim"
     length: float | None = None
     slope: float = CHAMFER_SLOPE
+    corner: Corners = "keep"
 
     def __post_init__(self) -> None:
         _check_slope(self.slope)
+        one_of("corner", self.corner, get_args(Corners), "choose what becomes of the corners")
         if self.length is not None:
             positive("trim", self.length, "give the length to keep in mm, or 'auto'")
 
     def apply(self, points: Points) -> StepResult:
-        """Return the points of the land."""
+        """Return the points that are kept."""
+        points = Points(points.y, points.height, points.gaps)
         low, high = land(points, self.slope) if self.length is None else (-0.5 * self.length, 0.5 * self.length)
+        if self.length is None and self.corner == "keep":
+            ends, bounds = _cornered(points, (low, high), self.slope)
+            if ends is not None:
+                return self._split(points, ends, bounds)
         if low < points.y[0] - 1e-9 or high > points.y[-1] + 1e-9:
             condition = f"lie within the points, which go from {points.y[0]:.5g} to {points.y[-1]:.5g} mm"
             raise InputError("trim", self.length, condition, "give a shorter length, and align before trimming")
@@ -209,6 +225,37 @@ class Trim:
         )
         numbers = {"low": float(after.y[0]), "high": float(after.y[-1]), "removed": float(np.sum(~inside))}
         return StepResult(self.name, after, words, numbers, (points.y[~inside], points.height[~inside]))
+
+    def _split(self, points: Points, ends: tuple[float, float], bounds: tuple[float, float]) -> StepResult:
+        inside = (points.y >= bounds[0]) & (points.y <= bounds[1])
+        after = replace(points.kept(inside), land=ends)
+        cut = float(after.y[0] - points.y[0]), float(points.y[-1] - after.y[-1])
+        numbers = {"low": float(after.y[0]), "high": float(after.y[-1]), "removed": float(np.sum(~inside))}
+        numbers |= {"land_low": ends[0], "land_high": ends[1]}
+        found = []
+        for name, corner, at_end in zip(("low", "high"), after.beyond_land, (0, -1), strict=True):
+            if np.any(corner):
+                width = abs(float(after.y[at_end] - after.on_land.y[at_end]))
+                depth = float(after.on_land.height[at_end] - after.height[at_end])
+                numbers |= {f"width_{name}": width, f"depth_{name}": depth}
+                found.append(f"{name} end {width:.2g} mm wide, {1e3 * depth:.3g} um deep")
+        words = f"Land from {ends[0]:.5g} to {ends[1]:.5g} mm, corner{'s' if len(found) > 1 else ''} kept: "
+        words += "; ".join(found) + (f"; cut off {cut[0]:.3g} and {cut[1]:.3g} mm." if any(cut) else ".")
+        return StepResult(self.name, after, words, numbers, (points.y[~inside], points.height[~inside]))
+
+
+def _cornered(
+    points: Points, ends: tuple[float, float], slope: float
+) -> tuple[tuple[float, float] | None, tuple[float, float]]:
+    """Return where the corners begin and end [mm]; None and the ends of the land if there are none."""
+    begins, bounds = list(ends), list(ends)
+    for k, (end, outermost, side) in enumerate(zip(ends, corner_ends(points, slope), (-1, 1), strict=True)):
+        beyond = (side * points.y > side * end) & (side * points.y <= side * outermost)
+        if np.sum(beyond) >= FEWEST_IN_CORNER:
+            begins[k], bounds[k] = joint(points, end, side), outermost
+    if bounds == list(ends):
+        return None, ends
+    return (begins[0], begins[1]), (bounds[0], bounds[1])
 
 
 @dataclass(frozen=True)
@@ -224,7 +271,8 @@ class Outliers:
     The limit is a number of robust standard deviations of the distances from chords: 1.4826 times their median, or
     0.608 times their 90 % quantile if that is more. Rounded heights, or chatter on a part of the line, have a median of
     nearly zero, and what one point in ten does is still the surface. Neither measure is affected by fewer points, which
-    is the idea of the robust filter of ISO 16610-31. Removed points are not replaced.
+    is the idea of the robust filter of ISO 16610-31. Removed points are not replaced. The land is searched by itself;
+    for the corners beyond it the limit is that of the roughest of the three.
 
     Parameters
     ----------
@@ -240,10 +288,15 @@ class Outliers:
 
     def apply(self, points: Points) -> StepResult:
         """Return the remaining points."""
-        distance = np.abs(_from_chords(points))
-        median, most = np.quantile(distance, (0.5, 0.9))
-        sigma = max(_MAD_TO_SIGMA * float(median), _NINE_TENTHS_TO_SIGMA * float(most), _RESOLUTION / self.threshold)
-        out = outlying(points, _carried_on(points, carried_on(points))[1], self.threshold * sigma)
+        sigma = max(_scatter(points.on_land), _RESOLUTION / self.threshold)
+        corners = points.beyond_land
+        beyond = np.logical_or(*corners)
+        out = np.zeros(len(points), dtype=bool)
+        out[~beyond] = _out(points.on_land, self.threshold * sigma)
+        if np.any(beyond):
+            parts = [points.kept(corner) for corner in corners if np.sum(corner) >= FEWEST_POINTS]
+            rougher = max(sigma, *map(_scatter, parts)) if parts else sigma
+            out |= beyond & _out(points, self.threshold * rougher)
         count = int(np.sum(out))
         if len(points) - count < FEWEST_POINTS:
             condition = f"leave at least {FEWEST_POINTS} points"
@@ -259,6 +312,9 @@ class Outliers:
 @dataclass(frozen=True)
 class Smooth:
     """Remove roughness: waves shorter than a cutoff.
+
+    Corners, where the trace holds any, are smoothed apart from the land and joined to it, with a cutoff of 0.08 mm or
+    this one, if it is shorter. See `nonhertz.measured.corners`.
 
     Parameters
     ----------
@@ -284,13 +340,23 @@ class Smooth:
 
     def apply(self, points: Points) -> StepResult:
         """Return the smooth points."""
-        check_cutoff(points, self.cutoff)
-        height = (gaussian if self.method == "gaussian" else spline)(points, self.cutoff)
+        land = points.on_land
+        check_cutoff(land, self.cutoff)
+        height = (gaussian if self.method == "gaussian" else spline)(land, self.cutoff)
+        corner_cutoff = min(CORNER_CUTOFF, self.cutoff)
+        if points.land is not None:
+            height = smoothed(points, height, corner_cutoff)
         rough = points.height - height
-        rms = float(np.sqrt(np.mean(rough**2)))
+        rms = float(np.sqrt(np.mean(rough[~np.logical_or(*points.beyond_land)] ** 2)))
         words = f"Waves shorter than {self.cutoff:.4g} mm were removed by the {self.method} filter: "
         words += f"{1e3 * rms:.3g} um root mean square."
-        after = Points(points.y, height, points.gaps)
+        if points.land is not None:
+            words = words[:-1] + f"; in the corners those shorter than {corner_cutoff:.2g} mm."
+        after = points.lifted(height)
+        edges = [name for name, turn in zip(("low", "high"), turns(after), strict=True) if turn > SHARPEST]
+        if edges:
+            words += f" At the {' and '.join(edges)} end the corner begins with an edge, at which the largest pressure "
+            words += "depends on the points."
         return StepResult(self.name, after, words, {"cutoff": self.cutoff, "rms": rms}, removed_height=rough)
 
 
@@ -299,12 +365,12 @@ class Thin:
     """Keep only as many points as a smooth line needs: the solver has a few hundred strips, a trace 10,000 points.
 
     Heights at evenly spaced positions are interpolated linearly between neighbouring points. Gaps narrower than the new
-    spacing are bridged and no longer count as gaps.
+    spacing are bridged and no longer count as gaps. Corners keep points of their own, 10 um apart where they begin.
 
     Parameters
     ----------
     count : int
-        How many points to keep, at least five. A line with fewer is left unchanged.
+        How many points of the land to keep, at least five. A land with fewer is left unchanged.
     """
 
     name: ClassVar[str] = "thin"
@@ -318,25 +384,51 @@ class Thin:
 
     def apply(self, points: Points) -> StepResult:
         """Return the points kept."""
-        if len(points) <= self.count:
+        land = points.on_land
+        if len(land) <= self.count:
             return StepResult(self.name, points, f"All {len(points)} points were kept.", {"points": float(len(points))})
-        y = np.linspace(points.y[0], points.y[-1], int(self.count))
-        height = np.interp(y, points.y, points.height)
+        y = np.linspace(land.y[0], land.y[-1], int(self.count))
         gaps = tuple((low, high) for low, high in points.gaps if high - low > y[1] - y[0])
+        if points.land is not None:
+            y = _merged(y, positions(points))
+        height = np.interp(y, points.y, points.height)
         for low, high in gaps:
             hollow = (y > low) & (y < high)
             y, height = y[~hollow], height[~hollow]
-        after = Points(y, height, gaps)
-        lost = points.height - np.interp(points.y, y, height)
-        words = f"{len(after)} of {len(points)} points were kept, {1e3 * float(np.diff(y).mean()):.3g} um apart; "
-        words += f"straight lines between them miss {1e6 * float(np.max(np.abs(lost))):.2g} nm at most."
+        after = Points(y, height, gaps, land=points.land)
+        lost = land.height - np.interp(land.y, y, height)
+        apart = np.diff(after.y) if points.land is None else np.array([land.span / (self.count - 1)])
+        words = f"{len(after)} of {len(points)} points were kept, {1e3 * float(apart.mean()):.3g} um apart"
+        words += "" if points.land is None else " on the land and closer at the corners"
+        words += f"; straight lines between them miss {1e6 * float(np.max(np.abs(lost))):.2g} nm at most"
+        words += "." if points.land is None else ", on the land."
         return StepResult(self.name, after, words, {"points": float(len(after))})
 
 
 def enough_points(length: float, cutoff: float) -> int:
     """Return how many points a line smoothed at a cutoff [mm] needs: eight per cutoff."""
-    enough = math.ceil(_POINTS_PER_CUTOFF * length / cutoff) + 1
+    # A length of whole cutoffs needs no point more because of rounding.
+    enough = math.ceil(_POINTS_PER_CUTOFF * length / cutoff - 1e-6) + 1
     return min(max(enough, _FEWEST_THINNED), _MOST_THINNED)
+
+
+def _merged(y: Array, more: Array) -> Array:
+    """Return positions and those of the corners, without any so close to those that a spline would swing."""
+    nearest = np.abs(y[:, np.newaxis] - more).min(axis=1, initial=math.inf)
+    # Not half, which rounding would make more or less of where both are multiples of one step.
+    least = 0.49 * float(np.min(np.diff(np.sort(more)), initial=math.inf))
+    return np.union1d(y[nearest > min(least, y[1] - y[0])], more)
+
+
+def _scatter(points: Points) -> float:
+    """Return the standard deviation of the distances from chords [mm], whatever a few points do."""
+    distance = np.abs(_from_chords(points))
+    median, most = np.quantile(distance, (0.5, 0.9))
+    return max(_MAD_TO_SIGMA * float(median), _NINE_TENTHS_TO_SIGMA * float(most))
+
+
+def _out(points: Points, limit: float) -> NDArray[np.bool_]:
+    return outlying(points, _carried_on(points, carried_on(points))[1], limit)
 
 
 def _from_chords(points: Points) -> Array:

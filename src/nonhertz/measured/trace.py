@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -35,6 +35,8 @@ class Points:
         Heights [mm], positive where there is material.
     gaps : tuple of (float, float)
         Intervals [mm] without points in which something should have been measured.
+    land : (float, float) or None
+        Ends [mm] of the land where points beyond it belong to corners; None where all points are one land.
 
     Raises
     ------
@@ -45,6 +47,7 @@ class Points:
     y: Array
     height: Array
     gaps: tuple[tuple[float, float], ...] = ()
+    land: tuple[float, float] | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
         y, height = _read_only("y", self.y), _read_only("height", self.height)
@@ -56,7 +59,9 @@ class Points:
         if np.any(np.diff(y) <= 0.0):
             place = float(y[int(np.argmax(np.diff(y) <= 0.0)) + 1])
             raise InputError("y", place, "be greater than the position before it", "sort the points, each once")
-        object.__setattr__(self, "gaps", _checked_gaps(self.gaps))
+        object.__setattr__(self, "gaps", _checked_intervals("gaps", self.gaps))
+        if self.land is not None:
+            object.__setattr__(self, "land", _checked_intervals("land", [self.land])[0])
         object.__setattr__(self, "y", y)
         object.__setattr__(self, "height", height)
         if self.gaps and not np.any(self.weights):
@@ -95,7 +100,25 @@ class Points:
         """Return the points selected by a mask, with the gaps that still lie between them."""
         y = self.y[inside]
         gaps = tuple(gap for gap in self.gaps if len(y) and y[0] < gap[1] and y[-1] > gap[0])
-        return Points(y, self.height[inside], gaps)
+        return Points(y, self.height[inside], gaps, land=self.land)
+
+    def lifted(self, height: Array) -> Points:
+        """Return the points at other heights [mm]."""
+        return Points(self.y, height, self.gaps, land=self.land)
+
+    @property
+    def beyond_land(self) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Which points belong to the corners at low and high y."""
+        low, high = (-np.inf, np.inf) if self.land is None else self.land
+        return self.y < low, self.y > high
+
+    @cached_property
+    def on_land(self) -> Points:
+        """The points of the land alone."""
+        if self.land is None:
+            return self
+        low, high = self.beyond_land
+        return replace(self.kept(~(low | high)), land=None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -197,9 +220,9 @@ def _read_only(name: str, values: ArrayLike) -> Array:
     return row
 
 
-def _checked_gaps(gaps: Iterable[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
+def _checked_intervals(name: str, intervals: Iterable[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
     remedy = "give intervals in mm, low end first"
-    pairs = [numbers("gaps", gap, remedy) for gap in listed("gaps", gaps, "be a list of intervals", remedy)]
+    pairs = [numbers(name, pair, remedy) for pair in listed(name, intervals, "be a list of intervals", remedy)]
     if not all(pair.shape == (2,) and pair[0] <= pair[1] for pair in pairs):
-        raise InputError("gaps", gaps, "be pairs of ends that ascend", remedy)
+        raise InputError(name, intervals, "be pairs of ends that ascend", remedy)
     return tuple((float(low), float(high)) for low, high in pairs)

@@ -204,6 +204,10 @@ class Body:
                 raise InputError(
                     "length", None, f"be given where {name} is", "give the distance between the faces in mm"
                 )
+            if self.profile.joints is not None:
+                low, high = self.profile.joints
+                condition = f"not be given with a trace that holds the corners, beyond y = {low:.5g} and {high:.5g} mm"
+                raise InputError(name, getattr(self, name), condition, "leave it out, or give the trace corner = 'cut'")
             if name == "chamfer" and not isinstance(self.chamfer, Chamfer):
                 raise InputError(name, self.chamfer, "be a Chamfer", remedy)
         _ = self.surface

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import textwrap
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.measured import Fit, Measured, StepResult
+from nonhertz.measured import Fit, Measured, Points, StepResult
 from nonhertz.plot.axial import AXIAL_LABEL, number
 from nonhertz.plot.sheets import LEFT, TITLE, WIDTH, blank, panel, write_title
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
@@ -25,7 +26,7 @@ MILLIMETRES_FROM = 0.5  # mm: a greater range of heights is drawn in mm
 TALL, SLIM, HEAD, LAST_HEAD, GAP, FOOT, MARGIN = 1.05, 0.5, 0.3, 0.45, 0.1, 0.27, 0.15
 LABEL = -0.52  # inches from the axes to the middle of the vertical axis labels
 GREY = "#BBBBBB"
-LETTERS = 108  # in a line of a heading
+LETTERS = 104  # in a line of a heading
 COLUMNS = 900  # into which a line with more points is reduced: print resolves no more across a sheet
 ROOM = 0.12
 CUT = 4.0  # times the range of the remaining heights: cut-off material deeper than this is not drawn
@@ -35,8 +36,9 @@ def measured_figure(measured: Measured, title: str = "", fit: Fit | None = None)
     """Return a sheet of the steps of a measured profile, from the raw trace to the relief.
 
     Each step has a panel with its sentence: heights before in grey, after in black, and what was removed in colour
-    (points as dots, the line of the tilt dashed, roughness in a separate panel). The last panel is the relief, with a
-    fitted profile and its residual if there is one. If a line has too many points, the lowest and highest in each of
+    (points as dots, the line of the tilt dashed, roughness in a separate panel). Then comes the relief, with a fitted
+    profile and its residual if there is one, and below it each corner that was kept, with its points before smoothing.
+    Axes are those of the land, dashed lines its ends. If a line has too many points, the lowest and highest in each of
     900 columns are drawn.
 
     Parameters
@@ -55,13 +57,14 @@ def measured_figure(measured: Measured, title: str = "", fit: Fit | None = None)
     """
     shown = [pair for pair in zip(measured.states, measured.states[1:], strict=False) if pair[1].name != "thin"]
     with sheet_style():
-        height = (TITLE if title else 0.0) + sum(_height(after) for _, after in shown) + _last_height(fit)
+        height = (TITLE if title else 0.0) + sum(_height(after) for _, after in shown) + _last_height(measured, fit)
         figure = blank(height)
         top = height - (TITLE if title else 0.0)
         for count, (before, after) in enumerate(shown, start=1):
             _draw_step(figure, top, count, before, after)
             top -= _height(after)
         _draw_relief(figure, top, measured, fit)
+        _draw_corners(figure, top - _relief_height(fit), measured)
         write_title(figure, title)
         return figure
 
@@ -94,15 +97,19 @@ def _height(after: StepResult) -> float:
     return HEAD + TALL + FOOT + (SLIM + GAP if after.name == "smooth" else 0.0)
 
 
-def _last_height(fit: Fit | None) -> float:
+def _relief_height(fit: Fit | None) -> float:
     return LAST_HEAD + 1.5 * TALL + FOOT + 0.2 + (SLIM + GAP if fit is not None else 0.0)
+
+
+def _last_height(measured: Measured, fit: Fit | None) -> float:
+    return _relief_height(fit) + (HEAD + 1.5 * TALL + FOOT + 0.2 if measured.points.land is not None else 0.0)
 
 
 def _draw_step(figure: Figure, top: float, count: int, before: StepResult, after: StepResult) -> None:
     width = WIDTH - LEFT - MARGIN
     axes = panel(figure, LEFT, top - HEAD - TALL, width, TALL)
     _head(axes, f"{count}. {after.words}")
-    ruler = _ruler(after.height)
+    ruler = _ruler(after.points.on_land.height)
     broad = LINE if after.name in {"align", "smooth"} else THIN
     axes.plot(*ruler.line(before.y, before.height), color=GREY, linewidth=broad)
     axes.plot(*ruler.line(after.y, after.height), color=INK, linewidth=THIN)
@@ -123,6 +130,8 @@ def _draw_taken(axes: Axes, after: StepResult, ruler: _Ruler) -> None:
         axes.plot(after.y[[0, -1]], line[[0, -1]], color=SECOND, linewidth=THIN, linestyle="--")
     if after.name == "align":
         axes.axvline(0.0, color=SECOND, linewidth=THIN, linestyle="--")
+    if after.name == "trim":
+        _mark_land(axes, after.points)
     if after.removed is not None:
         y, height = after.removed
         marks: dict[str, Any] = {"marker": "o", "markersize": 3.5, "markerfacecolor": "none", "markeredgewidth": THIN}
@@ -132,25 +141,63 @@ def _draw_taken(axes: Axes, after: StepResult, ruler: _Ruler) -> None:
         axes.plot(y, ruler.factor * height, color=SECOND, linestyle="none", **marks)
 
 
+def _mark_land(axes: Axes, points: Points) -> None:
+    for end in points.land or ():
+        if points.y[0] < end < points.y[-1]:
+            axes.axvline(end, color=FAINT_INK, linewidth=THIN, linestyle="--")
+
+
+def _draw_corners(figure: Figure, top: float, measured: Measured) -> None:
+    """Draw the corners side by side, with their points before smoothing."""
+    corners = [corner for corner in measured.points.beyond_land if np.any(corner)]
+    before = next((b for b, a in pairwise(measured.states) if a.name in {"smooth", "thin"}), measured.states[-1])
+    highest = float(measured.points.height.max())
+    room = 0.5 if len(corners) > 1 else 0.0
+    width = (WIDTH - LEFT - MARGIN - room) / max(len(corners), 1)
+    for k, corner in enumerate(corners):
+        axes = panel(figure, LEFT + k * (width + room), top - HEAD - 1.5 * TALL, width, 1.5 * TALL)
+        ends = np.sort(measured.points.y[corner])[[0, -1]]
+        ends += 0.2 * np.ptp(ends) * np.array([-1.0, 1.0]) * (np.abs(ends) < np.max(np.abs(ends)))
+        shown = (before.y >= ends[0]) & (before.y <= ends[1])
+        axes.plot(before.y[shown], 1e3 * (highest - before.height[shown]), ".", color=GREY, markersize=2.5)
+        near = (measured.points.y >= ends[0]) & (measured.points.y <= ends[1])
+        axes.plot(measured.points.y[near], 1e3 * measured.relief[near], color=INK, linewidth=THIN)
+        _mark_land(axes, measured.points)
+        axes.set_xlim(*ends)
+        axes.invert_yaxis()
+        _tidy(axes, "Relief [µm]" if k == 0 else "")
+        axes.locator_params(axis="x", nbins=5)
+        axes.yaxis.set_label_coords(LABEL / width, 0.5)
+        side = "low" if corner[0] else "high"
+        _head(axes, f"The corner at the {side} end; dots: before smoothing.", LETTERS // len(corners))
+        axes.set_xlabel(AXIAL_LABEL)
+
+
 def _draw_relief(figure: Figure, top: float, measured: Measured, fit: Fit | None) -> None:
     width, tall = WIDTH - LEFT - MARGIN, 1.5 * TALL
     axes = panel(figure, LEFT, top - LAST_HEAD - tall, width, tall)
     y, relief = measured.points.y, measured.relief
-    ruler = _ruler(relief)
+    land = measured.points.on_land
+    ruler = _ruler(land.height)
     thin = next((state for state in measured.states if state.name == "thin"), None)
     words = "Relief, highest point less height" + (f", {len(y)} points." if thin is not None else ".")
     marks: dict[str, Any] = {"marker": ".", "markersize": 2.5} if len(y) <= COLUMNS else {}
     axes.plot(*ruler.line(y, relief), color=INK, linewidth=THIN, **marks)
+    if measured.points.land is not None:
+        _mark_land(axes, measured.points)
+        most = ruler.factor * float(measured.points.height.max() - land.height.min())
+        axes.set_ylim(-ROOM * most, max((1.0 + 3.0 * ROOM) * most, 1e-3))
     axes.invert_yaxis()
     if fit is not None:
-        words += " " + _draw_fit(axes, y, fit, ruler)
+        words += " " + _draw_fit(axes, land.y, fit, ruler)
     _tidy(axes, f"Relief [{ruler.unit}]")
     lowest = axes
     if fit is not None:
         axes.tick_params(labelbottom=False)
         lowest = panel(figure, LEFT, top - LAST_HEAD - tall - GAP - SLIM, width, SLIM)
         lowest.axhline(0.0, color=FAINT_INK, linewidth=HAIR)
-        lowest.plot(*_Ruler().line(y, relief - fit.relief(y)), color=FIRST, linewidth=THIN)
+        left = measured.points.height.max() - land.height - fit.relief(land.y)
+        lowest.plot(*_Ruler().line(land.y, left), color=FIRST, linewidth=THIN)
         _tidy(lowest, "left [µm]")
         lowest.set_xlim(axes.get_xlim())
     _head(axes, words)
@@ -164,8 +211,8 @@ def _draw_fit(axes: Axes, y: Array, fit: Fit, ruler: _Ruler) -> str:
     return f"Dashed: {name}. Residual to the rough points: {1e3 * fit.rms:.2g} µm root mean square."
 
 
-def _head(axes: Axes, words: str) -> None:
-    lines = textwrap.wrap(words.replace(" um", " µm"), LETTERS)
+def _head(axes: Axes, words: str, letters: int = LETTERS) -> None:
+    lines = textwrap.wrap(words.replace(" um", " µm"), letters)
     text = "\n".join(lines[:2]) + (" ..." if len(lines) > 2 else "")
     style: dict[str, Any] = {"fontsize": SMALL_SIZE, "linespacing": 1.25, "parse_math": False}
     axes.text(0.0, 1.04, text, transform=axes.transAxes, va="bottom", **style)
@@ -173,10 +220,11 @@ def _head(axes: Axes, words: str) -> None:
 
 def _frame(axes: Axes, before: StepResult, after: StepResult, ruler: _Ruler) -> None:
     """Set the range of heights: all, unless what was cut off is so deep that it would flatten the rest."""
-    low, high = (ruler.factor * float(bound) for bound in (after.height.min(), after.height.max()))
+    land = after.points.on_land.height
+    low, high = (ruler.factor * float(bound) for bound in (land.min(), land.max()))
     deepest = ruler.factor * float(before.height.min())
     room = max(high - low, 1e-3)
-    if after.name != "trim" or high - deepest <= CUT * room:
+    if (after.name != "trim" and after.points.land is None) or high - deepest <= CUT * room:
         low = min(low, deepest)
         high = max(high, ruler.factor * float(before.height.max()))
     else:
@@ -184,6 +232,7 @@ def _frame(axes: Axes, before: StepResult, after: StepResult, ruler: _Ruler) -> 
         style: dict[str, Any] = {"fontsize": SMALL_SIZE, "color": FAINT_INK, "bbox": BACKING, "ha": "center"}
         axes.text(0.5, 0.06, note, transform=axes.transAxes, **style)
         low -= 0.5 * room
+        high = max(high, ruler.factor * float(before.points.on_land.height.max()))
     # A perfectly flat line still needs a range.
     above = max(ROOM * (high - low), 1e-3, 1e-6 * abs(high))
     axes.set_ylim(low - above, high + above)

@@ -61,6 +61,11 @@ class Profile(ABC):
         """The interval [mm] on which the relief is defined; infinite for most kinds."""
         return (-np.inf, np.inf)
 
+    @property
+    def joints(self) -> tuple[float, float] | None:
+        """Where the corners begin [mm] that a measured profile holds at either end; None if it holds none."""
+        return None
+
     def shifted(self, by: float) -> Profile:
         """Return this profile moved by ``by`` [mm] towards positive y."""
         finite("by", by, "give the shift in mm")
@@ -143,6 +148,11 @@ class Sum(Formula):
         extents = [part.extent for part in self.parts]
         return (max((e[0] for e in extents), default=-np.inf), min((e[1] for e in extents), default=np.inf))
 
+    @property
+    def joints(self) -> tuple[float, float] | None:
+        """Those of the first part that holds corners."""
+        return next((part.joints for part in self.parts if part.joints is not None), None)
+
 
 @dataclass(frozen=True)
 class Shifted(Formula):
@@ -170,6 +180,12 @@ class Shifted(Formula):
         """The profile's extent, moved."""
         low, high = self.profile.extent
         return (low + self.by, high + self.by)
+
+    @property
+    def joints(self) -> tuple[float, float] | None:
+        """The profile's, moved."""
+        joints = self.profile.joints
+        return None if joints is None else (joints[0] + self.by, joints[1] + self.by)
 
 
 def moved_back(y: Array, by: float, extent: tuple[float, float]) -> Array:
@@ -213,6 +229,11 @@ class Scaled(Formula):
         """The profile's extent."""
         return self.profile.extent
 
+    @property
+    def joints(self) -> tuple[float, float] | None:
+        """The profile's."""
+        return self.profile.joints
+
 
 @dataclass(frozen=True)
 class Flipped(Formula):
@@ -243,3 +264,9 @@ class Flipped(Formula):
         """The profile's extent, mirrored."""
         low, high = self.profile.extent
         return (-high, -low)
+
+    @property
+    def joints(self) -> tuple[float, float] | None:
+        """The profile's, mirrored."""
+        joints = self.profile.joints
+        return None if joints is None else (-joints[1], -joints[0])

@@ -6,7 +6,7 @@ import errno
 import os
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Literal, get_args
@@ -36,6 +36,8 @@ class Tabulated(Formula):
     y: tuple[float, ...]
     values: tuple[float, ...]
     interpolation: Interpolation = "pchip"
+    # Not compared, because a case file keeps points and curve only.
+    joints: tuple[float, float] | None = field(default=None, compare=False)
 
     @property
     def catalogue_entry(self) -> tuple[str, dict[str, Any]]:

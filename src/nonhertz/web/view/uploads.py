@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError
 from nonhertz.io.measured import checked, measured_from, trace_from
 from nonhertz.measured import Measured, Trace
+from nonhertz.measured.corners import positions
+from nonhertz.measured.trace import FEWEST_POINTS
 from nonhertz.model.profile import Tabulated
 from nonhertz.model.profile.table import Interpolation
 from nonhertz.result.numerals import digits
@@ -116,7 +118,9 @@ def _short(measured: Measured) -> Measured:
     if measured.points.y.size <= MOST_POINTS:
         return measured
     thinned = measured.states[-1].name == "thin"
-    return (measured.without("thin") if thinned else measured).thinned(MOST_POINTS)
+    whole = measured.without("thin") if thinned else measured
+    # Corners keep points of their own, and so does the land beside them.
+    return whole.thinned(max(MOST_POINTS - positions(whole.points).size, FEWEST_POINTS))
 
 
 def _table(profile: Tabulated) -> dict[str, Any]:
