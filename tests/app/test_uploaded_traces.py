@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-import numpy as np
+import json
 
+import numpy as np
+from numpy.testing import assert_allclose
+
+import nonhertz as nh
 from nonhertz.measured import Trace
 from nonhertz.web.limits import UPLOAD_POINTS
-from nonhertz.web.view.uploads import _averaged
+from nonhertz.web.view.uploads import MOST_POINTS, _averaged, answer_to_file
 
 
 def test_no_mean_is_taken_over_a_gap():
@@ -19,3 +23,20 @@ def test_no_mean_is_taken_over_a_gap():
     found = _averaged(Trace(y, np.zeros(len(y)), ((before[-1], behind[0]),)))
     assert len(y) // 2 <= len(found) <= len(y) // 2 + 2
     assert not np.any((found.y > before[-1]) & (found.y < behind[0]))
+
+
+def test_steps_are_drawn_so_that_the_land_is_seen_beside_its_corners():
+    """And the corners of a long roller leave the land its points."""
+    roller = nh.Roller(diameter=15, length=80, profile=nh.profile.crown(radius=1e5), corner_radius=1.5)
+    y = np.linspace(-39.9, 39.9, 8001)
+    content = "\n".join(f"{a:.4f}\t{1e3 * b:.4f}" for a, b in zip(y, -roller.relief(y), strict=True)).encode()
+    found = json.loads(answer_to_file(content, "roller.txt", {"height_unit": "um"}))
+    floors = {step["name"]: step["floor_um"] for step in found["steps"]}
+    assert floors["level"] is None
+    assert floors["align"] is None
+    # Twice the drop of the crown at the ends of its land, 38.5^2 / 2e5 mm.
+    assert_allclose([floors[name] for name in ("trim", "smooth")], -2.0 * 38.5**2 / 200.0, rtol=0.02)
+    assert len(found["table"]["y"]) <= MOST_POINTS
+    assert np.sum(np.abs(found["table"]["y"]) < 38.4) > 0.4 * MOST_POINTS
+    cut = json.loads(answer_to_file(content, "roller.txt", {"height_unit": "um", "corner": "cut"}))
+    assert {step["floor_um"] for step in cut["steps"]} == {None}

@@ -9,7 +9,7 @@ import { element } from "./elements.js";
 const STEPS = [
   ["level", "level", "remove the tilt"],
   ["align", "align", "put the middle at y = 0"],
-  ["trim", "trim", "cut the ends off"],
+  ["trim", "trim", "cut off what is neither land nor corner"],
   ["outliers", "outliers", "remove outliers"],
   ["smooth", "smooth", "smooth, which removes roughness"],
   ["thin", "points", "thin to fewer points"],
@@ -19,6 +19,7 @@ const AS_SAID = /** @type {[string, string]} */ (["", "as the file says"]);
 const CHOICES = [
   ["height_unit", "heights in", [AS_SAID, ["um", "µm"], ["mm", "mm"], ["nm", "nm"], ["m", "m"], ["in", "in"]]],
   ["position_unit", "positions in", [AS_SAID, ["mm", "mm"], ["um", "µm"], ["m", "m"], ["in", "in"]]],
+  ["corner", "corners", [["", "keep"], ["cut", "cut off"]]],
   ["sense", "positive is", [["", "material (height)"], ["drop", "material removed (drop)"]]],
   ["cutoff", "cutoff", [["", "0.8 mm"], ["0.25", "0.25 mm"], ["2.5", "2.5 mm"], ["8", "8 mm"]]],
 ];

@@ -6,7 +6,7 @@ import { element } from "./elements.js";
 /**
  * Draw the steps into their element.
  * @param {HTMLElement} host
- * @param {{name: string, sentence: string, before: {y: number[], height_um: number[]}, after: {y: number[], height_um: number[]}}[]} steps
+ * @param {{name: string, sentence: string, before: {y: number[], height_um: number[]}, after: {y: number[], height_um: number[]}, floor_um: number | null}[]} steps
  */
 export function drawSteps(host, steps) {
   const figures = steps.map((step) =>
@@ -19,7 +19,9 @@ export function drawSteps(host, steps) {
   for (const [place, step] of steps.entries()) drawStep(figures[place], step);
 }
 
-function drawStep(host, { name, sentence, before, after }) {
+function drawStep(host, { name, sentence, before, after, floor_um: floor }) {
+  // Corners go down a hundred times deeper than the land.
+  const heights = [...before.height_um, ...after.height_um].filter((height) => floor === null || height >= floor);
   draw(
     host,
     {
@@ -29,10 +31,10 @@ function drawStep(host, { name, sentence, before, after }) {
       marginTop: 8,
       marginBottom: 30,
       x: { label: "y [mm]", labelAnchor: "center", labelArrow: "none", ticks: 5 },
-      y: { label: null, domain: extent([...before.height_um, ...after.height_um]), nice: true, ticks: 3, grid: true },
+      y: { label: null, domain: extent(heights), nice: true, ticks: 3, grid: true },
       marks: [
-        line(before.y, before.height_um, { stroke: PINNED, strokeWidth: 1 }),
-        line(after.y, after.height_um, { stroke: FIRST, strokeWidth: 1.4 }),
+        line(before.y, before.height_um, { stroke: PINNED, strokeWidth: 1, clip: true }),
+        line(after.y, after.height_um, { stroke: FIRST, strokeWidth: 1.4, clip: true }),
       ],
     },
     `Heights in micrometres before and after the step ${name}. ${sentence}`,

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.io.measured import checked, measured_from, trace_from
-from nonhertz.measured import Measured, Trace
+from nonhertz.measured import Measured, StepResult, Trace
 from nonhertz.measured.corners import positions
 from nonhertz.measured.trace import FEWEST_POINTS
 from nonhertz.model.profile import Tabulated
@@ -104,6 +104,7 @@ def _answer(measured: Measured, interpolation: Interpolation | None) -> dict[str
                 "sentence": after.words,
                 "before": _drawn(before.y, before.height),
                 "after": _drawn(after.y, after.height),
+                "floor_um": _floor(after),
             }
             for before, after in itertools.pairwise(states)
         ],
@@ -129,6 +130,14 @@ def _table(profile: Tabulated) -> dict[str, Any]:
         "relief": [round(relief, _NANOMETRES + 2) for relief in profile.values],
     }
     return _STARTED | points | {"interpolation": profile.interpolation}
+
+
+def _floor(state: StepResult) -> float | None:
+    """Return down to which height [um] a step should be drawn so that its land can be seen; None for all of it."""
+    if state.points.land is None:
+        return None
+    land = state.points.on_land.height
+    return round(1e3 * float(land.min() - max(np.ptp(land), 1e-3)), 4)
 
 
 def _drawn(y: Array, height: Array) -> dict[str, Any]:
