@@ -49,6 +49,7 @@ _LAND, _CORNER = 0.4, 0.05
 _INSIDE, _OUTSIDE = 0.2, 0.03
 _FEWEST_ON_LAND, _MOST_TRIED = 8, 120
 _ROUNDING = 1e-6  # mm, so that points at these distances count wherever the machine has its zero
+_RESOLUTION = 1e-6  # mm: machines resolve nanometres, and of lines without noise rounding should decide nothing
 _LIKELY = 4.0  # two standard errors, squared
 _PINNED = 1e3  # weight of the joint over that of all points within a cutoff
 _ALONE = 1e-9  # of the weight: a point too lonely for a parabola keeps its height
@@ -80,7 +81,8 @@ def joint(points: Points, end: float, side: int) -> float:
         return end
     tried = tried[:: -(-len(tried) // _MOST_TRIED)]
     misses = np.array([_miss(distance / _LAND, height, place / _LAND) for place in tried])
-    likely = misses <= np.min(misses) * (1.0 + _LIKELY / max(len(distance) - 6, 1)) + np.finfo(float).tiny
+    least = float(np.min(misses)) + len(distance) * _RESOLUTION**2
+    likely = misses <= least * (1.0 + _LIKELY / max(len(distance) - 6, 1))
     place = end + side * tried[int(np.argmax(likely))]
     return float(points.y[np.abs(points.y - place).argmin()])
 
