@@ -466,6 +466,7 @@ BODIES = {
     "faces": nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000), depth="none"), nh.Plate()),
     "depth": nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000)), nh.Plate()),
     "images": nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000), images=3), nh.Plate()),
+    "free": nh.Contact(nh.Roller(diameter=20, length=20, side_faces="free", depth="none"), nh.Plate()),
 }
 
 

@@ -15,7 +15,12 @@ from nonhertz.patch.verdict import complaint, displacement
 PLAIN = {"side_faces": "none", "depth": "none"}
 BODIES = {
     name: nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000), **given), nh.Plate())
-    for name, given in (("half-spaces", PLAIN), ("faces and depth", {}), ("images", {"images": 3}))
+    for name, given in (
+        ("half-spaces", PLAIN),
+        ("faces and depth", {}),
+        ("images", {"images": 3}),
+        ("free", {"side_faces": "free"}),
+    )
 }
 CONTACT = BODIES["faces and depth"]
 GIVEN = Prescription.checked(None, 3e3, None, 2e3)

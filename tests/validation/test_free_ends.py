@@ -120,11 +120,6 @@ def test_the_stiffness_is_the_derivative_of_load_and_moment():
     assert solution.stiffness[0, 0] == pytest.approx((more.load - less.load) / (2.0 * step), rel=1e-6)
 
 
-def test_the_plane_grid_refuses_free_faces():
-    with pytest.raises(nh.InputError, match=r"body\.a\.side_faces = 'free' must be one that the plane grid knows: "):
-        nh.patch.solve(straight("free"), load=20e3)
-
-
 @pytest.mark.parametrize(
     ("poisson", "errors"), [(0.3, {0.0: -0.0089, 9.5: 0.0351, 10.0: 0.0502}), (0.0, {0.0: -0.0006, 10.0: 0.0855})]
 )

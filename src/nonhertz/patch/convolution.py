@@ -6,8 +6,9 @@ twice the size, so that nothing wraps around from one side of the region to the 
 The kernel is even across the contact, and the direct effect along it too: its spectrum is a cosine transform, real,
 and a quarter of the doubled grid. Side faces add terms (`nonhertz.bodies.influence`). A shifted copy of the pressure
 changes the spectrum, which is then complex. A mirrored copy is a convolution with the mirrored pressure, whose spectrum
-is the conjugate, reversed in x: one more product, and no further transform. The displacement at depth below the centre
-line depends only on the line loads: a matrix, subtracted from all cells of a row.
+is the conjugate, reversed in x: one more product, and no further transform. What free side faces add is a convolution
+across only: a small matrix for every wave number there (`nonhertz.patch.free_faces`). The displacement at depth below
+the centre line depends only on the line loads: a matrix, subtracted from all cells of a row.
 
 References
 ----------
@@ -23,6 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies.influence import Influence
+from nonhertz.patch.free_faces import FreeEnd, free_ends
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.kernel import edges_from, rectangles
 from nonhertz.patch.transform import ROWS, fast_half, filtered, in_blocks, times_even
@@ -58,15 +60,42 @@ class Convolution:
         self._half = fast_half(grid.cells[0]), fast_half(grid.cells[1])
         self._shifted, self._mirrored = self._spectra(influence.terms)
         self.own = float(rectangles(edges_from(0.0, 1, grid.dx), edges_from(0.0, 1, grid.dy))[0, 0])
+        self._ends = [(end, self._spectrum_of(end)) for end in free_ends(influence.faces, grid.y, grid.dy)]
         self._at_depth = grid.dx * influence.at_depth(grid.y, grid.y_edges) if influence.references else None
 
     def __call__(self, pressure: Array) -> Array:
         """Return the displacement [mm] under a pressure times K [-], both of shape (nx, ny)."""
         self.count += 1
         displacement = filtered(pressure, (2 * self._half[0], 2 * self._half[1]), self._product, self._pool)
+        for end, spectrum in self._ends:
+            displacement += self._across(end.gathered(pressure), spectrum) @ end.weights.T
         if self._at_depth is not None:
             displacement -= self._at_depth @ pressure.sum(axis=0)
         return displacement
+
+    def _across(self, loads: Array, spectrum: Array) -> Array:
+        """Return the displacement at the nodes of a free end under loads there, both of shape (nx, nodes)."""
+        from scipy import fft
+
+        count = 2 * self._half[0]
+        waves = fft.rfft(loads, count, axis=0)
+        # Real matrices: products of real and imaginary parts are half those of complex numbers.
+        moved = spectrum @ np.stack([waves.real, waves.imag], axis=-1)
+        found: Array = fft.irfft(moved[..., 0] + 1j * moved[..., 1], count, axis=0)[: loads.shape[0]]
+        return found
+
+    def _spectrum_of(self, end: FreeEnd) -> Array:
+        """Return the matrices of a free end, shape (half + 1, nodes, nodes)."""
+        from scipy import fft
+
+        kernel = np.empty((self._half[0] + 1, end.nodes.size, end.nodes.size))
+        x_edges = edges_from(0.0, self._half[0] + 1, self.grid.dx)
+
+        def fill(rows: slice) -> None:
+            kernel[rows] = end.kernel(x_edges[rows.start : rows.stop + 1])
+
+        in_blocks(fill, kernel.shape[0], ROWS, self._pool)
+        return np.asarray(fft.dct(kernel, type=1, axis=0, overwrite_x=True))
 
     def _product(self, columns: Spectrum, at: slice) -> Spectrum:
         if self._mirrored is None:

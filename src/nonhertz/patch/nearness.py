@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError
 from nonhertz.patch.cascade import Gap, Outcome, PatchProblem
 from nonhertz.patch.features import Dent
+from nonhertz.patch.free_faces import at_points, merged
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.kernel import rectangles
 
@@ -37,6 +38,7 @@ LUMPS, SMALL_LUMPS = (12, 48), (24, 96)
 SUSPECT, SEEN, CLEAR = 0.03, 0.003, 0.01
 MOST_SUSPECTS = 100
 AT_ONCE = 2**15  # distances
+PER_DISTANCE = 16  # numbers that what free side faces add needs for each
 
 
 @dataclass(frozen=True, eq=False)
@@ -258,15 +260,17 @@ def overlap(problem: PatchProblem, outcome: Outcome, several: Iterable[Window], 
         at = np.argwhere(outside & (gap < 0.0))
         if not at.size:
             continue
-        left = gap[tuple(at.T)] + _raised(problem, coarse, window.x[at[:, 0]], window.y[at[:, 1]])
+        left = gap[tuple(at.T)] + _raised(problem, coarse, *_places(window, at))
+        # Free faces only raise more, and take longer.
         suspects = np.flatnonzero(left < SUSPECT * largest)
+        left[suspects] += _raised_by_faces(problem, coarse, *_places(window, at[suspects]))
+        suspects = suspects[left[suspects] < SUSPECT * largest]
         at = at[_chosen(at, left, suspects)]
         if not at.size:
             continue
-        x, y = window.x[at[:, 0]], window.y[at[:, 1]]
-        left = (
-            gap[tuple(at.T)] + _raised(problem, coarse, x, y, images=True) + _raised_nearby(grid, state.pressure, x, y)
-        )
+        x, y = _places(window, at)
+        left = gap[tuple(at.T)] + _raised(problem, coarse, x, y, images=True)
+        left += _raised_by_faces(problem, coarse, x, y) + _raised_nearby(grid, state.pressure, x, y)
         for i, j, depth in zip(*at.T, -left, strict=True):
             if depth > least * largest:
                 around = _neighbours(window.x, i), _neighbours(window.y, j)
@@ -277,6 +281,10 @@ def overlap(problem: PatchProblem, outcome: Outcome, several: Iterable[Window], 
     x_span = min(each.x_span[0] for each in found), max(each.x_span[1] for each in found)
     y_span = min(each.y_span[0] for each in found), max(each.y_span[1] for each in found)
     return Overlap(deepest.x, deepest.y, deepest.depth, x_span, y_span)
+
+
+def _places(window: Window, at: NDArray[np.intp]) -> tuple[Array, Array]:
+    return window.x[at[:, 0]], window.y[at[:, 1]]
 
 
 def _chosen(at: NDArray[np.intp], left: Array, suspects: NDArray[np.intp]) -> NDArray[np.intp]:
@@ -358,6 +366,18 @@ def _raised(
             np.sqrt(squared, out=squared)
             np.reciprocal(squared, out=squared)
             total[at] += weight * (squared @ force)
+    return total
+
+
+def _raised_by_faces(problem: PatchProblem, lumps: tuple[Array, Array, Array, float], x: Array, y: Array) -> Array:
+    """Return what free side faces add to the displacement at places under forces, shape (places,)."""
+    force, x_force, y_force, _ = lumps
+    total: Array = np.zeros(x.size)
+    faces = merged(problem.influence.faces)
+    block = max(AT_ONCE // (PER_DISTANCE * force.size), 1)
+    for start in range(0, x.size if faces else 0, block):
+        at = slice(start, start + block)
+        total[at] = at_points(faces, x[at], y[at], x_force, y_force) @ force
     return total
 
 

@@ -11,6 +11,7 @@ from nonhertz.bodies.solid import HERTZ
 from nonhertz.errors import InputError
 from nonhertz.model.contact import Contact
 from nonhertz.patch.cascade import FEWEST
+from nonhertz.patch.free_faces import most_nodes
 from nonhertz.patch.surface import refuse_no_bodies
 from nonhertz.patch.transform import fast_half
 
@@ -45,15 +46,17 @@ def memory(cells: tuple[int, int], contact: Contact | None = None) -> int:
     if contact is not None:
         refuse_no_bodies(contact)
     spectra = DOUBLE * (fast_half(nx) + 1) * (fast_half(ny) + 1)
-    fields, depth = DOUBLE * nx * ny, 0
+    fields, depth, ends = DOUBLE * nx * ny, 0, 0
     if contact is not None:
         influence = influence_of(contact, HERTZ)
         mirrored = bool((influence.terms[:, 0] < 0.0).any())
         shifted = int((influence.terms[:, 0] > 0.0).sum()) > 1
         spectra *= 1 + 2 * mirrored + 2 * shifted  # complex
         depth = DOUBLE * ny * ny * bool(influence.references)
+        places = len({(face.y, face.side) for face in influence.faces})
+        ends = DOUBLE * places * (fast_half(nx) + 1) * most_nodes(ny) ** 2
     # The peak is either during the iterations, or before, when the matrix of displacements at depth is being built.
-    return int(spectra + max(FIELDS * fields + depth, FEW * fields + MAKING * depth))
+    return int(spectra + ends + max(FIELDS * fields + depth, FEW * fields + MAKING * depth))
 
 
 def checked_cells(cells: tuple[int, int]) -> tuple[int, int]:

@@ -16,7 +16,6 @@ from nonhertz.bodies.influence import influence_of
 from nonhertz.bodies.solid import HERTZ
 from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
 from nonhertz.inputs.checks import finite
-from nonhertz.model.body import BODIES
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch import nearness
@@ -140,7 +139,6 @@ def solve(
     refuse_no_bodies(contact)
     prescription = Prescription.checked(approach, load, tilt, moment)
     prescription.refuse_outside(contact)
-    _refuse_free(contact)
     cells = checked_cells(CELLS if cells is None else cells)
     finite("tolerance", tolerance, "give the largest residual, such as 1e-8")
     if not TIGHTEST <= tolerance <= LOOSEST:
@@ -180,14 +178,6 @@ def solve(
     for sentence in sentences:
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
     return replace(solution, warnings=(*sentences, *singularities(solution)))
-
-
-def _refuse_free(contact: Contact) -> None:
-    """Refuse side faces that are free of normal stress, too: what they add is known for strips only."""
-    for name, body in zip(BODIES, (contact.a, contact.b), strict=True):
-        if any(body.free_faces):
-            remedy = "give 'mirror', 'calibrated', 'none' or a weight, or solve it with strips"
-            raise InputError("side_faces", "free", "be one that the plane grid knows", remedy).within(f"body.{name}")
 
 
 def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:

@@ -17,6 +17,7 @@ from nonhertz.bodies.influence import Influence, influence_of
 from nonhertz.bodies.solid import HERTZ
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch.cascade import Gap
+from nonhertz.patch.free_faces import FreeEnd, free_ends
 from nonhertz.patch.kernel import edges_from, rectangles
 from nonhertz.patch.solution import PatchSolution
 
@@ -164,6 +165,8 @@ def displacement(solution: PatchSolution, places: Places) -> Array:
             for place, (i, j) in enumerate(places.tolist()):
                 columns = kernel[:, j : j + pressure.shape[1]] if sign < 0.0 else _backwards(kernel, j, pressure)
                 total[place] += np.vdot(columns, _folded(pressure, i, distances))
+    for end in free_ends(influence.faces, solution.y, solution.dy):
+        total += _by_free_end(solution, end, places)
     if influence.references:
         edges = np.append(solution.y - 0.5 * solution.dy, solution.y[-1] + 0.5 * solution.dy)
         rows, which = np.unique(places[:, 1], return_inverse=True)
@@ -187,6 +190,17 @@ def _kernels(solution: PatchSolution, influence: Influence) -> Iterator[tuple[ra
             kernel = rectangles(x_edges, edges_from(first - offset, 2 * ny - 1, solution.dy))
             seen[sign] = seen.get(sign, 0.0) + weight * kernel
         yield distances, seen
+
+
+def _by_free_end(solution: PatchSolution, end: FreeEnd, places: Places) -> Array:
+    """Return what free side faces add, over K, shape (places,)."""
+    loads, total = end.gathered(solution.pressure), np.zeros(places.shape[0])
+    for start in range(0, loads.shape[0], ROWS):
+        distances = range(start, min(start + ROWS, loads.shape[0]))
+        kernel = end.kernel(edges_from(start * solution.dx, len(distances), solution.dx))
+        for place, (i, j) in enumerate(places.tolist()):
+            total[place] += np.vdot(end.weights[j] @ kernel, _folded(loads, i, distances))
+    return total
 
 
 def _backwards(kernel: Array, j: int, pressure: Array) -> Array:

@@ -1,0 +1,191 @@
+"""What free side faces add to the displacement of pressures and their images, on cells.
+
+What a load at the distance v from a face adds at the distance u (`nonhertz.bodies.quarter_space`) is, across the
+contact, a sum of images and of pressures of half-planes at distances d_j (u + v), which have closed integrals over the
+width of a cell. Along the contact it is no convolution but a matrix, smooth on the scale of u and v: the first cells
+from the face have a node each, the others share a few on every panel that doubles in size, from which polynomials
+interpolate. So there are some sixty nodes whatever the number of cells, and the matrix is symmetric as it must be.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.polynomial import legendre
+from numpy.typing import NDArray
+
+from nonhertz.bodies.influence import FreeSide
+from nonhertz.bodies.quarter_space import free_face
+
+Array = NDArray[np.float64]
+
+NEAR = 8  # cells over which the logarithm at the edge is averaged, rather than taken at their centres
+POINTS = 5  # of that average
+# On a panel twice as far from the face at its end as at its start: they leave 1e-7 of what is interpolated.
+NODES = 10
+
+
+@dataclass(frozen=True, eq=False)
+class FreeEnd:
+    """The free side faces at one place, and the nodes of a grid that ends there or before.
+
+    Attributes
+    ----------
+    faces : tuple of FreeSide
+        One, or two where both bodies end.
+    dy : float
+        Length of a cell [mm].
+    nodes : ndarray, shape (nodes,)
+        Distances from the face [mm], those of the near cells first.
+    weights : ndarray, shape (ny, nodes)
+        From values at nodes to those at the centres of rows.
+    """
+
+    faces: tuple[FreeSide, ...]
+    dy: float
+    nodes: Array
+    weights: Array
+
+    def gathered(self, pressure: Array) -> Array:
+        """Return loads per width at the nodes [MPa mm], shape (..., nodes), of pressures of shape (..., ny)."""
+        return self.dy * pressure @ self.weights
+
+    def kernel(self, x_edges: Array) -> Array:
+        """Return the displacement over K at nodes per unit of gathered load, of cells between edges across.
+
+        Parameters
+        ----------
+        x_edges : ndarray, shape (m + 1,)
+            Distances across [mm], ascending.
+
+        Returns
+        -------
+        ndarray, shape (m, nodes, nodes)
+            Symmetric in the last two.
+        """
+        count = self.nodes.size
+        row, column = np.tril_indices(count)
+        found = np.empty((x_edges.size - 1, count, count))
+        found[:, row, column] = found[:, column, row] = self._between(x_edges, self.nodes[row], self.nodes[column])
+        averaged = self._averaged(x_edges)
+        near = averaged.shape[-1]
+        found[:, :near, :near] = 0.5 * (averaged + averaged.transpose(0, 2, 1))
+        return found
+
+    def _averaged(self, x_edges: Array) -> Array:
+        """Return the kernel between the first cells, averaged over that of the load, shape (m, near, near)."""
+        point, share = legendre.leggauss(POINTS)
+        u = self.nodes[:NEAR]
+        v = np.maximum(u[:, None] + 0.5 * self.dy * point, 0.0)
+        places, loads = np.broadcast_arrays(u[:, None, None], v)
+        sampled = self._between(x_edges, places.ravel(), loads.ravel()).reshape(-1, *places.shape)
+        return np.asarray(0.5 * sampled @ share, dtype=np.float64)
+
+    def _between(self, x_edges: Array, u: Array, v: Array) -> Array:
+        """Return the kernel for pairs of distances from the face, shape (m, pairs)."""
+        total = np.zeros((x_edges.size - 1, u.size))
+        for distance, of_image, of_plane in _terms(self.faces, u, v):
+            x = x_edges[:, None] / distance
+            total += of_image * np.diff(np.arcsinh(x), axis=0) + of_plane * np.diff(np.arctan(x), axis=0)
+        return total
+
+
+def _nodes(start: float, dy: float, count: int) -> tuple[Array, Array]:
+    """Return nodes for rows that begin at a distance from a face, and their weights, shape (count, nodes)."""
+    distance = start + dy * (np.arange(count, dtype=np.float64) + 0.5)
+    near = min(NEAR, count)
+    nodes, weights = [distance[:near]], [np.eye(near)]
+    for first, beyond in _panels(start / dy, near, count):
+        rows = distance[first:beyond]
+        if rows.size <= NODES:
+            nodes.append(rows)
+            weights.append(np.eye(rows.size))
+            continue
+        angle = math.pi * (np.arange(NODES) + 0.5) / NODES
+        nodes.append(0.5 * (rows[0] + rows[-1]) - 0.5 * dy * rows.size * np.cos(angle))
+        weights.append(_interpolation(rows, nodes[-1]))
+    found = np.zeros((count, sum(each.shape[1] for each in weights)))
+    row = column = 0
+    for each in weights:
+        found[row : row + each.shape[0], column : column + each.shape[1]] = each
+        row, column = row + each.shape[0], column + each.shape[1]
+    return np.concatenate(nodes), found
+
+
+def _panels(cells_before: float, near: int, count: int) -> Iterator[tuple[int, int]]:
+    """Yield first and last + 1 of the rows of each panel, twice as far from the face at its end as at its start."""
+    first = near
+    while first < count:
+        beyond = min(2 * first + int(cells_before), count)
+        yield first, beyond
+        first = beyond
+
+
+def _interpolation(places: Array, nodes: Array) -> Array:
+    """Return the values at places of the polynomials that are 1 at one of the nodes, shape (places, nodes)."""
+    apart = nodes[:, None] - nodes + np.eye(nodes.size)
+    found = np.empty((places.size, nodes.size))
+    for j in range(nodes.size):
+        others = np.arange(nodes.size) != j
+        found[:, j] = np.prod((places[:, None] - nodes[others]) / apart[j, others], axis=1)
+    return found
+
+
+def free_ends(faces: tuple[FreeSide, ...], y: Array, dy: float) -> tuple[FreeEnd, ...]:
+    """Return the free side faces, those at the same place together, with nodes for rows of cells.
+
+    Parameters
+    ----------
+    faces : tuple of FreeSide
+        Those of both bodies.
+    y : ndarray, shape (ny,)
+        Centres of the rows [mm], ascending.
+    dy : float
+        Length of a cell [mm].
+    """
+    found = []
+    faces = merged(faces)
+    for place, side in dict.fromkeys((face.y, face.side) for face in faces):
+        nearest = float(y[0] if side < 0 else y[-1])
+        nodes, weights = _nodes(max(side * (place - nearest) - 0.5 * dy, 0.0), dy, y.size)
+        here = tuple(face for face in faces if (face.y, face.side) == (place, side))
+        found.append(FreeEnd(here, dy, nodes, weights if side < 0 else weights[::-1]))
+    return tuple(found)
+
+
+def most_nodes(count: int) -> int:
+    """Return how many nodes a free end has on a number of rows, or more."""
+    return int(_nodes(0.0, 1.0, count)[0].size)
+
+
+def merged(faces: tuple[FreeSide, ...]) -> tuple[FreeSide, ...]:
+    """Return side faces with one share for those at the same place and of the same Poisson's ratio."""
+    shares: dict[FreeSide, float] = {}
+    for face in faces:
+        alike = replace(face, share=0.0)
+        shares[alike] = shares.get(alike, 0.0) + face.share
+    return tuple(replace(alike, share=share) for alike, share in shares.items())
+
+
+def at_points(faces: tuple[FreeSide, ...], x: Array, y: Array, x_force: Array, y_force: Array) -> Array:
+    """Return the displacement over K at places per unit of force at others [1/mm], shape (places, forces)."""
+    squared = np.square(x[:, None] - x_force)
+    total = np.zeros(squared.shape)
+    for face in faces:
+        u, v = (np.maximum(face.side * (face.y - each), 0.0) for each in (y, y_force))
+        for distance, of_image, of_plane in _terms((face,), *np.broadcast_arrays(u[:, None], v)):
+            away = squared + distance**2
+            total += of_image / np.sqrt(away) + of_plane * distance / away
+    return total
+
+
+def _terms(faces: tuple[FreeSide, ...], u: Array, v: Array) -> Iterator[tuple[Array, Array, Array]]:
+    """Yield distances [mm], and the factors of 1 / r and of distance / r^2 there, r^2 = x^2 + distance^2."""
+    for each in faces:
+        face = free_face(each.poisson)
+        of_direction = each.share * face.towards(u, v)
+        for j, ratio in enumerate(face.distances):
+            yield ratio * (u + v), of_direction[..., 0, j], of_direction[..., 1, j] / math.pi
