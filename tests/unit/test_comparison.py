@@ -37,6 +37,10 @@ CASES = {
         nh.Contact(nh.Body(diameter=20, profile=nh.profile.crown(100)), nh.Body()),
         {"load": 1e3, "accuracy": 1e-5},
     ),
+    "free": (
+        nh.Contact(*(nh.Roller(diameter=20, length=20, side_faces="free", depth="none") for _ in "ab")),
+        {"load": 20e3, "tilt": 0.3e-3},
+    ),
 }
 
 
@@ -135,6 +139,8 @@ def test_reasons_name_what_is_there(found):
     assert "sharp end" not in words(found["crown"], "semi-elliptic")
     assert "the parabola's own" in words(found["ellipse"], "parabolic")
     assert "the parabola's own" not in words(found["ellipse"], "semi-elliptic")
+    assert "the end at y = 10 mm, towards which the pressure goes on" in words(found["free"], "semi-elliptic")
+    assert "goes on" not in words(found["sharp"], "semi-elliptic")
 
 
 def scaled(solution, strips, by):

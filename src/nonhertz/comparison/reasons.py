@@ -44,8 +44,13 @@ OF_STRIP, OF_CELL = 0.05, 0.4
 # Of a parabola's bias in the half-width, to which that of the pressure is proportional (p0 = b / (2 K rho)) except
 # where the contact runs out.
 OF_WIDTH = 1.25
-# Relative error of the pressure in the last cell at a singular end; cells further inside have less.
+# Error of the pressure in the last cell at an end, relative to it if it has no limit there, and if it has, to how much
+# it changes from the cell before; cells further inside have less.
 OF_LAST_CELL = 0.1
+# How much more the pressure may change from the middle of the last row of cells to the end than from the row before:
+# where free faces of both bodies coincide it falls as s ln s, on cells of 0.7 half-widths 2.5 times as much.
+STEEPENS = 2.5
+BETWEEN = 0.25  # of the change between the last two rows: how far off a straight line between them may be
 AT_CORNER = 0.5  # exponent where a contact ends at a corner: that of a sharp end, where the surface also bends away
 
 
@@ -186,7 +191,7 @@ def carried(solution: Solution, semi: Solution, patch: PatchSolution, strips: In
 
 
 def _causes(place: _Place) -> list[_Cause]:
-    asked = (_limitless_end, _own_bias, _end_of_contact, _steep, _shape, _own_doubt, _doubt_of_grid)
+    asked = (_limitless_end, _own_bias, _end_of_contact, _steep, _finite_end, _shape, _own_doubt, _doubt_of_grid)
     return [cause for ask in asked for cause in ask(place)]
 
 
@@ -321,6 +326,35 @@ def _steep(place: _Place) -> Iterator[_Cause]:
             f"The pressure bends there within strips of {float(place.strip_width[free].max()):.2g} mm and cells of "
             f"{place.patch.dy:.2g} mm",
             np.where(free, _bent(place), 0.0),
+        )
+
+
+def _finite_end(place: _Place) -> Iterator[_Cause]:
+    """Yield what rows of cells make of the strips' pressure near an end where it is finite.
+
+    Near is within a half-width or two rows. Between rows the grid's pressure is a straight line, beyond the middle of
+    the last it is that of the row.
+    """
+    patch, solution = place.patch, place.solution
+    steps = np.abs(np.diff(patch.centre_pressure)[[0, -1]]).tolist()
+    for edge, row, step in zip(solution.edge_pressure, patch.y[[0, -1]].tolist(), steps, strict=True):
+        distance = np.abs(place.y - edge.y)
+        near = distance <= max(solution.max_half_width, 2.0 * patch.dy)
+        if edge.kind is not EdgeKind.FINITE or abs(edge.y - row) > patch.dy or not near.any():
+            continue
+        faded = np.minimum(patch.dy / np.maximum(distance, 0.5 * patch.dy), 1.0) ** 2
+        missed = [
+            np.abs(np.interp(place.y, patch.y, np.interp(patch.y, *one)) - np.interp(place.y, *one))
+            for one in _curves(place)[1:]
+        ]
+        # No more than the grid's own slope allows: a step in the strips is the very thing to be explained.
+        most = step * np.maximum(STEEPENS * (1.0 - 2.0 * distance / patch.dy), BETWEEN)
+        change = np.minimum(np.min(missed, axis=0), most) + OF_LAST_CELL * step * faded
+        sizes = np.divide(change, place.expected, out=np.zeros(near.shape), where=place.expected > 0.0)
+        yield _Cause(
+            f"It lies within {float(distance[near].max()):.2g} mm of the end at y = {edge.y:.5g} mm, towards which the "
+            f"pressure goes on changing within the last row of cells of {patch.dy:.2g} mm",
+            np.where(near, sizes, 0.0),
         )
 
 
