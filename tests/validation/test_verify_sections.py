@@ -9,12 +9,12 @@ from matplotlib.figure import Figure
 import nonhertz as nh
 from nonhertz.bodies import images
 from nonhertz.bodies.depths import plane_strain
-from nonhertz.patch import convolution, inverse, kernel
+from nonhertz.patch import convolution, free_faces, inverse, kernel
 from nonhertz.solver import one
 from nonhertz.verify import plane_grid
 
 PAPER = ("hertz_ellipse", "line_limits", "profiled_roller", "load_compression")
-BODIES = ("half_space", "plane_strain", "finite_bodies", "edge_exponents", "quarter_space", "plane_grid")
+BODIES = ("half_space", "plane_strain", "finite_bodies", "edge_exponents", "quarter_space", "plane_grid", "free_ends")
 BELOW = ("subsurface_stress", "fatigue_life")
 MODULES = PAPER + BODIES + BELOW
 # CI runs `nonhertz verify` as well: half a minute that a developer need not wait for all day.
@@ -77,6 +77,19 @@ def test_images_that_weigh_a_tenth_too_little_are_noticed(monkeypatch, module):
     right = images._chains
     monkeypatch.setattr(images, "_chains", lambda *args: {place: 0.9 * w for place, w in right(*args).items()})
     assert section(module).failed > 0
+
+
+def test_free_faces_that_add_a_tenth_too_little_on_cells_are_noticed(monkeypatch):
+    right = free_faces._terms
+    monkeypatch.setattr(
+        free_faces, "_terms", lambda *args: ((far, 0.9 * image, 0.9 * plane) for far, image, plane in right(*args))
+    )
+    failed = [check.claim for check in section("free_ends").checks if check.passed is False]
+    assert {
+        "straight: approach",
+        "together: moment",
+        "both bodies end: pressure at y = 0.25 mm over that at 8 mm, strips",
+    } <= set(failed)
 
 
 def test_a_depth_a_tenth_too_small_is_noticed(monkeypatch):

@@ -29,6 +29,7 @@ CATALOGUE = {
     "profiled-roller": "nonhertz.verify.profiled_roller",
     "load-compression": "nonhertz.verify.load_compression",
     "plane-grid": "nonhertz.verify.plane_grid",
+    "free-ends": "nonhertz.verify.free_ends",
     "subsurface": "nonhertz.verify.subsurface_stress",
     "fatigue-life": "nonhertz.verify.fatigue_life",
     "cost": "nonhertz.verify.cost",

@@ -64,7 +64,7 @@ mirroring leaves is another matter: with weight 1 the pressure at $y$ = 0.25 mm 
 body is {over:.0f} % above that of the true free end. The weight `"calibrated"`, 1.6 at $\\nu$ = 0.3, is what brings
 it nearest. Where both bodies end at the same place, weights up to 1 leave the pressure flat while the true one falls
 to about half, and heavier ones have no solution that refinement converges to. The exact rows are from the
-three-dimensional solution; an exact end is not built in yet.
+three-dimensional solution; with `side_faces = "free"` strips and plane grid come to them, in a section of their own.
 """
 
 
