@@ -7,14 +7,17 @@ import pytest
 from matplotlib.figure import Figure
 
 import nonhertz as nh
-from nonhertz.bodies import images
+from nonhertz.bodies import images, whole_roller
 from nonhertz.bodies.depths import plane_strain
 from nonhertz.patch import convolution, free_faces, inverse, kernel
 from nonhertz.solver import one
 from nonhertz.verify import plane_grid
 
 PAPER = ("hertz_ellipse", "line_limits", "profiled_roller", "load_compression")
-BODIES = ("half_space", "plane_strain", "finite_bodies", "edge_exponents", "quarter_space", "plane_grid", "free_ends")
+BODIES = (
+    *("half_space", "plane_strain", "finite_bodies", "edge_exponents", "quarter_space", "whole_roller", "plane_grid"),
+    "free_ends",
+)
 BELOW = ("subsurface_stress", "fatigue_life")
 MODULES = PAPER + BODIES + BELOW
 # CI runs `nonhertz verify` as well: half a minute that a developer need not wait for all day.
@@ -72,7 +75,7 @@ def test_a_solver_with_five_per_cent_too_much_compliance_fails(monkeypatch, modu
         assert {claim.partition(",")[0] for claim in failed} >= {nh.SEMI_ELLIPTIC.name, nh.PARABOLIC.name}
 
 
-@pytest.mark.parametrize("module", ["finite_bodies", "edge_exponents", "quarter_space"])
+@pytest.mark.parametrize("module", ["finite_bodies", "edge_exponents", "quarter_space", "whole_roller"])
 def test_images_that_weigh_a_tenth_too_little_are_noticed(monkeypatch, module):
     right = images._chains
     monkeypatch.setattr(images, "_chains", lambda *args: {place: 0.9 * w for place, w in right(*args).items()})
@@ -97,6 +100,15 @@ def test_a_depth_a_tenth_too_small_is_noticed(monkeypatch):
     monkeypatch.setattr(plane_strain, "plane_strain_depth", lambda *args: 0.9 * right(*args))
     assert section("plane_strain").failed > 0
     assert section("finite_bodies").failed > 0
+    assert section("whole_roller").failed > 0
+
+
+def test_a_whole_roller_that_is_five_per_cent_softer_at_large_is_noticed(monkeypatch):
+    right = whole_roller.WholeRoller.displacement
+    monkeypatch.setattr(whole_roller.WholeRoller, "displacement", lambda *args: 1.05 * right(*args))
+    failed = [check.claim for check in section("whole_roller").checks if check.passed is False]
+    assert failed
+    assert all("whole roller" in claim or "hollow roller" in claim for claim in failed)
 
 
 def too_soft_strips(monkeypatch):

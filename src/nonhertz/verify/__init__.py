@@ -26,6 +26,7 @@ CATALOGUE = {
     "finite-bodies": "nonhertz.verify.finite_bodies",
     "edge-exponents": "nonhertz.verify.edge_exponents",
     "quarter-space": "nonhertz.verify.quarter_space",
+    "whole-roller": "nonhertz.verify.whole_roller",
     "profiled-roller": "nonhertz.verify.profiled_roller",
     "load-compression": "nonhertz.verify.load_compression",
     "plane-grid": "nonhertz.verify.plane_grid",
