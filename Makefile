@@ -78,6 +78,7 @@ docs-numbers: $(READY)
 	$(BIN)/python docs/screenshots.py
 	$(BIN)/python docs/grid_study.py
 	$(BIN)/python docs/end_study.py
+	$(BIN)/python docs/model_study.py
 	$(BIN)/python docs/patch_study.py
 	$(BIN)/nonhertz verify --out docs/validation
 	rm docs/validation/*.png docs/validation/verify.json
