@@ -152,9 +152,9 @@ relative to a uniform line contact. The last three columns are with the axes til
 
 {contacts}
 
-Set beside the whole roller, Reusner's approach is {approach:+.1f} %, his pressure at a quarter of the half-width from
-the end {pressure:+.0f} %, his tilting moment {moment:+.1f} %, and his life {life:+.0f} %. Without any treatment of the
-ends the pressure there is {none_pressure:+.0f} % and the moment {none_moment:+.0f} %.
+Relative to the whole roller, Reusner's model makes the approach {approach:+.1f} %, the pressure at a quarter of the
+half-width from the end {pressure:+.0f} %, the tilting moment {moment:+.1f} % and the life {life:+.0f} %; half-spaces
+make that pressure {none_pressure:+.0f} % and the moment {none_moment:+.0f} %.
 """
 
 
