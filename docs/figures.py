@@ -204,10 +204,10 @@ def images_sketch() -> Figure:
 def free_ends() -> Figure:
     """Return the pressure towards the end of a straight roller on a ring, by what is behind the end."""
     cases = (
-        ("nothing mirrored", "none", None, FAINT_INK, ":"),
-        ("roller mirrored (default)", "mirror", None, FIRST, "-"),
-        ("roller calibrated", "calibrated", None, SECOND, "--"),
-        ("ring as long, both mirrored", "mirror", LENGTH, INK, END_DASHES),
+        ("half-spaces", "none", None, FAINT_INK, ":"),
+        ("roller mirrored", "mirror", None, SECOND, "--"),
+        ("roller free (default)", "free", None, FIRST, "-"),
+        ("ring as long, both free", "free", LENGTH, INK, END_DASHES),
     )
     figure = Figure(figsize=(WIDTH, 3.2))
     along = figure.add_axes((0.09, 0.155, 0.4, 0.8))
@@ -226,9 +226,9 @@ def free_ends() -> Figure:
         alpha = solution.edge_pressure[1].exponent
         exponent = rf"$\alpha$ = {alpha:.3g}" if alpha > 0.0 else "finite"
         near.loglog(distance[shown], ratio[shown], color=colour, linestyle=dashes, label=exponent)
-    along.set(xlim=(0.0, 10.3), ylim=(0.8, 3.2), xlabel="$y$ [mm]", ylabel="pressure / that in the middle")
-    near.set(xlim=(0.03, 30.0), ylim=(0.8, 5.0), xlabel="distance from the end / half-width")
-    near.set_yticks([0.8, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0], ["0.8", "1", "1.5", "2", "3", "4", "5"])
+    along.set(xlim=(0.0, 10.3), ylim=(0.6, 3.2), xlabel="$y$ [mm]", ylabel="pressure / that in the middle")
+    near.set(xlim=(0.03, 30.0), ylim=(0.6, 5.0), xlabel="distance from the end / half-width")
+    near.set_yticks([0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0], ["0.6", "0.8", "1", "1.5", "2", "3", "4", "5"])
     near.yaxis.set_minor_formatter(NullFormatter())
     near.set_xticks([0.1, 1.0, 10.0], ["0.1", "1", "10"])
     along.legend(loc="upper left")
@@ -241,7 +241,7 @@ def approach_over_length() -> Figure:
     cases = (
         ("half-spaces", "none", "none", SECOND, ":"),
         ('depth = "diameter"', "mirror", "diameter", INK, "--"),
-        ('depth = "plane-strain" (default)', "mirror", "plane-strain", FIRST, "-"),
+        ('depth = "plane-strain"', "mirror", "plane-strain", FIRST, "-"),
     )
     figure = Figure(figsize=(WIDTH, 3.0))
     axes: Axes = figure.add_axes((0.09, 0.165, 0.885, 0.79))

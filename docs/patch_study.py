@@ -92,7 +92,9 @@ def _long_table() -> Iterator[str]:
     yield ""
     yield _row("contact", "time [s]", "convolutions", "residual", "memory [MiB]")
     yield _rule(5)
-    mirrored = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000)), nh.Plate())
+    mirrored = nh.Contact(
+        nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000), side_faces="mirror"), nh.Plate()
+    )
     straight = nh.Contact(nh.Roller(diameter=20, length=20, **HALF_SPACE), _plate())
     dent = nh.patch.Dent(y=1.0, depth=0.003, diameter=0.3)
     cases: dict[str, Callable[[], PatchSolution]] = {

@@ -8,7 +8,7 @@ Examples
 >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))
 >>> solution = nh.solve(nh.Contact(roller, nh.Plate()), load=20e3)
 >>> round(solution.approach, 4)
-0.0303
+0.0307
 """
 
 from __future__ import annotations

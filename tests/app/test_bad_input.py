@@ -19,7 +19,9 @@ LENGTH_REMEDY = "give the distance between the side faces in mm, or leave it out
 DIAMETER_REMEDY = "give the diameter in mm, negative for a concave surface, or leave it out for a flat one"
 FACES_REMEDY = "write 'free', 'mirror', 'calibrated', 'none' or a weight of the images, or a pair for low and high y"
 IMAGES_REMEDY = "give 1 to 100, or 'series' for all of them"
-DEPTH_REMEDY = "write 'none', 'plane-strain', 'diameter', 'finite' or a depth in mm such as the thickness of a ring"
+DEPTH_REMEDY = (
+    "write 'none', 'plane-strain', 'diameter', 'cylinder', 'finite' or a depth in mm such as the thickness of a ring"
+)
 NOT_CONVEX = (
     "must only be used for a convex body, which has a diameter: "
     "give the thickness of a ring or plate in mm, or write 'none'."
@@ -335,7 +337,10 @@ MISTAKES = {
     ),
     # Depth
     "misspelt depth": refused_word(
-        "depth", "'plane-strian'", "be one of 'none', 'plane-strain', 'diameter', 'finite' or a length", DEPTH_REMEDY
+        "depth",
+        "'plane-strian'",
+        "be one of 'none', 'plane-strain', 'diameter', 'cylinder', 'finite' or a length",
+        DEPTH_REMEDY,
     ),
     "no depth": refused_word("depth", "0.0", "be positive", DEPTH_REMEDY),
     "negative depth in a unit": refused_word("depth", "'-1 mm'", "be positive", DEPTH_REMEDY),
@@ -343,7 +348,7 @@ MISTAKES = {
     "depth in quotes": refused_word("depth", "'8'", "have a unit", "write 8 without quotes if it is in mm"),
     "depth of nan": refused_word("depth", "nan", "be a finite number", DEPTH_REMEDY),
     "list of depths": refused_word(
-        "depth", "[8]", "be one of 'none', 'plane-strain', 'diameter', 'finite' or a length", DEPTH_REMEDY
+        "depth", "[8]", "be one of 'none', 'plane-strain', 'diameter', 'cylinder', 'finite' or a length", DEPTH_REMEDY
     ),
     "diameter of a plate for its depth": (
         f"{A}[body.b]\ndepth = 'diameter'\n{LOAD}",

@@ -57,7 +57,7 @@ def test_a_report_is_written_beside_and_replaced(case: str, capsys: pytest.Captu
     text = Path("case-report.html").read_text(encoding="utf-8")
     assert text.startswith("<!DOCTYPE html>")
     assert MARK in text[:500]
-    assert "Stress below the surface" not in text
+    assert "<h2>Stress below the surface" not in text
     Path(case).write_text(CASE.replace("6 kN", "7 kN"), encoding="utf-8")
     assert main(["report", case, *QUICK]) == 0
     assert "7000 N" in Path("case-report.html").read_text(encoding="utf-8")

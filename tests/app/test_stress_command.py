@@ -29,11 +29,13 @@ title = "Two rollers with coincident ends"
 kind = "roller"
 diameter = 20
 length = 20
+side_faces = "mirror"
 images = "series"
 [body.b]
 kind = "roller"
 diameter = 20
 length = 20
+side_faces = "mirror"
 images = "series"
 material = { modulus = 207000, poisson = 0.25 }
 [load]

@@ -334,8 +334,10 @@ def test_text_cannot_leave_its_place():
 @pytest.mark.parametrize(
     ("body", "depth"),
     [
-        ({"kind": "roller", "diameter": 20.0, "length": 20.0}, "plane-strain"),
-        ({"diameter": "20 mm", "length": 20.0}, "plane-strain"),
+        ({"kind": "roller", "diameter": 20.0, "length": 20.0}, "finite"),
+        ({"diameter": "20 mm", "length": 20.0}, "finite"),
+        ({"diameter": "20 mm", "length": 20.0, "side_faces": "mirror"}, "plane-strain"),
+        ({"kind": "roller", "diameter": 20.0, "length": 400.0}, "plane-strain"),
         ({"diameter": -20.0, "length": 20.0}, "none"),
         ({"diameter": 20.0}, "none"),
         ({"kind": "plate", "length": 20.0}, "none"),
@@ -347,5 +349,5 @@ def test_what_leaving_a_key_out_means(body, depth):
     assert fields["body.a.depth"].default == depth
     assert fields["body.a.material"].default == "steel"
     made = case_in(document, Path("case.toml")).contact.a
-    assert made.depth == depth
+    assert made.behind.word == depth
     assert made.material == MATERIALS["steel"]

@@ -46,6 +46,8 @@ def _options_text(case):
 
 
 def _body_text(body):
+    # What a body leaves out, the checkers of a case take to be this.
+    body = {"side_faces": "mirror", "depth": "plane-strain" if body["kind"] == "Roller" else "none"} | body
     shown = [f"material=nh.Material({body['modulus']!r}, {body['poisson']!r})"]
     plain = ("length", "effective_length", "position", "side_faces", "images", "depth")
     shown += [f"{name}={body[name]!r}" for name in plain if name in body]

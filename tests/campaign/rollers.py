@@ -8,6 +8,7 @@ import nonhertz as nh
 
 SEED = 20261122
 HALF_SPACE = {"side_faces": "none", "depth": "none"}
+MIRRORED = {"side_faces": "mirror", "depth": "plane-strain"}
 
 
 def roller_case(number):
@@ -16,7 +17,7 @@ def roller_case(number):
     diameter = rng.uniform(6.0, 40.0)
     length = diameter * rng.uniform(0.7, 2.5)
     load = length * diameter / 20.0 * 10.0 ** rng.uniform(1.7, 3.3)
-    ends = HALF_SPACE if rng.random() < 0.4 else {}
+    ends = HALF_SPACE if rng.random() < 0.4 else MIRRORED
     roller = nh.Roller(diameter=diameter, length=length, profile=profile(rng, diameter, length, load), **ends)
     return pressed(rng, roller, other_body(rng, diameter, length), load)
 
@@ -75,4 +76,6 @@ def other_body(rng, diameter, length):
     if rng.random() < 0.3:
         return nh.Plate()
     ring = diameter * rng.uniform(2.0, 8.0) * rng.choice([-1.0, 1.0])
-    return nh.Ring(diameter=ring, length=None if rng.random() < 0.6 else length * rng.uniform(0.9, 1.3))
+    return nh.Ring(
+        diameter=ring, length=None if rng.random() < 0.6 else length * rng.uniform(0.9, 1.3), side_faces="mirror"
+    )

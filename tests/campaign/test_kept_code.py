@@ -259,7 +259,7 @@ import numpy as np
 import nonhertz as nh
 
 contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000)), nh.Plate())
-sharp = nh.Contact(nh.Roller(diameter=20, length=20), nh.Ring(diameter=80))
+sharp = nh.Contact(nh.Roller(diameter=20, length=20, side_faces="mirror"), nh.Ring(diameter=80))
 
 def solve():
     found = [nh.solve(contact, load=20e3), nh.solve(sharp, load=3e4, tilt=1e-3), nh.solve(sharp, load=3e4, strips=50)]

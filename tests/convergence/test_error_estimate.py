@@ -22,7 +22,7 @@ pytestmark = pytest.mark.filterwarnings("ignore:The .* is uncertain:nonhertz.Acc
 # error <= FACTOR * estimate, over the whole catalogue and all grids.
 FACTOR = 1.0
 GRIDS = ("auto", 21, 41, 81)
-BODIES = {"half-spaces": {"side_faces": "none", "depth": "none"}, "finite bodies": {}}
+BODIES = {"half-spaces": {"side_faces": "none", "depth": "none"}, "mirrored": {"side_faces": "mirror"}, "whole": {}}
 profile = nh.profile
 
 
@@ -70,9 +70,12 @@ SINGULAR = (
 )
 AT_A_CORNER = (
     ("partial crown with a kink", "half-spaces"),
-    ("partial crown with a kink", "finite bodies"),
-    ("tapered ends", "finite bodies"),
-    ("tapered ends, tilted", "finite bodies"),
+    ("partial crown with a kink", "mirrored"),
+    ("partial crown with a kink", "whole"),
+    ("tapered ends", "mirrored"),
+    ("tapered ends", "whole"),
+    ("tapered ends, tilted", "mirrored"),
+    ("tapered ends, tilted", "whole"),
 )
 QUANTITIES = ("approach", "load", "max_pressure")
 
@@ -125,7 +128,8 @@ def test_the_estimate_is_not_an_idle_bound(bodies, quantity, most):
     ratios = [estimate / error for error, estimate in pairs if error > 1e-9 and math.isfinite(estimate)]
     assert len(ratios) >= 8
     # An error may cross zero, so single ratios say nothing.
-    assert np.median(ratios) < most
+    # Weaker singularities of free ends leave smaller errors under the same estimates.
+    assert np.median(ratios) < most * (1.2 if bodies == "whole" else 1.0)
 
 
 @both
@@ -160,7 +164,7 @@ def test_what_is_prescribed_has_no_error(name, bodies):
 
 
 def test_estimates_are_plain_numbers():
-    estimate = solved("ellipse", "finite bodies", "auto").error_estimate
+    estimate = solved("ellipse", "mirrored", "auto").error_estimate
     assert [type(getattr(estimate, quantity)) for quantity in QUANTITIES] == [float, float, float]
 
 

@@ -99,7 +99,7 @@ REFUSED: dict[str, set[str]] = {
     "diameter": NUMBER - {"none", "function"} | {"zero"},
     "diameter?": NUMBER - {"none", "function"} | {"zero"},
     "rule": ALL - {"zero", "half", "three", "tiny", "array"},
-    "depth": ALL - {"half", "three", "tiny", "array"},
+    "depth": ALL - {"none", "half", "three", "tiny", "array"},
     "images": ALL - {"three", "array"},
     "prepared": ALL - {"none", "true", "half", "three", "array", "tiny", "zero"},
 }

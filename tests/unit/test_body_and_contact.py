@@ -50,15 +50,18 @@ def test_position_moves_relief_and_bends():
     [
         (nh.Body(diameter=20.0), (-math.inf, math.inf), (0.0, 0.0), "none"),
         (nh.Body(diameter=20.0, length=20.0), (-10.0, 10.0), (1.0, 1.0), "none"),
-        (roller(), (-10.0, 10.0), (1.0, 1.0), "plane-strain"),
+        (roller(), (-10.0, 10.0), (1.0, 1.0), "finite"),
+        (roller(side_faces="mirror"), (-10.0, 10.0), (1.0, 1.0), "plane-strain"),
+        (roller(length=400.0), (-200.0, 200.0), (1.0, 1.0), "plane-strain"),
         (nh.Ring(diameter=-80.0), (-math.inf, math.inf), (0.0, 0.0), "none"),
         (nh.Ring(diameter=-80.0, length=24.0), (-12.0, 12.0), (1.0, 1.0), "none"),
         (nh.Plate(), (-math.inf, math.inf), (0.0, 0.0), "none"),
         (nh.Plate(length=24.0), (-12.0, 12.0), (1.0, 1.0), "none"),
     ],
 )
-def test_what_ends_is_mirrored_once_and_a_roller_is_as_thick_as_a_long_one(body, faces, weights, depth):
-    assert (body.faces, body.face_weights, body.images, body.depth) == (faces, weights, 1, depth)
+def test_what_ends_has_free_faces_and_a_roller_is_whole_where_it_can_be(body, faces, weights, depth):
+    assert (body.faces, body.face_weights, body.images, body.behind.word) == (faces, weights, 1, depth)
+    assert all(body.free_faces) == (body.length is not None and body.side_faces == "free")
 
 
 def test_faces_are_those_of_the_body_not_of_the_length_that_touches():
@@ -185,7 +188,7 @@ def test_bodies_and_contacts_are_values():
 # Refused, each with one sentence: "field = value must condition: remedy."
 
 NO_FACE_RULE = "must be one of 'free', 'mirror', 'calibrated', 'none' or a weight"
-NO_DEPTH_RULE = "must be one of 'none', 'plane-strain', 'diameter', 'finite' or a length"
+NO_DEPTH_RULE = "must be one of 'none', 'plane-strain', 'diameter', 'cylinder', 'finite' or a length"
 NOT_CONVEX = "must only be used for a convex body, which has a diameter"
 NO_COUNT = "must be a whole number from 1 to 100"
 NO_SUM = "must only be used for a body with a depth, without which it has no sum"
@@ -248,11 +251,7 @@ NO_SUM = "must only be used for a body with a depth, without which it has no sum
         (lambda: roller(depth=math.inf), "depth = inf must be a finite number"),
         (
             lambda: roller(depth=True),
-            "depth = True must be one of 'none', 'plane-strain', 'diameter', 'finite' or a length",
-        ),
-        (
-            lambda: roller(depth=None),
-            "depth = None must be one of 'none', 'plane-strain', 'diameter', 'finite' or a length",
+            "depth = True must be one of 'none', 'plane-strain', 'diameter', 'cylinder', 'finite' or a length",
         ),
         (lambda: nh.Plate(depth="plane-strain"), f"depth = 'plane-strain' {NOT_CONVEX}"),
         (lambda: nh.Plate(depth="diameter"), f"depth = 'diameter' {NOT_CONVEX}"),

@@ -25,7 +25,9 @@ def solved():
 def test_a_solution_is_printed_in_ten_lines_at_most(solved):
     said = repr(solved).splitlines()
     assert len(said) <= 10
-    assert said[1].strip() == "roller (diameter 20, length 20 mm) against ring (diameter 80 mm)"
+    assert said[1].strip() == (
+        "roller (diameter 20, length 20 mm; ends free, depth finite) against ring (diameter 80 mm; depth none)"
+    )
     assert "load 5000.0 N" in repr(solved)
     assert "tilt 0.20000 mrad" in repr(solved)
     assert f"approach {1e3 * solved.approach:.3f} um, error about" in repr(solved)

@@ -163,8 +163,10 @@ def test_coincident_mirrored_ends_are_finite():
 
 
 def test_a_face_a_little_further_out_leaves_the_exponent_and_takes_the_strength():
-    near = solved(roller(), nh.Plate(length=20.2)).edge_pressure[1]
-    far = solved(roller(), nh.Plate(length=22.0)).edge_pressure[1]
+    near, far = (
+        solved(roller(side_faces="mirror"), nh.Plate(length=length, side_faces="mirror")).edge_pressure[1]
+        for length in (20.2, 22.0)
+    )
     assert near.exponent == pytest.approx(far.exponent) == pytest.approx(1.0 / 3.0)
     assert near.strength is None
     assert far.strength > 0.0
@@ -177,7 +179,8 @@ FREED = "ends with its side face freed by images of weight 1"
     ("a", "b", "convention"),
     [
         (roller(**HALF_SPACE), nh.Plate(), "a ends as a half-space, b goes on"),
-        (roller(), nh.Plate(), f"a {FREED}, b goes on"),
+        (roller(), nh.Plate(), "a ends with its side face free, b goes on"),
+        (roller(side_faces="mirror"), nh.Plate(), f"a {FREED}, b goes on"),
         (
             roller(side_faces="calibrated"),
             nh.Plate(length=20.0, side_faces="calibrated"),

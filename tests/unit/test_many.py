@@ -156,7 +156,7 @@ def test_what_strains_the_model_is_told_once():
 
 
 def test_contacts_with_singular_ends_are_told_once_and_apart_from_what_strains_the_model():
-    straight = nh.Contact(nh.Roller(diameter=20, length=20, depth="none"), nh.Plate())
+    straight = nh.Contact(nh.Roller(diameter=20, length=20, side_faces="mirror", depth="none"), nh.Plate())
     with pytest.warns(nh.AccuracyWarning) as caught:
         many = nh.solve_many(straight, load=[[2e3, 20e3], [3e3, 20e6]])
     said = [str(each.message) for each in caught]

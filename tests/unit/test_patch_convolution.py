@@ -28,7 +28,13 @@ SIZES = [(5, 7), (6, 4), (11, 13), (40, 70)]
 
 def influence(name):
     roller, plate = BODIES[name]
-    return influence_of(nh.Contact(nh.Roller(diameter=20, length=20, **roller), nh.Plate(**plate)), HERTZ)
+    return influence_of(
+        nh.Contact(
+            nh.Roller(**{"diameter": 20, "length": 20, "side_faces": "mirror"} | roller),
+            nh.Plate(**{"side_faces": "mirror"} | plate),
+        ),
+        HERTZ,
+    )
 
 
 def summed(grid, influence, pressure):

@@ -25,11 +25,11 @@ DIRECT = {(1.0, 0.0): 1.0}
 
 
 def roller(**changes):
-    return nh.Roller(**({"diameter": 15.0, "length": 16.0, "material": STEEL} | changes))
+    return nh.Roller(**({"diameter": 15.0, "length": 16.0, "material": STEEL, "side_faces": "mirror"} | changes))
 
 
 def plate(**changes):
-    return nh.Plate(**({"material": STEEL} | changes))
+    return nh.Plate(**({"material": STEEL, "side_faces": "mirror"} | changes))
 
 
 def on_plate(**changes):

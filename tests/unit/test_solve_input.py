@@ -300,8 +300,8 @@ def test_nobody_is_told_of_strips_that_nobody_gave():
 def test_a_series_of_images_is_refused_under_a_contact_much_wider_than_the_body():
     # Its far images are line loads, 5 % off in the gap where the half-width is 16 lengths.
     wide = nh.Contact(
-        nh.Ring(diameter=-252.7, length=1.12, images="series", depth=168.6),
-        nh.Roller(diameter=93.5, length=1.12, depth="none"),
+        nh.Ring(diameter=-252.7, length=1.12, side_faces="mirror", images="series", depth=168.6),
+        nh.Roller(diameter=93.5, length=1.12, side_faces="mirror", depth="none"),
     )
     with pytest.raises(
         nh.InputError, match=r"body.a.images = 'series' must only be used where the half-width, 22\.2 mm here"
@@ -342,7 +342,7 @@ def test_a_tilt_in_the_wrong_unit_is_refused_alone_and_among_many(tilt):
 
 
 def test_a_pressure_that_no_material_bears_is_told_alone_and_among_many():
-    contact = nh.Contact(nh.Roller(diameter=20, length=20, depth="none"), nh.Plate())
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, side_faces="mirror", depth="none"), nh.Plate())
     with pytest.warns(nh.AccuracyWarning) as caught:
         nh.solve(contact, load=20e6, strips=21)
     assert any(re.search(r"mean pressure is \S+ MPa, 0\.\d+ of the softer", str(each.message)) for each in caught)

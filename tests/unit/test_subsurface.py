@@ -17,20 +17,22 @@ RING = nh.Ring(diameter=80)
 
 @pytest.fixture(scope="module")
 def tilted():
-    roller = nh.Roller(diameter=20, length=20, profile=nh.profile.iso_logarithmic(diameter=20, length=20))
-    return nh.solve(nh.Contact(roller, nh.Ring(diameter=80, length=24, depth=10)), load=20e3, tilt=5e-4, accuracy=1e-5)
+    profile = nh.profile.iso_logarithmic(diameter=20, length=20)
+    roller = nh.Roller(diameter=20, length=20, profile=profile, side_faces="mirror")
+    ring = nh.Ring(diameter=80, length=24, depth=10, side_faces="mirror")
+    return nh.solve(nh.Contact(roller, ring), load=20e3, tilt=5e-4, accuracy=1e-5)
 
 
 @pytest.fixture(scope="module")
 def plane_strain():
     """Return equal rollers whose ends coincide, mirrored for ever: Hertz's line contact from end to end."""
-    roller = nh.Roller(diameter=20, length=10, images="series")
+    roller = nh.Roller(diameter=20, length=10, side_faces="mirror", images="series")
     return nh.solve(nh.Contact(roller, roller), load=10e3, strips=11)
 
 
 @pytest.fixture(scope="module")
 def patched():
-    roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=2000))
+    roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=2000), side_faces="mirror")
     return nh.patch.solve(nh.Contact(roller, nh.Plate()), load=4e3, cells=(32, 64))
 
 
@@ -124,6 +126,13 @@ def test_both_bodies_together_are_displaced_as_the_solution_says(tilted):
     np.testing.assert_allclose(moved, wanted, rtol=0.0, atol=2e-3 * wanted.max())
     middle = np.abs(y) < 8.0
     np.testing.assert_allclose(moved[middle], wanted[middle], rtol=4e-4, atol=0.0)
+
+
+def test_displacement_below_free_side_faces_is_refused():
+    solution = nh.solve(nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(2000)), RING), load=5e3)
+    with pytest.raises(nh.InputError, match="displacement = True must only be asked for below a surface without free"):
+        stress(solution, 0.0, 0.0, 0.1, displacement=True)
+    assert stress(solution, 0.0, 0.0, 0.1, body="b", displacement=True).displacement[2] > 0.0
 
 
 def test_the_plane_grid_is_displaced_as_its_solution_says(patched):
@@ -221,7 +230,9 @@ def test_towards_a_sharp_end_nothing_is_searched_and_that_is_said():
 
 @pytest.fixture(scope="module")
 def chamfered():
-    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.chamfer(20, 1.0)), RING)
+    contact = nh.Contact(
+        nh.Roller(diameter=20, length=20, profile=nh.profile.chamfer(20, 1.0), side_faces="mirror"), RING
+    )
     return nh.solve(contact, load=20e3)
 
 

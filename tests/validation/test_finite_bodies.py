@@ -31,7 +31,7 @@ def assert_all_digits(found, printed):
 
 
 def pair(*, element=nh.PARABOLIC, strips=41, **body):
-    roller = nh.Roller(diameter=10, length=10, material=STEEL, **body)
+    roller = nh.Roller(**{"diameter": 10, "length": 10, "material": STEEL, "side_faces": "mirror"} | body)
     return nh.solve(nh.Contact(roller, roller), load=10e3, element=element, strips=strips)
 
 
@@ -94,8 +94,11 @@ STRIPS = {  # tilt: strip: s [N/mm^4], c [mm], q [N/mm]
 @pytest.fixture(scope="module")
 def rollers_on_rings():
     profile = nh.profile.iso_logarithmic(diameter=15, length=16)
-    roller = nh.Roller(diameter=15, length=16, profile=profile, material=STEEL, depth="diameter")
-    ring = nh.Ring(diameter=60, length=24, material=STEEL, depth="diameter")
+    mirrored = {"material": STEEL, "side_faces": "mirror", "depth": "diameter"}
+    roller, ring = (
+        nh.Roller(diameter=15, length=16, profile=profile, **mirrored),
+        nh.Ring(diameter=60, length=24, **mirrored),
+    )
     contact = nh.Contact(roller, ring)
     return {tilt: nh.solve(contact, load=20e3, tilt=tilt, element=nh.PARABOLIC, strips=41) for tilt in STRIPS}
 
@@ -138,7 +141,7 @@ SINGLE = [
 @pytest.mark.parametrize(("body", "yi", "displacement", "by_c", "flattening", "flattening_by_c"), SINGLE)
 def test_single_coefficients(body, yi, displacement, by_c, flattening, flattening_by_c):
     # One body alone: the other is all but rigid.
-    roller = nh.Roller(diameter=15, length=16, material=STEEL, **body)
+    roller = nh.Roller(**{"diameter": 15, "length": 16, "material": STEEL, "side_faces": "mirror"} | body)
     contact = nh.Contact(roller, nh.Plate(material=nh.Material(1e18, 0.3)))
     problem = problem_of(contact, Prescription.checked(0.01, None, None, None), nh.PARABOLIC)
     edges, c = np.array([-0.2, 0.2, 0.8, 1.2, 1.8, 2.2]), 0.25
@@ -163,7 +166,7 @@ def test_single_coefficients(body, yi, displacement, by_c, flattening, flattenin
 def test_a_long_roller_is_compressed_as_in_plane_strain(poisson, diameter, pressed, element):
     # The load per length and diameter goes over two decades. What is left is of the order of (diameter / length)^2.
     material, length, line_load = nh.Material(modulus=206000, poisson=poisson), 100.0 * diameter, pressed * diameter
-    roller = nh.Roller(diameter=diameter, length=length, material=material)
+    roller = nh.Roller(diameter=diameter, length=length, material=material, side_faces="mirror")
     solution = nh.solve(nh.Contact(roller, roller), load=line_load * length, element=element, strips=21)
     line = nh.hertz.line_contact(line_load=line_load, radius=0.25 * diameter, compliance=2.0 * material.compliance)
     expected = 2.0 * nh.hertz.plane_strain_cylinder_compression(line, diameter=diameter, material=material)

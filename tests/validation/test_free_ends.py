@@ -128,7 +128,7 @@ def test_a_whole_roller_with_a_depth_is_as_far_off_as_documented(poisson, errors
     # roller of 20 x 20 mm.
     exact = {(0.3, 0.0): 7.917, (0.3, 9.5): 8.9321, (0.3, 10.0): 9.682, (0.0, 0.0): 7.7947, (0.0, 10.0): 7.7947}
     material = nh.Material(206000.0, poisson)
-    roller = nh.Roller(diameter=20.0, length=20.0, material=material, side_faces="free")
+    roller = nh.Roller(diameter=20.0, length=20.0, material=material, side_faces="free", depth="plane-strain")
     influence = influence_of(nh.Contact(roller, nh.Plate(material=material)), nh.SEMI_ELLIPTIC)
     edges = np.unique(
         np.concatenate([sign * (10.0 - np.geomspace(0.01, 10.0, 60)) for sign in (-1.0, 1.0)] + [[10.0, -10.0]])

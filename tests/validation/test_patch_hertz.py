@@ -64,7 +64,7 @@ def test_tilt_shifts_a_parabola():
 def test_two_equal_rollers_with_coincident_ends_are_in_plane_strain(images):
     # Companion notes 9.4: mirrored about both ends, the pressure is that of a line without ends, and measured against
     # the depth of plane strain the approach is Johnson's (5.57), twice 12.04 micrometres.
-    roller = nh.Roller(diameter=10, length=10, material=STEEL, images=images)
+    roller = nh.Roller(diameter=10, length=10, material=STEEL, side_faces="mirror", images=images)
     contact = nh.Contact(roller, roller)
     exact = line_contact(line_load=1000.0, radius=2.5, compliance=contact.compliance)
     approach = 2.0 * plane_strain_cylinder_compression(exact, diameter=10.0, material=STEEL)

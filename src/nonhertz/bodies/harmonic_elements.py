@@ -213,8 +213,7 @@ def _from_nodes() -> tuple[Array, Array]:
     inner = legendre.legroots(legendre.legder(np.eye(_NODES)[DEGREE]))
     nodes = np.concatenate([[-1.0], np.sort(inner.real), [1.0]])
     coefficients = np.linalg.inv(legendre.legvander(nodes, DEGREE))
-    slopes: Array = legendre.legder(coefficients)
-    return coefficients, slopes
+    return coefficients, np.asarray(legendre.legder(coefficients), dtype=np.float64)
 
 
 def _polynomials(places: Array) -> tuple[Array, Array]:

@@ -23,7 +23,7 @@ def _solve() -> None:
 def _stress() -> None:
     solution = nh.solve(_contact(), load=5e3, strips=11)
     nh.subsurface.extremes(solution, 0.0)
-    nh.subsurface.stress(solution, 0.0, 0.0, 0.1, displacement=True)
+    nh.subsurface.stress(solution, 0.0, 0.0, 0.1, body="b", displacement=True)
 
 
 def _life() -> None:
@@ -32,7 +32,7 @@ def _life() -> None:
 
 def _plane_grid() -> None:
     solution = nh.patch.solve(_contact(), load=5e3, cells=(12, 16))
-    nh.subsurface.stress(solution, 0.0, 0.0, 0.1, displacement=True)
+    nh.subsurface.stress(solution, 0.0, 0.0, 0.1, body="b", displacement=True)
     nh.subsurface.extremes(solution, 0.0)
 
 
@@ -72,4 +72,4 @@ def warm_up(announce: Callable[[str], object]) -> dict[str, float]:
 
 def _contact() -> nh.Contact:
     roller = nh.Roller(diameter=10.0, length=10.0, profile=nh.profile.crown(radius=2000.0))
-    return nh.Contact(roller, nh.Ring(diameter=40.0))
+    return nh.Contact(roller, nh.Ring(diameter=40.0, length=12.0, side_faces=("mirror", "none"), depth=5.0))

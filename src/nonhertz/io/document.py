@@ -286,8 +286,8 @@ class BodyTable(Table):
     )
     depth: Annotated[Any, PlainValidator(_read_depth), WithJsonSchema(_DEPTH_SCHEMA)] = Field(
         default=None,
-        description=f"the point that the displacement is measured against: {_choices(DEPTHS.values(), Thickness)}",
-        json_schema_extra={"default": Body.depth},
+        description=f"the point that the displacement is measured against: {_choices(DEPTHS.values(), Thickness)}; "
+        "left out, a roller with free side faces is 'finite', any other 'plane-strain', and the rest is 'none'",
     )
     bore: Annotated[Any, PlainValidator(_read_diameter, json_schema_input_type=Length | DiameterTable)] = Field(
         default=None,

@@ -64,7 +64,8 @@ def _body(body: Body) -> dict[str, Any]:
     if profiles:
         table["profile"] = profiles
     for name in ("side_faces", "images", "depth"):
-        table[name] = _plain(getattr(body, name))
+        if getattr(body, name) is not None:
+            table[name] = _plain(getattr(body, name))
     return table
 
 

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.bodies.depths import DEPTHS, DepthRule, depth_of
 from nonhertz.bodies.depths.depth import Depth
 from nonhertz.bodies.depths.endless import Endless
+from nonhertz.bodies.depths.finite import whole
 from nonhertz.bodies.images import FEWEST_IMAGES, check_images
 from nonhertz.bodies.sides import FaceRule, side_faces
 from nonhertz.bodies.sides.side_face import SideFace
@@ -33,6 +34,8 @@ Diameter = float | Callable[[Array], ArrayLike] | None
 
 _LENGTH_REMEDY = "give the distance between the side faces in mm, or leave it out for an unbounded body"
 _FACELESS_REMEDY = "give the distance between the side faces in mm, or leave out side_faces"
+# What a body may say that has no side faces: the default of today, and of the paper.
+_OF_NO_FACE: Final = ("free", "mirror")
 _DIAMETER_REMEDY = "give the diameter in mm, negative for a concave surface, or leave it out for a flat one"
 
 
@@ -113,19 +116,19 @@ class Body:
     position : float
         Axial position y of the middle of the body [mm].
     side_faces : str or float or pair of them
-        How the side faces are freed of stress: exactly (``"free"``), by images of the pressure with weight 1
-        (``"mirror"``), with the weight that comes closest to the exact free face (``"calibrated"``) or with a weight
+        How the side faces are freed of stress: exactly (``"free"``, the default), by images of the pressure with weight
+        1 (``"mirror"``), with the weight that comes closest to the exact free face (``"calibrated"``) or with a weight
         given as a number, or not at all (``"none"``). A pair is for the faces at low and high y. A body without a
         length has none.
     images : int or str
         Mirror images per face: 1; or n, with the n - 1 shifted images that mirrors of mirrors make between them; or
         ``"series"`` for all of them, which needs a depth, without which their sum diverges.
-    depth : str or float
+    depth : str or float or None
         The point that the displacement is measured against: far away (``"none"``), where it makes the compression
-        of a long cylinder that of plane strain (``"plane-strain"``, the default for a roller), a diameter below the
+        of a long cylinder that of plane strain (``"plane-strain"``), a diameter below the
         surface (``"diameter"``), at a given depth [mm], such as the thickness of a ring; or the axis of a solid
         cylinder of infinite length (``"cylinder"``), or of a roller that deforms as a whole (``"finite"``), whose side
-        faces are ``"free"``.
+        faces are ``"free"``. None for what suits the body: ``"none"``, and of a roller the last of these.
 
     Raises
     ------
@@ -147,9 +150,9 @@ class Body:
     corner_radius: float | None = None
     chamfer: Chamfer | None = None
     position: float = 0.0
-    side_faces: FaceRule | tuple[FaceRule, FaceRule] = "mirror"
+    side_faces: FaceRule | tuple[FaceRule, FaceRule] = "free"
     images: int | Literal["series"] = FEWEST_IMAGES
-    depth: DepthRule = "none"
+    depth: DepthRule | None = None
 
     def __post_init__(self) -> None:
         if not isinstance(self.material, Material):
@@ -171,7 +174,7 @@ class Body:
         if isinstance(self.side_faces, list) or (isinstance(self.side_faces, np.ndarray) and self.side_faces.ndim):
             object.__setattr__(self, "side_faces", tuple(self.side_faces))
         asked = [side.image_weight(self.material.poisson) for side in self.sides]
-        if self.length is None and self.side_faces != "mirror" and max(asked) > 0.0:
+        if self.length is None and self.side_faces not in _OF_NO_FACE and max(asked) > 0.0:
             raise InputError("length", None, f"be given where side_faces = {self.side_faces!r}", _FACELESS_REMEDY)
         check_images(self.images, self.face_weights, isinstance(self.behind, Endless))
         self.behind.refuse(self)
@@ -242,7 +245,27 @@ class Body:
     @property
     def behind(self) -> Depth:
         """What displacement is measured against."""
-        return depth_of(self.depth, convex(self.diameter))
+        return depth_of(self._usual_depth if self.depth is None else self.depth, convex(self.diameter))
+
+    @property
+    def _usual_depth(self) -> DepthRule:
+        """The depth of a body without one."""
+        return "none"
+
+    @property
+    def model(self) -> str:
+        """How its side faces and its depth are treated, in the words of a case file.
+
+        Examples
+        --------
+        >>> Body(diameter=20.0, length=20.0, side_faces=("free", 1.2)).model
+        'ends free and 1.2, depth none'
+        """
+        depth = f"depth {self.behind.shown}"
+        if self.length is None:
+            return depth
+        faces = self.side_faces if isinstance(self.side_faces, tuple) else (self.side_faces,)
+        return f"ends {' and '.join(str(face) for face in faces)}, {depth}"
 
     @property
     def face_weights(self) -> tuple[float, float]:
@@ -304,15 +327,14 @@ class Body:
 class Roller(Body):
     """A convex body of finite length: `Body` with a positive ``diameter`` and a ``length``.
 
-    By default both its side faces are free and its depth is that of a long cylinder in plane strain.
+    By default both its side faces are free and it deforms as a whole. Where that is not to be had, its side faces not
+    being free or its length over 10 diameters, its depth is that of a long cylinder in plane strain.
 
     Examples
     --------
     >>> Roller(diameter=20, length=20).interval
     (-10.0, 10.0)
     """
-
-    depth: DepthRule = "plane-strain"
 
     def __post_init__(self) -> None:
         # Checked first, because the default depth needs a diameter too.
@@ -321,6 +343,11 @@ class Roller(Body):
         if self.length is None:
             raise InputError("length", self.length, "be given", "give the roller's length in mm")
         super().__post_init__()
+
+    @cached_property
+    def _usual_depth(self) -> DepthRule:
+        """The roller itself; in plane strain where it cannot be whole."""
+        return "finite" if whole(self) else "plane-strain"
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -26,6 +26,8 @@ SHARE = 0.8  # of the machine's available memory
 def memory(cells: tuple[int, int], contact: Contact | None = None) -> int:
     """Return the peak memory of a solve in bytes, to within a fifth unless the grid is small or slender.
 
+    Free side faces that the contact does not reach take less than is counted for them.
+
     Parameters
     ----------
     cells : tuple of int

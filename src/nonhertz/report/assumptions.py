@@ -18,6 +18,7 @@ from nonhertz.bodies.ends import ends
 from nonhertz.comparison.reasons import NOTABLE
 from nonhertz.report.results import CaseResults
 from nonhertz.result.checks import LEAST_DEPTH, checks
+from nonhertz.result.ends import leaves_stress
 from nonhertz.result.numerals import digits, given
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
 from nonhertz.strip.element import SEMI_ELLIPTIC
@@ -102,7 +103,7 @@ def _valid(solution: Solution) -> Iterator[Assumption]:
 
 _ENDS = {
     EdgeKind.RUN_OUT: (Verdict.HOLDS, ""),
-    EdgeKind.FINITE: (Verdict.STRAINED, "Freed of shear, not of normal stress: the true pressure at the end is lower."),
+    EdgeKind.FINITE: (Verdict.HOLDS, "Both bodies end there with free faces: the pressure is finite."),
     EdgeKind.SINGULAR: (
         Verdict.NOT_MET,
         "The pressure has no limit there; trust it from a quarter of a half-width inwards.",
@@ -112,9 +113,17 @@ _ENDS = {
 }
 
 
+_LEAVES_STRESS = (
+    Verdict.STRAINED,
+    "Freed of shear, not of normal stress: the true pressure at the end is lower.",
+)
+
+
 def _ends(solution: Solution) -> Iterator[Assumption]:
     for edge, name in zip(solution.edge_pressure, ("low", "high"), strict=True):
         verdict, remark = _ENDS[edge.kind]
+        if edge.kind is EdgeKind.FINITE and leaves_stress(solution.contact, edge):
+            verdict, remark = _LEAVES_STRESS
         what = f"Contact ends inside the bodies at {name} y"
         yield Assumption(what, "pressure falls to zero before a body ends", _end(edge), verdict, remark)
 

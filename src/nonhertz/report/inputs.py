@@ -105,6 +105,8 @@ def _body_group(title: str, place: str, table: Mapping[str, Any], body: Body) ->
     for name, property_ in _properties("BodyTable").items():
         if name not in {"kind", "profile"}:
             value = getattr(body, name)
+            if name == "depth" and value is None:
+                value = body.behind.shown
             shown = _ABSENT[name] if value is None else _shown(value)
             unit = _unit(property_) if isinstance(value, float | int | TabulatedDiameter) else ""
             entries.append(

@@ -71,7 +71,7 @@ def _numbers(solution: Solved, names: tuple[str, ...], error: float = 0.0, where
 
 
 def body_line(body: Body) -> str:
-    """Return kind and size of a body."""
+    """Return kind, size and model of a body."""
     sizes = []
     if isinstance(body.diameter, float | int):
         sizes.append(f"diameter {given(float(body.diameter))}")
@@ -79,7 +79,8 @@ def body_line(body: Body) -> str:
         sizes.append("diameter varying")
     if body.length is not None:
         sizes.append(f"length {given(body.length)}")
-    return f"{type(body).__name__.lower()} ({', '.join(sizes)} mm)" if sizes else type(body).__name__.lower()
+    shown = "; ".join([*([f"{', '.join(sizes)} mm"] if sizes else []), body.model])
+    return f"{type(body).__name__.lower()} ({shown})"
 
 
 def where_largest(solution: Solved, significant: int = 5) -> str:

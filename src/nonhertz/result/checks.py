@@ -194,7 +194,7 @@ def refuse_thin_bodies(contact: Contact, shape: Shape, y: Array, half_width: Arr
     for name, body, ratio in depths(contact, shape, y, half_width):
         if ratio < least:
             widest = float(np.max(half_width))
-            shown = ratio * widest if isinstance(body.depth, str) else body.depth
+            shown = ratio * widest if body.depth is None or isinstance(body.depth, str) else body.depth
             condition = f"be large compared with the half-width of the contact, about {widest:.2g} mm"
             remedy = "give the thickness of the body, or 'none'"
             raise InputError("depth", shown, condition, remedy).within(f"body.{name}")

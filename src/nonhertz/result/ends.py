@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from nonhertz.model.contact import Contact
 from nonhertz.result.maximum import distance_beyond, singular_y
 from nonhertz.result.protocol import Solved
-from nonhertz.result.solution import EdgeKind, SingularEnd
+from nonhertz.result.solution import EdgeKind, EdgePressure, SingularEnd
 from nonhertz.strip.overlaps import runs
 
 Array = NDArray[np.float64]
@@ -36,6 +36,16 @@ def away_from_ends(solution: Solved, y: Array) -> Flags:
     half_width = np.interp(y, solution.y, solution.half_width)
     away: Flags = distance_beyond(y, half_width, singular_y(solution)) > 0.0
     return away
+
+
+def leaves_stress(contact: Contact, edge: EdgePressure) -> bool:
+    """Return whether a side face at the end of a contact is freed of shear alone, which makes the body too stiff."""
+    faces = [
+        (face, weight, free)
+        for body in (contact.a, contact.b)
+        for face, weight, free in zip(body.faces, body.face_weights, body.free_faces, strict=True)
+    ]
+    return any(weight > 0.0 and not free and abs(face - edge.y) <= edge.strip_width for face, weight, free in faces)
 
 
 def singular_ends(sharp: Iterable[float], corners: Iterable[float], length: float) -> tuple[SingularEnd, ...]:

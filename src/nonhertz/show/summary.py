@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
+from nonhertz.model.body import BODIES
 from nonhertz.result.brief import where_largest
+from nonhertz.result.ends import leaves_stress
 from nonhertz.result.numerals import digits
 from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.quantities import QUANTITIES
@@ -15,10 +17,12 @@ Row = tuple[str, str, str]
 
 
 def summary_rows(solution: Solution) -> list[Row]:
-    """Return name, value and remark of everything in the summary: status, all quantities, strips and Newton steps."""
+    """Return name, value and remark of all in the summary: status, quantities, models, strips and Newton steps."""
     rows = [("status", solution.status.label, "")]
     for name in QUANTITIES:
         rows += _ROWS[name](solution) if name in _ROWS else [_row(name, solution)]
+    for name, body in zip(BODIES, (solution.contact.a, solution.contact.b), strict=True):
+        rows.append((f"body {name}", type(body).__name__.lower(), body.model))
     rows.append(("strips", f"{solution.strips}, {solution.element.name}", ""))
     rows.append(("Newton steps", str(solution.iterations), ""))
     return rows
@@ -47,7 +51,7 @@ def _contact_rows(solution: Solution) -> list[Row]:
     touching = "; ".join(f"{digits(low)} to {digits(high)}" for low, high in solution.contact_y)
     if not touching:
         return [("contact along y", "none", "")]
-    ends = [(f"edge at y = {edge.y:.5g} mm", *_convention(edge)) for edge in solution.edge_pressure]
+    ends = [(f"edge at y = {edge.y:.5g} mm", *_convention(edge, solution)) for edge in solution.edge_pressure]
     return [("contact along y", f"{touching} mm", ""), *ends]
 
 
@@ -77,12 +81,13 @@ def _at(edge: EdgePressure, solution: Solution) -> bool:
     return abs(edge.y - solution.max_pressure_y) <= edge.strip_width
 
 
-def _convention(edge: EdgePressure) -> tuple[str, str]:
+def _convention(edge: EdgePressure, solution: Solution) -> tuple[str, str]:
     match edge.kind:
         case EdgeKind.RUN_OUT:
             return "runs out", ""
         case EdgeKind.FINITE:
-            return f"{digits(edge.pressure)} MPa", "finite; the true end is lower"
+            remark = "finite; the true end is lower" if leaves_stress(solution.contact, edge) else "finite"
+            return f"{digits(edge.pressure)} MPa", remark
         case EdgeKind.SINGULAR:
             return "singular", edge.law
         case EdgeKind.CORNER:

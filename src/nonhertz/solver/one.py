@@ -99,7 +99,7 @@ def solve(
     >>> roller = Roller(diameter=20, length=20, profile=crown(radius=4000))
     >>> solution = solve(Contact(roller, Plate()), load=20e3, tilt=0.5e-3)
     >>> round(solution.moment / solution.load, 2)
-    0.87
+    0.81
     """
     given = Prescription.checked(approach, load, tilt, moment)
     problem = problem_of(contact, given, element, strips, accuracy)

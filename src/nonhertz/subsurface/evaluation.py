@@ -97,7 +97,7 @@ def stress(
         ``"a"`` or ``"b"``: the body that the points lie in. Both bear the same pressure; Poisson's ratio and mirror
         images are each body's own.
     displacement : bool
-        Whether to return displacements too.
+        Whether to return displacements too; not of a body with free side faces.
     threads : int, optional
         Number of threads; all cores if left out. The result does not depend on it.
     announce : callable, optional
@@ -110,11 +110,14 @@ def stress(
     Raises
     ------
     InputError
-        If a point is not finite, lies above the surface or outside the body, or ``body`` is neither.
+        If a point is not finite, lies above the surface or outside the body, ``body`` is neither, or displacements are
+        asked for below a surface between free side faces.
 
     Notes
     -----
-    A half-space under the pressure of the solution, with the images of the body's side faces. The pressure of strips is
+    A half-space under the pressure of the solution, with the images of the body's side faces. Of free faces it is the
+    images alone, which leave a normal stress on them: within a half-width of such a face the field is approximate, and
+    displacements are refused. The pressure of strips is
     interpolated smoothly between their centres so that each keeps its load; that of a plane grid is uniform in each
     cell, which shows near the surface. Parabolic strips count as the semi-ellipses of equal load, whose pressure the
     solution reports: a parabola has a tenth less orthogonal shear than the contact it represents.
@@ -146,6 +149,8 @@ def stress(
     flag("displacement", displacement, "write True for displacements too")
     callback("announce", announce)
     inside = Inside.of(solution, body)
+    if displacement:
+        _refuse_displacement(solution, body)
     places = broadcast(
         POINTS_REMEDY, *(finite_numbers(name, value) for name, value in zip("xyz", (x, y, z), strict=True))
     )
@@ -172,6 +177,14 @@ def stress(
     moved = displacements.reshape(*shape, 3) if displacements is not None else None
     across, along, below = places
     return Field(body, across, along, below, stresses.reshape(*shape, 6), moved)
+
+
+def _refuse_displacement(solution: Solved, body: BodyName) -> None:
+    """Refuse displacements below a surface whose images do not move it as the solution says."""
+    if any(getattr(solution.contact, body).free_faces):
+        condition = "only be asked for below a surface without free side faces"
+        remedy = f"leave it out, or solve with side_faces = 'mirror' of body {body}"
+        raise InputError("displacement", True, condition, remedy)
 
 
 def axial_plane(

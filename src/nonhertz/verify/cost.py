@@ -74,7 +74,8 @@ def section() -> Section:
 def _contact() -> Contact:
     profile = iso_logarithmic(diameter=15.0, length=16.0)
     return Contact(
-        Roller(diameter=15.0, length=16.0, profile=profile), Ring(diameter=60.0, length=24.0, depth="plane-strain")
+        Roller(diameter=15.0, length=16.0, profile=profile, side_faces="mirror"),
+        Ring(diameter=60.0, length=24.0, side_faces="mirror", depth="plane-strain"),
     )
 
 

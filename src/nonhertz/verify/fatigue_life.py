@@ -128,14 +128,14 @@ def section() -> Section:
 
 def _line(load: float = LOAD_ON_LINE, length: float = LENGTH) -> Solution:
     """Return a piece of a line contact."""
-    roller = Roller(diameter=DIAMETER, length=length, material=STEEL, images="series")
+    roller = Roller(diameter=DIAMETER, length=length, material=STEEL, side_faces="mirror", images="series")
     end = 0.5 * length
     return solve(Contact(roller, roller), load=load, strips=(-end, NARROW - end, end - NARROW, end))
 
 
 def _roller() -> Contact:
     profile = iso_logarithmic(diameter=20.0, length=20.0)
-    roller = Roller(diameter=20.0, length=20.0, material=STEEL, profile=profile)
+    roller = Roller(diameter=20.0, length=20.0, material=STEEL, profile=profile, side_faces="mirror")
     return Contact(roller, Ring(diameter=RING_DIAMETER, material=STEEL))
 
 
@@ -246,7 +246,7 @@ def _standard() -> list[Check]:
         Check("ISO/TS 16281: edge stress of the second", _STANDARD, 1.1266, float(of_edge[1]), 5e-5),
     ]
     tilt = 0.1e-3
-    roller = Roller(diameter=20.0, length=20.0, material=STEEL)
+    roller = Roller(diameter=20.0, length=20.0, material=STEEL, side_faces="mirror")
     solution = solve(Contact(roller, Ring(diameter=RING_DIAMETER, material=STEEL)), load=LOAD, tilt=tilt)
     slices = laminae_of(solution, iso_16281(line_loads="standard"))
     y = 0.5 * (slices.edges[1:] + slices.edges[:-1])
@@ -264,7 +264,9 @@ def _constant() -> list[Check]:
     steel, laminae = Material(210000.0, 0.3), 30
     checks = []
     for name, ring, sign in (("inner", 55.0, -1.0), ("outer", -75.0, 1.0)):
-        contact = Contact(Roller(diameter=10.0, length=9.6, material=steel), Ring(diameter=ring, material=steel))
+        contact = Contact(
+            Roller(diameter=10.0, length=9.6, material=steel, side_faces="mirror"), Ring(diameter=ring, material=steel)
+        )
         solution = solve(contact, load=2000.0, tilt=0.2e-3, strips=laminae)
         found = laminae_of(solution, iso_16281(laminae=laminae))
         width = 10.0 * (1.0 + sign * 10.0 / 65.0) * 9.6 / laminae

@@ -85,7 +85,8 @@ def _line() -> LineContact:
 
 
 def _pair(element: Element = SEMI_ELLIPTIC, strips: int | None = None, **rules: str | int) -> Solution:
-    roller = Roller(diameter=DIAMETER, length=DIAMETER, material=STEEL, **rules)  # type: ignore[arg-type]
+    asked = {"side_faces": "mirror"} | rules
+    roller = Roller(diameter=DIAMETER, length=DIAMETER, material=STEEL, **asked)  # type: ignore[arg-type]
     return solve(Contact(roller, roller), load=LOAD, element=element, strips=strips)
 
 

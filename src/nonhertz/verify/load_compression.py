@@ -52,10 +52,12 @@ class _Pair:
         """Return the pair with faces mirrored and one depth on both bodies."""
         roller = Roller(
             diameter=self.diameter, length=self.length, profile=profile or self.profile, material=STEEL, depth=depth,
-            images=images,
+            side_faces="mirror", images=images,
         )  # fmt: skip
         width = self.ring_width if ring_width is None else ring_width
-        ring = Ring(diameter=self.ring_diameter, length=width, material=STEEL, depth=depth, images=images)
+        ring = Ring(
+            diameter=self.ring_diameter, length=width, material=STEEL, depth=depth, side_faces="mirror", images=images
+        )
         return Contact(roller, ring)
 
     def palmgren(self, load: float) -> float:

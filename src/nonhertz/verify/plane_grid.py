@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 _ELLIPSE = {"load": 1000.0, "radius_x": 10.0, "radius_y": 100.0}
 _HALF_SPACE: dict[str, Any] = {"side_faces": "none", "depth": "none"}
+_MIRRORED: dict[str, Any] = {"side_faces": "mirror"}
 _LOGARITHMIC = iso_logarithmic(diameter=15.0, length=16.0)
 _SOURCE = "plane grid"
 _STRAIGHT = 0.02741221026671631  # mm, approach: that of `nonhertz.verify.half_space`
@@ -94,7 +95,8 @@ _CASES = (
         "mirrored crown", "roller 15 x 16 with a crown of 1000 mm, mirrored faces and plane-strain depth, ring of 60 "
         "mm, 8 mm thick, 10 kN, tilt 0.3 mrad",
         Contact(
-            Roller(diameter=15.0, length=16.0, profile=crown(1000.0)), Ring(diameter=60.0, length=24.0, depth=8.0)
+            Roller(diameter=15.0, length=16.0, profile=crown(1000.0), **_MIRRORED),
+            Ring(diameter=60.0, length=24.0, depth=8.0, **_MIRRORED),
         ),
         {"load": 10e3, "tilt": 0.3e-3},
     ),
@@ -104,13 +106,15 @@ _CASES = (
     ),
     _Case(
         "coincident", "two rollers 10 x 10, faces at the same places with all images, 10 kN: a piece of a line contact",
-        Contact(*(Roller(diameter=10.0, length=10.0, images="series") for _ in "ab")), {"load": 10e3},
+        Contact(*(Roller(diameter=10.0, length=10.0, images="series", **_MIRRORED) for _ in "ab")), {"load": 10e3},
     ),
     _Case(
         "tapered", "roller of 14 to 17 mm in diameter, profile of ISO 16281, mirrored faces, ring of 60 mm, 10 kN, the "
         "moment of 5 N m prescribed",
         Contact(
-            Roller(diameter=TabulatedDiameter((-8.0, 8.0), (14.0, 17.0)), length=16.0, profile=_LOGARITHMIC),
+            Roller(
+                diameter=TabulatedDiameter((-8.0, 8.0), (14.0, 17.0)), length=16.0, profile=_LOGARITHMIC, **_MIRRORED
+            ),
             Ring(diameter=60.0),
         ),
         {"load": 10e3, "moment": 5e3},

@@ -105,7 +105,9 @@ def _find(element: Element, diameter: float, line_load: float, poisson: float) -
     exact = 2.0 * plane_strain_cylinder_compression(line, diameter=diameter, material=material)
 
     def approach(depth: float | str) -> float:
-        roller = Roller(diameter=diameter, length=LENGTH * diameter, material=material, depth=depth)
+        roller = Roller(
+            diameter=diameter, length=LENGTH * diameter, material=material, side_faces="mirror", depth=depth
+        )
         load = line_load * LENGTH * diameter
         return solve(Contact(roller, roller), load=load, element=element, strips=STRIPS).approach
 

@@ -94,10 +94,10 @@ logarithmic profile of ISO 16281, straight and under 0.5 mrad, on {strips} equal
 
 def contact(profile: Profile | None = None, depth: str = "plane-strain") -> Contact:
     """Return the roller on its ring, by default with the stand-in profile."""
-    roller = Roller(
-        diameter=DIAMETER, length=LENGTH, profile=profile or partial_crown(ARC, STRAIGHT), material=STEEL, depth=depth
-    )
-    return Contact(roller, Ring(diameter=RING_DIAMETER, length=RING_WIDTH, material=STEEL, depth=depth))
+    shape = profile or partial_crown(ARC, STRAIGHT)
+    finite = {"material": STEEL, "side_faces": "mirror", "depth": depth}
+    roller = Roller(diameter=DIAMETER, length=LENGTH, profile=shape, **finite)  # type: ignore[arg-type]
+    return Contact(roller, Ring(diameter=RING_DIAMETER, length=RING_WIDTH, **finite))  # type: ignore[arg-type]
 
 
 def section() -> Section:

@@ -226,7 +226,7 @@ class _Line:
 
     @classmethod
     def of(cls, material: Material) -> _Line:
-        roller = Roller(diameter=20.0, length=LINE_LENGTH, material=material, images="series")
+        roller = Roller(diameter=20.0, length=LINE_LENGTH, material=material, side_faces="mirror", images="series")
         contact = Contact(roller, roller)
         hertz = line_contact(line_load=1e3, radius=5.0, compliance=contact.compliance)
         return cls(hertz, solve(contact, load=1e3 * LINE_LENGTH, strips=LINE_STRIPS), material.poisson)

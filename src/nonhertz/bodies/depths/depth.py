@@ -64,6 +64,11 @@ class Depth(ABC):
     bored: ClassVar[bool] = False
 
     @property
+    def shown(self) -> str:
+        """What a file gives for it."""
+        return self.word
+
+    @property
     @abstractmethod
     def place(self) -> str:
         """The reference, as it follows "is measured against"."""

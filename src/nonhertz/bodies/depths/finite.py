@@ -78,6 +78,15 @@ class Finite(Depth):
         return AxisOfRoller(self.below(body, shape), whole, radius, _middle(body), images.share)
 
 
+def whole(body: Solid) -> bool:
+    """Return whether a body can deform as a whole."""
+    try:
+        Finite().refuse(body)
+    except InputError as error:
+        return error.field == "bore"  # whose own sentence says what is wrong
+    return True
+
+
 def _middle(body: Solid) -> float:
     return 0.5 * (body.faces[0] + body.faces[1])
 

@@ -21,7 +21,7 @@ class PlaneStrain(Diameter):
     """
 
     word = "plane-strain"
-    meaning = "where it makes the compression of a long cylinder that of plane strain, a roller's default"
+    meaning = "where it makes the compression of a long cylinder that of plane strain"
     place = "the depth that makes the compression of a long cylinder that of plane strain"
 
     def diameters(self, body: Solid, shape: Shape) -> float:

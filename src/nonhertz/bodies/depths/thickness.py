@@ -33,6 +33,11 @@ class Thickness(Depth):
         self._depth = depth
 
     @property
+    def shown(self) -> str:
+        """The depth."""
+        return f"{self._depth:.6g} mm"
+
+    @property
     def place(self) -> str:
         """A point at the given depth."""
         return f"a point {self._depth:.6g} mm below the surface"

@@ -12,10 +12,14 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any, Final
 
+from pydantic import ValidationError
+
+from nonhertz.errors import InputError
 from nonhertz.io.bounds import FORMAT
+from nonhertz.io.document import BodyTable
 from nonhertz.io.mistakes import Place, path_of
 from nonhertz.io.profiles import required_keys
-from nonhertz.model.body import Body, Roller
+from nonhertz.model.body import Body
 from nonhertz.web.form.fields import Edits, FormField, FormGroup, Option, text_of
 from nonhertz.web.form.inputs import ABSENT, as_it_is, input_for, label_of, stray
 from nonhertz.web.form.keys import (
@@ -103,13 +107,16 @@ def _member(name: str, part: Schema, value: Any, place: Place, table: dict[str, 
     if pairs and len(kinds) > 1:
         return _one_or_two(part, value, place, "length" in table)
     made = input_for(part, value, place)
-    return replace(made, default=str(Roller.depth)) if name == "depth" and _is_roller(table) else made
+    return replace(made, default=_usual_depth(table)) if name == "depth" else made
 
 
-def _is_roller(body: dict[str, Any]) -> bool:
-    """Return whether a body is a roller, explicitly or by default; a roller has its own default depth."""
-    convex = not str(body.get("diameter", "-")).startswith("-")
-    return bool(body.get("kind", "roller" if convex and "length" in body else "") == "roller")
+def _usual_depth(body: dict[str, Any]) -> str:
+    """Return the depth of a body that gives none; nothing where it has mistakes."""
+    given = {name: value for name, value in body.items() if name not in ("depth", "profile", "chamfer")}
+    try:
+        return BodyTable.model_validate(given).body().behind.word
+    except (ValidationError, InputError):
+        return ""
 
 
 def _kind(part: Schema, value: Any, place: Place, table: dict[str, Any]) -> FormField:
