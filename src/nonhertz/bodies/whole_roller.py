@@ -30,6 +30,7 @@ from nonhertz.bodies.harmonic_elements import HarmonicElements
 from nonhertz.bodies.outline import Outline
 from nonhertz.bodies.quarter_space import FreeFace, free_face
 from nonhertz.bodies.stored import stored
+from nonhertz.compiled import compiled, entry
 
 Array = NDArray[np.float64]
 
@@ -76,18 +77,55 @@ class WholeRoller:
         -------
         ndarray, shape (..., places, strips)
         """
-        count = len(self.matrix)
-        norm = _norms(count, self.half_length)
-        at = legendre.legvander(np.clip(y / self.half_length, -1.0, 1.0), count - 1) * norm
-        up_to = legendre.legvander(np.clip(edges / self.half_length, -1.0, 1.0), count)
-        degree = np.arange(count)
-        integral = np.empty((*edges.shape, count))
-        # The integral of P_j is (P_(j+1) - P_(j-1)) / (2 j + 1).
-        integral[..., 0] = up_to[..., 1]
-        integral[..., 1:] = (up_to[..., 2:] - up_to[..., :-2]) / (2 * degree[1:] + 1)
-        of_strips = np.diff(integral, axis=-2) * norm * self.half_length
-        found: Array = at @ self.matrix @ np.swapaxes(of_strips, -1, -2)
-        return found
+        shape = (*y.shape, edges.shape[-1] - 1)
+        places, ends = (np.ascontiguousarray(each).reshape(-1, each.shape[-1]) for each in (y, edges))
+        found = np.empty((len(places), *shape[-2:]))
+        _displaced(places, ends, self.half_length, self.matrix, found)
+        return found.reshape(shape)
+
+
+@entry
+def _displaced(y: Array, edges: Array, half_length: float, matrix: Array, out: Array) -> None:
+    """Fill in the displacement of each place by a unit load between neighbouring edges, from Legendre polynomials."""
+    count = matrix.shape[0]
+    of_edges = np.empty((edges.shape[1], count))
+    values = np.empty(count + 1)
+    at, moved = np.empty(count), np.empty(count)
+    for row in range(y.shape[0]):
+        for e in range(edges.shape[1]):
+            _polynomials(edges[row, e] / half_length, values)
+            # The integral of P_j is (P_(j+1) - P_(j-1)) / (2 j + 1).
+            of_edges[e, 0] = values[1]
+            for j in range(1, count):
+                of_edges[e, j] = (values[j + 1] - values[j - 1]) / (2.0 * j + 1.0)
+            for j in range(count):
+                of_edges[e, j] *= math.sqrt((j + 0.5) * half_length)
+        for i in range(y.shape[1]):
+            _polynomials(y[row, i] / half_length, values)
+            for j in range(count):
+                at[j] = values[j] * math.sqrt((j + 0.5) / half_length)
+                moved[j] = 0.0
+            for j in range(count):
+                for k in range(count):
+                    moved[k] += at[j] * matrix[j, k]
+            before = 0.0
+            for e in range(edges.shape[1]):
+                total = 0.0
+                for k in range(count):
+                    total += moved[k] * of_edges[e, k]
+                if e > 0:
+                    out[row, i, e - 1] = total - before
+                before = total
+
+
+@compiled
+def _polynomials(x: float, out: Array) -> None:
+    """Fill in the Legendre polynomials at x, brought to between -1 and 1."""
+    x = min(max(x, -1.0), 1.0)
+    out[0] = 1.0
+    out[1] = x
+    for j in range(1, out.size - 1):
+        out[j + 1] = ((2.0 * j + 1.0) * x * out[j] - j * out[j - 1]) / (j + 1.0)
 
 
 def _norms(count: int, half_length: float) -> Array:

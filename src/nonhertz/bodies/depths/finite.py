@@ -25,6 +25,7 @@ Array = NDArray[np.float64]
 _REMEDY = "write 'plane-strain'"
 _THINNEST, _STEEPEST = 0.08, 0.25  # wall over radius, and slope of the surface
 _SAMPLES = 33  # of a diameter that is a function
+_DIGITS = 12
 
 
 class Finite(Depth):
@@ -64,7 +65,7 @@ class Finite(Depth):
             raise InputError("depth", self.word, condition, _REMEDY)
         if outline.wall < _THINNEST:
             condition = f"leave a wall of {_THINNEST:g} times the radius at least, not {outline.wall * radius:.3g} mm"
-            raise InputError("bore", body.bore, condition, "reduce the bore, or give another depth")
+            raise InputError("bore", body.bore, condition, "reduce the bore")
 
     def below(self, body: Solid, shape: Shape) -> Callable[[Array], Array]:
         """Return the diameter, or the wall: half-widths must be small compared with it."""
@@ -108,7 +109,8 @@ def _outline(body: Solid) -> tuple[Outline, float]:
     bore: Array = np.asarray(given(z) if callable(given) else np.full(z.shape, given), dtype=float)
     radius = 1.0 / float(body.curvature(np.array([middle]))[0])
     rows: tuple[Array, ...] = (z, 1.0 / curvature, 0.5 * bore)
-    places, outer, inner = (tuple((row / radius).tolist()) for row in rows)
+    # Rounded, so that the same shape in another unit of length is known again.
+    places, outer, inner = (tuple(np.round(row / radius, _DIGITS).tolist()) for row in rows)
     return Outline(places, outer, inner), radius
 
 
