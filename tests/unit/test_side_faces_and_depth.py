@@ -383,3 +383,38 @@ def test_a_reference_of_ones_own_moves_the_surface_by_its_matrix(monkeypatch):
     risen = displacements(influence, solution.y, solution.edges, r, m, element)
     expected = risen + SINKS * K * solution.line_load
     np.testing.assert_allclose(solution.interference, expected, rtol=1e-8)
+
+
+def bonded(k, poisson):
+    """Compliance of a layer of thickness 1 on a rigid seat, over that of a half-space, for waves of wave number k."""
+    kappa = 3.0 - 4.0 * poisson
+    return (2.0 * kappa * np.sinh(2.0 * k) - 4.0 * k) / (2.0 * kappa * np.cosh(2.0 * k) + 4.0 * k**2 + 1.0 + kappa**2)
+
+
+def sliding(k, poisson):
+    """The same without friction on the seat."""
+    return (np.cosh(2.0 * k) - 1.0) / (np.sinh(2.0 * k) + 2.0 * k)
+
+
+@pytest.mark.parametrize(("seat", "times"), [(bonded, 1.21), (sliding, 1.44)])
+def test_a_layer_on_a_seat_moves_as_with_the_depth_that_is_documented(seat, times):
+    # K. L. Johnson, Contact Mechanics, section 5.8. Under a long load 2 K q times the integral over k of compliance
+    # times the load's transform over k; the same of a half-space against a point at depth 1 is 1 - exp(-k) and a
+    # constant.
+    poisson = 0.3
+    node, weight = np.polynomial.legendre.leggauss(400)
+    k, share = 15.0 * (1.0 + node), 15.0 * weight
+    softer = share @ ((seat(k, poisson) - 1.0 + np.exp(-k)) / k)
+    # The package's own half-space: its displacement under a long load grows with the logarithm of the depth.
+    edges, square = np.linspace(-400.0, 400.0, 801), np.full(800, 0.01)
+
+    def moved(depth):
+        body = nh.Plate(material=nh.Material(206000.0, poisson), depth=depth)
+        influence = influence_of(
+            nh.Contact(nh.Body(diameter=20.0, material=body.material, depth=depth), body), nh.SEMI_ELLIPTIC
+        )
+        return displacements(influence, np.zeros(1), edges, 1.0 / square, square, nh.SEMI_ELLIPTIC)[0]
+
+    layer = moved(1.0) + 2.0 * (softer + 1.0 / (2.0 * (1.0 - poisson)))
+    assert moved(times) == pytest.approx(layer, rel=3e-3)
+    assert abs(moved(1.0) / layer - 1.0) > 0.03
