@@ -12,6 +12,7 @@ import numpy as np
 
 from nonhertz.io.bounds import FORMAT
 from nonhertz.io.written import document
+from nonhertz.model.body import BODIES
 from nonhertz.result.quantities import ALONG, QUANTITIES
 from nonhertz.result.solution import EdgePressure, Solution
 
@@ -53,6 +54,7 @@ def as_object(solution: Solution, case: Case) -> dict[str, Any]:
         "title": case.title,
         "status": solution.status.label,
         "element": solution.element.name,
+        "models": {name: getattr(solution.contact, name).model for name in BODIES},
         **{name: plain(QUANTITIES[name].get(solution)) for name in _NUMBERS},
         "contact_y": plain(solution.contact_y),
         "edge_pressure": [_edge_object(edge) for edge in solution.edge_pressure],
