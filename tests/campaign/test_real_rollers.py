@@ -23,7 +23,8 @@ CASES, SOME = 20_000, 150
 SEED = 20261123
 GAP, BALANCE = 1e-7, 1e-8  # of the penetration, and of the load
 TWIN = 1e-6  # beside the error estimates of both
-MOST_UNCONVERGED = 1e-3
+# Walls of a tenth of the radius oval by hundreds of times what their contacts yield, which some grids cannot solve.
+MOST_UNCONVERGED = 1e-2
 
 
 def real_case(number):
@@ -42,7 +43,8 @@ def real_case(number):
         **model(rng, diameter),
         **corner(rng, diameter),
     }
-    if given.get("depth") in (None, "finite") and given["side_faces"] == "free" and rng.random() < 0.3:
+    whole, thin = "depth" not in given and given["side_faces"] == "free", given.get("bore", 0.0) > 0.8 * diameter
+    if whole and not thin and rng.random() < 0.3:
         slope = rng.choice([-0.05, 0.02, 0.1])
         ends = (diameter - 0.5 * slope * length, diameter + 0.5 * slope * length)
         given["diameter"] = nh.TabulatedDiameter((-0.5 * length, 0.5 * length), ends)
