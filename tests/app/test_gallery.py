@@ -108,7 +108,8 @@ def test_life_against_drop():
     # The profile designed for a load spreads it evenly over an upright roller, all but its ends: the ideal, life 1.
     script = run("life_against_drop")
     at_design = np.interp(script.LOAD, script.DESIGN_LOADS, script.lives["upright"])
-    assert_allclose(at_design, 1, atol=0.06)
+    # The ends are free, softer than those of the half-spaces that the profile is designed for: they bear less.
+    assert 0.93 < at_design < 1.0
     best = [script.drops[lives.argmax()] for lives in script.lives.values()]
     assert np.all(np.diff(best) > 0)
 

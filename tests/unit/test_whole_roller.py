@@ -203,6 +203,12 @@ def test_bodies_that_are_no_whole_roller_are_refused(make, message):
     assert message in str(refused.value)
 
 
+@pytest.mark.parametrize("diameter", [5e-324, 1e-308, 1e-200, 1e100])
+def test_sizes_beyond_all_numbers_are_no_whole_roller(diameter):
+    with np.errstate(all="raise"):
+        assert nh.Roller(diameter=diameter, length=1.0).behind.word == "plane-strain"
+
+
 def test_a_moved_roller_is_the_same_roller():
     profile = nh.profile.crown(radius=3000.0)
     here, there = (

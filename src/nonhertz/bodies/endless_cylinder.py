@@ -12,14 +12,14 @@ from __future__ import annotations
 
 import itertools
 import math
-from functools import cache
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
 from numpy.typing import NDArray
 
-from nonhertz.bodies.stored import stored
+from nonhertz.bodies.stored import MOST, stored
 
 Array = NDArray[np.float64]
 
@@ -40,7 +40,7 @@ def displacement(distance: Array, poisson: float) -> Array:
     return found
 
 
-@cache
+@lru_cache(MOST)
 def _smooth_part(poisson: float) -> Any:
     """Return H as a function of s, 0 <= s <= `FARTHEST`, by a cubic spline."""
     # Imported here, because most contacts need none of this.

@@ -28,13 +28,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
 from numpy.typing import NDArray
 
-from nonhertz.bodies.stored import stored
+from nonhertz.bodies.stored import MOST, stored
 
 Array = NDArray[np.float64]
 
@@ -129,7 +129,7 @@ def edge_kernel(u: Array, v: Array) -> Array:
     return found
 
 
-@cache
+@lru_cache(MOST)
 def free_face(poisson: float) -> FreeFace:
     """Return what the free side face of a material adds."""
     return FreeFace(poisson, _DISTANCES, _weights(poisson))

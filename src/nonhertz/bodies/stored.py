@@ -7,7 +7,7 @@ import hashlib
 import io
 import sys
 from collections.abc import Callable, Hashable
-from functools import cache, wraps
+from functools import lru_cache, wraps
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +16,9 @@ from numpy.typing import NDArray
 from nonhertz.compiled.folders import UnwritableError, read, write
 
 Array = NDArray[np.float64]
+
+#: How many materials or shapes a process keeps at hand; the others are on disk.
+MOST = 16
 
 
 def stored(*modules: str) -> Callable[[Callable[..., Array]], Callable[..., Array]]:
@@ -33,7 +36,7 @@ def stored(*modules: str) -> Callable[[Callable[..., Array]], Callable[..., Arra
     """
 
     def decorate(make: Callable[..., Array]) -> Callable[..., Array]:
-        @cache
+        @lru_cache(MOST)
         @wraps(make)
         def found(*arguments: Hashable) -> Array:
             key = repr((make.__module__, make.__qualname__, arguments, np.__version__, _texts(modules))).encode()

@@ -16,14 +16,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import cache, partial
+from functools import lru_cache, partial
 
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
 from numpy.typing import NDArray
 
 from nonhertz.bodies.quarter_space import EDGE_SLOPE, FreeFace, free_face
-from nonhertz.bodies.stored import stored
+from nonhertz.bodies.stored import MOST, stored
 from nonhertz.compiled import compiled
 from nonhertz.strip.element import ELEMENTS, LEADING_AT, POWERS, POWERS_AT, Element
 
@@ -66,7 +66,7 @@ def _table(name: str, poisson: float) -> Array:
     return _made(ELEMENTS[name], poisson)
 
 
-@cache
+@lru_cache(MOST)
 def _made(element: Element, poisson: float) -> Array:
     face = free_face(poisson)
     slopes = EDGE_SLOPE * element.table[LEADING_AT : LEADING_AT + 3 : 2] / 2.0

@@ -103,14 +103,15 @@ def _outline(body: Solid) -> tuple[Outline, float]:
         points |= {float(place) for place in inner if abs(place) < half}
     z = np.array(sorted(points))
     curvature = body.curvature(z + middle)
-    if np.any(curvature <= 0.0):
+    if not np.all(curvature > 0.0):
         raise InputError("depth", Finite.word, "only be used for a body that is convex everywhere", _REMEDY)
     given = body.bore if body.bore is not None else 0.0
     bore: Array = np.asarray(given(z) if callable(given) else np.full(z.shape, given), dtype=float)
     radius = 1.0 / float(body.curvature(np.array([middle]))[0])
     rows: tuple[Array, ...] = (z, 1.0 / curvature, 0.5 * bore)
-    # Rounded, so that the same shape in another unit of length is known again.
-    places, outer, inner = (tuple(np.round(row / radius, _DIGITS).tolist()) for row in rows)
+    # Rounded, so that the same shape in another unit of length is known again. Sizes beyond all numbers are refused.
+    with np.errstate(all="ignore"):
+        places, outer, inner = (tuple(np.round(row / radius, _DIGITS).tolist()) for row in rows)
     return Outline(places, outer, inner), radius
 
 
