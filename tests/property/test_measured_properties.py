@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
@@ -27,6 +28,7 @@ def line(radius: float, seed: int) -> np.ndarray:
     at=st.floats(-50.0, 50.0),
     up=st.floats(-3.0, 3.0),
 )
+@pytest.mark.slow
 def test_tilt_and_zeros_of_the_machine_do_not_matter(radius, seed, lean, at, up):
     height = line(radius, seed)
     plain = prepare(Trace(Y, height))
@@ -38,6 +40,7 @@ def test_tilt_and_zeros_of_the_machine_do_not_matter(radius, seed, lean, at, up)
 
 @settings(max_examples=25, deadline=None)
 @given(radius=st.floats(200.0, 5000.0), seed=st.integers(0, 1000))
+@pytest.mark.slow
 def test_the_other_way_round_it_is_the_mirror_image(radius, seed):
     height = line(radius, seed)
     forth, back = prepare(Trace(Y, height)), prepare(Trace(Y, height[::-1]))

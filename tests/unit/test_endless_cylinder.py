@@ -76,6 +76,7 @@ def test_mirrored_ends_of_a_cylinder_are_those_of_a_row_of_rollers():
     np.testing.assert_allclose(moved(cut, edges), moved(whole, long_edges), rtol=1e-6)
 
 
+@pytest.mark.slow
 def test_a_long_roller_is_compressed_as_a_cylinder_of_infinite_length_is():
     crown = nh.profile.crown(radius=20000.0)
     endless = nh.Body(diameter=20.0, profile=crown, depth="cylinder")

@@ -77,6 +77,7 @@ def test_a_strip_moves_as_its_parts_do():
 
 
 @pytest.mark.parametrize(("half_length", "bore"), [(0.3, 0.0), (1.0, 0.0), (3.0, 0.0), (1.0, 0.8)])
+@pytest.mark.slow
 def test_more_modes_by_elements_change_little(half_length, bore, monkeypatch):
     outline = Outline.cylinder(half_length, bore)
     found = uniformly(outline)
@@ -122,6 +123,7 @@ def plane_mode(bore, n, poisson, modulus):
     return -0.5 * sum(a * f(1.0)[2] for a, f in zip(amplitudes, functions, strict=True))
 
 
+@pytest.mark.slow
 def test_a_thin_ring_ovals_under_two_loads():
     # Per side of a ring of E I under two opposite loads P: P r^3 (pi / 4 - 2 / pi) / (2 E I); plane strain in the
     # middle of a long one. A wall of 0.05 diameters.
@@ -131,6 +133,7 @@ def test_a_thin_ring_ovals_under_two_loads():
     assert middle == pytest.approx(ring, rel=0.03)
 
 
+@pytest.mark.slow
 def test_as_the_bore_closes_a_roller_becomes_a_solid_one():
     solid = uniformly(Outline.cylinder(1.0))
     np.testing.assert_allclose(uniformly(Outline.cylinder(1.0, 0.01)), solid, atol=0.02)
@@ -139,6 +142,7 @@ def test_as_the_bore_closes_a_roller_becomes_a_solid_one():
 
 
 @pytest.mark.parametrize("taper", [0.05, 0.1])
+@pytest.mark.slow
 def test_a_tapered_roller_is_the_same_in_any_unit_of_length(taper):
     # The flat body that it is compared with has waves of another length at each end.
     small, mean, large = (
@@ -150,11 +154,13 @@ def test_a_tapered_roller_is_the_same_in_any_unit_of_length(taper):
         np.testing.assert_allclose(other, mean, atol=0.06)
 
 
+@pytest.mark.slow
 def test_a_slightly_tapered_roller_is_nearly_a_cylinder():
     tapered = uniformly(Outline((-1.0, 1.0), (0.995, 1.005), (0.0, 0.0)))
     np.testing.assert_allclose(tapered, uniformly(Outline.cylinder(1.0)), atol=0.04)
 
 
+@pytest.mark.slow
 def test_a_bore_that_widens_softens_the_roller_where_it_does():
     z = (-1.0, 0.1, 0.2, 1.0)
     stepped = uniformly(Outline(z, (1.0,) * 4, (0.3, 0.3, 0.6, 0.6)))

@@ -15,7 +15,7 @@ LOAD = {"load": 30e3, "tilt": math.radians(2.0 / 60.0)}
 def rounded(drop):
     """A roller whose crown drops by so much at the ends of its land, on a ring."""
     crown = nh.profile.crown(radius=9.5**2 / (2.0 * drop))
-    roller = nh.Roller(diameter=15.0, length=20.0, profile=crown, corner_radius=0.5, depth="none")
+    roller = nh.Roller(diameter=15.0, length=20.0, profile=crown, corner_radius=0.5, side_faces="mirror", depth="none")
     return nh.Contact(roller, nh.Ring(diameter=80.0))
 
 

@@ -158,7 +158,8 @@ def free_ends(faces: tuple[FreeSide, ...], y: Array, dy: float) -> tuple[FreeEnd
 
 def most_nodes(count: int) -> int:
     """Return how many nodes a free end has on a number of rows, or more."""
-    return int(_nodes(0.0, 1.0, count)[0].size)
+    near = min(NEAR, count)
+    return near + sum(min(beyond - first, NODES) for first, beyond in _panels(0.0, near, count))
 
 
 def merged(faces: tuple[FreeSide, ...]) -> tuple[FreeSide, ...]:
