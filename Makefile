@@ -14,6 +14,9 @@ demo: $(READY)
 	$(BIN)/nonhertz solve examples/cylindrical-roller-bearing.toml --out out/demo
 	@echo "Figures, table and result are in out/demo; open out/demo/pressure.svg first."
 
+# Workers share the cores: linear algebra has one thread in each.
+test test-slow campaign: export OMP_NUM_THREADS = 1
+
 test: $(READY)
 	$(BIN)/python -m pytest -n auto -m "not slow and not campaign and not browser and not machine_code"
 
