@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import nonhertz as nh
@@ -325,6 +325,8 @@ def test_pressures_balance_what_is_prescribed(press, arm):
 @given(presses)
 def test_the_four_pairs_of_prescribed_quantities_agree(press):
     solution = press.solved()
+    # A moment that no pressure on half as many strips can bear leaves no estimate, which is warned of.
+    assume(abs(solution.moment) < 0.7 * 0.5 * LENGTH * solution.load)
     first = {"load": solution.load, "approach": solution.approach}
     second = {"tilt": solution.tilt, "moment": solution.moment}
     for pair in (("approach", "tilt"), ("approach", "moment"), ("load", "moment")):

@@ -51,7 +51,7 @@ def test_a_scratch_does_not_end_the_land():
 
 @pytest.mark.parametrize("height", [-0.01, -0.005, 0.005, 0.019])
 @pytest.mark.parametrize("at", [-3.0, -0.6, 2.5, 5.0])
-@pytest.mark.parametrize("noise", [0.0, 1e-4])
+@pytest.mark.parametrize("noise", [pytest.param(0.0, marks=pytest.mark.slow), 1e-4])
 def test_a_low_step_neither_ends_the_land_nor_goes_unsaid(noise, at, height):
     trace = roller(noise=noise)
     stepped = Trace(trace.y, trace.height + height * (trace.y > at))

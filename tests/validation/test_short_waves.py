@@ -41,6 +41,7 @@ def unevenness(solution):
     return check.value
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("half_widths", [0.75, 1.0, 1.5])
 @pytest.mark.parametrize("height", [0.8e-3, 1.6e-3])
 def test_what_short_waves_cost_the_approach_is_within_what_is_said(height, half_widths):
