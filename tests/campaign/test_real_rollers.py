@@ -40,11 +40,11 @@ def real_case(number):
         "length": length,
         "diameter": diameter,
         "material": material,
-        **model(rng, diameter),
+        **model(rng, diameter, length),
         **corner(rng, diameter),
     }
-    whole, thin = "depth" not in given and given["side_faces"] == "free", given.get("bore", 0.0) > 0.8 * diameter
-    if whole and not thin and rng.random() < 0.3:
+    whole, bore = "depth" not in given and given["side_faces"] == "free", given.get("bore", 0.0)
+    if whole and isinstance(bore, float) and bore < 0.8 * diameter and rng.random() < 0.3:
         slope = rng.choice([-0.05, 0.02, 0.1])
         ends = (diameter - 0.5 * slope * length, diameter + 0.5 * slope * length)
         given["diameter"] = nh.TabulatedDiameter((-0.5 * length, 0.5 * length), ends)
@@ -54,11 +54,16 @@ def real_case(number):
     return pressed(rng, roller, other_body(rng, roller, diameter, material), load)
 
 
-def model(rng, diameter):
+def model(rng, diameter, length):
     """Side faces, depth and bore."""
     way = rng.integers(10)
-    if way < 4:
+    if way < 3:
         return {"side_faces": "free"}
+    if way < 4:
+        return {
+            "side_faces": "free",
+            "bore": recesses(0.5 * length, diameter * rng.choice([0.4, 0.6]), rng.integers(3)),
+        }
     if way < 6:
         return {"side_faces": "free", "bore": diameter * rng.choice([0.2, 0.5, 0.75, 0.9])}
     if way < 7:
@@ -66,6 +71,14 @@ def model(rng, diameter):
     if way < 9:
         return {"side_faces": "free", "depth": rng.choice(["none", "plane-strain", "diameter"])}
     return {"side_faces": ("free", rng.choice(["mirror", "none", "calibrated"]))}
+
+
+def recesses(half, diameter, ends):
+    """Recesses a tenth of the length deep in the low, the high or both ends."""
+    floor, rim = 0.8 * half, 0.801 * half
+    at = (-half, -rim, -floor, floor, rim, half)
+    low, high = diameter * (ends != 1), diameter * (ends != 0)
+    return nh.TabulatedDiameter(at, (low, low, 0.0, 0.0, high, high))
 
 
 def corner(rng, diameter):
@@ -188,12 +201,12 @@ def mirrored(contact, given):
 
     def turned(body):
         faces = body.side_faces[::-1] if isinstance(body.side_faces, tuple) else body.side_faces
-        diameter = body.diameter
-        if isinstance(diameter, nh.TabulatedDiameter):
-            diameter = nh.TabulatedDiameter(diameter.y, diameter.diameter[::-1])
-        return replace(
-            body, profile=body.profile.flipped(), position=-body.position, side_faces=faces, diameter=diameter
-        )
+        diameters = {
+            name: nh.TabulatedDiameter([-y for y in table.y[::-1]], table.diameter[::-1])
+            for name, table in (("diameter", body.diameter), ("bore", body.bore))
+            if isinstance(table, nh.TabulatedDiameter)
+        }
+        return replace(body, profile=body.profile.flipped(), position=-body.position, side_faces=faces, **diameters)
 
     odd = {name: -value if name in ("tilt", "moment") else value for name, value in given.items()}
     return nh.Contact(turned(contact.a), turned(contact.b)), odd, (1.0, -1.0, 1.0, -1.0, 1.0)
@@ -203,13 +216,13 @@ def scaled(contact, given, by):
     """The same shapes, larger, at the same pressures."""
 
     def larger(body):
-        lengths = {name: getattr(body, name) for name in ("length", "corner_radius", "position", "bore", "depth")}
+        lengths = {name: getattr(body, name) for name in ("length", "corner_radius", "position", "depth")}
         grown = {name: value * by for name, value in lengths.items() if isinstance(value, float)}
-        if isinstance(body.diameter, nh.TabulatedDiameter):
-            table = body.diameter
-            grown["diameter"] = nh.TabulatedDiameter([by * y for y in table.y], [by * each for each in table.diameter])
-        elif body.diameter is not None:
-            grown["diameter"] = by * body.diameter
+        for name, value in (("diameter", body.diameter), ("bore", body.bore)):
+            if isinstance(value, nh.TabulatedDiameter):
+                grown[name] = nh.TabulatedDiameter([by * y for y in value.y], [by * each for each in value.diameter])
+            elif value is not None:
+                grown[name] = by * value
         if body.chamfer is not None:
             each = body.chamfer
             grown["chamfer"] = nh.Chamfer(by * each.length, each.angle, blend_radius=by * each.blend_radius)

@@ -290,6 +290,18 @@ NO_SUM = "must only be used for a body with a depth, without which it has no sum
             "diameter = (20.0, -20.0) must be finite and of one sign",
         ),
         (
+            lambda: nh.TabulatedDiameter((0.0, 1.0), (0.0, 0.0)),
+            "diameter = (0.0, 0.0) must be finite and of one sign",
+        ),
+        (
+            lambda: roller(diameter=nh.TabulatedDiameter((0.0, 1.0), (20.0, 0.0))),
+            "diameter = (20.0, 0.0) must not be zero",
+        ),
+        (
+            lambda: roller(bore=nh.TabulatedDiameter((0.0, 1.0), (0.0, -5.0))),
+            "bore = (0.0, -5.0) must be positive",
+        ),
+        (
             lambda: nh.TabulatedDiameter((0.0, 1.0), (20.0, math.nan)),
             "diameter = (20.0, nan) must be finite",
         ),

@@ -9,7 +9,7 @@ import pytest
 import nonhertz as nh
 from nonhertz.bodies import whole_roller as module
 from nonhertz.bodies.harmonic_elements import HarmonicElements
-from nonhertz.bodies.outline import Outline
+from nonhertz.bodies.outline import Outline, with_kinks
 from nonhertz.bodies.stored import stored
 from nonhertz.bodies.whole_roller import whole_roller
 
@@ -158,6 +158,36 @@ def test_a_tapered_roller_is_the_same_in_any_unit_of_length(taper):
 def test_a_slightly_tapered_roller_is_nearly_a_cylinder():
     tapered = uniformly(Outline((-1.0, 1.0), (0.995, 1.005), (0.0, 0.0)))
     np.testing.assert_allclose(tapered, uniformly(Outline.cylinder(1.0)), atol=0.04)
+
+
+def recessed(wall, deep=0.1, radius=0.4):
+    """A solid roller with a recess in both ends, whose wall is a steep cone over a short length."""
+    z = (-1.0, -1.0 + deep, -1.0 + deep + wall, 1.0 - deep - wall, 1.0 - deep, 1.0)
+    return Outline(z, (1.0,) * 6, (radius, radius, 0.0, 0.0, radius, radius))
+
+
+@pytest.mark.parametrize("n", [0, 2, 4])
+def test_the_wall_of_a_step_can_be_as_short_as_one_likes(n):
+    def at_ends(wall, most=24):
+        moved = HarmonicElements(recessed(wall), 0.3, most).compressed(n, lambda z: np.stack([z**0, z], 1), PLACES)
+        return moved[[0, -1]]
+
+    upright = at_ends(1e-6, most=48)
+    for wall in (1e-4, 1e-3, 5e-3):
+        np.testing.assert_allclose(at_ends(wall), upright, rtol=6e-3)
+    np.testing.assert_allclose(at_ends(0.02), at_ends(0.02, most=48), rtol=1.2e-3)
+    # It weakens the ends, more than a recess half as deep.
+    solid = elements().compressed(n, lambda z: np.stack([z**0, z], 1), PLACES)[[0, -1]]
+    assert np.all(np.abs(upright) > 1.01 * np.abs(solid))
+
+
+def test_borders_hold_every_kink_and_grow_away_from_it():
+    kinks = (-0.5, -0.4999, 0.3, 0.31)
+    borders = with_kinks(np.linspace(-1.0, 1.0, 5), kinks, 0.1)
+    assert set(kinks) <= set(borders.tolist())
+    sizes = np.diff(borders)
+    assert np.all(sizes > 0.0)
+    assert np.max(np.maximum(sizes[1:] / sizes[:-1], sizes[:-1] / sizes[1:])) < 6.0
 
 
 @pytest.mark.slow

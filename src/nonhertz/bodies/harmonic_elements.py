@@ -93,8 +93,8 @@ class HarmonicElements:
         smallest = min(_SMALLEST, _BY_WAVE / self.most)
         half = breaks(self.outline.half_length, smallest, _GROWTH, _LARGEST)
         if self.outline.symmetric:
-            return with_kinks(half, tuple(each for each in self.outline.kinks if each > 0.0))
-        return with_kinks(np.concatenate([-half[:0:-1], half]), self.outline.kinks)
+            return with_kinks(half, tuple(each for each in self.outline.kinks if each > 0.0), smallest)
+        return with_kinks(np.concatenate([-half[:0:-1], half]), self.outline.kinks, smallest)
 
     @cached_property
     def _shares(self) -> Array:

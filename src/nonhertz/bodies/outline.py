@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 _KINK = 0.03  # change of slope at which an outline has a corner
+_GROWN = 2.6  # size of an element that begins at a corner over that of the one on the other side
+_FINE = 65  # places from a corner to half-way to the next at which sizes of elements are looked at
 
 
 @dataclass(frozen=True)
@@ -90,12 +92,27 @@ def breaks(length: float, smallest: float, growth: float, largest: float) -> Arr
     return np.array([*found[:0:-1], length]) if found[-1] == 0.0 else np.array([0.0, *found[::-1]])
 
 
-def with_kinks(borders: Array, kinks: tuple[float, ...]) -> Array:
-    """Return borders of elements with some places among them, in place of those that lie close to these."""
-    found = list(borders)
-    for kink in kinks:
-        sizes = [high - low for low, high in itertools.pairwise(found) if low <= kink <= high]
-        near = 0.3 * min(sizes)
-        inner = [each for each in found[1:-1] if abs(each - kink) > near]
-        found = sorted({found[0], *inner, kink, found[-1]})
-    return np.array(found)
+def with_kinks(borders: Array, kinks: tuple[float, ...], smallest: float) -> Array:
+    """Return borders of elements with some places among them, next to which elements are no larger than between them.
+
+    Elements grow away from a place in proportion to their distance: beside the short wall of a step they are as short
+    as this wall.
+    """
+    if not kinks:
+        return borders
+    places = np.array([borders[0], *kinks, borders[-1]])
+    gaps = np.diff(places)
+    finest = np.minimum(np.minimum(gaps[:-1], gaps[1:]), smallest)
+    found = [places[:1]]
+    for low, high in itertools.pairwise(places.tolist()):
+        # Distances down to where elements no longer shrink.
+        near = np.geomspace(min(0.1 * np.min(finest) / (high - low), 0.1), 0.5, _FINE)
+        fine = low + (high - low) * np.concatenate([[0.0], near, 1.0 - near[-2::-1], [1.0]])
+        fine[-1] = high
+        middle = 0.5 * (fine[1:] + fine[:-1])
+        at = np.clip(np.searchsorted(borders, middle) - 1, 0, borders.size - 2)
+        allowed = np.min(finest + (_GROWN - 1.0) * np.abs(middle[:, None] - places[1:-1]), axis=1)
+        elements = np.concatenate([[0.0], np.cumsum(np.diff(fine) / np.minimum(np.diff(borders)[at], allowed))])
+        count = max(1, round(elements[-1]))
+        found.append(np.interp(np.arange(1, count + 1) * elements[-1] / count, elements, fine))
+    return np.concatenate(found)

@@ -48,7 +48,7 @@ class TabulatedDiameter:
     y : tuple of float
         Axial positions [mm] from the middle of the body, ascending, at least two.
     diameter : tuple of float
-        Diameter there [mm], all of one sign, negative = concave.
+        Diameter there [mm], all of one sign, negative = concave; 0 only in a bore, where there is none.
 
     Examples
     --------
@@ -70,8 +70,8 @@ class TabulatedDiameter:
             raise InputError("y", self.y, "hold as many points as diameter, at least two", "give both lists")
         if not np.all(np.diff(self.y) > 0.0):
             raise InputError("y", self.y, "be finite and ascending", "sort the points along the axis")
-        signs = np.sign(self.diameter)
-        if signs[0] == 0.0 or np.any(signs != signs[0]):
+        low, high = min(self.diameter), max(self.diameter)
+        if low * high < 0.0 or low == high == 0.0:
             raise InputError("diameter", self.diameter, "be finite and of one sign", _DIAMETER_REMEDY)
 
     def __call__(self, y: ArrayLike) -> Array:
@@ -83,7 +83,7 @@ class TabulatedDiameter:
 def convex(diameter: Diameter) -> bool:
     """Return whether a diameter is positive, as far as is known before the place of contact is."""
     if isinstance(diameter, TabulatedDiameter):
-        return diameter.diameter[0] > 0.0
+        return max(diameter.diameter) > 0.0
     return callable(diameter) or (isinstance(diameter, Real) and diameter > 0.0)
 
 
@@ -99,7 +99,8 @@ class Body:
         Diameter across the contact [mm]: positive convex, negative concave, None flat. A callable takes
         positions y [mm] from the middle of the body and returns diameters [mm]; see `TabulatedDiameter`.
     bore : float or TabulatedDiameter or None
-        Diameter of the bore of a hollow roller [mm], which may vary along the axis; None for a solid one. It needs
+        Diameter of the bore of a hollow roller [mm], which may vary along the axis, even in steps: a recess in an end
+        is a bore that closes (diameter 0) within a short length; None for a solid one. It needs
         ``depth`` = ``"finite"``.
     length : float or None
         Distance between the side faces [mm]; None for an unbounded body.
@@ -163,6 +164,8 @@ class Body:
             finite("diameter", self.diameter, _DIAMETER_REMEDY)
             if self.diameter == 0.0:
                 raise InputError("diameter", self.diameter, "not be zero", _DIAMETER_REMEDY)
+        elif isinstance(self.diameter, TabulatedDiameter) and 0.0 in self.diameter.diameter:
+            raise InputError("diameter", self.diameter.diameter, "not be zero", _DIAMETER_REMEDY)
         if self.bore is not None:
             self._check_bore(self.bore)
         if self.length is not None:
@@ -183,7 +186,7 @@ class Body:
         remedy = "give the diameter of the bore in mm, or leave it out for a solid body"
         if not isinstance(bore, TabulatedDiameter):
             positive("bore", bore, remedy)
-        elif bore.diameter[0] < 0.0:
+        elif min(bore.diameter) < 0.0:
             raise InputError("bore", bore.diameter, "be positive", remedy)
         if not self.behind.bored:
             words = " or ".join(repr(depth.word) for depth in DEPTHS.values() if depth.bored)
