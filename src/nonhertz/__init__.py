@@ -17,6 +17,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from nonhertz import bearing as bearing
     from nonhertz import hertz as hertz
     from nonhertz import io as io
     from nonhertz import life as life
@@ -107,6 +108,7 @@ _HOMES = {
 # Public names that differ from those where they are defined: a module that defined `map` would hide the builtin.
 _RENAMED = {"map": ("nonhertz.maps.verb", "contact_map")}
 _MODULES = {
+    "bearing": "nonhertz.bearing",
     "hertz": "nonhertz.hertz",
     "io": "nonhertz.io",
     "life": "nonhertz.life",

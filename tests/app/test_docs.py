@@ -104,7 +104,7 @@ def test_how_to_shows_what_happens(page, tmp_path, monkeypatch):
 
 MODULES = {"nonhertz.profile": nh.profile} | {
     f"nonhertz.{name}": importlib.import_module(f"nonhertz.{name}")
-    for name in ("hertz", "io.casefile", "life", "maps", "measured", "patch", "plot", "subsurface")
+    for name in ("bearing", "hertz", "io.casefile", "life", "maps", "measured", "patch", "plot", "subsurface")
 }
 
 

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz import hertz, life, measured, profile, subsurface
+from nonhertz import bearing, hertz, life, measured, profile, subsurface
 from nonhertz.io.casefile import LifeCase
 from nonhertz.io.results import as_json
 
@@ -123,6 +123,14 @@ with warnings.catch_warnings():  # as coarse as it may be: nothing is read off t
     EXPOSURE = life.exposure(SOLUTION, body="b")
 POINT = hertz.point_contact(load=1e3, radius_x=10.0, radius_y=100.0, compliance=2.8e-6)
 LINE = hertz.line_contact(line_load=1e3, radius=10.0, compliance=2.8e-6)
+ROW = bearing.CylindricalRollerBearing(
+    roller=nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(1000)),
+    inner=nh.Ring(diameter=37.5),
+    outer=nh.Ring(diameter=-55.5),
+    rollers=13,
+)
+LOADED = bearing.solve(ROW, radial=3e3)
+CONE = nh.Roller(diameter=nh.TabulatedDiameter((-5.0, 5.0), (9.4, 8.6)), length=10.0, profile=nh.profile.crown(1000))
 RACEWAY = life.Raceway(10.0, 9.6, 65.0, True)
 CASES = [life.LoadCase(load=1e3, share=1.0)]
 Y = np.linspace(-10.0, 10.0, 401)
@@ -195,6 +203,19 @@ DESIGN = {
     "radius": (10.0, "positive"),
     "compliance": (2.8e-6, "positive?"),
 }
+PARTS = {
+    "roller": (ROW.roller, "thing"),
+    "inner": (ROW.inner, "thing"),
+    "outer": (ROW.outer, "thing"),
+    "rollers": (13, "whole"),
+    "pitch_diameter": (None, "positive?"),
+    "inner_shape": (None, "optional"),
+    "outer_shape": (None, "optional"),
+    "density": (7.85e-9, "positive"),
+}
+TAPER = PARTS | {
+    "roller": (CONE, "thing"), "inner": (nh.Ring(diameter=37.3), "thing"), "outer": (nh.Ring(diameter=-55.7), "thing")
+}  # fmt: skip
 FIT = {"shift": (True, "flag"), "tilt": (False, "flag")}
 
 ENTRIES: dict[str, Entry] = {
@@ -311,6 +332,33 @@ ENTRIES: dict[str, Entry] = {
     "subsurface.memory": entry(subsurface.memory, points=(10, "count"), displacement=(False, "flag")),
     "subsurface.passage": entry(subsurface.passage, **WITHIN, y=(0.0, "numbers"), z=(0.1, "numbers")),
     "subsurface.extremes": entry(subsurface.extremes, **WITHIN, station=(0.0, "number?")),
+    "bearing.RollerBearing": entry(bearing.RollerBearing, **PARTS),
+    "bearing.CylindricalRollerBearing": entry(
+        bearing.CylindricalRollerBearing, **PARTS, clearance=(0.0, "number")
+    ),
+    "bearing.NeedleRollerBearing": entry(bearing.NeedleRollerBearing, **PARTS, clearance=(0.0, "number")),
+    "bearing.TaperedRollerBearing": entry(
+        bearing.TaperedRollerBearing,
+        **TAPER,
+        contact_angle=(0.2, "angle"),
+        clearance=(0.0, "number"),
+        rib=(None, "optional"),
+    ),
+    "bearing.Rib": entry(bearing.Rib, end_radius=(100.0, "positive"), height=(4.0, "not negative")),
+    "bearing.solve": entry(
+        bearing.solve,
+        bearing=(ROW, "thing"),
+        radial=(1e3, "number?"),
+        axial=(None, "number?"),
+        moment=(None, "number?"),
+        radial_displacement=(None, "optional"),
+        axial_displacement=(None, "number?"),
+        tilt=(None, "number?"),
+        speed=(0.0, "not negative"),
+        method=("slices", "word"),
+    ),
+    "bearing.RollerBearing.load_by_speed": entry(ROW.load_by_speed, speed=(100.0, "number")),
+    "bearing.BearingSolution.contact": entry(LOADED.contact, roller=(0, "count"), ring=("inner", "word")),
     "life.assess": entry(life.assess, **WITHIN, models=("iso-16281", "models"), rollers=(10, "whole?")),
     "life.exposure": entry(life.exposure, **WITHIN),
     "life.Exposure.density": entry(EXPOSURE.density, model=(PALMGREN, "thing")),
@@ -546,6 +594,7 @@ RESULTS = {
     "EdgeKind", "EdgePressure", "ErrorEstimate", "Result", "SingularEnd", "Solution", "Solutions",
     "Status",
     "hertz.LineContact", "hertz.PointContact",
+    "bearing.BearingSolution",
     "life.Exposure", "life.Life",
     "measured.Fit", "measured.Roughness", "measured.StepResult",
     "subsurface.Extreme", "subsurface.Extremes", "subsurface.Field", "subsurface.Passage",
@@ -557,6 +606,7 @@ RESULTS = {
 }  # fmt: skip
 MODULES = {
     "": nh,
+    "bearing.": bearing,
     "hertz.": hertz,
     "life.": life,
     "measured.": measured,

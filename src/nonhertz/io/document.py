@@ -158,7 +158,9 @@ class DiameterTable(Table):
     """A diameter that changes along the axis, linear between points."""
 
     y: Lengths = Field(description="axial positions from the middle of the body [mm], ascending")
-    diameter: Lengths = Field(description="diameters there [mm], all of one sign; 0 only in a bore, where there is none")
+    diameter: Lengths = Field(
+        description="diameters there [mm], all of one sign; 0 only in a bore, where there is none"
+    )
 
 
 def _read_diameter(value: Any, info: ValidationInfo) -> Any:

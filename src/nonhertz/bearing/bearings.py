@@ -1,0 +1,381 @@
+"""Bearings as values: rollers between an inner and an outer ring, made of the package's own bodies."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.bearing.section import point_motion, raceway_motion, ring_motion
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import finite, not_negative, numbers, positive, whole
+from nonhertz.model.body import Body, TabulatedDiameter
+from nonhertz.model.contact import Contact
+
+Array = NDArray[np.float64]
+#: How far a raceway lies from a circle: at angles [rad], how much less room it leaves [mm].
+Shape = Callable[[Array], ArrayLike]
+
+MOST_ROLLERS = 1000
+# Of the roller's diameter: by how much raceways may leave more or less room for it than the clearance says.
+FITS = 0.02
+_MOST_ANGLE = math.radians(45.0)
+_DENSITY = 7.85e-9  # t/mm^3, of steel
+
+
+@dataclass(frozen=True, kw_only=True)
+class RollerBearing:
+    """Rollers in a row between an inner and an outer ring; use one of the classes made from it.
+
+    Parameters
+    ----------
+    roller : Body
+        The rollers, with diameter and length; y of its profile goes along the bearing's axis, x.
+    inner, outer : Body
+        The raceways where they touch the rollers: diameters [mm], negative for the outer one.
+    rollers : int
+        How many there are.
+    pitch_diameter : float or None
+        Diameter of the circle of the rollers' middles [mm]; the mean of both raceways if left out.
+    inner_shape, outer_shape : callable or None
+        Angles [rad] -> how much less room the raceway leaves there than a circle does [mm].
+    density : float
+        Of the rollers [t/mm^3], for what speed does.
+
+    Raises
+    ------
+    InputError
+        If the parts do not make a bearing.
+    """
+
+    roller: Body
+    inner: Body
+    outer: Body
+    rollers: int
+    pitch_diameter: float | None = None
+    inner_shape: Shape | None = None
+    outer_shape: Shape | None = None
+    density: float = _DENSITY
+
+    def __post_init__(self) -> None:
+        for name in ("roller", "inner", "outer"):
+            if not isinstance(getattr(self, name), Body):
+                raise InputError(name, getattr(self, name), "be a Body", "make one with Roller, Ring or Body")
+        if self.roller.length is None:
+            raise InputError("roller.length", None, "be given", "give the length of the rollers in mm")
+        if not self.roller_diameter > 0.0:
+            raise InputError("roller.diameter", self.roller.diameter, "be positive", "give the diameter in mm")
+        for name, sign, words in (("inner", 1.0, "positive: it is convex"), ("outer", -1.0, "negative: it is concave")):
+            diameter = getattr(self, name).diameter
+            if callable(diameter) or diameter is None or not sign * diameter > 0.0:
+                raise InputError(f"{name}.diameter", diameter, f"be {words}", "give that of the raceway in mm")
+        most = whole("rollers", self.rollers, 1, MOST_ROLLERS, "give the number of rollers of the row")
+        object.__setattr__(self, "rollers", most)
+        if self.pitch_diameter is not None:
+            positive("pitch_diameter", self.pitch_diameter, "give that of the rollers' middles in mm")
+        positive("density", self.density, "give it in t/mm^3, 7.85e-9 for steel")
+        for name in ("inner_shape", "outer_shape"):
+            shape = getattr(self, name)
+            if shape is not None:
+                if not callable(shape):
+                    raise InputError(name, shape, "be a function of the angle", "give one, or leave it out")
+                self._deviation(name, shape)
+        self._check_room()
+
+    def _check_room(self) -> None:
+        """Refuse rollers that do not fit between the raceways or side by side."""
+        diameter, pitch = self.roller_diameter, self.pitch
+        if pitch <= diameter or self.rollers > self._side_by_side:
+            fit = "none fits" if pitch <= diameter else f"{self._side_by_side} fit side by side"
+            condition = f"fit on a pitch circle of {pitch:.6g} mm with a diameter of {diameter:.6g} mm: {fit}"
+            raise InputError("rollers", self.rollers, condition, "give fewer or thinner ones")
+        room = 0.5 * (abs(self.outer.diameter) - self.inner.diameter) * math.cos(self.nominal_angle)  # type: ignore[operator, arg-type]
+        left = room - diameter
+        if abs(left) > FITS * diameter:
+            condition = (
+                f"fill the {room:.6g} mm between raceways of {self.inner.diameter:g} and "
+                f"{abs(self.outer.diameter):g} mm to within {100.0 * FITS:g} %"  # type: ignore[arg-type]
+            )
+            raise InputError("roller.diameter", diameter, condition, "give the diameters of raceways and rollers in mm")
+
+    @property
+    def _side_by_side(self) -> int:
+        return int(math.pi / math.asin(min(1.0, self.roller_diameter / self.pitch)) + 1e-9)
+
+    @property
+    def roller_diameter(self) -> float:
+        """Diameter of a roller in its middle [mm]."""
+        diameter = self.roller.diameter
+        if diameter is None:
+            return 0.0
+        found = np.asarray(diameter(np.zeros(1)))[0] if callable(diameter) else diameter
+        return float(found)
+
+    @property
+    def roller_length(self) -> float:
+        """Length of a roller [mm]."""
+        assert self.roller.length is not None
+        return self.roller.length
+
+    @property
+    def pitch(self) -> float:
+        """Diameter of the circle of the rollers' middles [mm]."""
+        if self.pitch_diameter is not None:
+            return self.pitch_diameter
+        return 0.5 * (float(self.inner.diameter) + abs(float(self.outer.diameter)))  # type: ignore[arg-type]
+
+    @property
+    def angles(self) -> Array:
+        """Where the rollers are, from y towards z [rad], shape (rollers,)."""
+        found: Array = 2.0 * np.pi * np.arange(self.rollers) / self.rollers
+        return found
+
+    @property
+    def nominal_angle(self) -> float:
+        """Contact angle of the bearing [rad]."""
+        return 0.0
+
+    @property
+    def contact_angles(self) -> tuple[float, float]:
+        """Contact angles at the inner and the outer ring [rad]."""
+        return self.nominal_angle, self.nominal_angle
+
+    @property
+    def holds_axially(self) -> bool:
+        """Whether the inner ring can bear an axial load, along +x."""
+        return False
+
+    @property
+    def gap(self) -> float:
+        """What each of a roller's two contacts is short of touching when the ring is centred [mm]."""
+        return 0.0
+
+    @cached_property
+    def contacts(self) -> tuple[Contact, Contact]:
+        """A roller on the inner and on the outer ring."""
+        return Contact(self.roller, self.inner), Contact(self.roller, self.outer)
+
+    @property
+    def ring_motion(self) -> Array:
+        """Motion at each roller per motion of the inner ring, shape (rollers, 3, 5)."""
+        return ring_motion(self.angles, (0.0, 0.5 * self.pitch))
+
+    @property
+    def raceway_motions(self) -> tuple[Array, Array]:
+        """Approach and tilt at both raceways per motion of ring against roller."""
+        inner, outer = self.contact_angles
+        return raceway_motion(inner, inner=True), raceway_motion(outer, inner=False)
+
+    @property
+    def gaps(self) -> tuple[Array, Array]:
+        """What the contacts of every roller are short of touching [mm], at both rings."""
+        inner, outer = (
+            np.zeros(self.rollers) if shape is None else self._deviation(name, shape)
+            for name, shape in (("inner_shape", self.inner_shape), ("outer_shape", self.outer_shape))
+        )
+        return self.gap - inner, self.gap - outer
+
+    def _deviation(self, name: str, shape: Shape) -> Array:
+        remedy = "let it return lengths in mm, one for each angle"
+        found = numbers(name, shape(self.angles), remedy)
+        if found.shape != (self.rollers,):
+            raise InputError(name, found.shape, f"return {self.rollers} lengths for {self.rollers} angles", remedy)
+        return found
+
+    def inertia(self) -> tuple[float, float]:
+        """Return mass [t] and moment of inertia about its axis [t mm^2] of a roller, taken as a hollow cylinder."""
+        bore = self.roller.bore
+        at = np.linspace(-0.5, 0.5, 201) * self.roller_length
+        hole = np.asarray(bore(at) if callable(bore) else np.full(at.size, bore or 0.0))
+        outer = np.full(at.size, self.roller_diameter)
+        volume = np.mean(outer**2 - hole**2) * math.pi / 4.0 * self.roller_length
+        polar = np.mean(outer**4 - hole**4) * math.pi / 32.0 * self.roller_length
+        return float(self.density * volume), float(self.density * polar)
+
+    def load_by_speed(self, speed: float) -> Array:
+        """Return what a speed of the inner ring [rad/s] loads every roller with: along x and r and as moment."""
+        finite("speed", speed, "give it in rad/s")
+        mass, polar = self.inertia()
+        ratio = self.roller_diameter * math.cos(self.nominal_angle) / self.pitch
+        cage = 0.5 * speed * (1.0 - ratio)
+        spin = 0.5 * speed * self.pitch / self.roller_diameter * (1.0 - ratio**2)
+        inclined = 0.5 * sum(self.contact_angles)
+        centrifugal = 0.5 * mass * self.pitch * cage**2
+        return np.array([0.0, centrifugal, polar * spin * cage * math.sin(inclined)])
+
+
+@dataclass(frozen=True, kw_only=True)
+class CylindricalRollerBearing(RollerBearing):
+    """A row of cylindrical rollers, free to move along the axis, as in the designs NU and N.
+
+    Parameters
+    ----------
+    clearance : float
+        Radial internal clearance: from one side to the other the inner ring moves by so much [mm]. Negative: preload.
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
+    >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+    >>> CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.018).pitch
+    46.5
+    """
+
+    clearance: float = 0.0
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        finite("clearance", self.clearance, "give the radial internal clearance in mm")
+        if abs(self.clearance) > FITS * self.roller_diameter:
+            condition = f"be less than {100.0 * FITS:g} % of the roller's diameter of {self.roller_diameter:g} mm"
+            raise InputError("clearance", self.clearance, condition, "give it in mm: 20 um are 0.02")
+
+    @property
+    def gap(self) -> float:
+        """What each of a roller's two contacts is short of touching when the ring is centred [mm]."""
+        return 0.25 * self.clearance
+
+
+@dataclass(frozen=True, kw_only=True)
+class NeedleRollerBearing(CylindricalRollerBearing):
+    """A row of needle rollers: cylindrical ones that are long and thin."""
+
+
+@dataclass(frozen=True)
+class Rib:
+    """The rib of a tapered roller bearing's inner ring, which bears the large ends of the rollers.
+
+    Parameters
+    ----------
+    end_radius : float
+        Radius of the spherical end of the rollers [mm].
+    height : float
+        Distance of the contact from the roller's axis [mm].
+    """
+
+    end_radius: float
+    height: float
+
+    def __post_init__(self) -> None:
+        positive("end_radius", self.end_radius, "give the radius of the rollers' ends in mm")
+        not_negative("height", self.height, "give how far from the roller's axis the rib touches, in mm")
+        if self.height >= self.end_radius:
+            condition = f"be less than the radius of the end, {self.end_radius:g} mm"
+            raise InputError("height", self.height, condition, "give how far from the roller's axis the rib touches")
+
+
+@dataclass(frozen=True, kw_only=True)
+class TaperedRollerBearing(RollerBearing):
+    """A row of tapered rollers, which bears axial loads on the inner ring along +x.
+
+    Diameters of the raceways are those of the cones on a radial line through the rollers' middles; along the rollers
+    they change as the contact angles say. The rollers' large ends are at low x, and so at negative y of their profiles.
+
+    Parameters
+    ----------
+    contact_angle : float
+        Angle between the normal of the outer raceway and the radial plane [rad].
+    clearance : float
+        Axial internal clearance: by so much the inner ring moves along the axis from contact on this row to where
+        another, of the same kind, would hold it [mm]. Negative: preload.
+    rib : Rib or None
+        The rib of the inner ring. If left out, the rollers' ends have a radius of 0.95 times the distance to the
+        point at which all cones meet, and touch at 0.9 of the radius of their large ends: a guess.
+    """
+
+    contact_angle: float
+    clearance: float = 0.0
+    rib: Rib | None = None
+
+    def __post_init__(self) -> None:
+        positive("contact_angle", self.contact_angle, "give it in rad: 12 degrees are 0.21")
+        if self.contact_angle > _MOST_ANGLE:
+            condition = f"not exceed {_MOST_ANGLE:.4g} rad, 45 degrees"
+            raise InputError("contact_angle", self.contact_angle, condition, "give it in rad: 12 degrees are 0.21")
+        finite("clearance", self.clearance, "give the axial internal clearance in mm")
+        if self.rib is not None and not isinstance(self.rib, Rib):
+            raise InputError("rib", self.rib, "be a Rib", "make one with nonhertz.bearing.Rib, or leave it out")
+        if isinstance(self.roller, Body) and self.roller.length is not None:
+            self._check_cone()
+        super().__post_init__()
+
+    def _check_cone(self) -> None:
+        if not self.half_cone_angle > 0.0:
+            condition = "be a TabulatedDiameter that is larger at negative y"
+            remedy = "give TabulatedDiameter((-5, 5), (11, 10)), say: the large ends are at low x"
+            raise InputError("roller.diameter", self.roller.diameter, condition, remedy)
+        if self.contact_angles[0] <= 0.0:
+            condition = f"exceed the rollers' cone angle of {2.0 * self.half_cone_angle:.4g} rad"
+            raise InputError("contact_angle", self.contact_angle, condition, "give that of the outer raceway")
+
+    @property
+    def half_cone_angle(self) -> float:
+        """Half of the angle at the tip of a roller's cone [rad]; negative if the large end is at positive y."""
+        diameter = self.roller.diameter
+        if not isinstance(diameter, TabulatedDiameter):
+            return 0.0
+        half = 0.5 * self.roller_length
+        low, high = diameter(np.array([-half, half]))
+        return math.atan(0.5 * (low - high) / self.roller_length)
+
+    @property
+    def nominal_angle(self) -> float:
+        """Contact angle of the bearing [rad]."""
+        return self.contact_angle
+
+    @property
+    def contact_angles(self) -> tuple[float, float]:
+        """Contact angles at the inner and the outer ring [rad]."""
+        return self.contact_angle - 2.0 * self.half_cone_angle, self.contact_angle
+
+    @property
+    def holds_axially(self) -> bool:
+        """Whether the inner ring can bear an axial load, along +x."""
+        return True
+
+    @property
+    def gap(self) -> float:
+        """What each of a roller's two contacts is short of touching when the ring is centred [mm]."""
+        return 0.5 * self.clearance * math.sin(self.contact_angle)
+
+    @cached_property
+    def contacts(self) -> tuple[Contact, Contact]:
+        """A roller on the inner and on the outer ring, each in the plane of their common generator."""
+        half = 0.5 * self.roller_length
+        cone = self.half_cone_angle
+        y = np.array([-half, half])
+        roller = replace(self.roller, diameter=_along(y, self.roller_diameter, -2.0 * math.tan(cone), cone))
+        rings: list[Any] = []
+        for ring, angle in zip((self.inner, self.outer), self.contact_angles, strict=True):
+            # The contact lies off the radial line through the roller's middle.
+            middle = float(ring.diameter) + self.roller_diameter * math.sin(angle) ** 2 / math.cos(angle)  # type: ignore[arg-type]
+            falls = -2.0 * math.sin(angle) * math.copysign(1.0, middle)
+            rings.append(replace(ring, diameter=_along(y, middle, falls, angle)))
+        return Contact(roller, rings[0]), Contact(roller, rings[1])
+
+    def end_contact(self) -> tuple[Array, float]:
+        """Return approach per motion at the rib, and the radius of the rollers' ends [mm]."""
+        axis, half = 0.5 * sum(self.contact_angles), 0.5 * self.roller_length
+        rib = self.rib
+        if rib is None:
+            large = 0.5 * self.roller_diameter + half * math.tan(self.half_cone_angle)
+            apex = 0.5 * self.pitch / math.sin(axis)
+            rib = Rib(0.95 * (apex + half), 0.9 * large)
+        along = np.array([math.cos(axis), -math.sin(axis)])
+        inwards = np.array([-math.sin(axis), -math.cos(axis)])
+        tipped = math.asin(rib.height / rib.end_radius)
+        normal = along * math.cos(tipped) - inwards * math.sin(tipped)
+        # The sphere's centre lies on the roller's axis, and the normal goes through it.
+        place = along * (rib.end_radius - half) - rib.end_radius * normal
+        return point_motion(normal.tolist(), place.tolist()), rib.end_radius
+
+
+def _along(y: Array, middle: float, slope: float, angle: float) -> TabulatedDiameter:
+    """Return the diameter of a cone in planes square to its generators."""
+    return TabulatedDiameter(tuple(y.tolist()), tuple(((middle + slope * y) / math.cos(angle)).tolist()))

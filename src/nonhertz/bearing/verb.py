@@ -1,0 +1,211 @@
+"""The verb: a bearing and what acts on it in, loads and motions out."""
+
+from __future__ import annotations
+
+import math
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.bearing.bearings import RollerBearing, TaperedRollerBearing
+from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, balanced
+from nonhertz.bearing.laws import ContactLaw, Point, Slices
+from nonhertz.bearing.section import raceway_motion
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.strips import StripLaw
+from nonhertz.errors import ConvergenceError, InputError
+from nonhertz.inputs.checks import finite, not_negative, numbers, one_of
+from nonhertz.model.contact import Contact
+from nonhertz.model.prescription import MOST_TILT
+
+Array = NDArray[np.float64]
+Method = Literal["strips", "slices"]
+
+METHODS = ("strips", "slices")
+SLICES, ROUGH_STRIPS = 41, 21
+# ISO/TS 16281, as quoted by others: load of a roller of length L between two raceways, 35948 L^(8/9) delta^(10/9).
+_STIFFNESS, _EXPONENT = 35948.0, 10.0 / 9.0
+_UNIT_OF_SPEED = math.pi / 30.0
+
+
+def solve(
+    bearing: RollerBearing,
+    *,
+    radial: ArrayLike | None = None,
+    axial: float | None = None,
+    moment: ArrayLike | None = None,
+    radial_displacement: ArrayLike | None = None,
+    axial_displacement: float | None = None,
+    tilt: ArrayLike | None = None,
+    speed: float = 0.0,
+    method: Method = "strips",
+) -> BearingSolution:
+    """Load a bearing, or move its inner ring; the outer ring is at rest.
+
+    Parameters
+    ----------
+    bearing : RollerBearing
+        The bearing.
+    radial, radial_displacement : float or tuple of float, optional
+        Force [N] on the inner ring or its displacement [mm]: along y, or along y and z. Not both; without either there
+        is no radial force.
+    axial, axial_displacement : float, optional
+        The same along x, where the bearing bears axial loads; without either there is no axial force.
+    moment, tilt : float or tuple of float, optional
+        Moment [N mm] on the inner ring or its rotation [rad]: about z, or about y and z. Without either the ring does
+        not tilt. A positive tilt about z moves the ring at high x along +y.
+    speed : float
+        Of the inner ring [1/min], for centrifugal loads and the rollers' gyroscopic moments.
+    method : {"strips", "slices"}
+        ``"strips"``: every contact by strips, on the automatic grid. ``"slices"``: the independent slices of ISO/TS
+        16281, with the nominal contact angle at both rings and no ribs, for comparison.
+
+    Returns
+    -------
+    BearingSolution
+
+    Raises
+    ------
+    InputError
+        If the input is invalid.
+    ConvergenceError
+        If no balance is found.
+
+    Notes
+    -----
+    Rollers have three motions of their own, along x and r and about the tangent; friction and skew are left out, and
+    displacements are small compared with the rollers. Every roller is pressed alike on both sides by its contacts, as
+    the model of its whole body assumes; where they are tilted differently, that neglects the odd part.
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
+    >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+    >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.018)
+    >>> float(solve(row, radial=20e3, method="slices").load[0, 0].round(-1))
+    6830.0
+    """
+    if not isinstance(bearing, RollerBearing):
+        remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing"
+        raise InputError("bearing", bearing, "be a bearing", remedy)
+    one_of("method", method, METHODS, "use 'strips', or 'slices' for comparison")
+    not_negative("speed", speed, "give the speed of the inner ring in 1/min")
+    prescribed, target = _given(bearing, (radial, radial_displacement), (axial, axial_displacement), (moment, tilt))
+    load = bearing.load_by_speed(_UNIT_OF_SPEED * speed)
+    found = _solved(bearing, prescribed, target[None], load, method)
+    if not found.residual[0] <= TOLERANCE:
+        raise ConvergenceError(
+            f"Rollers and rings found no balance in {found.steps[0]} steps: the loads may leave the inner ring unheld.",
+            None,
+        )
+    return BearingSolution.of(bearing, method, found, load)
+
+
+def _given(
+    bearing: RollerBearing,
+    radial: tuple[ArrayLike | None, ArrayLike | None],
+    axial: tuple[float | None, float | None],
+    turning: tuple[ArrayLike | None, ArrayLike | None],
+) -> tuple[NDArray[np.bool_], Array]:
+    """Return of which motions the force is given, and what is given, each of shape (5,)."""
+    by_force, target = np.zeros(5, dtype=np.bool_), np.zeros(5)
+    pairs = (
+        ("radial", "radial_displacement", radial, slice(1, 3), ("N", "mm"), True),
+        ("axial", "axial_displacement", axial, slice(0, 1), ("N", "mm"), bearing.holds_axially),
+        ("moment", "tilt", turning, slice(3, 5), ("N mm", "rad"), False),
+    )
+    for force, motion, values, where, units, forced in pairs:
+        if values[0] is not None and values[1] is not None:
+            raise InputError(motion, values[1], f"not be given together with {force}", "leave one of them out")
+        by_force[where] = values[0] is not None or (values[1] is None and forced)
+        name, value, unit = (motion, values[1], units[1]) if values[1] is not None else (force, values[0], units[0])
+        if value is None:
+            continue
+        given = numbers(name, value, f"give it in {unit}")
+        size = where.stop - where.start
+        if given.ndim and given.shape != (size,):
+            raise InputError(name, value, "be a number or two" if size == 2 else "be a number", f"give it in {unit}")
+        # A single number is along y, or about z: in the plane of the first roller.
+        target[where] = given if given.ndim else ((0.0, given) if force == "moment" else (given, 0.0))[:size]
+    if not bearing.holds_axially and by_force[0]:
+        if target[0] != 0.0:
+            condition = "be zero for a bearing whose inner ring is free to move along the axis"
+            raise InputError("axial", target[0], condition, "use a bearing that bears axial loads, or leave it out")
+        by_force[0] = False
+    least = math.tan(bearing.nominal_angle) * math.hypot(*target[1:3])
+    if np.all(by_force[:3]) and least > 0.0 and not target[0] > least:
+        condition = f"exceed {least:.4g} N, the tangent of the contact angle times the radial force"
+        remedy = "without that a single row falls apart; or give axial_displacement"
+        raise InputError("axial", float(target[0]), condition, remedy)
+    if np.max(np.abs(target[3:])) > MOST_TILT and turning[1] is not None:
+        remedy = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
+        raise InputError("tilt", turning[1], f"be a small angle, of at most {MOST_TILT:g} rad", remedy)
+    for each in target:
+        finite("load", float(each), "give forces in N and moments in N mm")
+    return by_force, target
+
+
+def _solved(bearing: RollerBearing, by_force: NDArray[np.bool_], target: Array, load: Array, method: Method) -> States:
+    """Return the states of a bearing."""
+    depth = _depth(bearing, by_force, target)
+    start = np.zeros_like(target)
+    start[:, 0] = np.where(target[:, 0] != 0.0, np.sign(target[:, 0]) * depth, 0.0)
+    sliced = balanced(_sliced(bearing, load), by_force, target, start, depth)
+    if method == "slices":
+        return sliced
+    rough = balanced(_stripped(bearing, load, ROUGH_STRIPS), by_force, target, sliced.ring, depth)
+    return balanced(_stripped(bearing, load, None), by_force, target, rough.ring, depth)
+
+
+def _depth(bearing: RollerBearing, by_force: NDArray[np.bool_], target: Array) -> float:
+    """Return a penetration of the size to be expected [mm]."""
+    reach = np.array([1.0, 1.0, 1.0, bearing.pitch, bearing.pitch])
+    loads = np.abs(target) / reach
+    most = float(np.max(np.where(by_force, loads, 0.0), initial=0.0)) * 5.0 / bearing.rollers
+    by_load = float((most / (_STIFFNESS * bearing.roller_length ** (8.0 / 9.0))) ** (1.0 / _EXPONENT))
+    moved = float(np.max(np.where(by_force, 0.0, np.abs(target * reach)), initial=0.0))
+    return max(by_load, moved, 1e-6 * bearing.roller_diameter) + 4.0 * abs(bearing.gap)
+
+
+def _sliced(bearing: RollerBearing, load: Array) -> System:
+    """Return the rollers with independent slices, as ISO/TS 16281 has them."""
+    angle = bearing.nominal_angle
+    motions = raceway_motion(angle, inner=True), raceway_motion(angle, inner=False)
+    laws = [_slices(contact) for contact in bearing.contacts]
+    # The same slices at both rings: each takes half of the relief of both contacts.
+    relief = 0.5 * (laws[0].relief + laws[1].relief)
+    law = Slices(laws[0].y, relief, laws[0].stiffness, _EXPONENT)
+    joints = [
+        Joint(inner, motion, gap, law) for inner, motion, gap in zip((True, False), motions, bearing.gaps, strict=True)
+    ]
+    return System(bearing.ring_motion, tuple(joints), np.array([0.0, load[1], 0.0]), 0.5 * bearing.roller_length)
+
+
+def _slices(contact: Contact) -> Slices:
+    low, high = contact.interval
+    y = low + (high - low) * (np.arange(SLICES) + 0.5) / SLICES
+    stiffness = _STIFFNESS * (high - low) ** (8.0 / 9.0) / SLICES * 2.0**_EXPONENT
+    return Slices(y, contact.separation(y), stiffness, _EXPONENT)
+
+
+def _stripped(bearing: RollerBearing, load: Array, strips: int | None) -> System:
+    """Return the rollers with contacts by strips."""
+    joints = [
+        Joint(inner, motion, gap, StripLaw(contact, strips))
+        for inner, motion, gap, contact in zip(
+            (True, False), bearing.raceway_motions, bearing.gaps, bearing.contacts, strict=True
+        )
+    ]
+    if isinstance(bearing, TaperedRollerBearing):
+        motion, radius = bearing.end_contact()
+        joints.append(Joint(True, motion, np.zeros(bearing.rollers), _end(bearing, radius)))
+    return System(bearing.ring_motion, tuple(joints), load, 0.5 * bearing.roller_length)
+
+
+def _end(bearing: RollerBearing, radius: float) -> ContactLaw:
+    """Return how a spherical end answers on a flat rib, after Hertz."""
+    compliance = bearing.roller.material.compliance + bearing.inner.material.compliance
+    # K = 1 / (pi E*), and the load is 4/3 E* R^(1/2) approach^(3/2).
+    return Point(4.0 / 3.0 / (math.pi * compliance) * math.sqrt(radius))

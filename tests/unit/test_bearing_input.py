@@ -1,0 +1,113 @@
+"""Bearings that cannot be: one sentence each."""
+
+import math
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+
+ROLLER = nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(4000))
+PARTS = {"roller": ROLLER, "inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5), "rollers": 13}
+CONE = nh.Roller(diameter=nh.TabulatedDiameter((-5.0, 5.0), (9.4, 8.6)), length=10.0, profile=nh.profile.crown(4000))
+TAPER = {"roller": CONE, "inner": nh.Ring(diameter=37.3), "outer": nh.Ring(diameter=-55.7), "rollers": 13}
+
+
+def cylindrical(**changes):
+    return nh.bearing.CylindricalRollerBearing(**(PARTS | changes))
+
+
+def tapered(**changes):
+    return nh.bearing.TaperedRollerBearing(**(TAPER | {"contact_angle": 0.2} | changes))
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: cylindrical(rollers=0), "rollers = 0 must be a whole number from 1 to 1000"),
+        (lambda: cylindrical(rollers=17), "rollers = 17 must fit on a pitch circle of 46.5 mm"),
+        (lambda: cylindrical(pitch_diameter=8.0), "none fits"),
+        (lambda: cylindrical(rollers=2.5), "rollers = 2.5 must be a whole number"),
+        (lambda: cylindrical(outer=nh.Ring(diameter=55.5)), "outer.diameter = 55.5 must be negative"),
+        (lambda: cylindrical(inner=nh.Ring(diameter=-37.5)), "inner.diameter = -37.5 must be positive"),
+        (lambda: cylindrical(inner=nh.Ring(diameter=36.0)), "roller.diameter = 9.0 must fill the 9.75 mm"),
+        (lambda: cylindrical(roller=nh.Body(diameter=9.0)), "roller.length = None must be given"),
+        (lambda: cylindrical(roller=9.0), "roller = 9.0 must be a Body"),
+        (lambda: cylindrical(clearance=0.3), "clearance = 0.3 must be less than 2 % of the roller's diameter"),
+        (lambda: cylindrical(clearance=math.nan), "clearance = nan must be a finite number"),
+        (lambda: cylindrical(clearance=-5.0), "clearance = -5.0 must be less than 2 %"),
+        (lambda: cylindrical(inner_shape=3.0), "inner_shape = 3.0 must be a function of the angle"),
+        (lambda: cylindrical(outer_shape=lambda angle: 0.0), "outer_shape = () must return 13 lengths"),
+        (lambda: tapered(contact_angle=12.0), "contact_angle = 12.0 must not exceed 0.7854 rad"),
+        (lambda: tapered(contact_angle=0.05), "contact_angle = 0.05 must exceed the rollers' cone angle"),
+        (lambda: tapered(roller=ROLLER), "must be a TabulatedDiameter that is larger at negative y"),
+        (lambda: tapered(rib=3), "rib = 3 must be a Rib"),
+        (lambda: nh.bearing.Rib(5.0, 6.0), "height = 6.0 must be less than the radius of the end, 5 mm"),
+        (lambda: nh.bearing.solve(ROLLER, radial=1e3), "must be a bearing"),
+        (
+            lambda: nh.bearing.solve(cylindrical(), radial=1e3, axial=100.0),
+            "axial = 100.0 must be zero for a bearing whose inner ring is free to move along the axis",
+        ),
+        (
+            lambda: nh.bearing.solve(cylindrical(), radial=1e3, radial_displacement=0.01),
+            "radial_displacement = 0.01 must not be given together with radial",
+        ),
+        (lambda: nh.bearing.solve(cylindrical(), radial=(1.0, 2.0, 3.0)), "radial = (1.0, 2.0, 3.0) must be a number"),
+        (lambda: nh.bearing.solve(cylindrical(), radial=1e3, tilt=2.0), "tilt = 2.0 must be a small angle"),
+        (lambda: nh.bearing.solve(cylindrical(), radial=math.inf), "radial = inf must be finite"),
+        (lambda: nh.bearing.solve(cylindrical(), radial=1e3, speed=-3.0), "speed = -3.0 must not be negative"),
+        (lambda: nh.bearing.solve(cylindrical(), radial=1e3, method="fem"), "method = 'fem' must be"),
+        (
+            lambda: nh.bearing.solve(tapered(), radial=10e3, axial=1e3),
+            "axial = 1000.0 must exceed 2027 N, the tangent of the contact angle times the radial force",
+        ),
+        (lambda: nh.bearing.solve(cylindrical(), radial=1e3, method="slices").contact(0), "method = 'slices' must be"),
+        (
+            lambda: nh.bearing.solve(cylindrical(), radial=1e3).contact(13),
+            "roller = 13 must be a whole number from 0 to 12",
+        ),
+    ],
+)
+def test_what_cannot_be_is_refused_in_one_sentence(make, message):
+    with pytest.raises(nh.InputError) as refused:
+        make()
+    assert message in str(refused.value)
+    assert str(refused.value).count("\n") == 0
+
+
+def test_without_a_force_nothing_is_loaded():
+    found = nh.bearing.solve(cylindrical(clearance=0.02))
+    assert np.all(found.load == 0.0)
+    assert np.all(found.max_pressure == 0.0)
+
+
+def test_preload_loads_every_roller_alike():
+    found = nh.bearing.solve(cylindrical(clearance=-0.01))
+    np.testing.assert_allclose(found.load, found.load[0, 0], rtol=1e-9)
+    assert found.load[0, 0] > 100.0
+
+
+def test_a_displacement_takes_the_force_that_moves_so_far():
+    loaded = nh.bearing.solve(cylindrical(clearance=0.01), radial=(8e3, -3e3), tilt=5e-4)
+    moved = nh.bearing.solve(cylindrical(clearance=0.01), radial_displacement=loaded.displacement[1:3], tilt=5e-4)
+    np.testing.assert_allclose(moved.force[1:], loaded.force[1:], rtol=1e-5, atol=0.5)
+
+
+def test_a_shape_that_leaves_less_room_loads_the_roller_there():
+    def bump(angle):
+        return np.where(np.abs(angle) < 0.1, 0.004, 0.0)
+
+    plain, bumped = (nh.bearing.solve(cylindrical(outer_shape=shape), radial=8e3) for shape in (None, bump))
+    assert bumped.load[0, 1] > 1.05 * plain.load[0, 1]
+    assert bumped.load[1, 1] < plain.load[1, 1]
+
+
+def test_speed_presses_idle_rollers_against_the_outer_ring():
+    found = nh.bearing.solve(cylindrical(clearance=0.02), radial=5e3, speed=6000.0)
+    mass, _ = cylindrical().inertia()
+    assert mass == pytest.approx(7.85e-9 * math.pi / 4.0 * 81.0 * 10.0)
+    cage = 0.5 * 6000.0 * math.pi / 30.0 * (1.0 - 9.0 / 46.5)
+    assert found.roller_load[1] == pytest.approx(mass * 23.25 * cage**2)
+    assert found.load[6, 0] == 0.0
+    assert found.load[6, 1] == pytest.approx(found.roller_load[1], rel=1e-7)
+    np.testing.assert_allclose(found.load[0, 1] - found.load[0, 0], found.roller_load[1], rtol=1e-5)
