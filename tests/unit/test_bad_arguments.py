@@ -356,8 +356,34 @@ ENTRIES: dict[str, Entry] = {
         tilt=(None, "number?"),
         speed=(0.0, "not negative"),
         method=("slices", "word"),
+        laminae=(30, "whole"),
     ),
     "bearing.RollerBearing.load_by_speed": entry(ROW.load_by_speed, speed=(100.0, "number")),
+    "bearing.rating": entry(
+        bearing.rating, bearing=(ROW, "thing"), dynamic=(None, "positive?"), static=(None, "positive?")
+    ),
+    "bearing.assess": entry(
+        bearing.assess,
+        solution=(bearing.solve(ROW, radial=3e3, method="slices"), "thing"),
+        speed=(1e3, "positive"),
+        viscosity=(20.0, "positive"),
+        contamination=(0.5, "positive?"),
+        reliability=(0.9, "positive"),
+        edge_stress=(None, "optional"),
+        laminae=(30, "whole"),
+        dynamic=(None, "positive?"),
+        static=(None, "positive?"),
+    ),
+    "bearing.reference_viscosity": entry(
+        bearing.reference_viscosity, speed=(1e3, "positive"), pitch_diameter=(50.0, "positive")
+    ),
+    "bearing.life_factor": entry(
+        bearing.life_factor, viscosity_ratio=(1.0, "positive"), relative_limit=(0.3, "positive")
+    ),
+    "bearing.reliability_factor": entry(bearing.reliability_factor, reliability=(0.95, "positive")),
+    "bearing.contamination_factor": entry(
+        bearing.contamination_factor, viscosity_ratio=(1.0, "positive"), pitch_diameter=(50.0, "positive")
+    ),
     "bearing.BearingSolution.contact": entry(LOADED.contact, roller=(0, "count"), ring=("inner", "word")),
     "life.assess": entry(life.assess, **WITHIN, models=("iso-16281", "models"), rollers=(10, "whole?")),
     "life.exposure": entry(life.exposure, **WITHIN),
@@ -423,6 +449,10 @@ ENTRIES: dict[str, Entry] = {
         pitch_diameter=(65.0, "positive"),
         inner=(True, "flag"),
         body=("b", "word"),
+        contact_angle=(0.2, "not negative"),
+    ),
+    "life.Raceway.capacity_of": entry(
+        RACEWAY.capacity_of, load_rating=(5e4, "positive"), rollers=(14, "whole")
     ),
     "life.Raceway.load_rating": entry(RACEWAY.load_rating, rollers=(14, "whole")),
     "life.Raceway.capacity": entry(RACEWAY.capacity, rollers=(14, "whole")),
@@ -594,7 +624,7 @@ RESULTS = {
     "EdgeKind", "EdgePressure", "ErrorEstimate", "Result", "SingularEnd", "Solution", "Solutions",
     "Status",
     "hertz.LineContact", "hertz.PointContact",
-    "bearing.BearingSolution",
+    "bearing.BearingLife", "bearing.BearingSolution", "bearing.Rating",
     "life.Exposure", "life.Life",
     "measured.Fit", "measured.Roughness", "measured.StepResult",
     "subsurface.Extreme", "subsurface.Extremes", "subsurface.Field", "subsurface.Passage",

@@ -20,15 +20,33 @@ from nonhertz.bearing.bearings import (
     RollerBearing,
     TaperedRollerBearing,
 )
+from nonhertz.bearing.rating import (
+    BearingLife,
+    Rating,
+    assess,
+    contamination_factor,
+    life_factor,
+    rating,
+    reference_viscosity,
+    reliability_factor,
+)
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.verb import solve
 
 __all__ = [
+    "BearingLife",
     "BearingSolution",
     "CylindricalRollerBearing",
     "NeedleRollerBearing",
+    "Rating",
     "Rib",
     "RollerBearing",
     "TaperedRollerBearing",
+    "assess",
+    "contamination_factor",
+    "life_factor",
+    "rating",
+    "reference_viscosity",
+    "reliability_factor",
     "solve",
 ]

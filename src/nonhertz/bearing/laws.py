@@ -75,7 +75,7 @@ class Slices:
     def pressed(self, rows: Indices, approach: Array, tilt: Array) -> Answer:
         """Return the answer of contacts."""
         del rows
-        depth = np.maximum(approach[:, None] + tilt[:, None] * self.y - self.relief, 0.0)
+        depth = self._depth(approach, tilt)
         # The power of the derivative first: multiplications are cheap.
         slope = self.stiffness * depth ** (self.exponent - 1.0)
         load = slope * depth
@@ -83,6 +83,15 @@ class Slices:
         moments = np.stack([np.ones_like(self.y), self.y, self.y**2], axis=1)
         loads, slopes = load @ moments[:, :2], slope @ moments
         return Answer(loads[:, 0], loads[:, 1], slopes[:, [0, 1, 1, 2]].reshape(-1, 2, 2))
+
+    def loads(self, approach: Array, tilt: Array) -> Array:
+        """Return the loads of the slices [N], shape (n, slices)."""
+        found: Array = self.stiffness * self._depth(approach, tilt) ** self.exponent
+        return found
+
+    def _depth(self, approach: Array, tilt: Array) -> Array:
+        depth: Array = np.maximum(approach[:, None] + tilt[:, None] * self.y - self.relief, 0.0)
+        return depth
 
 
 @dataclass(frozen=True, eq=False)

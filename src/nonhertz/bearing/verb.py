@@ -10,22 +10,21 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.bearing.bearings import RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, balanced
-from nonhertz.bearing.laws import ContactLaw, Point, Slices
+from nonhertz.bearing.laws import ContactLaw, Point
 from nonhertz.bearing.section import raceway_motion
 from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.standard import EXPONENT, LAMINAE, STIFFNESS, standard_slices
 from nonhertz.bearing.strips import StripLaw
 from nonhertz.errors import ConvergenceError, InputError
-from nonhertz.inputs.checks import finite, not_negative, numbers, one_of
-from nonhertz.model.contact import Contact
+from nonhertz.inputs.checks import finite, not_negative, numbers, one_of, whole
+from nonhertz.life.lamina import FEWEST, MOST
 from nonhertz.model.prescription import MOST_TILT
 
 Array = NDArray[np.float64]
 Method = Literal["strips", "slices"]
 
 METHODS = ("strips", "slices")
-SLICES, ROUGH_STRIPS = 41, 21
-# ISO/TS 16281, as quoted by others: load of a roller of length L between two raceways, 35948 L^(8/9) delta^(10/9).
-_STIFFNESS, _EXPONENT = 35948.0, 10.0 / 9.0
+ROUGH_STRIPS = 21
 _UNIT_OF_SPEED = math.pi / 30.0
 
 
@@ -40,6 +39,7 @@ def solve(
     tilt: ArrayLike | None = None,
     speed: float = 0.0,
     method: Method = "strips",
+    laminae: int = LAMINAE,
 ) -> BearingSolution:
     """Load a bearing, or move its inner ring; the outer ring is at rest.
 
@@ -60,6 +60,9 @@ def solve(
     method : {"strips", "slices"}
         ``"strips"``: every contact by strips, on the automatic grid. ``"slices"``: the independent slices of ISO/TS
         16281, with the nominal contact angle at both rings and no ribs, for comparison.
+
+    laminae : int
+        Number of slices, at least 30.
 
     Returns
     -------
@@ -91,10 +94,11 @@ def solve(
         remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing"
         raise InputError("bearing", bearing, "be a bearing", remedy)
     one_of("method", method, METHODS, "use 'strips', or 'slices' for comparison")
+    laminae = whole("laminae", laminae, FEWEST, MOST, "give the number of slices, 41 say")
     not_negative("speed", speed, "give the speed of the inner ring in 1/min")
     prescribed, target = _given(bearing, (radial, radial_displacement), (axial, axial_displacement), (moment, tilt))
     load = bearing.load_by_speed(_UNIT_OF_SPEED * speed)
-    found = _solved(bearing, prescribed, target[None], load, method)
+    found = _solved(bearing, prescribed, target[None], load, method, laminae)
     if not found.residual[0] <= TOLERANCE:
         raise ConvergenceError(
             f"Rollers and rings found no balance in {found.steps[0]} steps: the loads may leave the inner ring unheld.",
@@ -147,12 +151,14 @@ def _given(
     return by_force, target
 
 
-def _solved(bearing: RollerBearing, by_force: NDArray[np.bool_], target: Array, load: Array, method: Method) -> States:
+def _solved(
+    bearing: RollerBearing, by_force: NDArray[np.bool_], target: Array, load: Array, method: Method, laminae: int
+) -> States:
     """Return the states of a bearing."""
     depth = _depth(bearing, by_force, target)
     start = np.zeros_like(target)
     start[:, 0] = np.where(target[:, 0] != 0.0, np.sign(target[:, 0]) * depth, 0.0)
-    sliced = balanced(_sliced(bearing, load), by_force, target, start, depth)
+    sliced = balanced(_sliced(bearing, load, laminae), by_force, target, start, depth)
     if method == "slices":
         return sliced
     rough = balanced(_stripped(bearing, load, ROUGH_STRIPS), by_force, target, sliced.ring, depth)
@@ -164,30 +170,19 @@ def _depth(bearing: RollerBearing, by_force: NDArray[np.bool_], target: Array) -
     reach = np.array([1.0, 1.0, 1.0, bearing.pitch, bearing.pitch])
     loads = np.abs(target) / reach
     most = float(np.max(np.where(by_force, loads, 0.0), initial=0.0)) * 5.0 / bearing.rollers
-    by_load = float((most / (_STIFFNESS * bearing.roller_length ** (8.0 / 9.0))) ** (1.0 / _EXPONENT))
+    by_load = float((most / (STIFFNESS * bearing.roller_length ** (8.0 / 9.0))) ** (1.0 / EXPONENT))
     moved = float(np.max(np.where(by_force, 0.0, np.abs(target * reach)), initial=0.0))
     return max(by_load, moved, 1e-6 * bearing.roller_diameter) + 4.0 * abs(bearing.gap)
 
 
-def _sliced(bearing: RollerBearing, load: Array) -> System:
+def _sliced(bearing: RollerBearing, load: Array, laminae: int) -> System:
     """Return the rollers with independent slices, as ISO/TS 16281 has them."""
-    angle = bearing.nominal_angle
+    angle, law = bearing.nominal_angle, standard_slices(bearing, laminae)
     motions = raceway_motion(angle, inner=True), raceway_motion(angle, inner=False)
-    laws = [_slices(contact) for contact in bearing.contacts]
-    # The same slices at both rings: each takes half of the relief of both contacts.
-    relief = 0.5 * (laws[0].relief + laws[1].relief)
-    law = Slices(laws[0].y, relief, laws[0].stiffness, _EXPONENT)
     joints = [
         Joint(inner, motion, gap, law) for inner, motion, gap in zip((True, False), motions, bearing.gaps, strict=True)
     ]
     return System(bearing.ring_motion, tuple(joints), np.array([0.0, load[1], 0.0]), 0.5 * bearing.roller_length)
-
-
-def _slices(contact: Contact) -> Slices:
-    low, high = contact.interval
-    y = low + (high - low) * (np.arange(SLICES) + 0.5) / SLICES
-    stiffness = _STIFFNESS * (high - low) ** (8.0 / 9.0) / SLICES * 2.0**_EXPONENT
-    return Slices(y, contact.separation(y), stiffness, _EXPONENT)
 
 
 def _stripped(bearing: RollerBearing, load: Array, strips: int | None) -> System:

@@ -22,6 +22,7 @@ from nonhertz.inputs.checks import listed, positive, whole
 from nonhertz.life.capacity import Raceway, raceway
 from nonhertz.life.catalogue import MODELS, RATED, Model, VolumeModel, lundberg_palmgren, model
 from nonhertz.life.lamina import EXPONENT, LEFT_OUT, LaminaModel, laminae_of
+from nonhertz.life.spectrum import WHOLE
 from nonhertz.life.volume import Exposure, exposure
 from nonhertz.model.body import BodyName
 from nonhertz.model.contact import Contact
@@ -131,7 +132,8 @@ def assess(
     ----------
     solution : Solution or PatchSolution, or several of them with shares
         A solved contact, or a spectrum: pairs of a solution and its share of the revolutions; see
-        `nonhertz.life.solve_spectrum`.
+        `nonhertz.life.solve_spectrum`. Where the shares add up to less than 1, nothing is loaded for the rest, as with
+        rollers outside the load zone.
     models : model or name, or several
         See `nonhertz.life.MODELS`; all of them, with default parameters, if left out.
     body : {"a", "b"}
@@ -218,9 +220,9 @@ def _spectrum(solution: Solved | Spectrum) -> Spectrum:
         if each.contact != pairs[0][0].contact:
             raise InputError("solution", "several", "all be of one contact", "assess contacts one by one")
     total = math.fsum(share for _, share in pairs)
-    if not math.isfinite(total):
-        raise InputError("share", total, "add up to a finite number", remedy)
-    return [(each, share / total) for each, share in pairs]
+    if total > 1.0 + WHOLE:
+        raise InputError("share", round(total, 6), "add up to 1 at most", remedy)
+    return pairs
 
 
 def _by_volume(

@@ -1,12 +1,12 @@
 """The load that a raceway carries for a million revolutions, after Lundberg and Palmgren as in ISO 281.
 
-For a radial bearing with Z rollers of diameter D and effective length L on the pitch diameter D_pw, with gamma =
-D / D_pw and zero contact angle,
+For a radial bearing with Z rollers of diameter D and effective length L on the pitch diameter D_pw, with the contact
+angle alpha and gamma = D cos(alpha) / D_pw,
 
-    C_r = 1.1 f_c L^(7/9) Z^(3/4) D^(29/27)     f_c = 551.13373 * 0.377 * 0.83 * gamma^(2/9) (1 - gamma)^(29/27)
-                                                      / (1 + gamma)^(1/4) * {1 + [1.04 g]^(9/2)}^(-2/9)
-    Q_ci = C_r / (0.83 * 0.378 Z) {1 + [1.038 g]^(9/2)}^(2/9)              g = ((1 - gamma) / (1 + gamma))^(143/108)
-    Q_ce = C_r / (0.83 * 0.364 Z) {1 + [1.038 g]^(-9/2)}^(2/9)
+    C_r = 1.1 f_c (L cos alpha)^(7/9) Z^(3/4) D^(29/27)
+    f_c = 551.13373 * 0.377 * 0.83 * gamma^(2/9) (1 - gamma)^(29/27) / (1 + gamma)^(1/4) * {1 + [1.04 g]^(9/2)}^(-2/9)
+    Q_ci = C_r / (0.83 * 0.378 Z cos alpha) {1 + [1.038 g]^(9/2)}^(2/9)    g = ((1 - gamma) / (1 + gamma))^(143/108)
+    Q_ce = C_r / (0.83 * 0.364 Z cos alpha) {1 + [1.038 g]^(-9/2)}^(2/9)
 
 Both standards are quoted from public programs that agree with each other; their text itself was not available.
 """
@@ -17,7 +17,7 @@ import math
 from dataclasses import dataclass
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import flag, one_of, positive, whole
+from nonhertz.inputs.checks import flag, not_negative, one_of, positive, whole
 from nonhertz.model.body import Body, BodyName, Ring, Roller
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
@@ -26,6 +26,7 @@ MATERIAL_FACTOR = 1.1  # b_m of cylindrical and tapered roller bearings
 REDUCTION = 0.83  # lambda nu: reduces the load rating for uneven line loads; not part of the capacity of laminae
 SAME = 1e-9
 STEEL_MODULUS = 195e3, 220e3  # MPa
+_ANGLE_REMEDY, _MOST_ANGLE = "give it in rad, for a radial bearing: 45 degrees at most", math.radians(45.0)
 _DIAMETER_EXPONENT, _LENGTH_EXPONENT = 29.0 / 27.0, 7.0 / 9.0
 
 
@@ -45,6 +46,8 @@ class Raceway:
         Whether it is an inner ring.
     body : str
         Which of the bodies of a contact is the ring, ``"a"`` or ``"b"``.
+    contact_angle : float
+        alpha [rad].
     """
 
     roller_diameter: float
@@ -52,6 +55,7 @@ class Raceway:
     pitch_diameter: float
     inner: bool
     body: BodyName = "b"
+    contact_angle: float = 0.0
 
     def __post_init__(self) -> None:
         positive("roller_diameter", self.roller_diameter, "give the roller's diameter in mm")
@@ -59,6 +63,9 @@ class Raceway:
         positive("pitch_diameter", self.pitch_diameter, "give the diameter of the circle of roller centres in mm")
         flag("inner", self.inner, "write True for an inner ring, False for an outer one")
         one_of("body", self.body, ("a", "b"), "name the body that is the ring")
+        not_negative("contact_angle", self.contact_angle, _ANGLE_REMEDY)
+        if self.contact_angle > _MOST_ANGLE:
+            raise InputError("contact_angle", self.contact_angle, f"not exceed {_MOST_ANGLE:.4g} rad", _ANGLE_REMEDY)
         if self.pitch_diameter <= self.roller_diameter:
             condition = f"exceed the roller's diameter of {self.roller_diameter:g} mm"
             raise InputError("pitch_diameter", self.pitch_diameter, condition, "give that of the roller centres")
@@ -77,12 +84,12 @@ class Raceway:
         48416.8
         """
         rollers = self._checked(rollers)
-        gamma = self.roller_diameter / self.pitch_diameter
-        ratio = (1.0 - gamma) / (1.0 + gamma)
+        gamma, ratio = self._gamma, self._ratio
         of_geometry = gamma ** (2 / 9) * (1.0 - gamma) ** (29 / 27) / (1.0 + gamma) ** 0.25
         both_rings = (1.0 + (1.04 * ratio ** (143 / 108)) ** 4.5) ** (-2 / 9)
         factor = 551.13373 * 0.377 * REDUCTION * of_geometry * both_rings
-        of_size = self.length**_LENGTH_EXPONENT * rollers**0.75 * self.roller_diameter**_DIAMETER_EXPONENT
+        length = self.length * math.cos(self.contact_angle)
+        of_size = length**_LENGTH_EXPONENT * rollers**0.75 * self.roller_diameter**_DIAMETER_EXPONENT
         return float(MATERIAL_FACTOR * factor * of_size)
 
     def capacity(self, rollers: int) -> float:
@@ -100,10 +107,29 @@ class Raceway:
         (11449.6, 17271.6)
         """
         rollers = self._checked(rollers)
-        gamma = self.roller_diameter / self.pitch_diameter
-        other = (1.038 * ((1.0 - gamma) / (1.0 + gamma)) ** (143 / 108)) ** 4.5
+        return self.capacity_of(self.load_rating(rollers), rollers)
+
+    def capacity_of(self, load_rating: float, rollers: int) -> float:
+        """Return the same for a load rating C_r [N] of one's own, a catalogue's say.
+
+        Examples
+        --------
+        >>> round(Raceway(10.53019, 11.65, 51.56, True, contact_angle=0.20698).capacity_of(59500, 14), -1)
+        14150.0
+        """
+        positive("load_rating", load_rating, "give the basic dynamic radial load rating in N")
+        rollers = self._checked(rollers)
+        other = (1.038 * self._ratio ** (143 / 108)) ** 4.5
         share = 0.378 * (1.0 + other) ** (-2 / 9) if self.inner else 0.364 * (1.0 + 1.0 / other) ** (-2 / 9)
-        return float(self.load_rating(rollers) / (REDUCTION * share * rollers))
+        return float(load_rating / (REDUCTION * share * rollers * math.cos(self.contact_angle)))
+
+    @property
+    def _gamma(self) -> float:
+        return self.roller_diameter * math.cos(self.contact_angle) / self.pitch_diameter
+
+    @property
+    def _ratio(self) -> float:
+        return (1.0 - self._gamma) / (1.0 + self._gamma)
 
     def _checked(self, rollers: int) -> int:
         """Return a number of rollers, or reject one that does not fit side by side on the pitch circle."""

@@ -1,0 +1,108 @@
+"""Ratings and lives of bearings, against public figures and sums by hand."""
+
+import math
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.bearing import life_factor, reliability_factor
+from nonhertz.bearing.rating import _life, _means
+
+B = nh.bearing
+
+
+def row(clearance=0.0, **roller):
+    return B.CylindricalRollerBearing(
+        roller=nh.Roller(**({"diameter": 10.0, "length": 9.6, "profile": nh.profile.crown(2000)} | roller)),
+        inner=nh.Ring(diameter=55.0),
+        outer=nh.Ring(diameter=-75.0),
+        rollers=14,
+        clearance=clearance,
+    )
+
+
+# Of five public programs, to all digits.
+@pytest.mark.parametrize(
+    ("kappa", "factors"),
+    [
+        (0.2, (0.109, 0.124, 0.152)),
+        (0.5, (0.130, 0.195, 0.374)),
+        (1.0, (0.169, 0.399, 1.714)),
+        (2.0, (0.186, 0.516, 3.081)),
+        (4.0, (0.203, 0.664, 5.587)),
+    ],
+)
+def test_the_life_factor_is_that_of_the_standard(kappa, factors):
+    for limit, factor in zip((0.01, 0.1, 0.5), factors, strict=True):
+        assert life_factor(kappa, limit) == pytest.approx(factor, abs=5.1e-4)
+
+
+def test_the_life_factor_is_continuous_capped_and_has_a_lower_end():
+    for at in (0.4, 1.0):
+        assert life_factor(at * (1.0 - 1e-9), 0.3) == pytest.approx(life_factor(at, 0.3), rel=1e-3)
+    assert life_factor(4.0, 5.0) == 50.0
+    assert life_factor(9.0, 0.5) == life_factor(4.0, 0.5)
+    with pytest.raises(nh.InputError, match=r"viscosity_ratio = 0\.05 must be at least 0\.1"):
+        life_factor(0.05, 0.5)
+
+
+@pytest.mark.parametrize(("reliability", "factor"), [(0.95, 0.64), (0.96, 0.55), (0.98, 0.37), (0.99, 0.25)])
+def test_the_factor_of_reliability_is_near_the_table(reliability, factor):
+    assert reliability_factor(reliability) == pytest.approx(factor, abs=0.006)
+
+
+def test_the_reference_life_of_one_load_everywhere_is_that_of_the_capacities():
+    rated = B.rating(row())
+    loads = np.full((14, 2, 40), 2000.0 / 40)
+    expected = ((2000.0 / rated.inner) ** 4.5 + (2000.0 / rated.outer) ** 4.5) ** (-8.0 / 9.0)
+    assert _life(rated, _means(loads), np.ones(40)) == pytest.approx(expected, rel=1e-12)
+    # A factor of every lamina is one of the life.
+    assert _life(rated, _means(loads), np.full(40, 3.0)) == pytest.approx(3.0 * expected, rel=1e-12)
+
+
+def test_pressures_of_strips_shorten_the_life_where_a_tilt_loads_an_end():
+    upright, tilted = (B.solve(row(), radial=6e3, tilt=tilt) for tilt in (0.0, 3e-3))
+    lives = [B.assess(each).reference for each in (upright, tilted)]
+    assert lives[1] < 0.8 * lives[0]
+    # Without edge stress the load per length alone counts, and pressures of a good profile add little to it.
+    assert B.assess(upright, edge_stress="none").reference == pytest.approx(lives[0], rel=0.05)
+
+
+def test_an_unloaded_bearing_lasts():
+    found = B.assess(B.solve(row(clearance=0.02)), speed=1000.0, viscosity=20.0)
+    assert found.basic == found.reference == found.modified == math.inf
+    assert found.static_safety == math.inf
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"speed": 1e3}, "speed = 1000.0 must be given with a viscosity"),
+        ({"viscosity": 20.0}, "speed = None must be given with a viscosity"),
+        ({"contamination": 0.5}, "contamination = 0.5 must be given with a viscosity"),
+        ({"viscosity": 20.0, "speed": 1e3, "contamination": 2.0}, "contamination = 2.0 must not exceed 1"),
+        ({"reliability": 0.5}, "reliability = 0.5 must lie between 0.9 and 0.9995"),
+        ({"reliability": 99.0}, "reliability = 99.0 must lie between 0.9 and 0.9995"),
+        ({"edge_stress": "pressure"}, "edge_stress = 'pressure' must be 'standard' or 'none' for slices"),
+        ({"laminae": 3}, "laminae = 3 must be a whole number from 30"),
+        ({"dynamic": -1.0}, "dynamic = -1.0 must be positive"),
+    ],
+)
+def test_what_is_out_of_range_is_refused_in_one_sentence(given, message):
+    found = B.solve(row(), radial=6e3, method="slices")
+    with pytest.raises(nh.InputError) as refused:
+        B.assess(found, **given)
+    assert message in str(refused.value)
+
+
+def test_shares_of_contacts_are_taken_as_they_are():
+    """The load zone of a bearing: five of thirteen rollers, and nothing for the rest of the revolution."""
+    contact = nh.Contact(nh.Roller(diameter=9, length=10, profile=nh.profile.crown(2000)), nh.Ring(diameter=37.5))
+    loads = [5e3, 4e3, 4e3, 2e3, 2e3]
+    pairs = [(nh.solve(contact, load=load), 1.0 / 13.0) for load in loads]
+    (zone,) = nh.life.assess(pairs, "iso-16281", body="b", rollers=13)
+    alone = [nh.life.assess(each, "iso-16281", body="b", rollers=13)[0].million_revolutions for each, _ in pairs]
+    assert zone.million_revolutions == pytest.approx(1.0 / sum(1.0 / 13.0 / life for life in alone), rel=1e-9)
+    with pytest.raises(nh.InputError, match=r"share = 1\.5 must add up to 1 at most"):
+        nh.life.assess([(pairs[0][0], 0.75), (pairs[1][0], 0.75)], "iso-16281", body="b")
