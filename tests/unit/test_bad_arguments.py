@@ -344,6 +344,35 @@ ENTRIES: dict[str, Entry] = {
         clearance=(0.0, "number"),
         rib=(None, "optional"),
     ),
+    "bearing.SphericalRollerBearing": entry(
+        bearing.SphericalRollerBearing,
+        **PARTS,
+        contact_angle=(0.1, "angle"),
+        profile_radius=(30.0, "positive"),
+        inner_groove=(31.0, "positive"),
+        outer_groove=(31.0, "positive"),
+        clearance=(0.0, "number"),
+    ),
+    "bearing.CylindricalThrustBearing": entry(
+        bearing.CylindricalThrustBearing,
+        **PARTS
+        | {"inner": (nh.Plate(depth=4.0), "thing"), "outer": (nh.Plate(depth=4.0), "thing")}
+        | {"pitch_diameter": (60.0, "positive")},
+    ),
+    "bearing.Paired": entry(
+        bearing.Paired,
+        bearings=((ROW,), "several"),
+        x=((0.0,), "table"),
+        turned=((False,), "several"),
+        clearance=(0.0, "number"),
+    ),
+    "bearing.paired": entry(
+        bearing.paired,
+        bearing=(ROW, "thing"),
+        arrangement=("O", "word"),
+        distance=(20.0, "positive"),
+        clearance=(0.0, "number"),
+    ),
     "bearing.Rib": entry(bearing.Rib, end_radius=(100.0, "positive"), height=(4.0, "not negative")),
     "bearing.solve": entry(
         bearing.solve,
@@ -624,7 +653,7 @@ RESULTS = {
     "EdgeKind", "EdgePressure", "ErrorEstimate", "Result", "SingularEnd", "Solution", "Solutions",
     "Status",
     "hertz.LineContact", "hertz.PointContact",
-    "bearing.BearingLife", "bearing.BearingSolution", "bearing.Rating",
+    "bearing.BearingLife", "bearing.BearingSolution", "bearing.Rating", "bearing.Row",
     "life.Exposure", "life.Life",
     "measured.Fit", "measured.Roughness", "measured.StepResult",
     "subsurface.Extreme", "subsurface.Extremes", "subsurface.Field", "subsurface.Passage",

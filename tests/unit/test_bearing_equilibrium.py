@@ -16,13 +16,13 @@ def system(rollers=14, angles=(0.0, 0.0), gap=0.0, crown=400.0, load=(0.0, 0.0, 
     law = Slices(y, y**2 / (2.0 * crown), 20e3)
     gaps = np.full(rollers, gap)
     joints = [
-        Joint(True, raceway_motion(angles[0], inner=True), gaps, law),
-        Joint(False, raceway_motion(angles[1], inner=False), gaps, law),
+        Joint(True, raceway_motion(angles[0], inner=True), gaps, law, 0),
+        Joint(False, raceway_motion(angles[1], inner=False), gaps, law, 1),
     ]
     if rib:
-        joints.append(Joint(True, point_motion((0.99, -0.14), (5.0, 2.0)), np.zeros(rollers), Point(2e5)))
+        joints.append(Joint(True, point_motion((0.99, -0.14), (5.0, 2.0)), np.zeros(rollers), Point(2e5), 2))
     at = 2.0 * np.pi * np.arange(rollers) / rollers
-    return System(ring_motion(at, (0.0, 32.5)), tuple(joints), np.array(load), 5.0)
+    return System(ring_motion(at, (0.0, 32.5)), tuple(joints), np.tile(load, (rollers, 1)), 5.0)
 
 
 def by_hand(system, states, k):
@@ -31,7 +31,7 @@ def by_hand(system, states, k):
     for j in range(system.rollers):
         motion = states.rollers.motion[k, j]
         moved = system.ring[j] @ states.ring[k]
-        on_roller = np.array(system.load)
+        on_roller = system.load[j]
         for joint in system.joints:
             approach, tilt = joint.motion @ ((moved if joint.inner else 0.0) - motion)
             answer = joint.law.pressed(np.zeros(1, int), np.array([approach - joint.gap[j]]), np.array([tilt]))

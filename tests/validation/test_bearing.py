@@ -20,10 +20,10 @@ STIFFNESS, EXPONENT = 35948.0, 10.0 / 9.0
 def row(rollers, pitch, law, angle=0.0, clearance=0.0):
     at, gap = 2.0 * np.pi * np.arange(rollers) / rollers, np.full(rollers, 0.25 * clearance)
     joints = (
-        Joint(True, raceway_motion(angle, inner=True), gap, law),
-        Joint(False, raceway_motion(angle, inner=False), gap, law),
+        Joint(True, raceway_motion(angle, inner=True), gap, law, 0),
+        Joint(False, raceway_motion(angle, inner=False), gap, law, 1),
     )
-    return System(ring_motion(at, (0.0, 0.5 * pitch)), joints, np.zeros(3), 5.0)
+    return System(ring_motion(at, (0.0, 0.5 * pitch)), joints, np.zeros((rollers, 3)), 5.0)
 
 
 def laminae(length, count, relief=None):

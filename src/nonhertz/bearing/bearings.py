@@ -13,9 +13,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.bearing.section import point_motion, raceway_motion, ring_motion
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, not_negative, numbers, positive, whole
+from nonhertz.inputs.checks import finite, flag, listed, not_negative, numbers, one_of, positive, whole
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.contact import Contact
+from nonhertz.model.profile import crown
 
 Array = NDArray[np.float64]
 #: How far a raceway lies from a circle: at angles [rad], how much less room it leaves [mm].
@@ -24,6 +25,7 @@ Shape = Callable[[Array], ArrayLike]
 MOST_ROLLERS = 1000
 # Of the roller's diameter: by how much raceways may leave more or less room for it than the clearance says.
 FITS = 0.02
+ARRANGEMENTS = ("X", "O", "tandem")
 _MOST_ANGLE = math.radians(45.0)
 _DENSITY = 7.85e-9  # t/mm^3, of steel
 
@@ -70,10 +72,7 @@ class RollerBearing:
             raise InputError("roller.length", None, "be given", "give the length of the rollers in mm")
         if not self.roller_diameter > 0.0:
             raise InputError("roller.diameter", self.roller.diameter, "be positive", "give the diameter in mm")
-        for name, sign, words in (("inner", 1.0, "positive: it is convex"), ("outer", -1.0, "negative: it is concave")):
-            diameter = getattr(self, name).diameter
-            if callable(diameter) or diameter is None or not sign * diameter > 0.0:
-                raise InputError(f"{name}.diameter", diameter, f"be {words}", "give that of the raceway in mm")
+        self._check_raceways()
         most = whole("rollers", self.rollers, 1, MOST_ROLLERS, "give the number of rollers of the row")
         object.__setattr__(self, "rollers", most)
         if self.pitch_diameter is not None:
@@ -87,13 +86,16 @@ class RollerBearing:
                 self._deviation(name, shape)
         self._check_room()
 
+    def _check_raceways(self) -> None:
+        for name, sign, words in (("inner", 1.0, "positive: it is convex"), ("outer", -1.0, "negative: it is concave")):
+            diameter = getattr(self, name).diameter
+            if callable(diameter) or diameter is None or not sign * diameter > 0.0:
+                raise InputError(f"{name}.diameter", diameter, f"be {words}", "give that of the raceway in mm")
+
     def _check_room(self) -> None:
-        """Refuse rollers that do not fit between the raceways or side by side."""
-        diameter, pitch = self.roller_diameter, self.pitch
-        if pitch <= diameter or self.rollers > self._side_by_side:
-            fit = "none fits" if pitch <= diameter else f"{self._side_by_side} fit side by side"
-            condition = f"fit on a pitch circle of {pitch:.6g} mm with a diameter of {diameter:.6g} mm: {fit}"
-            raise InputError("rollers", self.rollers, condition, "give fewer or thinner ones")
+        """Refuse rollers that do not fit side by side or between the raceways."""
+        self._check_circle()
+        diameter = self.roller_diameter
         room = 0.5 * (abs(self.outer.diameter) - self.inner.diameter) * math.cos(self.nominal_angle)  # type: ignore[operator, arg-type]
         left = room - diameter
         if abs(left) > FITS * diameter:
@@ -103,9 +105,13 @@ class RollerBearing:
             )
             raise InputError("roller.diameter", diameter, condition, "give the diameters of raceways and rollers in mm")
 
-    @property
-    def _side_by_side(self) -> int:
-        return int(math.pi / math.asin(min(1.0, self.roller_diameter / self.pitch)) + 1e-9)
+    def _check_circle(self) -> None:
+        diameter, pitch = self.roller_diameter, self.pitch
+        most = int(math.pi / math.asin(min(1.0, diameter / pitch)) + 1e-9)
+        if pitch <= diameter or self.rollers > most:
+            fit = "none fits" if pitch <= diameter else f"{most} fit side by side"
+            condition = f"fit on a pitch circle of {pitch:.6g} mm with a diameter of {diameter:.6g} mm: {fit}"
+            raise InputError("rollers", self.rollers, condition, "give fewer or thinner ones")
 
     @property
     def roller_diameter(self) -> float:
@@ -151,19 +157,24 @@ class RollerBearing:
         return False
 
     @property
+    def bears_radially(self) -> bool:
+        """Whether the inner ring can bear a radial load."""
+        return True
+
+    @property
     def gap(self) -> float:
         """What each of a roller's two contacts is short of touching when the ring is centred [mm]."""
         return 0.0
+
+    @property
+    def rows(self) -> tuple[Row, ...]:
+        """The rows of rollers; one."""
+        return (Row(self),)
 
     @cached_property
     def contacts(self) -> tuple[Contact, Contact]:
         """A roller on the inner and on the outer ring."""
         return Contact(self.roller, self.inner), Contact(self.roller, self.outer)
-
-    @property
-    def ring_motion(self) -> Array:
-        """Motion at each roller per motion of the inner ring, shape (rollers, 3, 5)."""
-        return ring_motion(self.angles, (0.0, 0.5 * self.pitch))
 
     @property
     def raceway_motions(self) -> tuple[Array, Array]:
@@ -294,10 +305,7 @@ class TaperedRollerBearing(RollerBearing):
     rib: Rib | None = None
 
     def __post_init__(self) -> None:
-        positive("contact_angle", self.contact_angle, "give it in rad: 12 degrees are 0.21")
-        if self.contact_angle > _MOST_ANGLE:
-            condition = f"not exceed {_MOST_ANGLE:.4g} rad, 45 degrees"
-            raise InputError("contact_angle", self.contact_angle, condition, "give it in rad: 12 degrees are 0.21")
+        _check_angle(self.contact_angle)
         finite("clearance", self.clearance, "give the axial internal clearance in mm")
         if self.rib is not None and not isinstance(self.rib, Rib):
             raise InputError("rib", self.rib, "be a Rib", "make one with nonhertz.bearing.Rib, or leave it out")
@@ -374,6 +382,242 @@ class TaperedRollerBearing(RollerBearing):
         # The sphere's centre lies on the roller's axis, and the normal goes through it.
         place = along * (rib.end_radius - half) - rib.end_radius * normal
         return point_motion(normal.tolist(), place.tolist()), rib.end_radius
+
+
+@dataclass(frozen=True, kw_only=True)
+class SphericalRollerBearing(RollerBearing):
+    """A row of barrels between grooves, of which the outer one is part of a sphere; usually one of two, in `Paired`.
+
+    Profiles of the bodies are what departs from arcs. Diameters of the raceways are those of the grooves on a radial
+    line through the rollers' middles.
+
+    Parameters
+    ----------
+    contact_angle : float
+        Angle between the normals of the raceways and the radial plane [rad].
+    profile_radius : float
+        Radius of the barrels along their axis [mm].
+    inner_groove, outer_groove : float
+        Radii of the grooves along the rollers [mm], larger than that of the barrels.
+    clearance : float
+        Radial internal clearance [mm].
+    """
+
+    contact_angle: float
+    profile_radius: float
+    inner_groove: float
+    outer_groove: float
+    clearance: float = 0.0
+
+    def __post_init__(self) -> None:
+        _check_angle(self.contact_angle)
+        finite("clearance", self.clearance, "give the radial internal clearance in mm")
+        positive("profile_radius", self.profile_radius, "give that of the barrels along their axis in mm")
+        for name in ("inner_groove", "outer_groove"):
+            radius = getattr(self, name)
+            positive(name, radius, "give that of the groove along the rollers in mm")
+            if radius <= self.profile_radius:
+                condition = f"exceed the radius of the barrels, {self.profile_radius:g} mm"
+                raise InputError(name, radius, condition, "give that of the groove along the rollers in mm")
+        super().__post_init__()
+
+    @property
+    def nominal_angle(self) -> float:
+        """Contact angle of the bearing [rad]."""
+        return self.contact_angle
+
+    @property
+    def holds_axially(self) -> bool:
+        """Whether the inner ring can bear an axial load, along +x."""
+        return True
+
+    @property
+    def gap(self) -> float:
+        """What each of a roller's two contacts is short of touching when the ring is centred [mm]."""
+        return 0.25 * self.clearance * math.cos(self.contact_angle)
+
+    @property
+    def raceway_motions(self) -> tuple[Array, Array]:
+        """Approach and tilt at both raceways per motion of ring against roller."""
+        barrel = {"roller_radius": 0.5 * self.roller_diameter, "profile_radius": self.profile_radius}
+        inner, outer = self.contact_angles
+        return raceway_motion(inner, inner=True, **barrel), raceway_motion(outer, inner=False, **barrel)
+
+    @cached_property
+    def contacts(self) -> tuple[Contact, Contact]:
+        """A roller on the inner and on the outer ring, in the plane of both axes."""
+        roller = replace(self.roller, profile=self.roller.profile + crown(self.profile_radius))
+        rings = []
+        for ring, groove in ((self.inner, self.inner_groove), (self.outer, self.outer_groove)):
+            across = float(ring.diameter) / math.cos(self.contact_angle)  # type: ignore[arg-type]
+            off = self.roller_diameter * math.tan(self.contact_angle) ** 2
+            rings.append(replace(ring, diameter=across + off, profile=ring.profile + crown(-groove)))
+        return Contact(roller, rings[0]), Contact(roller, rings[1])
+
+
+@dataclass(frozen=True, kw_only=True)
+class CylindricalThrustBearing(RollerBearing):
+    """Cylindrical rollers between two washers, which bears axial loads along +x and moments alone.
+
+    ``inner`` is the shaft's washer, which moves, and ``outer`` that of the housing; both are flat, without a diameter.
+    The rollers' axes are radial, with y of their profiles towards the bearing's axis.
+    """
+
+    pitch_diameter: float
+
+    def _check_raceways(self) -> None:
+        positive("pitch_diameter", self.pitch_diameter, "give that of the rollers' middles in mm")
+        for name in ("inner", "outer"):
+            diameter = getattr(self, name).diameter
+            if diameter is not None:
+                raise InputError(f"{name}.diameter", diameter, "be left out: washers are flat", "use a Plate")
+
+    def _check_room(self) -> None:
+        self._check_circle()
+        if self.roller_length >= self.pitch:
+            condition = f"be less than the pitch diameter of {self.pitch:g} mm"
+            raise InputError("roller.length", self.roller_length, condition, "give that of the rollers' middles in mm")
+
+    @property
+    def nominal_angle(self) -> float:
+        """Contact angle of the bearing [rad]."""
+        return 0.5 * math.pi
+
+    @property
+    def holds_axially(self) -> bool:
+        """Whether the inner ring can bear an axial load, along +x."""
+        return True
+
+    @property
+    def bears_radially(self) -> bool:
+        """Whether the inner ring can bear a radial load."""
+        return False
+
+
+@dataclass(frozen=True)
+class Row:
+    """A row of rollers in its place.
+
+    Attributes
+    ----------
+    bearing : RollerBearing
+        The row by itself.
+    x : float
+        Axial coordinate of the rollers' middles [mm].
+    turned : bool
+        Whether it is turned round, so that it bears axial loads along -x, and y of its profiles goes along -x.
+    clearance : float
+        Axial clearance beside its own, of the ring against this row [mm].
+    """
+
+    bearing: RollerBearing
+    x: float = 0.0
+    turned: bool = False
+    clearance: float = 0.0
+
+    @property
+    def ring_motion(self) -> Array:
+        """Motion at each roller per motion of the inner ring, in the row's own x and r, shape (rollers, 3, 5)."""
+        # The rollers' middles are on their pitch circle whichever way they look.
+        motion = ring_motion(self.bearing.angles, (self.x, 0.5 * self.bearing.pitch))
+        return motion * np.array([[-1.0], [1.0], [-1.0]]) if self.turned else motion
+
+    @property
+    def gaps(self) -> tuple[Array, Array]:
+        """What the contacts of every roller are short of touching [mm], at both rings."""
+        more = 0.5 * self.clearance * math.sin(self.bearing.nominal_angle)
+        inner, outer = self.bearing.gaps
+        return inner + more, outer + more
+
+
+@dataclass(frozen=True, kw_only=True)
+class Paired:
+    """Rows of rollers on one inner ring, or on rings that are clamped together.
+
+    Parameters
+    ----------
+    bearings : sequence of RollerBearing
+        The rows.
+    x : sequence of float
+        Axial coordinates of their rollers' middles [mm], about which the inner ring turns at x = 0.
+    turned : sequence of bool
+        Which of them are turned round, and bear axial loads along -x.
+    clearance : float
+        By how much the inner ring moves along the axis between rows that bear axial loads in both directions, beside
+        what the rows themselves have [mm]. Negative: preload.
+
+    See Also
+    --------
+    paired : two equal rows in X, O or tandem
+    """
+
+    bearings: tuple[RollerBearing, ...]
+    x: tuple[float, ...]
+    turned: tuple[bool, ...]
+    clearance: float = 0.0
+
+    def __post_init__(self) -> None:
+        remedy = "give two rows, or more"
+        members = listed("bearings", self.bearings, "be rows of rollers", remedy)
+        for each in members:
+            if not isinstance(each, RollerBearing):
+                raise InputError("bearings", each, "be rows of rollers", remedy)
+        places = numbers("x", self.x, "give the axial coordinates of the rows in mm")
+        ways = listed("turned", self.turned, "be True or False for each row", "give one for each row")
+        if not members:
+            raise InputError("bearings", self.bearings, "be rows of rollers", remedy)
+        if places.shape != (len(members),) or len(ways) != len(members):
+            raise InputError("x", self.x, f"hold {len(members)} places, as many as turned", "give one for each row")
+        for way in ways:
+            flag("turned", way, "write True or False for each row")
+        finite("clearance", self.clearance, "give the axial clearance in mm")
+        object.__setattr__(self, "bearings", tuple(members))
+        object.__setattr__(self, "x", tuple(places.tolist()))
+        object.__setattr__(self, "turned", tuple(ways))
+
+    @property
+    def rows(self) -> tuple[Row, ...]:
+        """The rows in their places."""
+        both = zip(self.bearings, self.x, self.turned, strict=True)
+        return tuple(Row(each, x, way, 0.5 * self.clearance) for each, x, way in both)
+
+
+def paired(bearing: RollerBearing, arrangement: str, distance: float, *, clearance: float = 0.0) -> Paired:
+    """Return two equal rows.
+
+    Parameters
+    ----------
+    bearing : RollerBearing
+        A row.
+    arrangement : {"X", "O", "tandem"}
+        ``"X"``, face to face: the lines of pressure meet between the rows. ``"O"``, back to back: they meet outside.
+        ``"tandem"``: both rows bear axial loads along +x.
+    distance : float
+        Between the middles of their rollers along the axis [mm].
+    clearance : float
+        As in `Paired`.
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> cone = nh.Roller(diameter=nh.TabulatedDiameter((-6, 6), (11, 10)), length=12)
+    >>> rings = {"inner": nh.Ring(diameter=41), "outer": nh.Ring(diameter=-62.5)}
+    >>> row = nh.bearing.TaperedRollerBearing(roller=cone, **rings, rollers=14, contact_angle=0.2)
+    >>> paired(row, "O", 20.0).turned
+    (False, True)
+    """
+    one_of("arrangement", arrangement, ARRANGEMENTS, "write 'X', 'O' or 'tandem'")
+    positive("distance", distance, "give the distance of the rows in mm")
+    turned = {"X": (True, False), "O": (False, True), "tandem": (False, False)}[arrangement]
+    half = 0.5 * float(distance)
+    return Paired(bearings=(bearing, bearing), x=(-half, half), turned=turned, clearance=clearance)
+
+
+def _check_angle(angle: float) -> None:
+    positive("contact_angle", angle, "give it in rad: 12 degrees are 0.21")
+    if angle > _MOST_ANGLE:
+        condition = f"not exceed {_MOST_ANGLE:.4g} rad, 45 degrees"
+        raise InputError("contact_angle", angle, condition, "give it in rad: 12 degrees are 0.21")
 
 
 def _along(y: Array, middle: float, slope: float, angle: float) -> TabulatedDiameter:

@@ -34,12 +34,13 @@ TOLERANCE, OF_ROLLER = 1e-9, 1e-10
 STEPS, SHORTENINGS = 80, 30
 RIDGE = 1e-13  # of the stiffness, where nothing resists
 OVERSHOT = 0.5  # of the slope along a step, by which it may point backwards at its end
+HELD_BACK = 1e-3  # of loads over the penetration to be expected
 CAUTION = 8.0  # penetrations that a step of the ring may add
 
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """One contact of every roller.
+    """One contact of every roller of a row.
 
     Attributes
     ----------
@@ -47,16 +48,22 @@ class Joint:
         Whether the other body is the inner ring, which moves; the outer one is at rest.
     motion : ndarray, shape (2, 3)
         Approach and tilt per motion of ring against roller.
-    gap : ndarray, shape (rollers,)
+    gap : ndarray, shape (rollers of the row,)
         What the approach of a centred ring and roller is short of contact [mm].
     law : ContactLaw
         How it answers.
+    column : int
+        Which of a roller's contacts it is, from 0.
+    first : int
+        The number of the row's first roller.
     """
 
     inner: bool
     motion: Array
     gap: Array
     law: ContactLaw
+    column: int
+    first: int = 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +76,7 @@ class System:
         Motion at each roller per motion of the inner ring.
     joints : tuple of Joint
         The contacts.
-    load : ndarray, shape (3,)
+    load : ndarray, shape (rollers, 3)
         Load on every roller along x, along r, and its moment [N, N, N mm].
     lever : float
         Length by which rotations of rollers are made comparable with displacements [mm].
@@ -85,6 +92,11 @@ class System:
         """Their number."""
         return int(self.ring.shape[0])
 
+    @property
+    def columns(self) -> int:
+        """The most contacts that a roller has."""
+        return 1 + max(joint.column for joint in self.joints)
+
 
 class Rollers(NamedTuple):
     """Rollers in balance, a row each.
@@ -93,7 +105,7 @@ class Rollers(NamedTuple):
     ----------
     motion : ndarray, shape (n, 3)
         Along x and r [mm] and about the tangent [rad].
-    approach, tilt, load, moment : ndarray, shape (n, joints)
+    approach, tilt, load, moment : ndarray, shape (n, columns)
         Of their contacts [mm], [rad], [N], [N mm].
     off : ndarray, shape (n, 3)
         What is left of their balance.
@@ -159,16 +171,17 @@ def balanced(system: System, by_force: Flags, target: Array, start: Array, depth
     """
     count, free = len(target), np.flatnonzero(by_force)
     ring = np.where(by_force, start, target)
-    # Rollers begin half-way between the rings.
-    motion = 0.5 * _at_rollers(system, ring)
+    motion = _following(system, _at_rollers(system, ring))
     states = _held(system, ring, motion, np.arange(count))
     for _ in range(STEPS):
-        off, states.residual[:] = _unbalanced(system, states, by_force, target)
+        off, loads = _unbalanced(system, states, by_force, target)
+        states.residual[:] = np.max(np.abs(off) / _reach(system), axis=1) / loads
         left = np.flatnonzero(states.residual > TOLERANCE)
         if not left.size:
             break
         step = np.zeros((left.size, 5))
-        step[:, free] = _solved(states.stiffness[left][:, free[:, None], free], off[left][:, free, None])[..., 0]
+        held = states.stiffness[left] + _held_back(system, states.residual[left], loads[left], depth)
+        step[:, free] = _solved(held[:, free[:, None], free], off[left][:, free, None])[..., 0]
         step *= _cautious(system, states, left, step, depth)[:, None]
         _step(system, states, left, step, off[left], target[left], by_force)
         states.steps[left] += 1
@@ -181,14 +194,41 @@ def _at_rollers(system: System, ring: Array) -> Array:
     return found
 
 
+def _following(system: System, at_ring: Array) -> Array:
+    """Return motions of rollers, shape (states, rollers, 3), if all contacts were alike: half-way between rings.
+
+    Barrels turn with the inner ring, which costs nothing.
+    """
+    alike = np.diag([1.0, system.lever**2 / 3.0])
+    whole, of_ring = np.zeros((2, system.rollers, 3, 3))
+    for joint in system.joints:
+        these = slice(joint.first, joint.first + joint.gap.size)
+        stiffness = joint.motion.T @ alike @ joint.motion
+        whole[these] += stiffness
+        of_ring[these] += stiffness if joint.inner else 0.0
+    pushed = np.einsum("jab,sjb->sja", of_ring, at_ring)
+    return _solved(np.broadcast_to(whole, (*pushed.shape, 3)), pushed[..., None], system.lever)[..., 0]
+
+
 def _unbalanced(system: System, states: States, by_force: Flags, target: Array) -> tuple[Array, Array]:
-    """Return given less found forces, zero where a displacement is given, and the largest over the loads."""
+    """Return given less found forces, zero where a displacement is given, and the size of the loads [N]."""
     off = np.where(by_force, target - states.force, 0.0)
-    reach = np.max(np.abs(system.ring), axis=(0, 1))
     borne = np.sum(np.abs(states.rollers.on_ring[..., :2]), axis=(1, 2))
-    given = np.max(np.abs(np.where(by_force, target, 0.0)) / reach, axis=1)
-    loads = np.maximum(np.maximum(borne, given), np.finfo(float).tiny)
-    return off, np.max(np.abs(off) / reach, axis=1) / loads
+    given = np.max(np.abs(np.where(by_force, target, 0.0)) / _reach(system), axis=1)
+    return off, np.maximum(np.maximum(borne, given), np.finfo(float).tiny)
+
+
+def _reach(system: System) -> Array:
+    """Return lever arms that make forces of moments, and displacements of rotations [mm], shape (5,)."""
+    reach: Array = np.max(np.abs(system.ring), axis=(0, 1))
+    return reach
+
+
+def _held_back(system: System, residual: Array, loads: Array, depth: float) -> Array:
+    """Return a small stiffness against all motions, so that a ring that touches nothing goes where it is pushed."""
+    size = HELD_BACK * np.minimum(residual, 1.0) * loads / depth
+    found: Array = size[:, None, None] * np.diag(_reach(system) ** 2)
+    return found
 
 
 def _cautious(system: System, states: States, left: Indices, step: Array, depth: float) -> Array:
@@ -297,23 +337,25 @@ def _held(system: System, ring: Array, motion: Array, which: Indices) -> States:
 
 def _pressed(system: System, ring: Array, motion: Array, place: Indices, rows: Indices) -> Rollers:
     """Return what the contacts of rollers do, a row each."""
-    count, joints = len(motion), len(system.joints)
-    approach, tilt, load, moment = (np.empty((count, joints)) for _ in range(4))
-    off, on_ring = np.tile(system.load, (count, 1)), np.zeros((count, 3))
+    count, columns = len(motion), system.columns
+    approach, tilt, load, moment = (np.zeros((count, columns)) for _ in range(4))
+    off, on_ring = system.load[place], np.zeros((count, 3))
     stiffness, of_ring = np.zeros((count, 3, 3)), np.zeros((count, 3, 3))
-    for k, joint in enumerate(system.joints):
-        against = ring - motion if joint.inner else -motion
+    for joint in system.joints:
+        at, k = place - joint.first, joint.column
+        these = np.flatnonzero((at >= 0) & (at < joint.gap.size))
+        against = ring[these] - motion[these] if joint.inner else -motion[these]
         pose = against @ joint.motion.T
-        approach[:, k], tilt[:, k] = pose[:, 0] - joint.gap[place], pose[:, 1]
-        answer = joint.law.pressed(rows, approach[:, k], tilt[:, k])
-        load[:, k], moment[:, k] = answer.load, answer.moment
+        approach[these, k], tilt[these, k] = pose[:, 0] - joint.gap[at[these]], pose[:, 1]
+        answer = joint.law.pressed(rows[these], approach[these, k], tilt[these, k])
+        load[these, k], moment[these, k] = answer.load, answer.moment
         force = np.stack([answer.load, answer.moment], axis=1) @ joint.motion
         stiff = joint.motion.T @ answer.stiffness @ joint.motion
-        off += force
-        stiffness += stiff
+        off[these] += force
+        stiffness[these] += stiff
         if joint.inner:
-            on_ring += force
-            of_ring += stiff
+            on_ring[these] += force
+            of_ring[these] += stiff
     return Rollers(motion.copy(), approach, tilt, load, moment, off, on_ring, stiffness, of_ring)
 
 

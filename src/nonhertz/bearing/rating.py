@@ -32,7 +32,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bearing.bearings import RollerBearing, TaperedRollerBearing
+from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.errors import InputError
@@ -93,8 +93,9 @@ def rating(bearing: RollerBearing, *, dynamic: float | None = None, static: floa
     >>> round(rating(row).dynamic, 1), round(rating(row).inner, 1), round(rating(row).outer, 1)
     (48416.8, 11449.6, 17271.6)
     """
-    if not isinstance(bearing, RollerBearing):
-        raise InputError("bearing", bearing, "be a bearing", "make one, such as a CylindricalRollerBearing")
+    if not isinstance(bearing, RollerBearing) or isinstance(bearing, CylindricalThrustBearing):
+        remedy = "rate a single row, such as a CylindricalRollerBearing"
+        raise InputError("bearing", type(bearing).__name__, "be a radial bearing of one row", remedy)
     inner, outer = raceways(bearing)
     if dynamic is not None:
         positive("dynamic", dynamic, "give the basic dynamic load rating in N")
@@ -299,15 +300,18 @@ def assess(
     one_of("edge_stress", stress, EDGE_STRESS, "use 'pressure' for what was solved")
     if stress == "pressure" and not by_strips:
         raise InputError("edge_stress", stress, "be 'standard' or 'none' for slices", "solve the bearing by strips")
-    rated = rating(solution.bearing, dynamic=dynamic, static=static)
-    load, still = _equivalent(solution)
-    means = _means(_suffered(solution, laminae, stress))
+    bearing = solution.bearing
+    if isinstance(bearing, Paired):
+        raise InputError("solution", "Paired", "be of one row", "solve the row alone under its share of the loads")
+    rated = rating(bearing, dynamic=dynamic, static=static)
+    load, still = _equivalent(solution, bearing)
+    means = _means(_suffered(solution, bearing, laminae, stress))
     reference = _life(rated, means, np.ones(laminae))
     of_reliability = reliability_factor(reliability)
-    kappa, clean = _oil(solution, speed, viscosity, contamination)
+    kappa, clean = _oil(bearing, speed, viscosity, contamination)
     factor = None
     if kappa is not None and clean is not None:
-        loads = _lamina_loads(solution.bearing, rated, means)
+        loads = _lamina_loads(bearing, rated, means)
         factors = np.array([_factor_at(kappa, clean * rated.fatigue_limit, each) for each in loads])
         factor = _life(rated, means, factors) / reference if math.isfinite(reference) else MOST_FACTOR
     return BearingLife(
@@ -325,26 +329,26 @@ def assess(
     )
 
 
-def _equivalent(solution: BearingSolution) -> tuple[float, float]:
+def _equivalent(solution: BearingSolution, bearing: RollerBearing) -> tuple[float, float]:
     """Return P of ISO 281 and P_0 of ISO 76 [N]."""
     radial, axial = math.hypot(*solution.force[1:3]), abs(float(solution.force[0]))
-    if not isinstance(solution.bearing, TaperedRollerBearing):
+    if not isinstance(bearing, TaperedRollerBearing):
         return radial, radial
-    angle = solution.bearing.nominal_angle
+    angle = bearing.nominal_angle
     load = radial if axial <= 1.5 * math.tan(angle) * radial else 0.4 * radial + 0.4 / math.tan(angle) * axial
     return load, max(0.5 * radial + 0.22 / math.tan(angle) * axial, radial)
 
 
-def _suffered(solution: BearingSolution, laminae: int, edge_stress: str) -> Array:
+def _suffered(solution: BearingSolution, bearing: RollerBearing, laminae: int, edge_stress: str) -> Array:
     """Return f q of every lamina [N], shape (rollers, 2, laminae)."""
     found = np.zeros((*solution.load.shape, laminae))
     if solution.method == "slices":
-        slices = standard_slices(solution.bearing, laminae)
+        slices = standard_slices(bearing, laminae)
         found[:] = slices.loads(solution.approach.ravel(), solution.tilt.ravel()).reshape(found.shape)
         found *= edge_function(laminae) if edge_stress == "standard" else 1.0
         return np.where(solution.load[..., None] > 0.0, found, 0.0)
     model = iso_16281(laminae=laminae, edge_stress=edge_stress)
-    for j in range(solution.bearing.rollers):
+    for j in range(bearing.rollers):
         for k, ring in enumerate(("inner", "outer")):
             contact = solution.contact(j, ring)
             if contact is not None:
@@ -379,7 +383,7 @@ def _factor_at(kappa: float, limit: float, load: float) -> float:
 
 
 def _oil(
-    solution: BearingSolution, speed: float | None, viscosity: float | None, contamination: float | None
+    bearing: RollerBearing, speed: float | None, viscosity: float | None, contamination: float | None
 ) -> tuple[float | None, float | None]:
     """Return kappa and e_C, or None for both without a viscosity."""
     if viscosity is None:
@@ -390,9 +394,9 @@ def _oil(
     positive("viscosity", viscosity, "give that of the oil in the bearing in mm^2/s")
     if speed is None:
         raise InputError("speed", None, "be given with a viscosity", "give the speed in 1/min")
-    kappa = viscosity / reference_viscosity(speed, solution.bearing.pitch)
+    kappa = viscosity / reference_viscosity(speed, bearing.pitch)
     if contamination is None:
-        return kappa, contamination_factor(kappa, solution.bearing.pitch)
+        return kappa, contamination_factor(kappa, bearing.pitch)
     positive("contamination", contamination, "give e_C, above 0 and at most 1")
     if contamination > 1.0:
         raise InputError("contamination", contamination, "not exceed 1", "give e_C, above 0 and at most 1")

@@ -47,18 +47,30 @@ def ring_motion(angles: Array, middle: tuple[float, float]) -> Array:
     return np.ascontiguousarray(np.array(rows).transpose(2, 0, 1))
 
 
-def raceway_motion(contact_angle: float, *, inner: bool) -> Array:
+def raceway_motion(
+    contact_angle: float, *, inner: bool, roller_radius: float = 0.0, profile_radius: float = math.inf
+) -> Array:
     """Return approach and tilt of a raceway contact per motion of ring against roller, shape (2, 3).
 
     The normal at the middle of the contact goes through the middle of the roller. Where the contact angle is not zero,
     the inner ring is pressed against the rollers by a load along +x.
+
+    Parameters
+    ----------
+    contact_angle : float
+        Between the normal and the radial plane [rad].
+    inner : bool
+        Whether it is the inner ring.
+    roller_radius : float
+        Of the roller in its middle [mm].
+    profile_radius : float
+        Of a barrel's surface along the roller [mm]: where it shifts along the ring, another part of it comes to lie
+        there, as if it had been tilted by the shift over this radius.
     """
-    sign = 1.0 if inner else -1.0
     # Of the outer ring n, and with it n . J t, has the other sign.
-    return np.array([
-        [sign * math.sin(contact_angle), sign * math.cos(contact_angle), 0.0],
-        [0.0, 0.0, sign],
-    ])  # fmt: skip
+    sign, s, c = 1.0 if inner else -1.0, math.sin(contact_angle), math.cos(contact_angle)
+    shift = np.array([c, -s, sign * roller_radius])
+    return np.array([[sign * s, sign * c, 0.0], np.array([0.0, 0.0, sign]) - shift / profile_radius])
 
 
 def point_motion(normal: Sequence[float], place: Sequence[float]) -> Array:

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bearing.bearings import RollerBearing
+from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import States
 from nonhertz.errors import AccuracyWarning, InputError
 from nonhertz.inputs.checks import one_of, whole
@@ -31,8 +31,8 @@ class BearingSolution(ReadOnly):
 
     Attributes
     ----------
-    bearing : RollerBearing
-        The bearing.
+    bearing : RollerBearing or Paired
+        The bearing; the rollers of several rows follow one another.
     method : {"strips", "slices"}
         How its contacts were solved.
     angle : ndarray, shape (rollers,)
@@ -48,15 +48,15 @@ class BearingSolution(ReadOnly):
         Forces [N] and moments [N mm] on the inner ring that go with it.
     stiffness : ndarray, shape (5, 5)
         d(force) / d(displacement).
-    roller_load : ndarray, shape (3,)
-        What speed loads every roller with, along x and r [N] and as a moment [N mm].
+    roller_load : ndarray, shape (rollers, 3)
+        What speed loads every roller with, along x and r of its row [N] and as a moment [N mm].
     residual : float
         What is left of the balance, over the loads.
     steps : int
         Newton steps of the ring.
     """
 
-    bearing: RollerBearing
+    bearing: RollerBearing | Paired
     method: str
     angle: Array
     load: Array
@@ -73,21 +73,24 @@ class BearingSolution(ReadOnly):
     steps: int
 
     @classmethod
-    def of(cls, bearing: RollerBearing, method: str, found: States, roller_load: Array) -> BearingSolution:
+    def of(cls, bearing: RollerBearing | Paired, method: str, found: States, roller_load: Array) -> BearingSolution:
         """Return the only state of a bearing."""
         rollers = found.rollers
         # What is left of the balance of a roller that has lifted off is no load.
         borne = rollers.load[0] > NO_LOAD * np.max(rollers.load[0], initial=0.0)
-        angles = bearing.contact_angles if method == "strips" else (bearing.nominal_angle,) * 2
+        angles = [
+            np.tile(each.contact_angles if method == "strips" else (each.nominal_angle,) * 2, (each.rollers, 1))
+            for each in (row.bearing for row in bearing.rows)
+        ]
         return cls(
             bearing=bearing,
             method=method,
-            angle=bearing.angles,
+            angle=np.concatenate([row.bearing.angles for row in bearing.rows]),
             load=np.where(borne, rollers.load[0], 0.0)[:, :2],
             moment=np.where(borne, rollers.moment[0], 0.0)[:, :2],
             approach=rollers.approach[0, :, :2],
             tilt=rollers.tilt[0, :, :2],
-            contact_angle=np.tile(angles, (bearing.rollers, 1)),
+            contact_angle=np.concatenate(angles),
             rib_load=np.sum(np.where(borne, rollers.load[0], 0.0)[:, 2:], axis=1),
             displacement=found.ring[0],
             force=found.force[0],
@@ -99,11 +102,13 @@ class BearingSolution(ReadOnly):
 
     def __repr__(self) -> str:
         most = int(np.argmax(self.load.max(axis=1)))
-        lever = np.array([1.0, 1.0, 1.0, self.bearing.pitch, self.bearing.pitch])
+        pitch = self.bearing.rows[0].bearing.pitch
+        lever = np.array([1.0, 1.0, 1.0, pitch, pitch])
+        rows = [f"{type(row.bearing).__name__} of {row.bearing.rollers} rollers" for row in self.bearing.rows]
         force, moved = _in_words(self.force, 1.0 / lever), _in_words(1e3 * self.displacement, lever)
         loaded = np.count_nonzero(self.load.max(axis=1) > 0.0)
         said = [
-            f"{type(self.bearing).__name__}, {self.bearing.rollers} rollers, by {self.method}",
+            f"{' and '.join(rows)}, by {self.method}",
             f"force {', '.join(force[:3])} N along x, y, z; moment {', '.join(force[3:])} N mm about y, z",
             f"displacement {', '.join(moved[:3])} um along x, y, z; rotation {', '.join(moved[3:])} mrad about y, z",
             f"{loaded} rollers loaded; at {np.degrees(self.angle[most]):.1f} degrees {digits(self.load[most, 0])} N "
@@ -126,8 +131,7 @@ class BearingSolution(ReadOnly):
         InputError
             If there is no such contact, or the bearing was solved by slices.
         """
-        most = self.bearing.rollers - 1
-        roller = whole("roller", roller, 0, most, "count from 0")
+        roller = whole("roller", roller, 0, self.angle.size - 1, "count from 0")
         one_of("ring", ring, RINGS, "name one of both")
         if self.method != "strips":
             raise InputError("method", self.method, "be 'strips' for pressures", "solve the bearing by strips")
@@ -136,23 +140,24 @@ class BearingSolution(ReadOnly):
 
     @cached_property
     def _solutions(self) -> list[list[Solution | None]]:
-        known: dict[tuple[int, float, float], Solution] = {}
         size = _SAME * float(np.max(np.abs(self.approach), initial=1e-300))
         solutions: list[list[Solution | None]] = []
-        for j in range(self.bearing.rollers):
-            row: list[Solution | None] = []
-            for k, contact in enumerate(self.bearing.contacts):
-                if not self.load[j, k] > 0.0:
-                    row.append(None)
-                    continue
-                approach, tilt = float(self.approach[j, k]), float(self.tilt[j, k])
-                key = (k, round(approach / size), round(tilt * self.bearing.roller_length / size))
-                if key not in known:
-                    with warnings.catch_warnings():
-                        warnings.simplefilter("ignore", AccuracyWarning)
-                        known[key] = solve(contact, approach=approach, tilt=tilt)
-                row.append(known[key])
-            solutions.append(row)
+        for row in self.bearing.rows:
+            # Those on both sides of a load are the same.
+            known: dict[tuple[int, int, int], Solution] = {}
+            for j in range(len(solutions), len(solutions) + row.bearing.rollers):
+                solutions.append([])
+                for k, contact in enumerate(row.bearing.contacts):
+                    if not self.load[j, k] > 0.0:
+                        solutions[j].append(None)
+                        continue
+                    approach, tilt = float(self.approach[j, k]), float(self.tilt[j, k])
+                    key = (k, round(approach / size), round(tilt * row.bearing.roller_length / size))
+                    if key not in known:
+                        with warnings.catch_warnings():
+                            warnings.simplefilter("ignore", AccuracyWarning)
+                            known[key] = solve(contact, approach=approach, tilt=tilt)
+                    solutions[j].append(known[key])
         return solutions
 
     @property
@@ -168,7 +173,7 @@ class BearingSolution(ReadOnly):
 
     def _of_contacts(self, name: str) -> Array:
         found = np.zeros(self.load.shape)
-        for j in range(self.bearing.rollers):
+        for j in range(self.angle.size):
             for k, ring in enumerate(RINGS):
                 solution = self.contact(j, ring)
                 if solution is not None:

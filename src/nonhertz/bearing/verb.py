@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.bearing.bearings import RollerBearing, TaperedRollerBearing
+from nonhertz.bearing.bearings import Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, balanced
 from nonhertz.bearing.laws import ContactLaw, Point
 from nonhertz.bearing.section import raceway_motion
@@ -29,7 +29,7 @@ _UNIT_OF_SPEED = math.pi / 30.0
 
 
 def solve(
-    bearing: RollerBearing,
+    bearing: RollerBearing | Paired,
     *,
     radial: ArrayLike | None = None,
     axial: float | None = None,
@@ -45,7 +45,7 @@ def solve(
 
     Parameters
     ----------
-    bearing : RollerBearing
+    bearing : RollerBearing or Paired
         The bearing.
     radial, radial_displacement : float or tuple of float, optional
         Force [N] on the inner ring or its displacement [mm]: along y, or along y and z. Not both; without either there
@@ -90,14 +90,16 @@ def solve(
     >>> float(solve(row, radial=20e3, method="slices").load[0, 0].round(-1))
     6830.0
     """
-    if not isinstance(bearing, RollerBearing):
+    if not isinstance(bearing, RollerBearing | Paired):
         remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing"
         raise InputError("bearing", bearing, "be a bearing", remedy)
     one_of("method", method, METHODS, "use 'strips', or 'slices' for comparison")
     laminae = whole("laminae", laminae, FEWEST, MOST, "give the number of slices, 41 say")
     not_negative("speed", speed, "give the speed of the inner ring in 1/min")
     prescribed, target = _given(bearing, (radial, radial_displacement), (axial, axial_displacement), (moment, tilt))
-    load = bearing.load_by_speed(_UNIT_OF_SPEED * speed)
+    load = np.concatenate(
+        [np.tile(row.bearing.load_by_speed(_UNIT_OF_SPEED * speed), (row.bearing.rollers, 1)) for row in bearing.rows]
+    )
     found = _solved(bearing, prescribed, target[None], load, method, laminae)
     if not found.residual[0] <= TOLERANCE:
         raise ConvergenceError(
@@ -108,16 +110,18 @@ def solve(
 
 
 def _given(
-    bearing: RollerBearing,
+    bearing: RollerBearing | Paired,
     radial: tuple[ArrayLike | None, ArrayLike | None],
     axial: tuple[float | None, float | None],
     turning: tuple[ArrayLike | None, ArrayLike | None],
 ) -> tuple[NDArray[np.bool_], Array]:
     """Return of which motions the force is given, and what is given, each of shape (5,)."""
     by_force, target = np.zeros(5, dtype=np.bool_), np.zeros(5)
+    axially = any(row.bearing.holds_axially for row in bearing.rows)
+    radially = any(row.bearing.bears_radially for row in bearing.rows)
     pairs = (
-        ("radial", "radial_displacement", radial, slice(1, 3), ("N", "mm"), True),
-        ("axial", "axial_displacement", axial, slice(0, 1), ("N", "mm"), bearing.holds_axially),
+        ("radial", "radial_displacement", radial, slice(1, 3), ("N", "mm"), radially),
+        ("axial", "axial_displacement", axial, slice(0, 1), ("N", "mm"), axially),
         ("moment", "tilt", turning, slice(3, 5), ("N mm", "rad"), False),
     )
     for force, motion, values, where, units, forced in pairs:
@@ -133,13 +137,19 @@ def _given(
             raise InputError(name, value, "be a number or two" if size == 2 else "be a number", f"give it in {unit}")
         # A single number is along y, or about z: in the plane of the first roller.
         target[where] = given if given.ndim else ((0.0, given) if force == "moment" else (given, 0.0))[:size]
-    if not bearing.holds_axially and by_force[0]:
-        if target[0] != 0.0:
-            condition = "be zero for a bearing whose inner ring is free to move along the axis"
-            raise InputError("axial", target[0], condition, "use a bearing that bears axial loads, or leave it out")
-        by_force[0] = False
-    least = math.tan(bearing.nominal_angle) * math.hypot(*target[1:3])
-    if np.all(by_force[:3]) and least > 0.0 and not target[0] > least:
+    for name, borne, where, way in (
+        ("axial", axially, slice(0, 1), "along"),
+        ("radial", radially, slice(1, 3), "across"),
+    ):
+        if not borne and np.any(by_force[where]):
+            if np.any(target[where] != 0.0):
+                condition = f"be zero for a bearing whose inner ring is free to move {way} the axis"
+                raise InputError(
+                    name, float(np.max(np.abs(target[where]))), condition, f"use one that bears {name} loads"
+                )
+            by_force[where] = False
+    least = _least_axial(bearing, math.hypot(*target[1:3])) if np.all(by_force[:3]) else 0.0
+    if least > 0.0 and not target[0] > least:
         condition = f"exceed {least:.4g} N, the tangent of the contact angle times the radial force"
         remedy = "without that a single row falls apart; or give axial_displacement"
         raise InputError("axial", float(target[0]), condition, remedy)
@@ -151,8 +161,20 @@ def _given(
     return by_force, target
 
 
+def _least_axial(bearing: RollerBearing | Paired, radial: float) -> float:
+    """Return the axial force [N] that the radial one needs where all rows bear axial loads along +x; else 0."""
+    if not all(row.bearing.holds_axially and not row.turned for row in bearing.rows):
+        return 0.0
+    return min(math.tan(row.bearing.nominal_angle) for row in bearing.rows) * radial
+
+
 def _solved(
-    bearing: RollerBearing, by_force: NDArray[np.bool_], target: Array, load: Array, method: Method, laminae: int
+    bearing: RollerBearing | Paired,
+    by_force: NDArray[np.bool_],
+    target: Array,
+    load: Array,
+    method: Method,
+    laminae: int,
 ) -> States:
     """Return the states of a bearing."""
     depth = _depth(bearing, by_force, target)
@@ -165,38 +187,54 @@ def _solved(
     return balanced(_stripped(bearing, load, None), by_force, target, rough.ring, depth)
 
 
-def _depth(bearing: RollerBearing, by_force: NDArray[np.bool_], target: Array) -> float:
+def _depth(bearing: RollerBearing | Paired, by_force: NDArray[np.bool_], target: Array) -> float:
     """Return a penetration of the size to be expected [mm]."""
-    reach = np.array([1.0, 1.0, 1.0, bearing.pitch, bearing.pitch])
-    loads = np.abs(target) / reach
-    most = float(np.max(np.where(by_force, loads, 0.0), initial=0.0)) * 5.0 / bearing.rollers
-    by_load = float((most / (STIFFNESS * bearing.roller_length ** (8.0 / 9.0))) ** (1.0 / EXPONENT))
+    rows = [row.bearing for row in bearing.rows]
+    pitch = max(row.pitch for row in rows)
+    reach = np.array([1.0, 1.0, 1.0, pitch, pitch])
+    most = float(np.max(np.where(by_force, np.abs(target) / reach, 0.0), initial=0.0)) * 5.0
+    most /= sum(row.rollers for row in rows)
+    length = min(row.roller_length for row in rows)
+    by_load = float((most / (STIFFNESS * length ** (8.0 / 9.0))) ** (1.0 / EXPONENT))
     moved = float(np.max(np.where(by_force, 0.0, np.abs(target * reach)), initial=0.0))
-    return max(by_load, moved, 1e-6 * bearing.roller_diameter) + 4.0 * abs(bearing.gap)
+    gap = max(float(np.max(np.abs(each))) for row in bearing.rows for each in row.gaps)
+    return max(by_load, moved, 1e-6 * max(row.roller_diameter for row in rows)) + 4.0 * gap
 
 
-def _sliced(bearing: RollerBearing, load: Array, laminae: int) -> System:
+def _sliced(bearing: RollerBearing | Paired, load: Array, laminae: int) -> System:
     """Return the rollers with independent slices, as ISO/TS 16281 has them."""
-    angle, law = bearing.nominal_angle, standard_slices(bearing, laminae)
-    motions = raceway_motion(angle, inner=True), raceway_motion(angle, inner=False)
-    joints = [
-        Joint(inner, motion, gap, law) for inner, motion, gap in zip((True, False), motions, bearing.gaps, strict=True)
-    ]
-    return System(bearing.ring_motion, tuple(joints), np.array([0.0, load[1], 0.0]), 0.5 * bearing.roller_length)
+    joints: list[Joint] = []
+    first = 0
+    for row in bearing.rows:
+        angle, law = row.bearing.nominal_angle, standard_slices(row.bearing, laminae)
+        for column, gap in enumerate(row.gaps):
+            inner = column == 0
+            joints.append(Joint(inner, raceway_motion(angle, inner=inner), gap, law, column, first))
+        first += row.bearing.rollers
+    # The standard knows of no motion along the rollers.
+    return _system(bearing, joints, load * np.array([0.0, 1.0, 0.0]))
 
 
-def _stripped(bearing: RollerBearing, load: Array, strips: int | None) -> System:
+def _stripped(bearing: RollerBearing | Paired, load: Array, strips: int | None) -> System:
     """Return the rollers with contacts by strips."""
-    joints = [
-        Joint(inner, motion, gap, StripLaw(contact, strips))
-        for inner, motion, gap, contact in zip(
-            (True, False), bearing.raceway_motions, bearing.gaps, bearing.contacts, strict=True
-        )
-    ]
-    if isinstance(bearing, TaperedRollerBearing):
-        motion, radius = bearing.end_contact()
-        joints.append(Joint(True, motion, np.zeros(bearing.rollers), _end(bearing, radius)))
-    return System(bearing.ring_motion, tuple(joints), load, 0.5 * bearing.roller_length)
+    joints: list[Joint] = []
+    first = 0
+    for row in bearing.rows:
+        of_row = zip(row.bearing.raceway_motions, row.gaps, row.bearing.contacts, strict=True)
+        for column, (motion, gap, contact) in enumerate(of_row):
+            joints.append(Joint(column == 0, motion, gap, StripLaw(contact, strips), column, first))
+        if isinstance(row.bearing, TaperedRollerBearing):
+            motion, radius = row.bearing.end_contact()
+            free = np.zeros(row.bearing.rollers)
+            joints.append(Joint(True, motion, free, _end(row.bearing, radius), 2, first))
+        first += row.bearing.rollers
+    return _system(bearing, joints, load)
+
+
+def _system(bearing: RollerBearing | Paired, joints: list[Joint], load: Array) -> System:
+    motion = np.concatenate([row.ring_motion for row in bearing.rows])
+    lever = 0.5 * max(row.bearing.roller_length for row in bearing.rows)
+    return System(motion, tuple(joints), load, lever)
 
 
 def _end(bearing: RollerBearing, radius: float) -> ContactLaw:

@@ -1,0 +1,122 @@
+"""Spherical, thrust and paired bearings: what each kind is there for."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import nonhertz as nh
+
+B = nh.bearing
+CONE = nh.Roller(diameter=nh.TabulatedDiameter((-5.825, 5.825), (10.94, 10.12)), length=11.65,
+                 profile=nh.profile.crown(radius=8000))  # fmt: skip
+TAPER = B.TaperedRollerBearing(
+    roller=CONE, inner=nh.Ring(diameter=40.8), outer=nh.Ring(diameter=-62.32), rollers=14, contact_angle=0.207
+)
+THRUST = B.CylindricalThrustBearing(
+    roller=nh.Roller(diameter=8.0, length=8.0, profile=nh.profile.crown(2000.0)),
+    inner=nh.Plate(depth=4.0),
+    outer=nh.Plate(depth=4.0),
+    rollers=20,
+    pitch_diameter=60.0,
+)
+
+
+def spherical(**changes):
+    angle, diameter, pitch = 0.2, 14.0, 90.0
+    sphere = 0.5 * pitch / np.cos(angle) + 0.5 * diameter
+    given = {
+        "roller": nh.Roller(diameter=diameter, length=13.0),
+        "inner": nh.Ring(diameter=pitch - diameter / np.cos(angle)),
+        "outer": nh.Ring(diameter=-(pitch + diameter / np.cos(angle))),
+        "rollers": 17,
+        "contact_angle": angle,
+        "profile_radius": 0.975 * sphere,
+        "inner_groove": sphere,
+        "outer_groove": sphere,
+        "clearance": 0.02,
+    }
+    return B.SphericalRollerBearing(**(given | changes))
+
+
+def test_a_spherical_bearing_aligns_itself():
+    row = spherical()
+    # Lines of pressure meet in the middle of the sphere.
+    bearing = B.paired(row, "X", row.pitch * np.tan(row.contact_angle))
+    straight, tilted = (B.solve(bearing, radial=40e3, axial=5e3, tilt=tilt) for tilt in (0.0, 5e-3))
+    assert_allclose(tilted.load, straight.load, rtol=2e-3, atol=1.0)
+    assert np.abs(tilted.force[3:]).max() < 1e-4 * 40e3
+    assert tilted.stiffness[4, 4] < 1e-6 * tilted.stiffness[1, 1] * row.pitch**2
+    # On a shaft that is tilted a row of cylindrical rollers would bear a moment.
+    assert straight.load[17:].max() > 2.0 * straight.load[:17].max()
+
+
+def test_rollers_of_a_thrust_bearing_share_the_load():
+    found = B.solve(THRUST, axial=50e3)
+    assert_allclose(found.load, 2500.0, rtol=1e-8)
+    assert_allclose(found.force[[1, 2]], 0.0, atol=1e-6)
+    tilted = B.solve(THRUST, axial=50e3, moment=(0.0, 3e5))
+    load, angle = tilted.load[:, 0], tilted.angle
+    assert load.sum() == pytest.approx(50e3, rel=1e-8)
+    # The moment of the loads, and what the tilted contacts bear themselves.
+    about_z = -30.0 * load @ np.cos(angle) + tilted.moment[:, 0] @ np.cos(angle)
+    assert about_z == pytest.approx(3e5, rel=1e-6)
+
+
+@pytest.mark.parametrize("method", ["strips", "slices"])
+def test_two_rows_back_to_back_are_stiffer_against_tilting(method):
+    found = {
+        each: B.solve(B.paired(TAPER, each, 20.0, clearance=-0.01), radial=20e3, axial=6e3, method=method)
+        for each in ("X", "O")
+    }
+    assert found["O"].stiffness[3, 3] > 5.0 * found["X"].stiffness[3, 3]
+    # Without a tilt they are the same rows in another order.
+    assert_allclose(found["O"].load[:14], found["X"].load[14:], rtol=1e-6, atol=1e-3)
+    assert_allclose(found["O"].displacement[:3], found["X"].displacement[:3], rtol=1e-6, atol=1e-9)
+    for each in found.values():
+        assert each.load.shape == (28, 2)
+        assert_allclose(each.stiffness, each.stiffness.T, rtol=1e-4, atol=1e-4 * each.stiffness[3, 3])
+
+
+def test_a_row_that_is_turned_round_is_its_mirror_image():
+    turned = B.Paired(bearings=(TAPER,), x=(0.0,), turned=(True,))
+    one = B.solve(TAPER, radial=20e3, axial=7e3, tilt=3e-4)
+    other = B.solve(turned, radial=20e3, axial=-7e3, tilt=-3e-4)
+    assert_allclose(other.load, one.load, rtol=1e-8, atol=1e-5)
+    assert_allclose(other.tilt, one.tilt, atol=1e-11)
+    assert_allclose(other.displacement * [-1, 1, 1, -1, -1], one.displacement, rtol=1e-8, atol=1e-12)
+    assert_allclose(other.rib_load, one.rib_load, rtol=1e-7, atol=1e-4)
+
+
+def test_tandem_rows_share_the_load():
+    found = B.solve(B.paired(TAPER, "tandem", 20.0), radial=20e3, axial=6e3, method="slices")
+    alone = B.solve(TAPER, radial=10e3, axial=3e3, method="slices")
+    assert_allclose(found.load[:14], alone.load, rtol=1e-7, atol=1e-4)
+    assert_allclose(found.load[14:], alone.load, rtol=1e-7, atol=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: spherical(inner_groove=50.0), "inner_groove = 50.0 must exceed the radius of the barrels"),
+        (lambda: spherical(contact_angle=-0.1), "contact_angle = -0.1 must be positive"),
+        (lambda: B.solve(THRUST, radial=1e3), "radial = 1000.0 must be zero for a bearing whose inner ring is free"),
+        (lambda: B.rating(THRUST), "must be a radial bearing of one row"),
+        (lambda: B.paired(TAPER, "Y", 20.0), "arrangement = 'Y' must be"),
+        (lambda: B.paired(TAPER, "X", 0.0), "distance = 0.0 must be positive"),
+        (lambda: B.Paired(bearings=(TAPER,), x=(0.0, 1.0), turned=(True,)), "x = (0.0, 1.0) must hold 1 places"),
+        (lambda: B.Paired(bearings=(), x=(), turned=()), "bearings = () must be rows of rollers"),
+        (lambda: B.Paired(bearings=(TAPER,), x=(0.0,), turned=(3,)), "turned = 3 must be"),
+        (
+            lambda: B.assess(B.solve(B.paired(TAPER, "O", 20.0), radial=1e3, method="slices")),
+            "solution = 'Paired' must be of one row",
+        ),
+        (
+            lambda: B.solve(B.paired(TAPER, "tandem", 20.0), radial=20e3, axial=1e3),
+            "axial = 1000.0 must exceed 4200 N",
+        ),
+    ],
+)
+def test_what_cannot_be_is_refused_in_one_sentence(make, message):
+    with pytest.raises(nh.InputError) as refused:
+        make()
+    assert message in str(refused.value)
