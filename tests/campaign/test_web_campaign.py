@@ -30,7 +30,7 @@ from nonhertz.io.casefile import starting_case
 from nonhertz.web.form.fields import FormField
 from nonhertz.web.form.form import form
 
-EDITS, HOSTILE, CHANGED = 2_000, 200, extent(10_000, 2_000)
+EDITS, HOSTILE, CHANGED = extent(2_000, 1_000), 200, extent(10_000, 2_000)
 SLOWEST = 2.0
 """s, for any answer."""
 MEMORY = 500.0

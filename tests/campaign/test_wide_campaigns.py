@@ -12,7 +12,7 @@ from extent import extent
 
 import nonhertz as nh
 
-CASES, SOME = 50_000, 800
+CASES, SOME = 50_000, 500
 MOST_UNCONVERGED = 1e-3  # of cases near practice
 
 

@@ -386,6 +386,27 @@ ENTRIES: dict[str, Entry] = {
         speed=(0.0, "not negative"),
         method=("slices", "word"),
         laminae=(30, "whole"),
+        maps=(None, "optional"),
+    ),
+    "bearing.solve_many": entry(
+        bearing.solve_many,
+        bearing=(ROW, "thing"),
+        radial=([1e3], "many?"),
+        axial=(None, "many?"),
+        moment=(None, "many?"),
+        radial_displacement=(None, "optional"),
+        axial_displacement=(None, "many?"),
+        tilt=(None, "many?"),
+        speed=(0.0, "not negative"),
+        method=("slices", "word"),
+        laminae=(30, "whole"),
+        maps=(None, "optional"),
+    ),
+    "bearing.maps": entry(
+        bearing.maps, bearing=(ROW, "thing"), load=(1e3, "positive"), tilt=(1e-4, "positive"), accuracy=(0.1, "all")
+    ),
+    "bearing.BearingSolutions.__getitem__": entry(
+        bearing.solve_many(ROW, radial=[1e3], method="slices").__getitem__, number=(0, "index"), raises=(IndexError,)
     ),
     "bearing.RollerBearing.load_by_speed": entry(ROW.load_by_speed, speed=(100.0, "number")),
     "bearing.rating": entry(
@@ -574,8 +595,8 @@ ENTRIES["profile.sum.relief"] = entry((TABLE.shifted(1.0) + TABLE.scaled(2.0)).r
 
 #: Of these only what must be refused is tried.
 SLOW = {
-    "compare", "map", "life.assess", "life.exposure", "measured.fit", "measured.fit_best", "measured.prepare",
-    "subsurface.extremes",
+    "bearing.maps", "compare", "map", "life.assess", "life.exposure", "measured.fit", "measured.fit_best",
+    "measured.prepare", "subsurface.extremes",
 }  # fmt: skip
 
 
@@ -653,7 +674,8 @@ RESULTS = {
     "EdgeKind", "EdgePressure", "ErrorEstimate", "Result", "SingularEnd", "Solution", "Solutions",
     "Status",
     "hertz.LineContact", "hertz.PointContact",
-    "bearing.BearingLife", "bearing.BearingSolution", "bearing.Rating", "bearing.Row",
+    "bearing.BearingLife", "bearing.BearingMaps", "bearing.BearingSolution",
+    "bearing.BearingSolutions", "bearing.Rating", "bearing.Row",
     "life.Exposure", "life.Life",
     "measured.Fit", "measured.Roughness", "measured.StepResult",
     "subsurface.Extreme", "subsurface.Extremes", "subsurface.Field", "subsurface.Passage",

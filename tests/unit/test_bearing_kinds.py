@@ -99,6 +99,7 @@ def test_tandem_rows_share_the_load():
     [
         (lambda: spherical(inner_groove=50.0), "inner_groove = 50.0 must exceed the radius of the barrels"),
         (lambda: spherical(contact_angle=-0.1), "contact_angle = -0.1 must be positive"),
+        (lambda: B.solve(THRUST, axial=-1e3), "axial = -1000.0 must exceed 0 N"),
         (lambda: B.solve(THRUST, radial=1e3), "radial = 1000.0 must be zero for a bearing whose inner ring is free"),
         (lambda: B.rating(THRUST), "must be a radial bearing of one row"),
         (lambda: B.paired(TAPER, "Y", 20.0), "arrangement = 'Y' must be"),

@@ -25,6 +25,7 @@ from nonhertz.bearing.bearings import (
     TaperedRollerBearing,
     paired,
 )
+from nonhertz.bearing.mapped import BearingMaps, maps
 from nonhertz.bearing.rating import (
     BearingLife,
     Rating,
@@ -36,11 +37,14 @@ from nonhertz.bearing.rating import (
     reliability_factor,
 )
 from nonhertz.bearing.solution import BearingSolution
-from nonhertz.bearing.verb import solve
+from nonhertz.bearing.states import BearingSolutions
+from nonhertz.bearing.verb import solve, solve_many
 
 __all__ = [
     "BearingLife",
+    "BearingMaps",
     "BearingSolution",
+    "BearingSolutions",
     "CylindricalRollerBearing",
     "CylindricalThrustBearing",
     "NeedleRollerBearing",
@@ -54,9 +58,11 @@ __all__ = [
     "assess",
     "contamination_factor",
     "life_factor",
+    "maps",
     "paired",
     "rating",
     "reference_viscosity",
     "reliability_factor",
     "solve",
+    "solve_many",
 ]

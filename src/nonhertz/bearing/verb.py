@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -11,12 +13,14 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.bearing.bearings import Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, balanced
 from nonhertz.bearing.laws import ContactLaw, Point
+from nonhertz.bearing.mapped import BearingMaps, MapLaw
 from nonhertz.bearing.section import raceway_motion
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import EXPONENT, LAMINAE, STIFFNESS, standard_slices
+from nonhertz.bearing.states import BearingSolutions
 from nonhertz.bearing.strips import StripLaw
 from nonhertz.errors import ConvergenceError, InputError
-from nonhertz.inputs.checks import finite, not_negative, numbers, one_of, whole
+from nonhertz.inputs.checks import broadcast, finite, not_negative, numbers, one_of, whole
 from nonhertz.life.lamina import FEWEST, MOST
 from nonhertz.model.prescription import MOST_TILT
 
@@ -24,7 +28,8 @@ Array = NDArray[np.float64]
 Method = Literal["strips", "slices"]
 
 METHODS = ("strips", "slices")
-ROUGH_STRIPS = 21
+# What leads to the neighbourhood of the balance, and what may be left there, over the loads.
+FEW_SLICES, ROUGH_STRIPS, NEARBY = 11, 21, 1e-2
 _UNIT_OF_SPEED = math.pi / 30.0
 
 
@@ -40,6 +45,7 @@ def solve(
     speed: float = 0.0,
     method: Method = "strips",
     laminae: int = LAMINAE,
+    maps: BearingMaps | None = None,
 ) -> BearingSolution:
     """Load a bearing, or move its inner ring; the outer ring is at rest.
 
@@ -60,9 +66,10 @@ def solve(
     method : {"strips", "slices"}
         ``"strips"``: every contact by strips, on the automatic grid. ``"slices"``: the independent slices of ISO/TS
         16281, with the nominal contact angle at both rings and no ribs, for comparison.
-
     laminae : int
         Number of slices, at least 30.
+    maps : BearingMaps, optional
+        Of this bearing, from `maps`, in place of strips while the balance is found.
 
     Returns
     -------
@@ -90,23 +97,143 @@ def solve(
     >>> float(solve(row, radial=20e3, method="slices").load[0, 0].round(-1))
     6830.0
     """
-    if not isinstance(bearing, RollerBearing | Paired):
-        remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing"
-        raise InputError("bearing", bearing, "be a bearing", remedy)
-    one_of("method", method, METHODS, "use 'strips', or 'slices' for comparison")
-    laminae = whole("laminae", laminae, FEWEST, MOST, "give the number of slices, 41 say")
-    not_negative("speed", speed, "give the speed of the inner ring in 1/min")
-    prescribed, target = _given(bearing, (radial, radial_displacement), (axial, axial_displacement), (moment, tilt))
-    load = np.concatenate(
-        [np.tile(row.bearing.load_by_speed(_UNIT_OF_SPEED * speed), (row.bearing.rollers, 1)) for row in bearing.rows]
-    )
-    found = _solved(bearing, prescribed, target[None], load, method, laminae)
+    setting = _Setting.checked(bearing, speed, method, laminae, maps)
+    by_force, target = _given(bearing, (radial, radial_displacement), (axial, axial_displacement), (moment, tilt))
+    found = setting.solved(by_force, target[None])
     if not found.residual[0] <= TOLERANCE:
         raise ConvergenceError(
             f"Rollers and rings found no balance in {found.steps[0]} steps: the loads may leave the inner ring unheld.",
             None,
         )
-    return BearingSolution.of(bearing, method, found, load)
+    return BearingSolution.of(bearing, method, found, setting.load)
+
+
+def solve_many(
+    bearing: RollerBearing | Paired,
+    *,
+    radial: ArrayLike | None = None,
+    axial: ArrayLike | None = None,
+    moment: ArrayLike | None = None,
+    radial_displacement: ArrayLike | None = None,
+    axial_displacement: ArrayLike | None = None,
+    tilt: ArrayLike | None = None,
+    speed: float = 0.0,
+    method: Method = "strips",
+    laminae: int = LAMINAE,
+    maps: BearingMaps | None = None,
+) -> BearingSolutions:
+    """Load a bearing in many ways; with maps a state costs a millisecond.
+
+    Parameters
+    ----------
+    bearing : RollerBearing or Paired
+        The bearing.
+    radial, axial, moment, radial_displacement, axial_displacement, tilt : array_like, optional
+        As in `solve`, along y, x and about z, broadcast against each other.
+    speed, method, laminae, maps
+        As in `solve`, for all states.
+
+    Returns
+    -------
+    BearingSolutions
+
+    Raises
+    ------
+    InputError
+        If the input is invalid.
+    """
+    setting = _Setting.checked(bearing, speed, method, laminae, maps)
+    given = {
+        "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
+        "axial_displacement": axial_displacement, "tilt": tilt,
+    }  # fmt: skip
+    rows = {name: numbers(name, each, "give numbers") for name, each in given.items() if each is not None}
+    spread = dict(zip(rows, broadcast("give arrays that fit each other", *rows.values()), strict=True)) if rows else {}
+    shape = next(iter(spread.values())).shape if spread else ()
+    count = math.prod(shape)
+    if not count:
+        name = next(iter(rows))
+        raise InputError(name, given[name], "hold at least one number", "give a number or an array of them")
+    flat = {name: each.ravel() for name, each in spread.items()}
+    found = []
+    for k in range(count):
+        one: dict[str, float | None] = {name: float(flat[name][k]) if name in flat else None for name in given}
+        pairs = (one["radial"], one["radial_displacement"]), (one["axial"], one["axial_displacement"])
+        found.append(_given(bearing, *pairs, (one["moment"], one["tilt"])))
+    states = setting.solved(found[0][0], np.array([target for _, target in found]))
+    return BearingSolutions.of(bearing, method, states, setting.load, shape)
+
+
+@dataclass(frozen=True, eq=False)
+class _Setting:
+    """A bearing and how it is to be solved, checked."""
+
+    bearing: RollerBearing | Paired
+    method: str
+    laminae: int
+    maps: BearingMaps | None
+    load: Array
+
+    @classmethod
+    def checked(
+        cls, bearing: RollerBearing | Paired, speed: float, method: str, laminae: int, maps: BearingMaps | None
+    ) -> _Setting:
+        if not isinstance(bearing, RollerBearing | Paired):
+            remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing"
+            raise InputError("bearing", bearing, "be a bearing", remedy)
+        one_of("method", method, METHODS, "use 'strips', or 'slices' for comparison")
+        laminae = whole("laminae", laminae, FEWEST, MOST, "give the number of slices, 41 say")
+        not_negative("speed", speed, "give the speed of the inner ring in 1/min")
+        if maps is not None:
+            if not isinstance(maps, BearingMaps) or maps.bearing != bearing:
+                remedy = "make them with nonhertz.bearing.maps"
+                raise InputError("maps", maps, "be maps of this bearing", remedy)
+            if method != "strips":
+                raise InputError("maps", maps, "not be given with slices", "leave out method")
+        rate = _UNIT_OF_SPEED * float(speed)
+        rows = [row.bearing for row in bearing.rows]
+        load = np.concatenate([np.tile(each.load_by_speed(rate), (each.rollers, 1)) for each in rows])
+        return cls(bearing, method, laminae, maps, load)
+
+    def solved(self, by_force: NDArray[np.bool_], target: Array) -> States:
+        """Return the states of the bearing."""
+        depth = _depth(self.bearing, by_force, target)
+        start = np.zeros_like(target)
+        start[:, 0] = np.where(target[:, 0] != 0.0, np.sign(target[:, 0]) * depth, 0.0)
+        if self.method == "slices":
+            return balanced(_sliced(self.bearing, self.load, self.laminae), by_force, target, start, depth)
+        sliced = balanced(_sliced(self.bearing, self.load, FEW_SLICES), by_force, target, start, depth, NEARBY)
+        if self.maps is not None:
+            laws = [
+                [MapLaw(*each) for each in zip(row.bearing.contacts, pair, strict=True)]
+                for row, pair in zip(self.bearing.rows, self.maps.contacts, strict=True)
+            ]
+            found = balanced(_jointed(self.bearing, self.load, laws), by_force, target, sliced.ring, depth)
+            _refuse_beyond(self.bearing, laws, found)
+            return found
+        rough = balanced(self._stripped(ROUGH_STRIPS), by_force, target, sliced.ring, depth, NEARBY)
+        return balanced(self._stripped(None), by_force, target, rough.ring, depth)
+
+    def _stripped(self, strips: int | None) -> System:
+        laws = [[StripLaw(contact, strips) for contact in row.bearing.contacts] for row in self.bearing.rows]
+        return _jointed(self.bearing, self.load, laws)
+
+
+def _refuse_beyond(bearing: RollerBearing | Paired, laws: Sequence[Sequence[MapLaw]], found: States) -> None:
+    """Refuse states whose contacts the maps do not hold."""
+    first = 0
+    rollers = found.rollers
+    for row, pair in zip(bearing.rows, laws, strict=True):
+        count = row.bearing.rollers
+        these = slice(first, first + count)
+        for k, law in enumerate(pair):
+            approach, tilt = rollers.approach[:, these, k], rollers.tilt[:, these, k]
+            covered = law.covers(approach.ravel(), tilt.ravel()).reshape(approach.shape)
+            if not np.all(covered | (rollers.load[:, these, k] == 0.0)):
+                load, turned = float(rollers.load.max()), float(np.abs(rollers.tilt).max())
+                condition = f"reach to loads of {load:.4g} N and tilts of {turned:.4g} rad, which these states have"
+                raise InputError("maps", "too small", condition, "make larger ones")
+        first += count
 
 
 def _given(
@@ -148,10 +275,10 @@ def _given(
                     name, float(np.max(np.abs(target[where]))), condition, f"use one that bears {name} loads"
                 )
             by_force[where] = False
-    least = _least_axial(bearing, math.hypot(*target[1:3])) if np.all(by_force[:3]) else 0.0
-    if least > 0.0 and not target[0] > least:
+    least = _least_axial(bearing, math.hypot(*target[1:3]) if np.all(by_force[1:3]) else 0.0)
+    if by_force[0] and least is not None and not (target[0] > least or target[0] == least == 0.0):
         condition = f"exceed {least:.4g} N, the tangent of the contact angle times the radial force"
-        remedy = "without that a single row falls apart; or give axial_displacement"
+        remedy = "without that rows that bear it one way alone fall apart; or give axial_displacement"
         raise InputError("axial", float(target[0]), condition, remedy)
     if np.max(np.abs(target[3:])) > MOST_TILT and turning[1] is not None:
         remedy = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
@@ -161,30 +288,11 @@ def _given(
     return by_force, target
 
 
-def _least_axial(bearing: RollerBearing | Paired, radial: float) -> float:
-    """Return the axial force [N] that the radial one needs where all rows bear axial loads along +x; else 0."""
+def _least_axial(bearing: RollerBearing | Paired, radial: float) -> float | None:
+    """Return the axial force [N] that the radial one needs where all rows bear axial loads along +x; else None."""
     if not all(row.bearing.holds_axially and not row.turned for row in bearing.rows):
-        return 0.0
-    return min(math.tan(row.bearing.nominal_angle) for row in bearing.rows) * radial
-
-
-def _solved(
-    bearing: RollerBearing | Paired,
-    by_force: NDArray[np.bool_],
-    target: Array,
-    load: Array,
-    method: Method,
-    laminae: int,
-) -> States:
-    """Return the states of a bearing."""
-    depth = _depth(bearing, by_force, target)
-    start = np.zeros_like(target)
-    start[:, 0] = np.where(target[:, 0] != 0.0, np.sign(target[:, 0]) * depth, 0.0)
-    sliced = balanced(_sliced(bearing, load, laminae), by_force, target, start, depth)
-    if method == "slices":
-        return sliced
-    rough = balanced(_stripped(bearing, load, ROUGH_STRIPS), by_force, target, sliced.ring, depth)
-    return balanced(_stripped(bearing, load, None), by_force, target, rough.ring, depth)
+        return None
+    return min(math.tan(row.bearing.nominal_angle) for row in bearing.rows) * radial if radial > 0.0 else 0.0
 
 
 def _depth(bearing: RollerBearing | Paired, by_force: NDArray[np.bool_], target: Array) -> float:
@@ -215,14 +323,13 @@ def _sliced(bearing: RollerBearing | Paired, load: Array, laminae: int) -> Syste
     return _system(bearing, joints, load * np.array([0.0, 1.0, 0.0]))
 
 
-def _stripped(bearing: RollerBearing | Paired, load: Array, strips: int | None) -> System:
-    """Return the rollers with contacts by strips."""
+def _jointed(bearing: RollerBearing | Paired, load: Array, laws: Sequence[Sequence[ContactLaw]]) -> System:
+    """Return the rollers with a law for each raceway of each row, and ribs."""
     joints: list[Joint] = []
     first = 0
-    for row in bearing.rows:
-        of_row = zip(row.bearing.raceway_motions, row.gaps, row.bearing.contacts, strict=True)
-        for column, (motion, gap, contact) in enumerate(of_row):
-            joints.append(Joint(column == 0, motion, gap, StripLaw(contact, strips), column, first))
+    for row, of_row in zip(bearing.rows, laws, strict=True):
+        for column, (motion, gap, law) in enumerate(zip(row.bearing.raceway_motions, row.gaps, of_row, strict=True)):
+            joints.append(Joint(column == 0, motion, gap, law, column, first))
         if isinstance(row.bearing, TaperedRollerBearing):
             motion, radius = row.bearing.end_contact()
             free = np.zeros(row.bearing.rollers)

@@ -1,0 +1,88 @@
+"""Many states of one bearing as a value."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.equilibrium import TOLERANCE, States
+from nonhertz.bearing.solution import NO_LOAD, BearingSolution
+from nonhertz.errors import ConvergenceError
+from nonhertz.result.solution import ReadOnly
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class BearingSolutions(ReadOnly):
+    """A bearing in equilibrium under many loads; indexing returns one of them as a `BearingSolution`.
+
+    Attributes
+    ----------
+    bearing : RollerBearing or Paired
+        The bearing.
+    method : str
+        How its contacts were solved.
+    displacement, force : ndarray, shape (..., 5)
+        Of the inner ring, as in `BearingSolution`.
+    stiffness : ndarray, shape (..., 5, 5)
+        d(force) / d(displacement).
+    load : ndarray, shape (..., rollers, 2)
+        Of the contacts with the inner and the outer ring [N].
+    converged : ndarray of bool, shape (...)
+        Whether a balance was found; where not, the other values are those of the last step.
+    """
+
+    bearing: RollerBearing | Paired
+    method: str
+    displacement: Array
+    force: Array
+    stiffness: Array
+    load: Array
+    converged: NDArray[np.bool_]
+    _states: States
+    _roller_load: Array
+
+    @classmethod
+    def of(
+        cls, bearing: RollerBearing | Paired, method: str, found: States, roller_load: Array, shape: tuple[int, ...]
+    ) -> BearingSolutions:
+        """Return the states of a bearing in an array of a shape."""
+        load = found.rollers.load[..., :2]
+        most = np.max(found.rollers.load, axis=(1, 2), keepdims=True)
+        return cls(
+            bearing=bearing,
+            method=method,
+            displacement=found.ring.reshape(*shape, 5),
+            force=found.force.reshape(*shape, 5),
+            stiffness=found.stiffness.reshape(*shape, 5, 5),
+            load=np.where(load > NO_LOAD * most, load, 0.0).reshape(*shape, *load.shape[1:]),
+            converged=(found.residual <= TOLERANCE).reshape(shape),
+            _states=found,
+            _roller_load=roller_load,
+        )
+
+    def __repr__(self) -> str:
+        return f"BearingSolutions(shape={self.converged.shape}, {np.count_nonzero(self.converged)} converged)"
+
+    def __len__(self) -> int:
+        return len(self.converged)
+
+    def __getitem__(self, number: int | tuple[int, ...]) -> BearingSolution:
+        try:
+            at = np.arange(self.converged.size).reshape(self.converged.shape)[number]
+        except (TypeError, ValueError):
+            raise IndexError(f"{number!r} is no index") from None
+        if np.ndim(at):
+            raise IndexError("an index for every axis is needed")
+        if not self.converged[number]:
+            raise ConvergenceError(f"State {number} of the bearing found no balance.", None)
+        one = slice(int(at), int(at) + 1)
+        cut: list[Any] = [
+            type(each)(*(part[one] for part in each)) if isinstance(each, tuple) else each[one] for each in self._states
+        ]
+        return BearingSolution.of(self.bearing, self.method, States(*cut), self._roller_load)

@@ -1,0 +1,76 @@
+"""Many states of a bearing, and maps of its contacts."""
+
+import pickle
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import nonhertz as nh
+from nonhertz.bearing import equilibrium
+
+B = nh.bearing
+
+
+def row(clearance=0.0184):
+    # Bodies without ends cost little, and ends are not the subject.
+    plain = {"side_faces": "none", "depth": "none"}
+    roller = nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(1200.0), **plain)
+    return B.CylindricalRollerBearing(
+        roller=roller,
+        inner=nh.Ring(diameter=37.5),
+        outer=nh.Ring(diameter=-55.5),
+        rollers=13,
+        clearance=clearance,
+    )
+
+
+@pytest.fixture(scope="module")
+def maps():
+    return B.maps(row(), load=3e3, tilt=1e-3, accuracy=1e-3)
+
+
+def test_states_are_those_of_one_at_a_time():
+    radial, tilt = np.array([500.0, 4e3, 9e3])[:, None], np.array([0.0, 5e-4])
+    found = B.solve_many(row(), radial=radial, tilt=tilt, method="slices")
+    assert found.converged.shape == (3, 2)
+    assert found.converged.all()
+    for at in np.ndindex(3, 2):
+        alone = B.solve(row(), radial=float(radial[at[0], 0]), tilt=float(tilt[at[1]]), method="slices")
+        assert_allclose(found.displacement[at], alone.displacement, rtol=1e-7, atol=1e-11)
+        assert_allclose(found.load[at], alone.load, rtol=1e-7, atol=1e-5)
+        assert_allclose(found[at].stiffness, alone.stiffness, rtol=1e-6, atol=1e-4)
+    assert len(found) == 3
+    assert repr(found) == "BearingSolutions(shape=(3, 2), 6 converged)"
+    with pytest.raises(IndexError):
+        found[0]
+    assert_allclose(pickle.loads(pickle.dumps(found)).load, found.load)
+
+
+def test_maps_lead_to_the_loads_of_strips(maps):
+    assert "2 contacts, loads up to 3000 N" in repr(maps)
+    by_maps = B.solve(row(), radial=6e3, tilt=3e-4, maps=maps)
+    by_strips = B.solve(row(), radial=6e3, tilt=3e-4)
+    assert_allclose(by_maps.load, by_strips.load, rtol=2e-3, atol=3.0)
+    assert_allclose(by_maps.displacement, by_strips.displacement, rtol=2e-3, atol=1e-7)
+    many = B.solve_many(row(), radial=[2e3, 6e3], tilt=3e-4, maps=maps)
+    assert_allclose(many.load[1], by_maps.load, rtol=1e-6, atol=1e-3)
+
+
+def test_maps_that_are_too_small_or_of_another_bearing_are_refused(maps):
+    with pytest.raises(nh.InputError, match="maps = 'too small' must reach to loads of"):
+        B.solve(row(), radial=20e3, maps=maps)
+    with pytest.raises(nh.InputError, match="must be maps of this bearing"):
+        B.solve(row(clearance=0.0), radial=1e3, maps=maps)
+    with pytest.raises(nh.InputError, match="must not be given with slices"):
+        B.solve(row(), radial=1e3, maps=maps, method="slices")
+
+
+def test_a_state_without_a_balance_is_said_to_have_none(monkeypatch):
+    monkeypatch.setattr(equilibrium, "STEPS", 3)
+    found = B.solve_many(row(), radial=[0.0, 30e3], tilt=1e-3, method="slices")
+    assert found.converged.tolist() == [True, False]
+    with pytest.raises(nh.ConvergenceError, match="State 1 of the bearing found no balance"):
+        found[1]
+    with pytest.raises(nh.ConvergenceError, match="the loads may leave the inner ring unheld"):
+        B.solve(row(), radial=30e3, tilt=1e-3, method="slices")
