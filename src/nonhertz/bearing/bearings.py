@@ -493,6 +493,11 @@ class CylindricalThrustBearing(RollerBearing):
         """Whether the inner ring can bear a radial load."""
         return False
 
+    def load_by_speed(self, speed: float) -> Array:
+        """Return no load: the cage holds the rollers along their axes, in which direction they are flung."""
+        finite("speed", speed, "give it in rad/s")
+        return np.zeros(3)
+
 
 @dataclass(frozen=True)
 class Row:

@@ -177,7 +177,7 @@ def balanced(
     count, free = len(target), np.flatnonzero(by_force)
     ring = np.where(by_force, start, target)
     motion = _following(system, _at_rollers(system, ring))
-    states = _held(system, ring, motion, np.arange(count), tolerance)
+    states = _held(system, ring, motion, np.arange(count), tolerance, depth)
     for _ in range(STEPS):
         off, loads = _unbalanced(system, states, by_force, target)
         states.residual[:] = np.max(np.abs(off) / _reach(system), axis=1) / loads
@@ -188,7 +188,7 @@ def balanced(
         held = states.stiffness[left] + _held_back(system, states.residual[left], loads[left], depth)
         step[:, free] = _solved(held[:, free[:, None], free], off[left][:, free, None])[..., 0]
         step *= _cautious(system, states, left, step, depth)[:, None]
-        _step(system, states, left, step, (off[left], target[left], by_force), tolerance)
+        _step(system, states, left, step, (off[left], target[left], by_force), tolerance, depth)
         states.steps[left] += 1
     return states
 
@@ -251,6 +251,7 @@ def _step(
     step: Array,
     given: tuple[Array, Array, Flags],
     tolerance: float,
+    depth: float,
 ) -> None:
     """Move the ring in some states by a step, or by as much of it as the forces along it allow.
 
@@ -266,7 +267,7 @@ def _step(
 
     def attempt(these: Indices, share: Array) -> Array:
         moved = motion[these] + share[:, None, None] * follows[these]
-        tried = _held(system, before[these] + share[:, None] * step[these], moved, left[these], tolerance)
+        tried = _held(system, before[these] + share[:, None] * step[these], moved, left[these], tolerance, depth)
         for whole, part in ((states, tried), (states.rollers, tried.rollers)):
             for name in part._fields:
                 if name not in ("rollers", "steps"):
@@ -302,7 +303,7 @@ def _shortened(slope: Array, attempt: Callable[[Indices, Array], Array]) -> None
         share[trying] = low[trying] + cut * width
 
 
-def _held(system: System, ring: Array, motion: Array, which: Indices, tolerance: float) -> States:
+def _held(system: System, ring: Array, motion: Array, which: Indices, tolerance: float, depth: float) -> States:
     """Return states with given motions of the ring, in which the rollers are in balance.
 
     Parameters
@@ -315,7 +316,7 @@ def _held(system: System, ring: Array, motion: Array, which: Indices, tolerance:
         Motions of rollers to begin with.
     which : ndarray of int, shape (states,)
         Numbers of the states.
-    tolerance : float
+    tolerance, depth : float
         As for `balanced`.
     """
     count, number = motion.shape[:2]
@@ -327,10 +328,17 @@ def _held(system: System, ring: Array, motion: Array, which: Indices, tolerance:
     for _ in range(STEPS):
         borne = np.repeat(np.max(np.sum(rollers.load, axis=1).reshape(count, number), axis=1), number)
         size = np.maximum(borne, np.max(np.abs(system.load * weights)))
-        left = np.flatnonzero(np.max(np.abs(rollers.off * weights), axis=1) > OF_ROLLER * tolerance * size)
+        off = np.max(np.abs(rollers.off * weights), axis=1)
+        left = np.flatnonzero(off > OF_ROLLER * tolerance * size)
         if not left.size:
             break
-        step = _solved(rollers.stiffness[left], rollers.off[left][..., None], system.lever)[..., 0]
+        # As for the ring: where nothing resists, a roller goes where it is pushed, and not far at once.
+        held = HELD_BACK * np.minimum(off, size)[left] / depth
+        held_back = rollers.stiffness[left] + held[:, None, None] * np.diag(weights**-2)
+        step = _solved(held_back, rollers.off[left][..., None], system.lever)[..., 0]
+        most = CAUTION * np.maximum(np.max(rollers.approach[left], axis=1), depth)
+        moved = np.max(np.abs(step / weights), axis=1)
+        step *= np.minimum(1.0, most / np.maximum(moved, np.finfo(float).tiny))[:, None]
         before = rollers.motion[left]
 
         def attempt(

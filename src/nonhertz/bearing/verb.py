@@ -312,15 +312,17 @@ def _depth(bearing: RollerBearing | Paired, by_force: NDArray[np.bool_], target:
 def _sliced(bearing: RollerBearing | Paired, load: Array, laminae: int) -> System:
     """Return the rollers with independent slices, as ISO/TS 16281 has them."""
     joints: list[Joint] = []
-    first = 0
+    first, load = 0, load.copy()
     for row in bearing.rows:
         angle, law = row.bearing.nominal_angle, standard_slices(row.bearing, laminae)
+        # The standard knows of nothing that holds rollers along their axes: what presses on the raceway is left.
+        normal = np.array([math.sin(angle), math.cos(angle), 0.0])
+        load[first : first + row.bearing.rollers] = np.outer(load[first : first + row.bearing.rollers] @ normal, normal)
         for column, gap in enumerate(row.gaps):
             inner = column == 0
             joints.append(Joint(inner, raceway_motion(angle, inner=inner), gap, law, column, first))
         first += row.bearing.rollers
-    # The standard knows of no motion along the rollers.
-    return _system(bearing, joints, load * np.array([0.0, 1.0, 0.0]))
+    return _system(bearing, joints, load)
 
 
 def _jointed(bearing: RollerBearing | Paired, load: Array, laws: Sequence[Sequence[ContactLaw]]) -> System:
