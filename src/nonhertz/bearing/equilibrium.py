@@ -155,7 +155,13 @@ class States(NamedTuple):
 
 
 def balanced(
-    system: System, by_force: Flags, target: Array, start: Array, depth: float, tolerance: float = TOLERANCE
+    system: System,
+    by_force: Flags,
+    target: Array,
+    start: Array,
+    depth: float,
+    tolerance: float = TOLERANCE,
+    motion: Array | None = None,
 ) -> States:
     """Return the states in which ring and rollers are in balance.
 
@@ -173,11 +179,13 @@ def balanced(
         A penetration of the size to be expected [mm].
     tolerance : float
         What may be left of the balance of the ring, over the loads; less is asked of rollers.
+    motion : ndarray, shape (states, rollers, 3), optional
+        Motions of the rollers to begin with; if left out, those that equal springs would give them.
     """
     count, free = len(target), np.flatnonzero(by_force)
     ring = np.where(by_force, start, target)
-    motion = _following(system, _at_rollers(system, ring))
-    states = _held(system, ring, motion, np.arange(count), tolerance, depth)
+    at_first = _following(system, _at_rollers(system, ring)) if motion is None else motion
+    states = _held(system, ring, at_first, np.arange(count), tolerance, depth)
     for _ in range(STEPS):
         off, loads = _unbalanced(system, states, by_force, target)
         states.residual[:] = np.max(np.abs(off) / _reach(system), axis=1) / loads

@@ -22,7 +22,9 @@ Indices = NDArray[np.int64]
 SAMPLES = 256
 # Digits, relative to the largest, in which contacts are the same, as those on both sides of a load are.
 SAME = 12
-KEPT = 0.1  # share by which a penetration may differ from that which the strips were laid for
+# Ratios up to which a penetration may differ from that which the strips were laid for, on the way to the balance and
+# near it.
+ON_THE_WAY, NEAR = 3.0, 1.1
 
 
 class StripLaw:
@@ -47,11 +49,16 @@ class StripLaw:
         self._y, self._h = self._problem.surveyed(float(few[0]), float(few[-1]), SAMPLES)
         self._equal = None if strips is None else self._problem.grids(*row_of(few))
         self._kept: dict[int, tuple[Grids, States, float]] = {}
+        self._ratio = ON_THE_WAY
 
     def penetration(self, approach: Array, tilt: Array) -> Array:
         """Return how deep the undeformed bodies overlap where they do most [mm]."""
         found: Array = np.max(approach[:, None] + tilt[:, None] * self._y - self._h, axis=1)
         return found
+
+    def lay_anew(self) -> None:
+        """From now on lay strips anew for contacts that are not nearly those which they were laid for."""
+        self._ratio = NEAR
 
     def pressed(self, rows: Indices, approach: Array, tilt: Array) -> Answer:
         """Return the answer of contacts.
@@ -79,7 +86,7 @@ class StripLaw:
 
     def _solved(self, row: int, pose: Array, depth: float) -> States:
         kept = self._kept.get(row)
-        if kept is not None and abs(depth - kept[2]) > KEPT * kept[2] and self._equal is None:
+        if kept is not None and self._equal is None and max(depth / kept[2], kept[2] / depth) > self._ratio:
             kept = None
         if kept is None and self._equal is not None:
             kept = (self._equal, States.none(), depth)

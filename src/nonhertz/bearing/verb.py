@@ -212,7 +212,13 @@ class _Setting:
             _refuse_beyond(self.bearing, laws, found)
             return found
         rough = balanced(self._stripped(ROUGH_STRIPS), by_force, target, sliced.ring, depth, NEARBY)
-        return balanced(self._stripped(None), by_force, target, rough.ring, depth)
+        fine = self._stripped(None)
+        found = balanced(fine, by_force, target, rough.ring, depth, NEARBY, rough.rollers.motion)
+        # Strips are laid for the contacts as they were when they were first met.
+        for joint in fine.joints:
+            if isinstance(joint.law, StripLaw):
+                joint.law.lay_anew()
+        return balanced(fine, by_force, target, found.ring, depth, motion=found.rollers.motion)
 
     def _stripped(self, strips: int | None) -> System:
         laws = [[StripLaw(contact, strips) for contact in row.bearing.contacts] for row in self.bearing.rows]
