@@ -408,6 +408,12 @@ ENTRIES: dict[str, Entry] = {
     "bearing.BearingSolutions.__getitem__": entry(
         bearing.solve_many(ROW, radial=[1e3], method="slices").__getitem__, number=(0, "index"), raises=(IndexError,)
     ),
+    "bearing.CylindricalThrustBearing.load_by_speed": entry(
+        bearing.CylindricalThrustBearing(
+            roller=ROW.roller, inner=nh.Plate(depth=4.0), outer=nh.Plate(depth=4.0), rollers=13, pitch_diameter=60.0
+        ).load_by_speed,
+        speed=(100.0, "number"),
+    ),
     "bearing.RollerBearing.load_by_speed": entry(ROW.load_by_speed, speed=(100.0, "number")),
     "bearing.rating": entry(
         bearing.rating, bearing=(ROW, "thing"), dynamic=(None, "positive?"), static=(None, "positive?")
