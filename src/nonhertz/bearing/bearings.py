@@ -191,6 +191,14 @@ class RollerBearing:
         )
         return self.gap - inner, self.gap - outer
 
+    def _at_contact(self, ring: Body, angle: float) -> float:
+        """Return the diameter of a raceway square to its generator, where a roller's middle touches it [mm].
+
+        The contact lies off the radial line through the roller's middle, on which the raceway's diameter is given.
+        """
+        on_line = float(ring.diameter)  # type: ignore[arg-type]
+        return on_line / math.cos(angle) + self.roller_diameter * math.tan(angle) ** 2
+
     def _deviation(self, name: str, shape: Shape) -> Array:
         remedy = "let it return lengths in mm, one for each angle"
         found = numbers(name, shape(self.angles), remedy)
@@ -358,13 +366,14 @@ class TaperedRollerBearing(RollerBearing):
         half = 0.5 * self.roller_length
         cone = self.half_cone_angle
         y = np.array([-half, half])
-        roller = replace(self.roller, diameter=_along(y, self.roller_diameter, -2.0 * math.tan(cone), cone))
+        square = 1.0 / math.cos(cone)
+        narrows = _along(y, square * self.roller_diameter, -2.0 * square * math.tan(cone))
+        roller = replace(self.roller, diameter=narrows)
         rings: list[Any] = []
         for ring, angle in zip((self.inner, self.outer), self.contact_angles, strict=True):
-            # The contact lies off the radial line through the roller's middle.
-            middle = float(ring.diameter) + self.roller_diameter * math.sin(angle) ** 2 / math.cos(angle)  # type: ignore[arg-type]
-            falls = -2.0 * math.sin(angle) * math.copysign(1.0, middle)
-            rings.append(replace(ring, diameter=_along(y, middle, falls, angle)))
+            across = self._at_contact(ring, angle)
+            falls = -2.0 * math.tan(angle) * math.copysign(1.0, across)
+            rings.append(replace(ring, diameter=_along(y, across, falls)))
         return Contact(roller, rings[0]), Contact(roller, rings[1])
 
     def end_contact(self) -> tuple[Array, float]:
@@ -449,9 +458,8 @@ class SphericalRollerBearing(RollerBearing):
         roller = replace(self.roller, profile=self.roller.profile + crown(self.profile_radius))
         rings = []
         for ring, groove in ((self.inner, self.inner_groove), (self.outer, self.outer_groove)):
-            across = float(ring.diameter) / math.cos(self.contact_angle)  # type: ignore[arg-type]
-            off = self.roller_diameter * math.tan(self.contact_angle) ** 2
-            rings.append(replace(ring, diameter=across + off, profile=ring.profile + crown(-groove)))
+            across = self._at_contact(ring, self.contact_angle)
+            rings.append(replace(ring, diameter=across, profile=ring.profile + crown(-groove)))
         return Contact(roller, rings[0]), Contact(roller, rings[1])
 
 
@@ -625,6 +633,6 @@ def _check_angle(angle: float) -> None:
         raise InputError("contact_angle", angle, condition, "give it in rad: 12 degrees are 0.21")
 
 
-def _along(y: Array, middle: float, slope: float, angle: float) -> TabulatedDiameter:
-    """Return the diameter of a cone in planes square to its generators."""
-    return TabulatedDiameter(tuple(y.tolist()), tuple(((middle + slope * y) / math.cos(angle)).tolist()))
+def _along(y: Array, middle: float, slope: float) -> TabulatedDiameter:
+    """Return a diameter that changes evenly along a generator."""
+    return TabulatedDiameter(tuple(y.tolist()), tuple((middle + slope * y).tolist()))

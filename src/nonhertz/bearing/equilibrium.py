@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -92,6 +93,12 @@ class System:
     def rollers(self) -> int:
         """Their number."""
         return int(self.ring.shape[0])
+
+    @cached_property
+    def reach(self) -> Array:
+        """Lever arms that make forces of the ring's moments, and displacements of its rotations [mm], shape (5,)."""
+        reach: Array = np.max(np.abs(self.ring), axis=(0, 1))
+        return reach
 
     @property
     def columns(self) -> int:
@@ -188,14 +195,15 @@ def balanced(
     states = _held(system, ring, at_first, np.arange(count), tolerance, depth)
     for _ in range(STEPS):
         off, loads = _unbalanced(system, states, by_force, target)
-        states.residual[:] = np.max(np.abs(off) / _reach(system), axis=1) / loads
+        states.residual[:] = np.max(np.abs(off) / system.reach, axis=1) / loads
         left = np.flatnonzero(states.residual > tolerance)
         if not left.size:
             break
         step = np.zeros((left.size, 5))
         held = states.stiffness[left] + _held_back(system, states.residual[left], loads[left], depth)
         step[:, free] = _solved(held[:, free[:, None], free], off[left][:, free, None])[..., 0]
-        step *= _cautious(system, states, left, step, depth)[:, None]
+        moved = np.max(np.abs(_at_rollers(system, step)[..., :2]), axis=(1, 2))
+        step *= _cautious(moved, np.max(states.rollers.approach[left], axis=(1, 2)), depth)[:, None]
         _step(system, states, left, step, (off[left], target[left], by_force), tolerance, depth)
         states.steps[left] += 1
     return states
@@ -227,27 +235,19 @@ def _unbalanced(system: System, states: States, by_force: Flags, target: Array) 
     """Return given less found forces, zero where a displacement is given, and the size of the loads [N]."""
     off = np.where(by_force, target - states.force, 0.0)
     borne = np.sum(np.abs(states.rollers.on_ring[..., :2]), axis=(1, 2))
-    given = np.max(np.abs(np.where(by_force, target, 0.0)) / _reach(system), axis=1)
+    given = np.max(np.abs(np.where(by_force, target, 0.0)) / system.reach, axis=1)
     return off, np.maximum(np.maximum(borne, given), np.finfo(float).tiny)
-
-
-def _reach(system: System) -> Array:
-    """Return lever arms that make forces of moments, and displacements of rotations [mm], shape (5,)."""
-    reach: Array = np.max(np.abs(system.ring), axis=(0, 1))
-    return reach
 
 
 def _held_back(system: System, residual: Array, loads: Array, depth: float) -> Array:
     """Return a small stiffness against all motions, so that a ring that touches nothing goes where it is pushed."""
     size = HELD_BACK * np.minimum(residual, 1.0) * loads / depth
-    found: Array = size[:, None, None] * np.diag(_reach(system) ** 2)
+    found: Array = size[:, None, None] * np.diag(system.reach**2)
     return found
 
 
-def _cautious(system: System, states: States, left: Indices, step: Array, depth: float) -> Array:
-    """Return shares of steps that press no roller much deeper than rollers are."""
-    moved = np.max(np.abs(_at_rollers(system, step)[..., :2]), axis=(1, 2))
-    deepest = np.max(states.rollers.approach[left], axis=(1, 2))
+def _cautious(moved: Array, deepest: Array, depth: float) -> Array:
+    """Return shares of steps, by how far they move, that press nothing much deeper than it is or is expected to be."""
     share: Array = np.minimum(1.0, CAUTION * np.maximum(deepest, depth) / np.maximum(moved, np.finfo(float).tiny))
     return share
 
@@ -344,9 +344,8 @@ def _held(system: System, ring: Array, motion: Array, which: Indices, tolerance:
         held = HELD_BACK * np.minimum(off, size)[left] / depth
         held_back = rollers.stiffness[left] + held[:, None, None] * np.diag(weights**-2)
         step = _solved(held_back, rollers.off[left][..., None], system.lever)[..., 0]
-        most = CAUTION * np.maximum(np.max(rollers.approach[left], axis=1), depth)
         moved = np.max(np.abs(step / weights), axis=1)
-        step *= np.minimum(1.0, most / np.maximum(moved, np.finfo(float).tiny))[:, None]
+        step *= _cautious(moved, np.max(rollers.approach[left], axis=1), depth)[:, None]
         before = rollers.motion[left]
 
         def attempt(
