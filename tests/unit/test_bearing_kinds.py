@@ -1,5 +1,7 @@
 """Spherical, thrust and paired bearings: what each kind is there for."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -101,7 +103,14 @@ def test_tandem_rows_share_the_load():
         (lambda: spherical(contact_angle=-0.1), "contact_angle = -0.1 must be positive"),
         (lambda: B.solve(THRUST, axial=-1e3), "axial = -1000.0 must exceed 0 N"),
         (lambda: B.solve(THRUST, radial=1e3), "radial = 1000.0 must be zero for a bearing whose inner ring is free"),
-        (lambda: B.rating(THRUST), "must be a radial bearing of one row"),
+        (lambda: B.rating(THRUST), "bearing = 'CylindricalThrustBearing' must be a cylindrical, needle or tapered"),
+        (lambda: B.rating(spherical()), "bearing = 'SphericalRollerBearing' must be a cylindrical, needle or tapered"),
+        (
+            lambda: B.rating(
+                dataclasses.replace(TAPER, outer=nh.Ring(diameter=-62.32, material=nh.Material(1e5, 0.3)))
+            ),
+            "must be of bearing steel",
+        ),
         (lambda: B.paired(TAPER, "Y", 20.0), "arrangement = 'Y' must be"),
         (lambda: B.paired(TAPER, "X", 0.0), "distance = 0.0 must be positive"),
         (lambda: B.Paired(bearings=(TAPER,), x=(0.0, 1.0), turned=(True,)), "x = (0.0, 1.0) must hold 1 places"),

@@ -32,12 +32,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
+from nonhertz.bearing.bearings import CylindricalRollerBearing, Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_of, positive, whole
-from nonhertz.life.capacity import Raceway
+from nonhertz.life.capacity import Raceway, is_steel
 from nonhertz.life.lamina import EDGE_STRESS, EXPONENT, FEWEST, MOST, SLOPE, edge_function, iso_16281, laminae_of
 from nonhertz.result.brief import plain_text
 from nonhertz.result.numerals import digits
@@ -93,9 +93,12 @@ def rating(bearing: RollerBearing, *, dynamic: float | None = None, static: floa
     >>> round(rating(row).dynamic, 1), round(rating(row).inner, 1), round(rating(row).outer, 1)
     (48416.8, 11449.6, 17271.6)
     """
-    if not isinstance(bearing, RollerBearing) or isinstance(bearing, CylindricalThrustBearing):
-        remedy = "rate a single row, such as a CylindricalRollerBearing"
-        raise InputError("bearing", type(bearing).__name__, "be a radial bearing of one row", remedy)
+    if not isinstance(bearing, CylindricalRollerBearing | TaperedRollerBearing):
+        # Spherical and thrust bearings have other factors.
+        condition = "be a cylindrical, needle or tapered roller bearing of one row"
+        raise InputError("bearing", type(bearing).__name__, condition, "rate such a row by itself")
+    if not all(is_steel(each.material) for each in (bearing.roller, bearing.inner, bearing.outer)):
+        raise InputError("bearing", "of other materials", "be of bearing steel", "leave the ratings out")
     inner, outer = raceways(bearing)
     if dynamic is not None:
         positive("dynamic", dynamic, "give the basic dynamic load rating in N")

@@ -147,7 +147,7 @@ def raceway(contact: Contact) -> tuple[Raceway | None, str]:
     bodies = {"a": contact.a, "b": contact.b}
     if not all(isinstance(body.diameter, float | int) for body in bodies.values()):
         return None, "L10 is known only for a cylindrical roller on a cylindrical ring"
-    if not all(_is_steel(body.material) for body in bodies.values()):
+    if not all(is_steel(body.material) for body in bodies.values()):
         return None, "the capacity of ISO 281 is that of bearing steel"
     rings = [name for name, body in bodies.items() if isinstance(body, Ring)]
     others = [name for name, body in bodies.items() if not isinstance(body, Roller)]
@@ -174,6 +174,7 @@ def _largeness(body: Body) -> tuple[bool, float]:
     return diameter < 0.0, abs(diameter)
 
 
-def _is_steel(material: Material) -> bool:
+def is_steel(material: Material) -> bool:
+    """Return whether a material is as stiff as bearing steel."""
     low, high = STEEL_MODULUS
     return low <= material.modulus <= high
