@@ -6,7 +6,9 @@ that names the field, its value, the condition it breaks and the remedy.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import contextlib
+import warnings
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 
@@ -123,6 +125,14 @@ class Interrupted(KeyboardInterrupt):
 
 class AccuracyWarning(UserWarning):
     """The solution has converged, but the model may be used beyond its validity."""
+
+
+@contextlib.contextmanager
+def without_accuracy_warnings() -> Iterator[None]:
+    """Solve without an `AccuracyWarning`, where what it says is shown with the results or does not matter."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", AccuracyWarning)
+        yield
 
 
 def shown(value: object) -> str:

@@ -334,3 +334,9 @@ def test_a_pair_of_faces_is_kept_as_a_tuple(rules):
     assert isinstance(body.side_faces, tuple)
     assert body.face_weights == (1.0, 0.5)
     assert hash(body) == hash(roller(side_faces=tuple(rules)))
+
+
+def test_a_diameter_whose_curvature_no_double_can_hold_is_refused():
+    cone = nh.TabulatedDiameter((-1.0, 1.0), (1e-320, 1.0))
+    with pytest.raises(nh.InputError, match="a finite diameter other than zero"):
+        nh.Body(diameter=cone, length=2.0).curvature([-1.0])

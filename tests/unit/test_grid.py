@@ -300,6 +300,18 @@ def test_a_bump_narrower_than_any_sample_is_found():
     assert any(low < place < high for low, high in solution.contact_y)
 
 
+@pytest.mark.parametrize("load", [3809.409, 3809.447, 3809.79, 3813.2])
+def test_a_peak_at_a_corner_is_resolved_beside_a_middle_that_bears_as_much(load):
+    """As long as it was not, it was 4 % too low, just under what the middle bears."""
+    roller = nh.Roller(diameter=9.0, length=10.0, corner_radius=0.3, profile=nh.profile.crown(1200.0))
+    contact = nh.Contact(roller, nh.Ring(diameter=-55.5, depth=3.25))
+    solution = nh.solve(contact, load=load, tilt=0.14592933e-3)
+    assert solution.max_pressure_y == pytest.approx(4.7036, abs=1e-3)
+    exact = nh.solve(contact, load=load, tilt=0.14592933e-3, accuracy=1e-6).max_pressure
+    assert solution.max_pressure == pytest.approx(exact, rel=3e-3)
+    assert solution.error_estimate.max_pressure < 0.01
+
+
 def test_a_corner_that_an_end_presses_on_is_found_however_short_the_contact():
     # A speck of contact beside a chamfer: the kink bends the profile at one sample, and strips as narrow as that asked
     # for as far as the next sample were more than any grid has.

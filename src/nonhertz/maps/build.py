@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
@@ -10,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.errors import AccuracyWarning, InputError
+from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.maps.evaluation import QUANTILES, Tables
 from nonhertz.maps.fitting import Samples, Shape, Touch, fitted, tables
 from nonhertz.maps.misses import SAFETY, Bounds, Misses
@@ -60,8 +59,7 @@ class Building:
 
     def pressed(self, name: str, values: Array, tilt: Array) -> Solutions:
         """Solve cases under loads or approaches; what their solutions warn of is left to single solves."""
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", AccuracyWarning)
+        with without_accuracy_warnings():
             given: dict[str, Any] = {name: values}
             return solve_many(self.contact, **given, tilt=tilt, element=self.element, threads=self.threads)
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 import os
 from collections.abc import Callable
@@ -32,7 +30,7 @@ from nonhertz.maps.evaluation import (
 from nonhertz.maps.fitting import tables
 from nonhertz.maps.misses import Bounds
 from nonhertz.result.brief import plain_text
-from nonhertz.result.numerals import digits, given
+from nonhertz.result.numerals import as_csv, digits, given
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import ReadOnly, read_only
 
@@ -317,12 +315,7 @@ class ContactMap(ReadOnly):
         """
         point = self.grid() if point is None else point
         _refuse_others(point)
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
-        writer.writerow([f"{name} [{QUANTITIES[name].unit}]" for name in COLUMNS])
-        columns = np.transpose([np.ravel(getattr(point, name)) for name in COLUMNS])
-        writer.writerows([f"{value:.10g}" for value in row] for row in columns.tolist())
-        return text.getvalue()
+        return as_csv({f"{name} [{QUANTITIES[name].unit}]": getattr(point, name) for name in COLUMNS})
 
     def to_csv(self, path: str | os.PathLike[str], point: MapPoint | None = None) -> None:
         """Write `csv` into a file."""

@@ -19,7 +19,7 @@ from nonhertz.bodies.images import FEWEST_IMAGES, check_images
 from nonhertz.bodies.sides import FaceRule, side_faces
 from nonhertz.bodies.sides.side_face import SideFace
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, numbers, positive
+from nonhertz.inputs.checks import LEAST, finite, numbers, positive
 from nonhertz.model.corner import Chamfer, Cornered, Rounded
 from nonhertz.model.material import STEEL, Material
 from nonhertz.model.profile import Profile, Straight
@@ -319,7 +319,7 @@ class Body:
         if not callable(self.diameter):
             return np.full_like(y, 2.0 / self.diameter)
         diameter = np.asarray(self.diameter(y - self.position), dtype=float)
-        if diameter.shape != y.shape or not np.all(np.isfinite(diameter)) or np.any(diameter == 0.0):
+        if diameter.shape != y.shape or not np.all(np.isfinite(diameter)) or np.any(np.abs(diameter) < LEAST):
             raise InputError(
                 "diameter", self.diameter, "return a finite diameter other than zero for every y", _DIAMETER_REMEDY
             )

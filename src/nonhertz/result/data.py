@@ -31,7 +31,7 @@ class ManySolved(Protocol):
 
 def dataframe(solutions: ManySolved) -> pd.DataFrame:
     """Return a DataFrame with a row for each case; see `nonhertz.Solutions.to_dataframe`."""
-    pandas, names = _library("pandas", "to_dataframe"), _axes(solutions)
+    pandas, names = library("pandas", "to_dataframe"), _axes(solutions)
     index = pandas.MultiIndex.from_product([range(length) for length in solutions.shape], names=names)
     if len(names) == 1:
         index = index.get_level_values(0)
@@ -42,7 +42,7 @@ def dataframe(solutions: ManySolved) -> pd.DataFrame:
 
 def dataset(solutions: ManySolved) -> xr.Dataset:
     """Return a Dataset with a variable for each quantity; see `nonhertz.Solutions.to_xarray`."""
-    xarray, names = _library("xarray", "to_xarray"), _axes(solutions)
+    xarray, names = library("xarray", "to_xarray"), _axes(solutions)
     found: xr.Dataset = xarray.Dataset(
         {name: (names, column, _attributes(name)) for name, column in _columns(solutions).items()},
         coords={name: range(length) for name, length in zip(names, solutions.shape, strict=True)},
@@ -66,8 +66,28 @@ def _attributes(name: str) -> dict[str, str]:
     return {} if quantity is None else {"units": quantity.unit, "long_name": quantity.label}
 
 
-def _library(name: str, asked: str) -> Any:
+def library(name: str, asked: str, extra: str = "data", package: str | None = None) -> Any:
+    """Return an optional library, imported now.
+
+    Parameters
+    ----------
+    name : str
+        The library.
+    asked : str
+        What needs it, for the error.
+    extra : str
+        The extra of this package that installs it.
+    package : str, optional
+        What it is installed as, if not by its name.
+
+    Raises
+    ------
+    ImportError
+        If it is not installed.
+    """
     try:
         return importlib.import_module(name)
     except ImportError as error:
-        raise ImportError(f"{asked} needs {name}: install it, or nonhertz with the extra 'data'.") from error
+        raise ImportError(
+            f"{asked} needs {package or name}: install it, or nonhertz with the extra '{extra}'."
+        ) from error

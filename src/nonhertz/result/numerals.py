@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import math
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
 
 
 def digits(value: float, significant: int = 5) -> str:
@@ -31,3 +37,21 @@ def given(value: float, significant: int = 6) -> str:
     """
     mantissa, exponent, power = digits(value, significant).partition("e")
     return (mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa) + exponent + power
+
+
+def as_csv(columns: Mapping[str, NDArray[np.float64]]) -> str:
+    """Return columns as CSV, their names in the first line, with ten significant digits.
+
+    Examples
+    --------
+    >>> print(as_csv({"y [mm]": np.array([0.0, 0.1]), "force_y [N]": np.array([0.0, 1234.5])}), end="")
+    y [mm],force_y [N]
+    0,0
+    0.1,1234.5
+    """
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    rows = np.transpose([np.ravel(column) for column in columns.values()]).tolist()
+    writer.writerows([f"{value:.10g}" for value in row] for row in rows)
+    return text.getvalue()

@@ -50,6 +50,13 @@ class Remote(NamedTuple):
     widest: float
 
 
+def blank_remote(strips: int, law: Law) -> Remote:
+    """Return room for what that many strips do far away."""
+    sums = law.terms.shape[0] + law.faces.shape[0]
+    first, beyond = (np.zeros((sums, strips), dtype=np.int64) for _ in range(2))
+    return Remote(first, beyond, np.zeros((strips, 1 + POWERS, strips)), 0.0)
+
+
 @compiled
 def remote_of(strips: Strips, law: Law, widest: float) -> Remote:
     """Return what strips with m up to ``widest`` [mm^2] do far away."""

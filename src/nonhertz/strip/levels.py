@@ -148,7 +148,13 @@ def on_given_strips(problem: Problem, grids: Sequence[Array], targets: Array) ->
 
 
 def on_automatic_strips(
-    problem: Problem, interval: Interval, bends: tuple[float, ...], targets: Array
+    problem: Problem,
+    interval: Interval,
+    bends: tuple[float, ...],
+    targets: Array,
+    narrower: Array | None = None,
+    *,
+    peaks: bool = True,
 ) -> list[tuple[Indices, list[States]]]:
     """Return the states of cases on graded grids, in groups that took the same number of levels.
 
@@ -162,6 +168,11 @@ def on_automatic_strips(
         Where the profiles bend [mm].
     targets : ndarray, shape (cases, 2)
         As `Problem.target`.
+    narrower : ndarray, shape (cases,), optional
+        By what share strips are narrower than usual to begin with, as similar cases needed them; overwritten by what
+        they needed.
+    peaks : bool
+        Whether the largest pressure is wanted, too, for which strips may have to be narrower where it is.
 
     Returns
     -------
@@ -177,12 +188,15 @@ def on_automatic_strips(
     kinks = turns_at(problem.separation, tuple(bend for bend in bends if finite[0] < bend < finite[1]), np.ptp(finite))
     rows, states = np.arange(len(targets)), [_located(problem, interval, finite, targets)]
     order = ORDER_COARSER if accuracy > ACCURACY else ORDER
-    coarseness = np.full(rows.size, COARSENESS * (accuracy / ACCURACY) ** (1.0 / order))
+    usual = COARSENESS * (accuracy / ACCURACY) ** (1.0 / order)
+    narrower = np.ones(rows.size) if narrower is None else narrower
+    coarseness = usual * narrower
     learning, groups = _Learning(problem, interval, finite, kinks, targets, coarseness), []
     for lesson, shares in enumerate(LESSONS + REPEATS):
         if lesson >= len(LESSONS):
             finer = learning.finer_wanted(states, accuracy)
-            wanting = learning.incomplete(states[0]) | learning.pointed(states[0])
+            wanting = learning.incomplete(states[0])
+            wanting |= peaks & learning.pointed(states[0])
             worth = ~learning.too_thin(states[0])
             again = np.flatnonzero(worth & ((finer < 1.0) | (states[0].converged & wanting)))
             done = np.setdiff1d(np.arange(rows.size), again)
@@ -191,6 +205,7 @@ def on_automatic_strips(
             if not rows.size:
                 break
             learning = replace(learning, targets=targets[rows], coarseness=coarseness)
+            narrower[rows] = coarseness / usual
         learnt_from = states[0]
         for share in shares:
             states.insert(0, learning.finer(learnt_from, states[0], share))
@@ -324,11 +339,14 @@ def _find_peaks(states: States, kinks: Array, accuracy: float, found: Array) -> 
             pressure[i] = states.r[case, i] * math.sqrt(states.m[case, i])
             highest = max(highest, pressure[i])
         for side in range(2):
-            at = -1
-            for i in range(n):
-                if (edges[i] + edges[i + 1] >= 0.0) == (side == 1) and (at < 0 or pressure[i] > pressure[at]):
-                    at = i
-            if 0 < at < n - 1 and pressure[at] > (1.0 - ALIKE) * highest:
+            at, reached = -1, (1.0 - ALIKE) * highest
+            for i in range(1, n - 1):
+                # A lower summit may be the largest pressure, if it is more pointed than its strips can tell.
+                if (edges[i] + edges[i + 1] >= 0.0) == (side == 1):
+                    reach = pressure[i] * (1.0 + max(0.0, _sagitta(pressure, i)))
+                    if reach > reached and _is_summit(pressure, i):
+                        at, reached = i, reach
+            if at > 0:
                 wanted = _wanted_at_peak(edges, pressure, at, accuracy)
                 place, wide = 0.5 * (edges[at] + edges[at + 1]), edges[at + 1] - edges[at]
                 for kink in kinks:
@@ -340,17 +358,28 @@ def _find_peaks(states: States, kinks: Array, accuracy: float, found: Array) -> 
 
 @compiled
 def _wanted_at_peak(edges: Array, pressure: Array, at: int, accuracy: float) -> float:
-    """Return the width wanted for a summit of the pressure at a strip, NaN if it is none or not too pointed."""
-    before, peak, after = pressure[at - 1], pressure[at], pressure[at + 1]
-    # Two strips beside the middle may differ by rounding. A contact may run out beside its largest pressure, as on the
-    # corner of a roller.
-    if not (max(before, after) > 0.0 and peak >= (1.0 - SAME) * max(before, after)):
-        return np.nan
-    sagitta = (2.0 * peak - before - after) / (8.0 * peak)
+    """Return the width wanted for a summit of the pressure at a strip, NaN if it is not too pointed."""
+    sagitta = _sagitta(pressure, at)
     if not sagitta > POINTED * accuracy:
         return np.nan
     width = edges[at + 1] - edges[at]
     return float(width * max(math.sqrt(POINTED * accuracy / sagitta), LEAST_AT_PEAK))
+
+
+@compiled
+def _is_summit(pressure: Array, at: int) -> bool:
+    """Return whether the pressure falls on both sides of a strip, and reaches further on one of them at least."""
+    before, peak, after = pressure[at - 1], pressure[at], pressure[at + 1]
+    # Two strips beside the middle may differ by rounding. A contact may run out beside its largest pressure, as on the
+    # corner of a roller.
+    return bool(max(before, after) > 0.0 and peak >= (1.0 - SAME) * max(before, after))
+
+
+@compiled
+def _sagitta(pressure: Array, at: int) -> float:
+    """Return by what share of itself the pressure bends within a strip; 0 without pressure."""
+    peak = pressure[at]
+    return (2.0 * peak - pressure[at - 1] - pressure[at + 1]) / (8.0 * peak) if peak > 0.0 else 0.0
 
 
 def _ends(states: States) -> Array:

@@ -49,7 +49,8 @@ TOLERANCE, ROUGH_TOLERANCE = 1e-11, 1e-6
 NEARLY, SMALL_STEP = 1e-8, 1e-5
 # The same on the way to a finer grid, where the stiffness is not needed.
 ROUGHLY_NEARLY, ROUGHLY_SMALL = 1e-3, 0.1
-STEP_LIMIT = 60
+# When following, also how much larger than before a residual may be.
+STEP_LIMIT, FOLLOWING, ASTRAY = 60, 12, 10.0
 LEAST_CHANGE = 0.3  # smallest factor by which r may change in one step; its inverse is the largest
 WIDEST = 1e4  # half-width over half the total length of the strips, beyond which the iteration has diverged
 ROOM = 1.3  # for the largest m to grow before `Remote` has to be worked out again
@@ -114,11 +115,7 @@ def newton(strips: Strips, given: Given, law: Law, sought: Sought, effort: Effor
         if active.size == 0:
             return STAGNATED, step, residual
         remote = _still_remote(strips, law, sought, remote)
-        equations, unbent = _linearised(strips, given, law, remote, sought, active, half, effort.eager)
-        scale, noise = _scales(strips, sought.rigid, active, half)
-        _idle_gaps(strips, law, remote, sought)
-        unsettled = worse((_largest(equations.unclosed) - noise) / scale, unbent)
-        unsettled = worse(unsettled, _imbalance(given, equations))
+        equations, scale, noise, unsettled = _weighed(strips, given, law, remote, sought, active, half, effort.eager)
         residual = worse(unsettled, -(_least(sought.gap) + noise) / scale)
         # A strip whose m is NaN is not active and appears in no residual.
         if not math.isfinite(residual) or not math.isfinite(_sum(sought.m)):
@@ -146,6 +143,75 @@ def newton(strips: Strips, given: Given, law: Law, sought: Sought, effort: Effor
             if left < effort.tolerance:
                 return CONVERGED, step + 1, left
     return ITERATION_LIMIT, STEP_LIMIT, residual
+
+
+@compiled
+def followed(
+    strips: Strips, given: Given, law: Law, sought: Sought, remote: Remote
+) -> tuple[bool, float, float, Remote]:
+    """Let a contact on the strips where it was solved follow a given approach and tilt, overwriting ``sought``.
+
+    Parameters
+    ----------
+    strips, given, law
+        See `nonhertz.strip.records`; approach and tilt are given.
+    sought : Sought
+        A solution at another approach and tilt.
+    remote : Remote
+        What strips do far away, as the last call returned it.
+
+    Returns
+    -------
+    done : bool
+        Whether it could, without the help that `nonhertz.strip.settle` knows.
+    load, moment : float
+        Times K. What the last step would still add is in them: their error is the square of that step.
+    remote : Remote
+        For the next call.
+    """
+    half, least = 0.5 * (strips.high[-1] - strips.low[0]), np.inf
+    for k in range(2):
+        sought.rigid[k] = given.target[k]
+    for _ in range(FOLLOWING):
+        active = touching(sought.m)
+        if active.size == 0 or _widest(sought.m) > (WIDEST * half) ** 2:
+            break
+        remote = _still_remote(strips, law, sought, remote)
+        equations, scale, noise, unsettled = _weighed(strips, given, law, remote, sought, active, half, True)
+        residual = worse(unsettled, -(_least(sought.gap) + noise) / scale)
+        if residual > ASTRAY * least:
+            break
+        least = min(least, residual)
+        d_r, d_q = _directions(equations)
+        response = _border(equations, d_q)
+        largest = _combine(d_r, d_q, 0.0, 0.0)
+        if not math.isfinite(residual) or not math.isfinite(largest) or not math.isfinite(_sum(sought.m)):
+            break
+        if residual < NEARLY and largest < SMALL_STEP:
+            _store_stiffness(response, half, sought.stiffness)
+            load, moment = response[0, 0], response[1, 0]
+            for i in range(active.size):
+                load += equations.weights[i]
+                moment += equations.weights[i] * equations.lever[i]
+            return True, load, moment * half, remote
+        _update(strips, law, equations, d_r, d_q, 1.0, sought)
+        _enter(strips, law, active, noise + LET_SETTLE * unsettled * scale, sought)
+    return False, 0.0, 0.0, remote
+
+
+@compiled
+def _weighed(
+    strips: Strips, given: Given, law: Law, remote: Remote, sought: Sought, active: Indices, half: float, eager: bool
+) -> tuple[_Equations, float, float, float]:
+    """Return the equations at a state, the scale and the noise of gaps, and the largest relative residual.
+
+    The gap of idle strips is filled in, and not yet part of it.
+    """
+    equations, unbent = _linearised(strips, given, law, remote, sought, active, half, eager)
+    scale, noise = _scales(strips, sought.rigid, active, half)
+    _idle_gaps(strips, law, remote, sought)
+    unsettled = worse((_largest(equations.unclosed) - noise) / scale, unbent)
+    return equations, scale, noise, worse(unsettled, _imbalance(given, equations))
 
 
 @compiled

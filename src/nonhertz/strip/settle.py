@@ -12,7 +12,8 @@ import math
 import numpy as np
 
 from nonhertz.compiled import compiled, entry
-from nonhertz.strip.newton import TOLERANCE, newton
+from nonhertz.strip.influence import Remote, remote_of
+from nonhertz.strip.newton import ROOM, TOLERANCE, followed, newton
 from nonhertz.strip.records import CONVERGED, STAGNATED, Array, Effort, Given, Grids, Law, Sought, States, Strips
 from nonhertz.strip.start import prolong, springs
 
@@ -85,6 +86,68 @@ def settle_all(
                 strips, asked, law, sought, shallowest, tolerance, (status, steps, residual)
             )
         found.status[case], found.steps[case], found.residual[case] = status, steps, residual
+
+
+@entry
+def follow(grids: Grids, given: Given, law: Law, remote: Remote, widest: Array, found: States, answer: Array) -> bool:
+    """Let a solved case follow another approach and tilt on its strips; return whether it did, else it is unchanged.
+
+    Parameters
+    ----------
+    grids, law
+        As for `settle_all`; one row.
+    given : Given
+        An approach and a tilt, shape (1, 2).
+    remote : Remote
+        What these strips do far away, overwritten where it has to be worked out again.
+    widest : ndarray, shape (1,)
+        The m up to which it holds, in place of its own; 0 at first.
+    found : States
+        The solved case, overwritten.
+    answer : ndarray, shape (6,)
+        Result: K Q, K T and their derivatives by approach and tilt.
+    """
+    strips, asked = strips_of(grids, 0), Given(given.by_force, given.target[0])
+    n = strips.y.size
+    kept, sought = sought_of(found, 0, n), blank_sought(n)
+    take(kept, sought)
+    _foresee(strips, asked, sought)
+    if too_thin(grids.shallowest[0], law, sought.m, HOPELESS):
+        return False
+    largest = 0.0
+    for i in range(n):
+        largest = max(largest, sought.m[i])
+    known = Remote(remote.first, remote.beyond, remote.powers, widest[0])
+    if not largest <= widest[0]:
+        known = remote_of(strips, law, ROOM * largest)
+    done, load, moment, known = followed(strips, asked, law, sought, known)
+    if known.widest != widest[0]:
+        widest[0] = known.widest
+        remote.first[:], remote.beyond[:], remote.powers[:] = known.first, known.beyond, known.powers
+    if done:
+        take(sought, kept)
+        answer[0], answer[1] = load, moment
+        for k in range(4):
+            answer[2 + k] = sought.stiffness[k // 2, k % 2]
+    return done
+
+
+@compiled
+def _foresee(strips: Strips, given: Given, sought: Sought) -> None:
+    """Change m as springs would, so that strips leave at once where the bodies no longer overlap."""
+    touches = False
+    for i in range(strips.y.size):
+        before = sought.rigid[0] + sought.rigid[1] * strips.y[i] - strips.separation[i]
+        now = given.target[0] + given.target[1] * strips.y[i] - strips.separation[i]
+        if sought.m[i] > 0.0 and before > 0.0:
+            touches = touches or now > 0.0
+    if not touches:
+        return
+    for i in range(strips.y.size):
+        before = sought.rigid[0] + sought.rigid[1] * strips.y[i] - strips.separation[i]
+        now = given.target[0] + given.target[1] * strips.y[i] - strips.separation[i]
+        if sought.m[i] > 0.0 and before > 0.0:
+            sought.m[i] *= min(max(now / before, 0.0), 4.0)
 
 
 @compiled
