@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from nonhertz import measured as measured
     from nonhertz import patch as patch
     from nonhertz import plot as plot
+    from nonhertz import rotor as rotor
     from nonhertz import subsurface as subsurface
     from nonhertz.comparison import Comparison as Comparison
     from nonhertz.comparison import compare as compare
@@ -34,6 +35,8 @@ if TYPE_CHECKING:
     from nonhertz.errors import InputError as InputError
     from nonhertz.errors import Interrupted as Interrupted
     from nonhertz.errors import NonhertzError as NonhertzError
+    from nonhertz.io.bearingfile import BearingCase as BearingCase
+    from nonhertz.io.bearingfile import read_bearing as read_bearing
     from nonhertz.io.casefile import Case as Case
     from nonhertz.io.casefile import read_case as read_case
     from nonhertz.io.resultfile import Result as Result
@@ -71,6 +74,7 @@ __version__ = "0.1.0"
 # milliseconds and the command line answers `--help` without loading a compiler.
 _HOMES = {
     "AccuracyWarning": "nonhertz.errors",
+    "BearingCase": "nonhertz.io.bearingfile",
     "Body": "nonhertz.model.body",
     "Case": "nonhertz.io.casefile",
     "Chamfer": "nonhertz.model.corner",
@@ -100,6 +104,7 @@ _HOMES = {
     "TabulatedDiameter": "nonhertz.model.body",
     "ContactMap": "nonhertz.maps.value",
     "compare": "nonhertz.comparison",
+    "read_bearing": "nonhertz.io.bearingfile",
     "read_case": "nonhertz.io.casefile",
     "read_result": "nonhertz.io.resultfile",
     "solve": "nonhertz.solver.one",
@@ -117,6 +122,7 @@ _MODULES = {
     "patch": "nonhertz.patch",
     "plot": "nonhertz.plot",
     "profile": "nonhertz.model.profile",
+    "rotor": "nonhertz.rotor",
     "subsurface": "nonhertz.subsurface",
 }
 

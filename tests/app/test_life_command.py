@@ -279,3 +279,34 @@ def test_help_names_all_models(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["life", "--help"]) == 0
     text = " ".join(capsys.readouterr().out.replace("│", " ").split())
     assert all(name in text for name in nonhertz.life.MODELS)
+
+
+def test_a_tapered_roller_has_an_l10_with_its_contact_angle(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    cone = "{ y = [-5.8, 5.8], diameter = [10.94, 10.12] }"
+    text = f"""
+        [body.a]
+        kind = "roller"
+        diameter = {cone}
+        length = 11.6
+        profile = [{{ kind = "crown", radius = 8000 }}]
+        [body.b]
+        kind = "ring"
+        diameter = {{ y = [-5.8, 5.8], diameter = [43.0, 40.0] }}
+        [load]
+        load = "4 kN"
+        [solver]
+        strips = 21
+        [life]
+        rollers = 14
+        models = ["iso-16281"]
+        """
+    path = tmp_path / "tapered.toml"
+    path.write_text(text, encoding="utf-8")
+    assert main(["life", str(path)]) == 0
+    assert "give contact_angle" in " ".join(capsys.readouterr().out.split())
+    path.write_text(text + 'contact_angle = "11.9 deg"\n', encoding="utf-8")
+    assert main(["life", str(path), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    problem = read_case(path)
+    (life,) = assess(problem.solve(), "iso-16281", body="b", rollers=14, contact_angle=np.radians(11.9))
+    assert found["models"][0]["million_revolutions"] == pytest.approx(life.million_revolutions, rel=1e-6)

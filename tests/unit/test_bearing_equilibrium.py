@@ -25,6 +25,14 @@ def system(rollers=14, angles=(0.0, 0.0), gap=0.0, crown=400.0, load=(0.0, 0.0, 
     return System(ring_motion(at, (0.0, 32.5)), tuple(joints), np.tile(load, (rollers, 1)), 5.0)
 
 
+def answer(law, approach, tilt):
+    """Load and moment of a contact."""
+    if isinstance(law, Point):
+        return law.factor * max(approach, 0.0) ** 1.5, 0.0
+    loads = law.loads(np.array([approach]), np.array([tilt]))[0]
+    return loads.sum(), loads @ law.y
+
+
 def by_hand(system, states, k):
     """Forces on the inner ring, and what is left of the balance of the rollers, summed one by one."""
     total, left = np.zeros(5), []
@@ -34,8 +42,8 @@ def by_hand(system, states, k):
         on_roller = system.load[j]
         for joint in system.joints:
             approach, tilt = joint.motion @ ((moved if joint.inner else 0.0) - motion)
-            answer = joint.law.pressed(np.zeros(1, int), np.array([approach - joint.gap[j]]), np.array([tilt]))
-            force = answer.load[0] * joint.motion[0] + answer.moment[0] * joint.motion[1]
+            load, moment = answer(joint.law, approach - joint.gap[j], tilt)
+            force = load * joint.motion[0] + moment * joint.motion[1]
             on_roller = on_roller + force
             if joint.inner:
                 total += system.ring[j].T @ force

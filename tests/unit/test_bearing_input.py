@@ -59,7 +59,7 @@ def tapered(**changes):
         (lambda: nh.bearing.solve(cylindrical(), radial=1e3, method="fem"), "method = 'fem' must be"),
         (
             lambda: nh.bearing.solve(tapered(), radial=10e3, axial=1e3),
-            "axial = 1000.0 must exceed 2027 N, the tangent of the contact angle times the radial force",
+            "axial = 1000.0 must exceed 2027 N along +x, the tangent of the contact angle times the radial force",
         ),
         (lambda: nh.bearing.solve(cylindrical(), radial=1e3, method="slices").contact(0), "method = 'slices' must be"),
         (
@@ -73,6 +73,14 @@ def test_what_cannot_be_is_refused_in_one_sentence(make, message):
         make()
     assert message in str(refused.value)
     assert str(refused.value).count("\n") == 0
+
+
+def test_needles_on_a_huge_circle_are_no_overflow():
+    needles = {"roller": nh.Roller(diameter=1e-90, length=1.0), "pitch_diameter": 1e90}
+    with pytest.raises(nh.InputError, match=r"^roller\.diameter = 1e-90 must fill"):
+        nh.bearing.CylindricalRollerBearing(
+            inner=nh.Ring(diameter=40), outer=nh.Ring(diameter=-60), rollers=3, **needles
+        )
 
 
 def test_without_a_force_nothing_is_loaded():
@@ -104,7 +112,7 @@ def test_a_shape_that_leaves_less_room_loads_the_roller_there():
 
 def test_speed_presses_idle_rollers_against_the_outer_ring():
     found = nh.bearing.solve(cylindrical(clearance=0.02), radial=5e3, speed=6000.0)
-    mass, _ = cylindrical().inertia()
+    mass = cylindrical().inertia.mass
     assert mass == pytest.approx(7.85e-9 * math.pi / 4.0 * 81.0 * 10.0)
     cage = 0.5 * 6000.0 * math.pi / 30.0 * (1.0 - 9.0 / 46.5)
     assert found.roller_load[0, 1] == pytest.approx(mass * 23.25 * cage**2)

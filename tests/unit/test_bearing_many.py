@@ -1,5 +1,6 @@
 """Many states of a bearing, and maps of its contacts."""
 
+import dataclasses
 import pickle
 
 import numpy as np
@@ -47,6 +48,32 @@ def test_states_are_those_of_one_at_a_time():
     assert_allclose(pickle.loads(pickle.dumps(found)).load, found.load)
 
 
+def test_all_motions_at_once_lead_back_to_the_forces():
+    found = B.solve_many(row(), radial=np.array([500.0, 9e3]), tilt=5e-4, method="slices")
+    again = B.solve_many(row(), displacement=found.displacement[None], method="slices")
+    assert again.converged.shape == (1, 2)
+    assert_allclose(again.force[0], found.force, rtol=1e-7, atol=1e-4)
+    # Along z and about y as well: the same a quarter turn on is the same force, turned.
+    turned = np.array([[0.0, 0.0, 0.03, 0.0, 0.0], [0.0, 0.03, 0.0, 0.0, 0.0]])
+    even = dataclasses.replace(row(), rollers=12)
+    along_z, along_y = B.solve_many(even, displacement=turned, method="slices").force
+    assert along_z[2] > 1e3
+    assert_allclose(along_z[[2, 1]], along_y[[1, 2]], rtol=1e-9, atol=1e-9 * along_z[2])
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"displacement": [0.0, 0.01]}, r"displacement = \(2,\) must be of shape \(..., 5\)"),
+        ({"displacement": [0.0, 0.0, 0.0, 0.0, 1.0]}, r"displacement = 1.0 must be a small angle"),
+        ({"displacement": np.zeros(5), "tilt": 1e-3}, "tilt = 0.001 must not be given together with displacement"),
+    ],
+)
+def test_motions_that_are_none_are_refused(given, said):
+    with pytest.raises(nh.InputError, match=said):
+        B.solve_many(row(), method="slices", **given)
+
+
 def test_maps_lead_to_the_loads_of_strips(maps):
     assert "2 contacts, loads up to 3000 N" in repr(maps)
     by_maps = B.solve(row(), radial=6e3, tilt=3e-4, maps=maps)
@@ -74,3 +101,10 @@ def test_a_state_without_a_balance_is_said_to_have_none(monkeypatch):
         found[1]
     with pytest.raises(nh.ConvergenceError, match="the loads may leave the inner ring unheld"):
         B.solve(row(), radial=30e3, tilt=1e-3, method="slices")
+
+
+def test_rollers_without_a_balance_are_told_where_all_motions_are_given(monkeypatch):
+    given = {"displacement": [[0.0, 0.03, 0.0, 0.0, 1e-4]], "speed": 3000.0, "method": "slices"}
+    assert B.solve_many(row(), **given).converged.all()
+    monkeypatch.setattr(equilibrium, "STEPS", 2)
+    assert not B.solve_many(row(), **given).converged.any()

@@ -7,7 +7,8 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.bearing import life_factor, reliability_factor
-from nonhertz.bearing.rating import _life, _means
+from nonhertz.bearing.laminae import lamina_life, mean_over_rollers
+from nonhertz.verify.known_bearings import LIFE_FACTORS, LIMITS
 
 B = nh.bearing
 
@@ -22,19 +23,9 @@ def row(clearance=0.0, **roller):
     )
 
 
-# Of five public programs, to all digits.
-@pytest.mark.parametrize(
-    ("kappa", "factors"),
-    [
-        (0.2, (0.109, 0.124, 0.152)),
-        (0.5, (0.130, 0.195, 0.374)),
-        (1.0, (0.169, 0.399, 1.714)),
-        (2.0, (0.186, 0.516, 3.081)),
-        (4.0, (0.203, 0.664, 5.587)),
-    ],
-)
-def test_the_life_factor_is_that_of_the_standard(kappa, factors):
-    for limit, factor in zip((0.01, 0.1, 0.5), factors, strict=True):
+@pytest.mark.parametrize("kappa", LIFE_FACTORS)
+def test_the_life_factor_is_that_of_the_standard(kappa):
+    for limit, factor in zip(LIMITS, LIFE_FACTORS[kappa], strict=True):
         assert life_factor(kappa, limit) == pytest.approx(factor, abs=5.1e-4)
 
 
@@ -56,9 +47,10 @@ def test_the_reference_life_of_one_load_everywhere_is_that_of_the_capacities():
     rated = B.rating(row())
     loads = np.full((14, 2, 40), 2000.0 / 40)
     expected = ((2000.0 / rated.inner) ** 4.5 + (2000.0 / rated.outer) ** 4.5) ** (-8.0 / 9.0)
-    assert _life(rated, _means(loads), np.ones(40)) == pytest.approx(expected, rel=1e-12)
+    means = [mean_over_rollers(loads, "inner")]
+    assert lamina_life(rated, means) == pytest.approx(expected, rel=1e-12)
     # A factor of every lamina is one of the life.
-    assert _life(rated, _means(loads), np.full(40, 3.0)) == pytest.approx(3.0 * expected, rel=1e-12)
+    assert lamina_life(rated, means, [np.full(40, 3.0)]) == pytest.approx(3.0 * expected, rel=1e-12)
 
 
 def test_pressures_of_strips_shorten_the_life_where_a_tilt_loads_an_end():

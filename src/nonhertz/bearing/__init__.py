@@ -13,31 +13,38 @@ array([6850., 5700., 2680.,    0.])
 
 from __future__ import annotations
 
+from nonhertz.bearing.assessed import BearingLife, assess
 from nonhertz.bearing.bearings import (
     CylindricalRollerBearing,
     CylindricalThrustBearing,
     NeedleRollerBearing,
     Paired,
-    Rib,
     RollerBearing,
     Row,
     SphericalRollerBearing,
     TaperedRollerBearing,
     paired,
 )
-from nonhertz.bearing.mapped import BearingMaps, maps
-from nonhertz.bearing.rating import (
-    BearingLife,
-    Rating,
-    assess,
+from nonhertz.bearing.catalogue import CatalogueGuess, from_catalogue
+from nonhertz.bearing.clearance import Fit, Housing, OperatingClearance, Shaft, operating_clearance
+from nonhertz.bearing.fatigue import VolumeLife, volume_life
+from nonhertz.bearing.lubrication import (
     contamination_factor,
     life_factor,
-    rating,
+    oil_viscosity,
     reference_viscosity,
     reliability_factor,
 )
+from nonhertz.bearing.mapped import BearingMaps, maps
+from nonhertz.bearing.ratings import Rating, rating
+from nonhertz.bearing.ribs import Rib
+from nonhertz.bearing.shapes import RingShape, fourier_shape, tabulated_shape
 from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.spectrum import LoadCase, shares_of_revolutions, solve_spectrum
 from nonhertz.bearing.states import BearingSolutions
+from nonhertz.bearing.static import pressure_safety
+from nonhertz.bearing.tables import ForceTable, table
+from nonhertz.bearing.unrolled import UnrolledPressure
 from nonhertz.bearing.verb import solve, solve_many
 
 __all__ = [
@@ -45,24 +52,44 @@ __all__ = [
     "BearingMaps",
     "BearingSolution",
     "BearingSolutions",
+    "CatalogueGuess",
     "CylindricalRollerBearing",
     "CylindricalThrustBearing",
+    "Fit",
+    "ForceTable",
+    "Housing",
+    "LoadCase",
     "NeedleRollerBearing",
+    "OperatingClearance",
     "Paired",
     "Rating",
     "Rib",
+    "RingShape",
     "RollerBearing",
     "Row",
+    "Shaft",
     "SphericalRollerBearing",
     "TaperedRollerBearing",
+    "UnrolledPressure",
+    "VolumeLife",
     "assess",
     "contamination_factor",
+    "fourier_shape",
+    "from_catalogue",
     "life_factor",
     "maps",
+    "oil_viscosity",
+    "operating_clearance",
     "paired",
+    "pressure_safety",
     "rating",
     "reference_viscosity",
     "reliability_factor",
+    "shares_of_revolutions",
     "solve",
     "solve_many",
+    "solve_spectrum",
+    "table",
+    "tabulated_shape",
+    "volume_life",
 ]

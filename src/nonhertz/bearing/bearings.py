@@ -6,12 +6,13 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.bearing.section import point_motion, raceway_motion, ring_motion
+from nonhertz.bearing.ribs import DESIGNS, End, Rib, RibContact
+from nonhertz.bearing.section import raceway_motion, ring_motion
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, flag, listed, not_negative, numbers, one_of, positive, whole
 from nonhertz.model.body import Body, TabulatedDiameter
@@ -28,6 +29,27 @@ FITS = 0.02
 ARRANGEMENTS = ("X", "O", "tandem")
 _MOST_ANGLE = math.radians(45.0)
 _DENSITY = 7.85e-9  # t/mm^3, of steel
+# Where ribs touch cylindrical rollers, over their radius, and by how much their flanks are open [rad]: both guessed.
+_RIB_HEIGHT, _RIB_ANGLE = 0.7, math.radians(0.5)
+
+
+class Inertia(NamedTuple):
+    """Mass of a roller and how it is spread.
+
+    Attributes
+    ----------
+    mass : float
+        [t].
+    middle : float
+        Where along the roller its centre of mass lies [mm].
+    polar, transverse : float
+        Moments of inertia about the roller's axis, and square to it about its centre of mass [t mm^2].
+    """
+
+    mass: float
+    middle: float
+    polar: float
+    transverse: float
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -96,7 +118,11 @@ class RollerBearing:
         """Refuse rollers that do not fit side by side or between the raceways."""
         self._check_circle()
         diameter = self.roller_diameter
-        room = 0.5 * (abs(self.outer.diameter) - self.inner.diameter) * math.cos(self.nominal_angle)  # type: ignore[operator, arg-type]
+        # Cones that meet in one point: their radial distance is measured along a line that is square to neither.
+        inner, outer = self.contact_angles
+        mean, half = 0.5 * (inner + outer), 0.5 * (outer - inner)
+        square = math.cos(inner) * math.cos(outer) / (math.cos(mean) * math.cos(half) ** 2)
+        room = 0.5 * (abs(self.outer.diameter) - self.inner.diameter) * square  # type: ignore[operator, arg-type]
         left = room - diameter
         if abs(left) > FITS * diameter:
             condition = (
@@ -107,7 +133,8 @@ class RollerBearing:
 
     def _check_circle(self) -> None:
         diameter, pitch = self.roller_diameter, self.pitch
-        most = int(math.pi / math.asin(min(1.0, diameter / pitch)) + 1e-9)
+        # Thin rollers on a huge circle must not overflow.
+        most = int(math.pi / math.asin(min(1.0, max(1e-9, diameter / pitch))) + 1e-9)
         if pitch <= diameter or self.rollers > most:
             fit = "none fits" if pitch <= diameter else f"{most} fit side by side"
             condition = f"fit on a pitch circle of {pitch:.6g} mm with a diameter of {diameter:.6g} mm: {fit}"
@@ -152,9 +179,14 @@ class RollerBearing:
         return self.nominal_angle, self.nominal_angle
 
     @property
-    def holds_axially(self) -> bool:
-        """Whether the inner ring can bear an axial load, along +x."""
-        return False
+    def bears_axially(self) -> tuple[bool, bool]:
+        """Whether the inner ring can bear an axial load along +x, and along -x."""
+        return False, False
+
+    @property
+    def rib_contacts(self) -> tuple[RibContact, ...]:
+        """The contacts of the rollers' ends with ribs that bear loads."""
+        return ()
 
     @property
     def bears_radially(self) -> bool:
@@ -199,6 +231,19 @@ class RollerBearing:
         on_line = float(ring.diameter)  # type: ignore[arg-type]
         return on_line / math.cos(angle) + self.roller_diameter * math.tan(angle) ** 2
 
+    def _end(self, radius: float, inclined: float = 0.0) -> End:
+        """Return the end of a roller of a radius [mm] there."""
+        corner = self.roller.corner_radius or 0.0
+        if self.roller.chamfer is not None:
+            corner = self.roller.chamfer.length * math.tan(self.roller.chamfer.angle)
+        return End(0.5 * self.roller_length, radius - corner, inclined, self.pitch)
+
+    @property
+    def _end_compliances(self) -> dict[str, float]:
+        """Compliance of roller and ring [1/MPa], by ring."""
+        roller = self.roller.material.compliance
+        return {name: roller + getattr(self, name).material.compliance for name in ("inner", "outer")}
+
     def _deviation(self, name: str, shape: Shape) -> Array:
         remedy = "let it return lengths in mm, one for each angle"
         found = numbers(name, shape(self.angles), remedy)
@@ -206,36 +251,57 @@ class RollerBearing:
             raise InputError(name, found.shape, f"return {self.rollers} lengths for {self.rollers} angles", remedy)
         return found
 
-    def inertia(self) -> tuple[float, float]:
-        """Return mass [t] and moment of inertia about its axis [t mm^2] of a roller, taken as a hollow cylinder."""
-        bore = self.roller.bore
+    @cached_property
+    def inertia(self) -> Inertia:
+        """What the rollers' mass is and how it is spread; barrels are taken as cylinders."""
         at = np.linspace(-0.5, 0.5, 201) * self.roller_length
-        hole = np.asarray(bore(at) if callable(bore) else np.full(at.size, bore or 0.0))
-        outer = np.full(at.size, self.roller_diameter)
-        volume = np.mean(outer**2 - hole**2) * math.pi / 4.0 * self.roller_length
-        polar = np.mean(outer**4 - hole**4) * math.pi / 32.0 * self.roller_length
-        return float(self.density * volume), float(self.density * polar)
+        squares = np.zeros((2, at.size))
+        for row, across in zip(squares, (self.roller.diameter, self.roller.bore), strict=True):
+            row[:] = np.asarray(across(at) if callable(across) else np.full(at.size, across or 0.0)) ** 2
+        line = 0.25 * math.pi * self.density * (squares[0] - squares[1])
+        polar = math.pi / 32.0 * self.density * (squares[0] ** 2 - squares[1] ** 2)
+        mass = np.trapezoid(line, at)
+        middle = np.trapezoid(line * at, at) / mass
+        transverse = np.trapezoid(0.5 * polar + line * (at - middle) ** 2, at)
+        return Inertia(float(mass), float(middle), float(np.trapezoid(polar, at)), float(transverse))
 
     def load_by_speed(self, speed: float) -> Array:
-        """Return what a speed of the inner ring [rad/s] loads every roller with: along x and r and as moment."""
+        """Return what a speed of the inner ring [rad/s] loads every roller with: along x and r and as moment.
+
+        The roller's axis e is led around the bearing's by the cage while the roller spins about e the other way. What
+        loads it is -d/dt of its momentum, and of its angular momentum about its centre of mass.
+        """
         finite("speed", speed, "give it in rad/s")
-        mass, polar = self.inertia()
+        roller, inclined = self.inertia, 0.5 * sum(self.contact_angles)
         ratio = self.roller_diameter * math.cos(self.nominal_angle) / self.pitch
         cage = 0.5 * speed * (1.0 - ratio)
-        spin = 0.5 * speed * self.pitch / self.roller_diameter * (1.0 - ratio**2)
-        inclined = 0.5 * sum(self.contact_angles)
-        centrifugal = 0.5 * mass * self.pitch * cage**2
-        return np.array([0.0, centrifugal, polar * spin * cage * math.sin(inclined)])
+        spin = -0.5 * speed * self.pitch / self.roller_diameter * (1.0 - ratio**2)
+        centrifugal = roller.mass * cage**2 * (0.5 * self.pitch - roller.middle * math.sin(inclined))
+        # Of the angular momentum, what is square to the bearing's axis turns with the cage.
+        along = roller.polar * (spin + cage * math.cos(inclined))
+        across = roller.transverse * cage * math.cos(inclined)
+        gyroscopic = cage * math.sin(inclined) * (along - across)
+        return np.array([0.0, centrifugal, gyroscopic + centrifugal * roller.middle * math.cos(inclined)])
 
 
 @dataclass(frozen=True, kw_only=True)
 class CylindricalRollerBearing(RollerBearing):
-    """A row of cylindrical rollers, free to move along the axis, as in the designs NU and N.
+    """A row of cylindrical rollers, whose ribs hold the inner ring along the axis or not.
 
     Parameters
     ----------
     clearance : float
         Radial internal clearance: from one side to the other the inner ring moves by so much [mm]. Negative: preload.
+    design : {"NU", "N", "NJ", "NF", "NUP"}
+        Which ring has ribs. ``"NU"``: both of the outer ring, and ``"N"``: both of the inner one, so that the rings are
+        free to move along the axis. ``"NJ"``: both of the outer and one of the inner ring, and ``"NF"``: both of the
+        inner and one of the outer one, which bear axial loads on the inner ring along +x. ``"NUP"``: all four.
+    rib : Rib or None
+        Where the ribs touch the rollers' ends. If left out, at 0.7 of the rollers' radius on flanks that are open by
+        half a degree: a guess.
+    axial_clearance : float
+        How far the inner ring of a NUP moves along the axis from ribs to ribs; half of it from the middle to either
+        side, in other designs too [mm].
 
     Examples
     --------
@@ -247,6 +313,9 @@ class CylindricalRollerBearing(RollerBearing):
     """
 
     clearance: float = 0.0
+    design: str = "NU"
+    rib: Rib | None = None
+    axial_clearance: float = 0.0
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -254,39 +323,45 @@ class CylindricalRollerBearing(RollerBearing):
         if abs(self.clearance) > FITS * self.roller_diameter:
             condition = f"be less than {100.0 * FITS:g} % of the roller's diameter of {self.roller_diameter:g} mm"
             raise InputError("clearance", self.clearance, condition, "give it in mm: 20 um are 0.02")
+        one_of("design", self.design, tuple(DESIGNS), "name which ring has ribs")
+        not_negative("axial_clearance", self.axial_clearance, "give the axial internal clearance in mm")
+        if self.rib is not None:
+            _check_rib(self.rib)
+            if not any(self.bears_axially):
+                remedy = "use NJ, NF or NUP, or leave out the rib"
+                raise InputError("design", self.design, "have ribs that bear loads, since a rib is given", remedy)
+        _ = self.rib_contacts
 
     @property
     def gap(self) -> float:
         """What each of a roller's two contacts is short of touching when the ring is centred [mm]."""
         return 0.25 * self.clearance
 
+    @property
+    def bears_axially(self) -> tuple[bool, bool]:
+        """Whether the inner ring can bear an axial load along +x, and along -x."""
+        ribs = DESIGNS[self.design]
+        # A rib of the inner ring pushes rollers against one of the outer ring at their other ends.
+        low, high = (("inner", side) in ribs and ("outer", -side) in ribs for side in (-1, 1))
+        return low, high
+
+    @property
+    def rib_contacts(self) -> tuple[RibContact, ...]:
+        """The contacts of the rollers' ends with ribs that bear loads."""
+        if not any(self.bears_axially):
+            return ()
+        rib = self.rib
+        if rib is None:
+            height = _RIB_HEIGHT * 0.5 * self.roller_diameter
+            rib = Rib(height / math.sin(_RIB_ANGLE), height)
+        end, compliances = self._end(0.5 * self.roller_diameter), self._end_compliances
+        gap = 0.25 * self.axial_clearance * math.cos(rib.flank_angle)
+        return tuple(end.contact(rib, place, gap, compliances[place[0]]) for place in DESIGNS[self.design])
+
 
 @dataclass(frozen=True, kw_only=True)
 class NeedleRollerBearing(CylindricalRollerBearing):
     """A row of needle rollers: cylindrical ones that are long and thin."""
-
-
-@dataclass(frozen=True)
-class Rib:
-    """The rib of a tapered roller bearing's inner ring, which bears the large ends of the rollers.
-
-    Parameters
-    ----------
-    end_radius : float
-        Radius of the spherical end of the rollers [mm].
-    height : float
-        Distance of the contact from the roller's axis [mm].
-    """
-
-    end_radius: float
-    height: float
-
-    def __post_init__(self) -> None:
-        positive("end_radius", self.end_radius, "give the radius of the rollers' ends in mm")
-        not_negative("height", self.height, "give how far from the roller's axis the rib touches, in mm")
-        if self.height >= self.end_radius:
-            condition = f"be less than the radius of the end, {self.end_radius:g} mm"
-            raise InputError("height", self.height, condition, "give how far from the roller's axis the rib touches")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -315,8 +390,8 @@ class TaperedRollerBearing(RollerBearing):
     def __post_init__(self) -> None:
         _check_angle(self.contact_angle)
         finite("clearance", self.clearance, "give the axial internal clearance in mm")
-        if self.rib is not None and not isinstance(self.rib, Rib):
-            raise InputError("rib", self.rib, "be a Rib", "make one with nonhertz.bearing.Rib, or leave it out")
+        if self.rib is not None:
+            _check_rib(self.rib)
         if isinstance(self.roller, Body) and self.roller.length is not None:
             self._check_cone()
         super().__post_init__()
@@ -351,9 +426,9 @@ class TaperedRollerBearing(RollerBearing):
         return self.contact_angle - 2.0 * self.half_cone_angle, self.contact_angle
 
     @property
-    def holds_axially(self) -> bool:
-        """Whether the inner ring can bear an axial load, along +x."""
-        return True
+    def bears_axially(self) -> tuple[bool, bool]:
+        """Whether the inner ring can bear an axial load along +x, and along -x."""
+        return True, False
 
     @property
     def gap(self) -> float:
@@ -376,21 +451,16 @@ class TaperedRollerBearing(RollerBearing):
             rings.append(replace(ring, diameter=_along(y, across, falls)))
         return Contact(roller, rings[0]), Contact(roller, rings[1])
 
-    def end_contact(self) -> tuple[Array, float]:
-        """Return approach per motion at the rib, and the radius of the rollers' ends [mm]."""
-        axis, half = 0.5 * sum(self.contact_angles), 0.5 * self.roller_length
-        rib = self.rib
+    @property
+    def rib_contacts(self) -> tuple[RibContact, ...]:
+        """The contact of the rollers' large ends with the rib of the inner ring."""
+        inclined, half, rib = 0.5 * sum(self.contact_angles), 0.5 * self.roller_length, self.rib
+        large = 0.5 * self.roller_diameter + half * math.tan(self.half_cone_angle)
         if rib is None:
-            large = 0.5 * self.roller_diameter + half * math.tan(self.half_cone_angle)
-            apex = 0.5 * self.pitch / math.sin(axis)
+            apex = 0.5 * self.pitch / math.sin(inclined)
             rib = Rib(0.95 * (apex + half), 0.9 * large)
-        along = np.array([math.cos(axis), -math.sin(axis)])
-        inwards = np.array([-math.sin(axis), -math.cos(axis)])
-        tipped = math.asin(rib.height / rib.end_radius)
-        normal = along * math.cos(tipped) - inwards * math.sin(tipped)
-        # The sphere's centre lies on the roller's axis, and the normal goes through it.
-        place = along * (rib.end_radius - half) - rib.end_radius * normal
-        return point_motion(normal.tolist(), place.tolist()), rib.end_radius
+        end = self._end(large, inclined)
+        return (end.contact(rib, ("inner", -1), 0.0, self._end_compliances["inner"]),)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -436,9 +506,9 @@ class SphericalRollerBearing(RollerBearing):
         return self.contact_angle
 
     @property
-    def holds_axially(self) -> bool:
-        """Whether the inner ring can bear an axial load, along +x."""
-        return True
+    def bears_axially(self) -> tuple[bool, bool]:
+        """Whether the inner ring can bear an axial load along +x, and along -x."""
+        return True, False
 
     @property
     def gap(self) -> float:
@@ -492,9 +562,9 @@ class CylindricalThrustBearing(RollerBearing):
         return 0.5 * math.pi
 
     @property
-    def holds_axially(self) -> bool:
-        """Whether the inner ring can bear an axial load, along +x."""
-        return True
+    def bears_axially(self) -> tuple[bool, bool]:
+        """Whether the inner ring can bear an axial load along +x, and along -x."""
+        return True, False
 
     @property
     def bears_radially(self) -> bool:
@@ -502,9 +572,8 @@ class CylindricalThrustBearing(RollerBearing):
         return False
 
     def load_by_speed(self, speed: float) -> Array:
-        """Return no load: the cage holds the rollers along their axes, in which direction they are flung."""
-        finite("speed", speed, "give it in rad/s")
-        return np.zeros(3)
+        """Return the moment alone: the cage holds the rollers along their axes, in which direction they are flung."""
+        return np.array([0.0, 0.0, super().load_by_speed(speed)[2]])
 
 
 @dataclass(frozen=True)
@@ -534,6 +603,12 @@ class Row:
         # The rollers' middles are on their pitch circle whichever way they look.
         motion = ring_motion(self.bearing.angles, (self.x, 0.5 * self.bearing.pitch))
         return motion * np.array([[-1.0], [1.0], [-1.0]]) if self.turned else motion
+
+    @property
+    def bears_axially(self) -> tuple[bool, bool]:
+        """Whether the inner ring can bear an axial load along +x, and along -x."""
+        up, down = self.bearing.bears_axially
+        return (down, up) if self.turned else (up, down)
 
     @property
     def gaps(self) -> tuple[Array, Array]:
@@ -624,6 +699,11 @@ def paired(bearing: RollerBearing, arrangement: str, distance: float, *, clearan
     turned = {"X": (True, False), "O": (False, True), "tandem": (False, False)}[arrangement]
     half = 0.5 * float(distance)
     return Paired(bearings=(bearing, bearing), x=(-half, half), turned=turned, clearance=clearance)
+
+
+def _check_rib(rib: Rib) -> None:
+    if not isinstance(rib, Rib):
+        raise InputError("rib", rib, "be a Rib", "make one with nonhertz.bearing.Rib, or leave it out")
 
 
 def _check_angle(angle: float) -> None:

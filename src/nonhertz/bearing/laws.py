@@ -1,19 +1,28 @@
 """How one contact of a roller answers approach and tilt: with a load, a moment and their derivatives.
 
-A law is asked for many contacts at once, each in a *row* of its own, so that one which iterates may begin where it
-ended the last time.
+A law whose answer is a formula or a table is written down as numbers, so that whole bearings are balanced in machine
+code; strips, which are laid and solved, are asked from outside.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.compiled import compiled
+from nonhertz.maps.evaluation import Tables, pressed
+
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
+
+#: What the first number of a law's table says.
+SLICES, POINT, MAP = 0.0, 1.0, 2.0
+#: Numbers of an answer: load [N], moment [N mm], and their four derivatives by approach and tilt.
+ANSWER = 6
 
 
 class Answer(NamedTuple):
@@ -32,8 +41,24 @@ class Answer(NamedTuple):
     stiffness: Array
 
 
-class ContactLaw(Protocol):
-    """How a contact answers."""
+class TabulatedLaw(Protocol):
+    """A law that is written down as numbers."""
+
+    @property
+    def table(self) -> Array:
+        """Which law it is, and its numbers, as `answered` reads them."""
+        ...
+
+
+class SolvedLaw(Protocol):
+    """A law that is asked for many contacts at once, each in a *row* of its own.
+
+    One that iterates may so begin where it ended the last time.
+    """
+
+    def expect(self, rows: Indices, approach: Array, tilt: Array) -> None:
+        """Take note of contacts that are about to be asked, when all laws know of theirs."""
+        ...
 
     def pressed(self, rows: Indices, approach: Array, tilt: Array) -> Answer:
         """Return the answer of contacts.
@@ -46,6 +71,9 @@ class ContactLaw(Protocol):
             [mm], [rad].
         """
         ...
+
+
+ContactLaw = TabulatedLaw | SolvedLaw
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,38 +100,56 @@ class Slices:
     stiffness: float
     exponent: float = 10.0 / 9.0
 
-    def pressed(self, rows: Indices, approach: Array, tilt: Array) -> Answer:
-        """Return the answer of contacts."""
-        del rows
-        depth = self._depth(approach, tilt)
-        # The power of the derivative first: multiplications are cheap.
-        slope = self.stiffness * depth ** (self.exponent - 1.0)
-        load = slope * depth
-        slope = np.where(depth > 0.0, self.exponent * slope, 0.0)
-        moments = np.stack([np.ones_like(self.y), self.y, self.y**2], axis=1)
-        loads, slopes = load @ moments[:, :2], slope @ moments
-        return Answer(loads[:, 0], loads[:, 1], slopes[:, [0, 1, 1, 2]].reshape(-1, 2, 2))
+    @cached_property
+    def table(self) -> Array:
+        """Kind, number of slices, stiffness, exponent; places; reliefs."""
+        return np.concatenate([[SLICES, self.y.size, self.stiffness, self.exponent], self.y, self.relief])
 
     def loads(self, approach: Array, tilt: Array) -> Array:
         """Return the loads of the slices [N], shape (n, slices)."""
-        found: Array = self.stiffness * self._depth(approach, tilt) ** self.exponent
+        depth = np.maximum(approach[:, None] + tilt[:, None] * self.y - self.relief, 0.0)
+        found: Array = self.stiffness * depth**self.exponent
         return found
-
-    def _depth(self, approach: Array, tilt: Array) -> Array:
-        depth: Array = np.maximum(approach[:, None] + tilt[:, None] * self.y - self.relief, 0.0)
-        return depth
 
 
 @dataclass(frozen=True, eq=False)
 class Point:
-    """Hertz's contact in a point: load = factor approach^1.5."""
+    """Hertz's contact in a point: load = factor approach^1.5, whatever the tilt."""
 
     factor: float
 
-    def pressed(self, rows: Indices, approach: Array, tilt: Array) -> Answer:
-        """Return the answer of contacts; the tilt does nothing."""
-        del rows, tilt
-        depth = np.maximum(approach, 0.0)
-        load, stiffness = self.factor * depth**1.5, np.zeros((depth.size, 2, 2))
-        stiffness[:, 0, 0] = 1.5 * self.factor * np.sqrt(depth)
-        return Answer(load, np.zeros_like(load), stiffness)
+    @cached_property
+    def table(self) -> Array:
+        """Kind and factor."""
+        return np.array([POINT, self.factor])
+
+
+@compiled
+def answered(book: Array, at: int, approach: float, tilt: float, answer: Array) -> None:
+    """Fill in what a contact answers whose table begins at a place in a book of tables; shape (ANSWER,)."""
+    if book[at] == MAP:
+        length = int(book[at + 1])
+        state = pressed(Tables(book[at + 2 : at + 2 + length], book[:0]), approach, tilt)
+        answer[0], answer[1], answer[2] = state.load, state.moment, state.load_by_approach
+        answer[3] = answer[4] = state.load_by_tilt
+        answer[5] = state.moment_by_tilt
+        return
+    answer[:] = 0.0
+    if book[at] == POINT:
+        if approach > 0.0:
+            answer[2] = 1.5 * book[at + 1] * np.sqrt(approach)
+            answer[0] = answer[2] * approach / 1.5
+        return
+    count, exponent = int(book[at + 1]), book[at + 3]
+    y, relief = at + 4, at + 4 + count
+    for k in range(count):
+        depth = approach + tilt * book[y + k] - book[relief + k]
+        if depth > 0.0:
+            # The power of the derivative first: multiplications are cheap.
+            slope = book[at + 2] * depth ** (exponent - 1.0)
+            answer[0] += slope * depth
+            answer[1] += slope * depth * book[y + k]
+            answer[2] += exponent * slope
+            answer[3] += exponent * slope * book[y + k]
+            answer[5] += exponent * slope * book[y + k] ** 2
+    answer[4] = answer[3]

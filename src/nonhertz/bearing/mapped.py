@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bearing.bearings import Paired, RollerBearing
-from nonhertz.bearing.laws import Answer
-from nonhertz.bearing.strips import StripLaw
+from nonhertz.bearing.laws import MAP
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import positive
 from nonhertz.maps.evaluation import all_pressed
@@ -18,9 +18,6 @@ from nonhertz.maps.verb import contact_map
 from nonhertz.model.contact import Contact
 
 Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
-
-ROUGH_STRIPS = 21  # where a step leads out of a map
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -77,40 +74,27 @@ def maps(bearing: RollerBearing | Paired, *, load: float, tilt: float = 2e-3, ac
     return BearingMaps(bearing, tuple((known[inner], known[outer]) for inner, outer in pairs))
 
 
+@dataclass(frozen=True, eq=False)
 class MapLaw:
-    """How a contact answers by its map, and by a few strips where a step leads out of it.
+    """How a contact answers by its map, which goes on in straight lines beyond its range.
 
     Parameters
     ----------
-    contact : Contact
-        Roller and ring.
     map_ : ContactMap
         Its map.
     """
 
-    def __init__(self, contact: Contact, map_: ContactMap) -> None:
-        self._contact, self._map = contact, map_
-        self._strips: StripLaw | None = None
+    map_: ContactMap
 
-    def pressed(self, rows: Indices, approach: Array, tilt: Array) -> Answer:
-        """Return the answer of contacts."""
-        found = self._found(approach, tilt)
-        answer = Answer(found[:, 2], found[:, 3], found[:, [4, 5, 5, 6]].reshape(-1, 2, 2))
-        beyond = np.flatnonzero(found[:, 7] == 0.0)
-        if beyond.size:
-            if self._strips is None:
-                self._strips = StripLaw(self._contact, ROUGH_STRIPS)
-            by_strips = self._strips.pressed(rows[beyond], approach[beyond], tilt[beyond])
-            for whole, part in zip(answer, by_strips, strict=True):
-                whole[beyond] = part
-        return answer
+    @cached_property
+    def table(self) -> Array:
+        """Kind, how many numbers follow, and those of the map."""
+        numbers = self.map_.tables.mean_approach
+        return np.concatenate([[MAP, numbers.size], numbers])
 
     def covers(self, approach: Array, tilt: Array) -> NDArray[np.bool_]:
         """Return which approaches and tilts the map holds."""
-        inside: NDArray[np.bool_] = self._found(approach, tilt)[:, 7] != 0.0
-        return inside
-
-    def _found(self, approach: Array, tilt: Array) -> Array:
         found = np.empty((approach.size, 8))
-        all_pressed(self._map.tables, np.ascontiguousarray(approach), np.ascontiguousarray(tilt), found)
-        return found
+        all_pressed(self.map_.tables, np.ascontiguousarray(approach), np.ascontiguousarray(tilt), found)
+        inside: NDArray[np.bool_] = found[:, 7] != 0.0
+        return inside

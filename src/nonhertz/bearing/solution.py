@@ -2,25 +2,31 @@
 
 from __future__ import annotations
 
-import warnings
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import States
-from nonhertz.errors import AccuracyWarning, InputError
+from nonhertz.bearing.frames import RINGS, contact_frame
+from nonhertz.bearing.ribs import RibContact
+from nonhertz.bearing.unrolled import UnrolledPressure, loaded_shares, row_slices, unrolled
+from nonhertz.errors import InputError, without_accuracy_warnings
+from nonhertz.hertz import PointContact
 from nonhertz.inputs.checks import one_of, whole
 from nonhertz.result.brief import plain_text
 from nonhertz.result.numerals import digits
 from nonhertz.result.solution import ReadOnly, Solution
 from nonhertz.solver.one import solve
 
+if TYPE_CHECKING:
+    import pandas as pd
+
 Array = NDArray[np.float64]
 
-RINGS = ("inner", "outer")
 NO_LOAD = 1e-8  # of the largest
 _SAME = 1e-9  # of the largest approach
 
@@ -40,8 +46,8 @@ class BearingSolution(ReadOnly):
     load, moment, approach, tilt, contact_angle : ndarray, shape (rollers, 2)
         Of the contacts with the inner and the outer ring [N, N mm, mm, rad, rad]; a roller that touches nothing has
         no load.
-    rib_load : ndarray, shape (rollers,)
-        On the ends of the rollers [N].
+    rib_loads : ndarray, shape (rollers, ribs)
+        On the ends of the rollers from each rib, in the order of ``rib_contacts`` of the row [N].
     displacement : ndarray, shape (5,)
         Of the inner ring along x, y and z [mm] and about y and z [rad].
     force : ndarray, shape (5,)
@@ -64,7 +70,7 @@ class BearingSolution(ReadOnly):
     approach: Array
     tilt: Array
     contact_angle: Array
-    rib_load: Array
+    rib_loads: Array
     displacement: Array
     force: Array
     stiffness: Array
@@ -91,7 +97,7 @@ class BearingSolution(ReadOnly):
             approach=rollers.approach[0, :, :2],
             tilt=rollers.tilt[0, :, :2],
             contact_angle=np.concatenate(angles),
-            rib_load=np.sum(np.where(borne, rollers.load[0], 0.0)[:, 2:], axis=1),
+            rib_loads=np.where(borne, rollers.load[0], 0.0)[:, 2:],
             displacement=found.ring[0],
             force=found.force[0],
             stiffness=found.stiffness[0],
@@ -105,7 +111,7 @@ class BearingSolution(ReadOnly):
         pitch = self.bearing.rows[0].bearing.pitch
         lever = np.array([1.0, 1.0, 1.0, pitch, pitch])
         rows = [f"{type(row.bearing).__name__} of {row.bearing.rollers} rollers" for row in self.bearing.rows]
-        force, moved = _in_words(self.force, 1.0 / lever), _in_words(1e3 * self.displacement, lever)
+        force, moved = in_words(self.force, 1.0 / lever), in_words(1e3 * self.displacement, lever)
         loaded = np.count_nonzero(self.load.max(axis=1) > 0.0)
         said = [
             f"{' and '.join(rows)}, by {self.method}",
@@ -117,7 +123,10 @@ class BearingSolution(ReadOnly):
         return plain_text("BearingSolution", said)
 
     def contact(self, roller: int, ring: str = "inner") -> Solution | None:
-        """Return the contact of a roller with a ring, solved by strips at its approach and tilt; None if unloaded.
+        """Return the contact of a roller with a ring, solved by strips for its load and tilt; None if unloaded.
+
+        Its approach and moment differ from those of the bearing by as much as strips laid for two contacts at a time
+        are in error, some 1e-5.
 
         Parameters
         ----------
@@ -138,6 +147,57 @@ class BearingSolution(ReadOnly):
         found: Solution | None = self._solutions[roller][RINGS.index(ring)]
         return found
 
+    @property
+    def rib_load(self) -> Array:
+        """Load on the ends of the rollers from the ribs of the inner and the outer ring [N], shape (rollers, 2)."""
+        found = np.zeros(self.load.shape)
+        for row, these in zip(self.bearing.rows, row_slices(self.bearing), strict=True):
+            # Slices know no ribs of tapered rows.
+            for rib, loads in zip(row.bearing.rib_contacts, self.rib_loads[these].T, strict=False):
+                found[these, RINGS.index(rib.ring)] += loads
+        return found
+
+    def rib_contact(self, roller: int, ring: str = "inner") -> PointContact | None:
+        """Return the contact of a roller's end with the rib of a ring that bears most, after Hertz; None if unloaded.
+
+        Parameters
+        ----------
+        roller : int
+            Its number, from 0.
+        ring : {"inner", "outer"}
+            Which ring.
+
+        Raises
+        ------
+        InputError
+            If there is no such roller or ring.
+        """
+        roller = whole("roller", roller, 0, self.angle.size - 1, "count from 0")
+        one_of("ring", ring, RINGS, "name one of both")
+        loaded = [(load, rib) for load, rib in self._ribs(roller) if rib.ring == ring and load > 0.0]
+        return max(((load, rib.under(load)) for load, rib in loaded), key=lambda each: each[0], default=(0.0, None))[1]
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What strains the model: contacts on ribs that reach an edge, the most loaded one of each ring."""
+        found = []
+        for ring in RINGS:
+            every = [(load, j, rib) for j in range(self.angle.size) for load, rib in self._ribs(j) if rib.ring == ring]
+            load, j, rib = max(every, key=lambda each: each[0], default=(0.0, 0, None))
+            if rib is not None and rib.reaches_an_edge(load):
+                reach = rib.under(load).half_length
+                found.append(
+                    f"The contact of roller {j} with a rib of the {ring} ring reaches {reach:.3g} mm along the flank, "
+                    f"beyond an edge at {rib.room:.3g} mm, where the pressure is higher than Hertz's."
+                )
+        return tuple(found)
+
+    def _ribs(self, roller: int) -> list[tuple[float, RibContact]]:
+        """Return the load of each rib on a roller, and the rib."""
+        row = next(row for row, these in enumerate(row_slices(self.bearing)) if roller < these.stop)
+        ribs = self.bearing.rows[row].bearing.rib_contacts
+        return list(zip(self.rib_loads[roller].tolist(), ribs, strict=False))
+
     @cached_property
     def _solutions(self) -> list[list[Solution | None]]:
         size = _SAME * float(np.max(np.abs(self.approach), initial=1e-300))
@@ -154,9 +214,8 @@ class BearingSolution(ReadOnly):
                     approach, tilt = float(self.approach[j, k]), float(self.tilt[j, k])
                     key = (k, round(approach / size), round(tilt * row.bearing.roller_length / size))
                     if key not in known:
-                        with warnings.catch_warnings():
-                            warnings.simplefilter("ignore", AccuracyWarning)
-                            known[key] = solve(contact, approach=approach, tilt=tilt)
+                        with without_accuracy_warnings():
+                            known[key] = solve(contact, load=float(self.load[j, k]), tilt=tilt)
                     solutions[j].append(known[key])
         return solutions
 
@@ -171,6 +230,81 @@ class BearingSolution(ReadOnly):
         found = self._of_contacts("max_pressure_y")
         return np.where(self.load > 0.0, found, np.nan)
 
+    @property
+    def loaded_share(self) -> Array:
+        """Share of the rollers that the inner ring loads, of each row, shape (rows,)."""
+        return loaded_shares(self.bearing, self.load)
+
+    @property
+    def load_zone(self) -> Array:
+        """The angle over which rollers bear load between the rings, of each row [rad], shape (rows,).
+
+        Every roller that the inner ring loads counts with its angular pitch, so that it is 2 pi where all are loaded
+        and a single pitch where one is; of a zone in several parts it is the sum. Over 2 pi it is `loaded_share`.
+        """
+        return 2.0 * np.pi * self.loaded_share
+
+    def rollers_of(self, row: int) -> slice:
+        """Return which rollers of all are those of a row, as a slice of ``load`` and other arrays.
+
+        Parameters
+        ----------
+        row : int
+            Its number, from 0.
+
+        Raises
+        ------
+        InputError
+            If there is no such row.
+        """
+        row = whole("row", row, 0, len(self.bearing.rows) - 1, "count the rows from 0")
+        return row_slices(self.bearing)[row]
+
+    def unrolled_pressure(self, ring: str = "inner", *, row: int = 0, y: ArrayLike | None = None) -> UnrolledPressure:
+        """Return the centre-line pressure of all rollers of a row on one ring, over angle and y.
+
+        Parameters
+        ----------
+        ring : {"inner", "outer"}
+            Which ring.
+        row : int
+            Which row of rollers, from 0.
+        y : array_like, optional
+            Places along the rollers' profiles [mm], shape (n,); 401 of them evenly over the length if left out.
+
+        Raises
+        ------
+        InputError
+            If there is no such ring or row, the places are not a row of numbers, or the bearing was solved by slices.
+
+        Examples
+        --------
+        >>> import nonhertz as nh
+        >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
+        >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+        >>> bearing = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.018)
+        >>> nh.bearing.solve(bearing, radial=5e3).unrolled_pressure("outer", y=[-4, 0, 4]).pressure.shape
+        (13, 3)
+        """
+        one_of("ring", ring, RINGS, "name one of both")
+        these = self.rollers_of(row)
+        contacts = [self.contact(roller, ring) for roller in range(these.start, these.stop)]
+        length = self.bearing.rows[row].bearing.roller_length
+        return unrolled(contacts, ring=ring, row=row, angle=self.angle[these], length=length, y=y)
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Return a pandas DataFrame: a row for each roller and ring, units in ``attrs["units"]``.
+
+        Rollers are counted in their row. The load of a rib, which is part of the inner ring, is in the line of that
+        ring. By slices there are no pressures: they are NaN.
+
+        Raises
+        ------
+        ImportError
+            If pandas is not installed.
+        """
+        return contact_frame(self)
+
     def _of_contacts(self, name: str) -> Array:
         found = np.zeros(self.load.shape)
         for j in range(self.angle.size):
@@ -181,7 +315,7 @@ class BearingSolution(ReadOnly):
         return found
 
 
-def _in_words(values: Array, weights: Array) -> list[str]:
+def in_words(values: Array, weights: Array) -> list[str]:
     """Return numbers as text; what is rounding beside the others is zero."""
     sizes = np.abs(values * weights)
     return [digits(value if size > NO_LOAD * sizes.max() else 0.0) for value, size in zip(values, sizes, strict=True)]

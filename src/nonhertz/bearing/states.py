@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE, States
+from nonhertz.bearing.frames import state_frame
 from nonhertz.bearing.solution import NO_LOAD, BearingSolution
+from nonhertz.bearing.unrolled import loaded_shares
 from nonhertz.errors import ConvergenceError
 from nonhertz.result.solution import ReadOnly
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 Array = NDArray[np.float64]
 
@@ -86,3 +91,22 @@ class BearingSolutions(ReadOnly):
             type(each)(*(part[one] for part in each)) if isinstance(each, tuple) else each[one] for each in self._states
         ]
         return BearingSolution.of(self.bearing, self.method, States(*cut), self._roller_load)
+
+    @property
+    def loaded_share(self) -> Array:
+        """Share of the rollers that the inner ring loads, of each row, shape (..., rows)."""
+        return loaded_shares(self.bearing, self.load)
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Return a pandas DataFrame: a row for each state, units in ``attrs["units"]``.
+
+        Forces and moments on the inner ring, its displacements and rotations, the largest loads of a roller on both
+        rings, the loaded share of every row, and whether a balance was found; without one the numbers are NaN. The
+        index has one level per axis.
+
+        Raises
+        ------
+        ImportError
+            If pandas is not installed.
+        """
+        return state_frame(self)

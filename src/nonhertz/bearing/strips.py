@@ -2,29 +2,50 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bearing.laws import Answer
+from nonhertz.bearing.laws import ANSWER, Answer
 from nonhertz.errors import ConvergenceError
 from nonhertz.model.contact import Contact
 from nonhertz.solver.one import posed
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
+from nonhertz.strip.influence import Remote, blank_remote
 from nonhertz.strip.levels import ACCURACY, equal_grids, on_automatic_strips
 from nonhertz.strip.newton import TOLERANCE
 from nonhertz.strip.problem import row_of
 from nonhertz.strip.records import CONVERGED, Given, Grids, States
-from nonhertz.strip.settle import settle_all
+from nonhertz.strip.settle import follow, settle_all
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
+Pose = tuple[float, float]
 
 SAMPLES = 256
 # Digits, relative to the largest, in which contacts are the same, as those on both sides of a load are.
 SAME = 12
-# Ratios up to which a penetration may differ from that which the strips were laid for, on the way to the balance and
-# near it.
-ON_THE_WAY, NEAR = 3.0, 1.1
+# By what factor the penetration may differ from that which strips were laid for, on the way to the balance.
+ON_THE_WAY = 3.0
+# Near it: what may be added to the penetration anywhere, and taken from it, over the deepest. Measured on crowned
+# rollers: with the second the error of the load stays below the accuracy of the strips; contacts that outgrow their
+# strips by a tenth are in error by three times as much.
+DEEPER, SHALLOWER = 0.02, 0.12
+LIGHT = 0.1  # of the deepest contact of all rollers: what is less deep bears too little to be judged by itself
+KEPT_REMOTE = 64  # each of them takes about half a megabyte
+
+
+@dataclass
+class _Kept:
+    """A solved contact: its strips, what they were laid for, where it was asked last, and what it answered."""
+
+    grids: Grids
+    states: States
+    laid_for: Pose
+    depth: float
+    asked: Pose
+    answer: Array
 
 
 class StripLaw:
@@ -45,11 +66,34 @@ class StripLaw:
         self.contact = contact
         self._problem = posed(contact, element, np.zeros(2, dtype=np.bool_), np.zeros(2), ACCURACY, asked=False)
         self._given = self._problem.prescribed
-        few = equal_grids(self._problem, contact.interval, strips or SAMPLES)[0]
-        self._y, self._h = self._problem.surveyed(float(few[0]), float(few[-1]), SAMPLES)
-        self._equal = None if strips is None else self._problem.grids(*row_of(few))
-        self._kept: dict[int, tuple[Grids, States, float]] = {}
-        self._ratio = ON_THE_WAY
+        few = equal_grids(self._problem, contact.interval, SAMPLES)[0]
+        self._low, self._high = float(few[0]), float(few[-1])
+        self._y, self._h = self._problem.surveyed(self._low, self._high, SAMPLES)
+        self._half = 0.5 * (self._high - self._low)
+        self._other: StripLaw | None = None
+        self._equal: Grids | None = None
+        self._ahead: dict[int, Pose] = {}
+        self._kept: dict[int, _Kept] = {}
+        self._remote: dict[int, tuple[Remote, Array]] = {}
+        self._shares: list[float] = []
+        self._near = False
+        self._depth: dict[int, float] = {}
+        if strips is not None:
+            self._lay_equal(strips)
+
+    def on_equal_strips(self, strips: int) -> StripLaw:
+        """Return the law of the same contact on equal strips."""
+        other = object.__new__(StripLaw)
+        other.__dict__.update(self.__dict__)
+        other._other, other._ahead, other._kept, other._remote, other._depth = None, {}, {}, {}, {}
+        other._lay_equal(strips)
+        return other
+
+    def beside(self, other: StripLaw) -> None:
+        """Let both contacts of rollers use the same strips, if the bodies are as far apart in both."""
+        if np.array_equal(self._y, other._y) and np.allclose(self._h, other._h, rtol=1e-9, atol=0.0):
+            self._other, other._other = other, self
+            other._shares = self._shares
 
     def penetration(self, approach: Array, tilt: Array) -> Array:
         """Return how deep the undeformed bodies overlap where they do most [mm]."""
@@ -58,7 +102,11 @@ class StripLaw:
 
     def lay_anew(self) -> None:
         """From now on lay strips anew for contacts that are not nearly those which they were laid for."""
-        self._ratio = NEAR
+        self._near = True
+
+    def expect(self, rows: Indices, approach: Array, tilt: Array) -> None:
+        """Take note of contacts that are about to be asked."""
+        self._ahead = dict(zip(rows.tolist(), zip(approach.tolist(), tilt.tolist(), strict=True), strict=True))
 
     def pressed(self, rows: Indices, approach: Array, tilt: Array) -> Answer:
         """Return the answer of contacts.
@@ -68,44 +116,157 @@ class StripLaw:
         ConvergenceError
             If one of them has no solution.
         """
-        load, moment, stiffness = np.zeros(rows.size), np.zeros(rows.size), np.zeros((rows.size, 2, 2))
+        answers = np.zeros((rows.size, ANSWER))
         depth = self.penetration(approach, tilt)
-        known: dict[tuple[float, float], int] = {}
+        self._depth.update(zip(rows.tolist(), depth.tolist(), strict=True))
         digits = SAME - np.floor(np.log10(np.max(np.abs(approach), initial=1e-300))).astype(int)
-        for at in np.flatnonzero(depth > 0.0):
-            pose = (float(np.round(approach[at], digits)), float(np.round(tilt[at], digits)))
-            twin = known.setdefault(pose, int(at))
-            if twin != at:
-                self._kept[int(rows[at])] = self._kept[int(rows[twin])]
-                load[at], moment[at], stiffness[at] = load[twin], moment[twin], stiffness[twin]
-                continue
-            state = self._solved(int(rows[at]), np.array([[approach[at], tilt[at]]]), float(depth[at]))
-            load[at], moment[at], stiffness[at] = state.load[0], state.moment[0], state.stiffness[0]
-        compliance = self._problem.compliance
-        return Answer(load / compliance, moment / compliance, stiffness / compliance)
+        known: dict[Pose, int] = {}
+        asked: dict[int, tuple[Pose, float]] = {}
+        twins: list[tuple[int, int]] = []
+        for at in np.flatnonzero(depth > 0.0).tolist():
+            pose = float(approach[at]), float(tilt[at])
+            twin = known.setdefault((round(pose[0], int(digits)), round(pose[1], int(digits))), at)
+            if twin == at:
+                asked[int(rows[at])] = pose, float(depth[at])
+            twins.append((at, int(rows[twin])))
+        missing = {row: each for row, each in asked.items() if not self._known(row, *each)}
+        if missing:
+            self._find(missing)
+        for at, row in twins:
+            kept = self._kept[int(rows[at])] = self._kept[row]
+            answers[at] = kept.answer
+        answers /= self._problem.compliance
+        return Answer(answers[:, 0], answers[:, 1], answers[:, 2:].reshape(-1, 2, 2))
 
-    def _solved(self, row: int, pose: Array, depth: float) -> States:
+    def _lay_equal(self, strips: int) -> None:
+        edges = np.linspace(self._low, self._high, strips + 1)
+        self._equal = self._problem.grids(*row_of(edges))
+
+    def _known(self, row: int, pose: Pose, depth: float) -> bool:
+        """Bring a contact to where it is asked, on the strips that it has; return whether that can be done."""
         kept = self._kept.get(row)
-        if kept is not None and self._equal is None and max(depth / kept[2], kept[2] / depth) > self._ratio:
-            kept = None
-        if kept is None and self._equal is not None:
-            kept = (self._equal, States.none(), depth)
-        if kept is not None:
-            grids, near, laid_for = kept
-            states = States.unsolved(grids.counts, grids.edges, 1)
-            settle_all(grids, Given(self._given, pose), self._problem.law, near, states, TOLERANCE, False)
-            if states.status[0] == CONVERGED:
-                self._kept[row] = (grids, states, laid_for)
-                return states
-        return self._laid(row, pose, depth)
+        if kept is None or not self._fits(kept, pose, depth):
+            return False
+        return kept.asked == pose or self._follows(row, kept, pose) or self._settles(kept, pose)
 
-    def _laid(self, row: int, pose: Array, depth: float) -> States:
-        """Solve a contact on strips that are laid for it."""
-        ((_, levels),) = on_automatic_strips(self._problem, self.contact.interval, self.contact.bends, pose)
-        states = levels[0]
+    def _fits(self, kept: _Kept, pose: Pose, depth: float) -> bool:
+        """Return whether the strips of a contact still suit it."""
+        if self._equal is not None:
+            return True
+        if not self._near:
+            return max(depth / kept.depth, kept.depth / depth) <= ON_THE_WAY
+        nearer, turned = pose[0] - kept.laid_for[0], self._half * abs(pose[1] - kept.laid_for[1])
+        beside = max(kept.depth, LIGHT * max(self._depth.values(), default=0.0))
+        return turned + nearer <= DEEPER * beside and turned - nearer <= SHALLOWER * beside
+
+    def _follows(self, row: int, kept: _Kept, pose: Pose) -> bool:
+        """Let a contact follow on its strips; return whether it could."""
+        remote, widest = self._remote_of(row, kept.grids)
+        given = Given(self._given, np.array([pose]))
+        followed = follow(kept.grids, given, self._problem.law, remote, widest, kept.states, kept.answer)
+        kept.asked = pose if followed else kept.asked
+        return followed
+
+    def _settles(self, kept: _Kept, pose: Pose) -> bool:
+        """Solve a contact on its strips from the start; return whether it has a solution there."""
+        given = Given(self._given, np.array([pose]))
+        states = States.unsolved(kept.grids.counts, kept.grids.edges, 1)
+        settle_all(kept.grids, given, self._problem.law, kept.states, states, TOLERANCE, False)
         if states.status[0] != CONVERGED:
-            at = f"an approach of {1e3 * pose[0, 0]:.6g} um and a tilt of {1e3 * pose[0, 1]:.6g} mrad"
-            raise ConvergenceError(f"The contact of a roller at {at} has no solution.", None)
-        if self._equal is None:
-            self._kept[row] = (self._problem.grids(states.counts, states.edges), states, depth)
-        return states
+            return False
+        kept.states, kept.asked, kept.answer = states, pose, _answer(states)
+        return True
+
+    def _remote_of(self, row: int, grids: Grids) -> tuple[Remote, Array]:
+        """Return what the strips of a contact do far away, as it was left."""
+        row = row if self._equal is None else 0
+        found = self._remote.get(row)
+        if found is None or found[0].powers.shape[0] != grids.counts[0]:
+            if len(self._remote) >= KEPT_REMOTE:
+                self._remote.clear()
+            found = self._remote[row] = blank_remote(int(grids.counts[0]), self._problem.law), np.zeros(1)
+        return found
+
+    def _find(self, missing: dict[int, tuple[Pose, float]]) -> None:
+        """Solve contacts that have no strips that suit them."""
+        if self._equal is not None:
+            for row, (pose, depth) in missing.items():
+                states = States.unsolved(self._equal.counts, self._equal.edges, 1)
+                given = Given(self._given, np.array([pose]))
+                settle_all(self._equal, given, self._problem.law, States.none(), states, TOLERANCE, False)
+                self._kept[row] = _Kept(self._equal, states, pose, depth, pose, _answer(states))
+            missing = {row: each for row, each in missing.items() if self._kept[row].states.status[0] != CONVERGED}
+        else:
+            self._let_other_lay(missing)
+            missing = {row: each for row, each in missing.items() if not self._takes(row, *each)}
+        self._lay(missing)
+
+    def _let_other_lay(self, missing: dict[int, tuple[Pose, float]]) -> None:
+        """Let the contact with the other ring have strips laid where it is deeper: they suit both."""
+        other, theirs = self._other, {}
+        if other is None:
+            return
+        for row, (_, depth) in missing.items():
+            pose = other._ahead.get(row)
+            if pose is not None and pose[0] > -np.inf:
+                there = float(self.penetration(np.array([pose[0]]), np.array([pose[1]]))[0])
+                if there > depth and not other._known(row, pose, there):
+                    theirs[row] = pose, there
+        other._lay(theirs)
+
+    def _takes(self, row: int, pose: Pose, depth: float) -> bool:
+        """Solve a contact on the strips of the other one of the same roller, if they suit it."""
+        kept = self._other._kept.get(row) if self._other is not None else None
+        if kept is None:
+            return False
+        near = self._near
+        self._near = True
+        fits = self._fits(kept, pose, depth)
+        self._near = near
+        if not fits:
+            return False
+        grids = self._problem.grids(kept.grids.counts, kept.grids.edges)
+        # Under the same load half-widths are as the roots of the radii, and r as the curvature.
+        sharper = grids.curvature / kept.grids.curvature
+        states = kept.states._replace(
+            r=kept.states.r * sharper, m=kept.states.m / sharper, rigid=kept.states.rigid.copy(),
+            gap=kept.states.gap.copy(), stiffness=kept.states.stiffness.copy(),
+        )  # fmt: skip
+        taken = _Kept(grids, states, kept.laid_for, kept.depth, kept.asked, np.zeros(ANSWER))
+        self._remote.pop(row, None)
+        if not self._follows(row, taken, pose):
+            return False
+        self._kept[row] = taken
+        return True
+
+    def _lay(self, missing: dict[int, tuple[Pose, float]]) -> None:
+        """Solve contacts on strips that are laid for them, the deepest first: it tells how many the others need."""
+        if not missing:
+            return
+        deepest = max(missing, key=lambda row: missing[row][1])
+        first = [] if self._shares or self._equal is not None else [deepest]
+        for rows in (first, [row for row in missing if row not in first]):
+            if rows:
+                self._lay_at_once(rows, missing)
+
+    def _lay_at_once(self, rows: list[int], missing: dict[int, tuple[Pose, float]]) -> None:
+        poses = np.array([missing[row][0] for row in rows])
+        shares = np.full(len(rows), float(np.median(self._shares)) if self._shares else 1.0)
+        interval, bends = self.contact.interval, self.contact.bends
+        groups = on_automatic_strips(self._problem, interval, bends, poses, shares, peaks=False)
+        self._shares.extend(shares.tolist())
+        for cases, levels in groups:
+            for k, case in enumerate(cases.tolist()):
+                row, states = rows[case], levels[0].one(k).row()
+                pose, depth = missing[row]
+                if states.status[0] != CONVERGED:
+                    at = f"an approach of {1e3 * pose[0]:.6g} um and a tilt of {1e3 * pose[1]:.6g} mrad"
+                    raise ConvergenceError(f"The contact of a roller at {at} has no solution.", None)
+                grids = self._problem.grids(states.counts, states.edges)
+                self._remote.pop(row, None)
+                self._kept[row] = _Kept(grids, states, pose, depth, pose, _answer(states))
+
+
+def _answer(states: States) -> Array:
+    """Return what a solved contact answers, times K."""
+    return np.concatenate([states.load, states.moment, states.stiffness.ravel()])

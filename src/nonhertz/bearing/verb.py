@@ -2,27 +2,29 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.bearing.bearings import Paired, RollerBearing, TaperedRollerBearing
+from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, balanced
-from nonhertz.bearing.laws import ContactLaw, Point
+from nonhertz.bearing.laws import ContactLaw
 from nonhertz.bearing.mapped import BearingMaps, MapLaw
+from nonhertz.bearing.prescribed import Prescribed, many_states, motions, one_state
 from nonhertz.bearing.section import raceway_motion
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import EXPONENT, LAMINAE, STIFFNESS, standard_slices
 from nonhertz.bearing.states import BearingSolutions
 from nonhertz.bearing.strips import StripLaw
-from nonhertz.errors import ConvergenceError, InputError
-from nonhertz.inputs.checks import broadcast, finite, not_negative, numbers, one_of, whole
+from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
+from nonhertz.inputs.checks import not_negative, one_of, thread_count, whole
 from nonhertz.life.lamina import FEWEST, MOST
-from nonhertz.model.prescription import MOST_TILT
 
 Array = NDArray[np.float64]
 Method = Literal["strips", "slices"]
@@ -31,6 +33,7 @@ METHODS = ("strips", "slices")
 # What leads to the neighbourhood of the balance, and what may be left there, over the loads.
 FEW_SLICES, ROUGH_STRIPS, NEARBY = 11, 21, 1e-2
 _UNIT_OF_SPEED = math.pi / 30.0
+_SPEED_REMEDY = "give the speed of the inner ring in 1/min"
 
 
 def solve(
@@ -65,7 +68,7 @@ def solve(
         Of the inner ring [1/min], for centrifugal loads and the rollers' gyroscopic moments.
     method : {"strips", "slices"}
         ``"strips"``: every contact by strips, on the automatic grid. ``"slices"``: the independent slices of ISO/TS
-        16281, with the nominal contact angle at both rings and no ribs, for comparison.
+        16281, with the nominal contact angle at both rings and no ribs of tapered rows, for comparison.
     laminae : int
         Number of slices, at least 30.
     maps : BearingMaps, optional
@@ -81,6 +84,11 @@ def solve(
         If the input is invalid.
     ConvergenceError
         If no balance is found.
+
+    Warns
+    -----
+    AccuracyWarning
+        If the contact with a rib reaches an edge.
 
     Notes
     -----
@@ -98,14 +106,20 @@ def solve(
     6830.0
     """
     setting = _Setting.checked(bearing, speed, method, laminae, maps)
-    by_force, target = _given(bearing, (radial, radial_displacement), (axial, axial_displacement), (moment, tilt))
-    found = setting.solved(by_force, target[None])
+    given = {
+        "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
+        "axial_displacement": axial_displacement, "tilt": tilt,
+    }  # fmt: skip
+    found = setting.solved(one_state(bearing, given))
     if not found.residual[0] <= TOLERANCE:
         raise ConvergenceError(
             f"Rollers and rings found no balance in {found.steps[0]} steps: the loads may leave the inner ring unheld.",
             None,
         )
-    return BearingSolution.of(bearing, method, found, setting.load)
+    solution = BearingSolution.of(bearing, method, found, setting.load)
+    for warning in solution.warnings:
+        warnings.warn(warning, AccuracyWarning, stacklevel=2)
+    return solution
 
 
 def solve_many(
@@ -117,10 +131,12 @@ def solve_many(
     radial_displacement: ArrayLike | None = None,
     axial_displacement: ArrayLike | None = None,
     tilt: ArrayLike | None = None,
+    displacement: ArrayLike | None = None,
     speed: float = 0.0,
     method: Method = "strips",
     laminae: int = LAMINAE,
     maps: BearingMaps | None = None,
+    threads: int | None = None,
 ) -> BearingSolutions:
     """Load a bearing in many ways; with maps a state costs a millisecond.
 
@@ -130,8 +146,12 @@ def solve_many(
         The bearing.
     radial, axial, moment, radial_displacement, axial_displacement, tilt : array_like, optional
         As in `solve`, along y, x and about z, broadcast against each other.
+    displacement : array_like, shape (..., 5), optional
+        All motions of the inner ring, in place of these: along x, y and z [mm] and about y and z [rad].
     speed, method, laminae, maps
         As in `solve`, for all states.
+    threads : int, optional
+        How many work on the states of slices or maps; all cores if left out. The results do not depend on it.
 
     Returns
     -------
@@ -147,21 +167,20 @@ def solve_many(
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
     }  # fmt: skip
-    rows = {name: numbers(name, each, "give numbers") for name, each in given.items() if each is not None}
-    spread = dict(zip(rows, broadcast("give arrays that fit each other", *rows.values()), strict=True)) if rows else {}
-    shape = next(iter(spread.values())).shape if spread else ()
-    count = math.prod(shape)
-    if not count:
-        name = next(iter(rows))
-        raise InputError(name, given[name], "hold at least one number", "give a number or an array of them")
-    flat = {name: each.ravel() for name, each in spread.items()}
-    found = []
-    for k in range(count):
-        one: dict[str, float | None] = {name: float(flat[name][k]) if name in flat else None for name in given}
-        pairs = (one["radial"], one["radial_displacement"]), (one["axial"], one["axial_displacement"])
-        found.append(_given(bearing, *pairs, (one["moment"], one["tilt"])))
-    states = setting.solved(found[0][0], np.array([target for _, target in found]))
+    acting, shape = many_states(bearing, given) if displacement is None else motions(displacement, given)
+    states = setting.solved(acting, thread_count(threads))
     return BearingSolutions.of(bearing, method, states, setting.load, shape)
+
+
+def refuse_load(bearing: RollerBearing | Paired, *, speed: float = 0.0, **prescribed: Any) -> None:
+    """Refuse what `solve` refuses of loads, displacements and speed, without solving.
+
+    Raises
+    ------
+    InputError
+    """
+    not_negative("speed", speed, _SPEED_REMEDY)
+    one_state(bearing, prescribed)
 
 
 @dataclass(frozen=True, eq=False)
@@ -183,7 +202,7 @@ class _Setting:
             raise InputError("bearing", bearing, "be a bearing", remedy)
         one_of("method", method, METHODS, "use 'strips', or 'slices' for comparison")
         laminae = whole("laminae", laminae, FEWEST, MOST, "give the number of slices, 41 say")
-        not_negative("speed", speed, "give the speed of the inner ring in 1/min")
+        not_negative("speed", speed, _SPEED_REMEDY)
         if maps is not None:
             if not isinstance(maps, BearingMaps) or maps.bearing != bearing:
                 remedy = "make them with nonhertz.bearing.maps"
@@ -195,34 +214,37 @@ class _Setting:
         load = np.concatenate([np.tile(each.load_by_speed(rate), (each.rollers, 1)) for each in rows])
         return cls(bearing, method, laminae, maps, load)
 
-    def solved(self, by_force: NDArray[np.bool_], target: Array) -> States:
+    def solved(self, acting: Prescribed, threads: int = 1) -> States:
         """Return the states of the bearing."""
-        depth = _depth(self.bearing, by_force, target)
+        by_force, target = acting
+        depth = _depth(self.bearing, acting)
         start = np.zeros_like(target)
         start[:, 0] = np.where(target[:, 0] != 0.0, np.sign(target[:, 0]) * depth, 0.0)
         if self.method == "slices":
-            return balanced(_sliced(self.bearing, self.load, self.laminae), by_force, target, start, depth)
-        sliced = balanced(_sliced(self.bearing, self.load, FEW_SLICES), by_force, target, start, depth, NEARBY)
+            sliced = _sliced(self.bearing, self.load, self.laminae)
+            return balanced(sliced, by_force, target, start, depth, threads=threads)
         if self.maps is not None:
-            laws = [
-                [MapLaw(*each) for each in zip(row.bearing.contacts, pair, strict=True)]
-                for row, pair in zip(self.bearing.rows, self.maps.contacts, strict=True)
-            ]
-            found = balanced(_jointed(self.bearing, self.load, laws), by_force, target, sliced.ring, depth)
+            laws = [[MapLaw(each) for each in pair] for pair in self.maps.contacts]
+            found = balanced(_jointed(self.bearing, self.load, laws), by_force, target, start, depth, threads=threads)
             _refuse_beyond(self.bearing, laws, found)
             return found
-        rough = balanced(self._stripped(ROUGH_STRIPS), by_force, target, sliced.ring, depth, NEARBY)
-        fine = self._stripped(None)
+        sliced = _sliced(self.bearing, self.load, FEW_SLICES)
+        # To the last: rollers that speed alone presses on the outer ring bear less than what is near.
+        nearby = balanced(sliced, by_force, target, start, depth)
+        stripped = [[StripLaw(contact) for contact in row.bearing.contacts] for row in self.bearing.rows]
+        for inner, outer in stripped:
+            inner.beside(outer)
+        few = [[law.on_equal_strips(ROUGH_STRIPS) for law in pair] for pair in stripped]
+        coarse, fine = (_jointed(self.bearing, self.load, each) for each in (few, stripped))
+        # Those that the inner ring presses are nearer to where springs would have them.
+        idle = ~(nearby.rollers.load[:, :, :1] > 0.0)
+        motion = np.where(idle, nearby.rollers.motion, np.nan)
+        rough = balanced(coarse, by_force, target, nearby.ring, depth, NEARBY, motion)
         found = balanced(fine, by_force, target, rough.ring, depth, NEARBY, rough.rollers.motion)
         # Strips are laid for the contacts as they were when they were first met.
-        for joint in fine.joints:
-            if isinstance(joint.law, StripLaw):
-                joint.law.lay_anew()
+        for law in itertools.chain(*stripped):
+            law.lay_anew()
         return balanced(fine, by_force, target, found.ring, depth, motion=found.rollers.motion)
-
-    def _stripped(self, strips: int | None) -> System:
-        laws = [[StripLaw(contact, strips) for contact in row.bearing.contacts] for row in self.bearing.rows]
-        return _jointed(self.bearing, self.load, laws)
 
 
 def _refuse_beyond(bearing: RollerBearing | Paired, laws: Sequence[Sequence[MapLaw]], found: States) -> None:
@@ -242,67 +264,9 @@ def _refuse_beyond(bearing: RollerBearing | Paired, laws: Sequence[Sequence[MapL
         first += count
 
 
-def _given(
-    bearing: RollerBearing | Paired,
-    radial: tuple[ArrayLike | None, ArrayLike | None],
-    axial: tuple[float | None, float | None],
-    turning: tuple[ArrayLike | None, ArrayLike | None],
-) -> tuple[NDArray[np.bool_], Array]:
-    """Return of which motions the force is given, and what is given, each of shape (5,)."""
-    by_force, target = np.zeros(5, dtype=np.bool_), np.zeros(5)
-    axially = any(row.bearing.holds_axially for row in bearing.rows)
-    radially = any(row.bearing.bears_radially for row in bearing.rows)
-    pairs = (
-        ("radial", "radial_displacement", radial, slice(1, 3), ("N", "mm"), radially),
-        ("axial", "axial_displacement", axial, slice(0, 1), ("N", "mm"), axially),
-        ("moment", "tilt", turning, slice(3, 5), ("N mm", "rad"), False),
-    )
-    for force, motion, values, where, units, forced in pairs:
-        if values[0] is not None and values[1] is not None:
-            raise InputError(motion, values[1], f"not be given together with {force}", "leave one of them out")
-        by_force[where] = values[0] is not None or (values[1] is None and forced)
-        name, value, unit = (motion, values[1], units[1]) if values[1] is not None else (force, values[0], units[0])
-        if value is None:
-            continue
-        given = numbers(name, value, f"give it in {unit}")
-        size = where.stop - where.start
-        if given.ndim and given.shape != (size,):
-            raise InputError(name, value, "be a number or two" if size == 2 else "be a number", f"give it in {unit}")
-        # A single number is along y, or about z: in the plane of the first roller.
-        target[where] = given if given.ndim else ((0.0, given) if force == "moment" else (given, 0.0))[:size]
-    for name, borne, where, way in (
-        ("axial", axially, slice(0, 1), "along"),
-        ("radial", radially, slice(1, 3), "across"),
-    ):
-        if not borne and np.any(by_force[where]):
-            if np.any(target[where] != 0.0):
-                condition = f"be zero for a bearing whose inner ring is free to move {way} the axis"
-                raise InputError(
-                    name, float(np.max(np.abs(target[where]))), condition, f"use one that bears {name} loads"
-                )
-            by_force[where] = False
-    least = _least_axial(bearing, math.hypot(*target[1:3]) if np.all(by_force[1:3]) else 0.0)
-    if by_force[0] and least is not None and not (target[0] > least or target[0] == least == 0.0):
-        condition = f"exceed {least:.4g} N, the tangent of the contact angle times the radial force"
-        remedy = "without that rows that bear it one way alone fall apart; or give axial_displacement"
-        raise InputError("axial", float(target[0]), condition, remedy)
-    if np.max(np.abs(target[3:])) > MOST_TILT and turning[1] is not None:
-        remedy = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
-        raise InputError("tilt", turning[1], f"be a small angle, of at most {MOST_TILT:g} rad", remedy)
-    for each in target:
-        finite("load", float(each), "give forces in N and moments in N mm")
-    return by_force, target
-
-
-def _least_axial(bearing: RollerBearing | Paired, radial: float) -> float | None:
-    """Return the axial force [N] that the radial one needs where all rows bear axial loads along +x; else None."""
-    if not all(row.bearing.holds_axially and not row.turned for row in bearing.rows):
-        return None
-    return min(math.tan(row.bearing.nominal_angle) for row in bearing.rows) * radial if radial > 0.0 else 0.0
-
-
-def _depth(bearing: RollerBearing | Paired, by_force: NDArray[np.bool_], target: Array) -> float:
+def _depth(bearing: RollerBearing | Paired, acting: Prescribed) -> float:
     """Return a penetration of the size to be expected [mm]."""
+    by_force, target = acting
     rows = [row.bearing for row in bearing.rows]
     pitch = max(row.pitch for row in rows)
     reach = np.array([1.0, 1.0, 1.0, pitch, pitch])
@@ -321,12 +285,14 @@ def _sliced(bearing: RollerBearing | Paired, load: Array, laminae: int) -> Syste
     first, load = 0, load.copy()
     for row in bearing.rows:
         angle, law = row.bearing.nominal_angle, standard_slices(row.bearing, laminae)
-        # The standard knows of nothing that holds rollers along their axes: what presses on the raceway is left.
+        # The standard knows of nothing that holds tapered rollers along their axes: what presses on raceways is left.
         normal = np.array([math.sin(angle), math.cos(angle), 0.0])
         load[first : first + row.bearing.rollers] = np.outer(load[first : first + row.bearing.rollers] @ normal, normal)
         for column, gap in enumerate(row.gaps):
             inner = column == 0
             joints.append(Joint(inner, raceway_motion(angle, inner=inner), gap, law, column, first))
+        if not angle:
+            joints += _at_ribs(row.bearing, first)
         first += row.bearing.rollers
     return _system(bearing, joints, load)
 
@@ -338,22 +304,20 @@ def _jointed(bearing: RollerBearing | Paired, load: Array, laws: Sequence[Sequen
     for row, of_row in zip(bearing.rows, laws, strict=True):
         for column, (motion, gap, law) in enumerate(zip(row.bearing.raceway_motions, row.gaps, of_row, strict=True)):
             joints.append(Joint(column == 0, motion, gap, law, column, first))
-        if isinstance(row.bearing, TaperedRollerBearing):
-            motion, radius = row.bearing.end_contact()
-            free = np.zeros(row.bearing.rollers)
-            joints.append(Joint(True, motion, free, _end(row.bearing, radius), 2, first))
+        joints += _at_ribs(row.bearing, first)
         first += row.bearing.rollers
     return _system(bearing, joints, load)
+
+
+def _at_ribs(bearing: RollerBearing, first: int) -> list[Joint]:
+    """Return the contacts of the rollers' ends of a row whose first roller has a number."""
+    return [
+        Joint(rib.ring == "inner", rib.motion, np.full(bearing.rollers, rib.gap), rib.law, column, first)
+        for column, rib in enumerate(bearing.rib_contacts, start=2)
+    ]
 
 
 def _system(bearing: RollerBearing | Paired, joints: list[Joint], load: Array) -> System:
     motion = np.concatenate([row.ring_motion for row in bearing.rows])
     lever = 0.5 * max(row.bearing.roller_length for row in bearing.rows)
     return System(motion, tuple(joints), load, lever)
-
-
-def _end(bearing: RollerBearing, radius: float) -> ContactLaw:
-    """Return how a spherical end answers on a flat rib, after Hertz."""
-    compliance = bearing.roller.material.compliance + bearing.inner.material.compliance
-    # K = 1 / (pi E*), and the load is 4/3 E* R^(1/2) approach^(3/2).
-    return Point(4.0 / 3.0 / (math.pi * compliance) * math.sqrt(radius))

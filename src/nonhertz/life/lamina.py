@@ -74,6 +74,12 @@ def iso_16281(*, laminae: int = 60, edge_stress: str = "pressure", line_loads: s
         ``"solution"``: those solved for. ``"standard"``: those of the standard's independent slices under the same load
         and tilt.
 
+    Notes
+    -----
+    The standard has a roller between two raceways that are tilted by psi against each other. Its slices are taken here
+    as those of one of two equal contacts, each with half of the approach and half of psi: a contact with the tilt gamma
+    has the slices that the standard has at psi = 2 gamma.
+
     References
     ----------
     ISO/TS 16281:2008, Rolling bearings - Methods for calculating the modified reference rating life for universally

@@ -24,6 +24,7 @@ from nonhertz.hertz import line_contact
 from nonhertz.life.catalogue import VolumeModel
 from nonhertz.life.lamina import LEFT_OUT
 from nonhertz.model.body import BodyName
+from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import ReadOnly
@@ -40,6 +41,10 @@ SHALLOWEST = 1e-6  # half-widths: on the surface itself quadrature across breaks
 NARROW = 0.25  # half-widths
 BEYOND = np.array([0.0, 0.1, 0.25, 0.5, 1.0, 2.0])  # distances beyond the contact's ends, in half-widths
 MOST_ROWS = 128  # of a plane grid
+# Half-widths: the distance from its line at which a line load acts like a pressure spread across. Found by comparison
+# with the whole field at corners of 0.3 and 1 mm; 0.2 and 0.8 are 5 to 18 % off in life.
+SPREAD = 0.5
+NEARBY = 6.0  # half-widths: from further away less than 1e-3 comes down to where there is damage
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -142,13 +147,82 @@ def exposure(solution: Solved, body: BodyName = "a", **options: Unpack[Running])
     seen = passage(solution, y[:, None], half_width[:, None] * levels, body=body, **options)
     amplitudes = {name: np.maximum(getattr(seen, name) @ fill.T, 0.0) for name in QUANTITIES}
     sharp = tuple(end.y for end in solution.singular_ends)
-    counted = np.ones(amplitudes["shear"].shape, dtype=bool)
-    left_out = LEFT_OUT * solution.max_half_width
-    for end in sharp:
-        counted &= np.hypot(y[:, None] - end, half_width[:, None] * depths()[0]) >= left_out
+    counted = _counted(y, half_width, sharp, solution.max_half_width)
     return Exposure(
         body, y, width, half_width, **amplitudes, counted=counted, reference=_ideal(solution, body), sharp=sharp
     )
+
+
+def section_exposure(solution: Solved, body: BodyName) -> Exposure:
+    """Return the exposure with every cross-section in plane strain under its own pressure, which costs next to nothing.
+
+    All sections are alike but for pressure and half-width. Where these change along the contact, the orthogonal shear
+    at a point is a mean over the sections nearby: a unit of line load at the distance r of its line adds to it in
+    proportion to r^4 / (r^2 + y^2)^(5/2), the distance being y along the line. With r^2 = z^2 + b^2 / 4, since the
+    pressure is spread across, damage by orthogonal shear is that of the whole field within 1 %, at smooth pressures as
+    at the peak of a roller's corner. The other stresses have no such kernel: they are those of the section itself, too
+    large at a peak that is narrower than a half-width.
+    """
+    inside = Inside.of(solution, body)
+    y, width, half_width = _stations(solution, inside.body.faces)
+    touching = solution.line_load > 0.0
+    pressure = np.interp(y, solution.y[touching], solution.largest_across[touching])
+    low, high = solution.edges[np.flatnonzero(touching)[[0, -1]] + [0, 1]]
+    pressure[(y < low) | (y > high)] = 0.0
+    plane = _plane_strain(inside.body.material.poisson)
+    amplitudes = {name: pressure[:, None] * each for name, each in plane.items()}
+    amplitudes["orthogonal_shear"] = _from_nearby(solution, y, half_width, plane["orthogonal_shear"])
+    sharp = tuple(end.y for end in solution.singular_ends)
+    counted = _counted(y, half_width, sharp, solution.max_half_width)
+    return Exposure(
+        body, y, width, half_width, **amplitudes, counted=counted, reference=_ideal(solution, body), sharp=sharp
+    )
+
+
+def _from_nearby(solution: Solved, y: Array, half_width: Array, plane: Array) -> Array:
+    """Return the orthogonal shear at stations and depths from that of sections in plane strain, and all nearby."""
+    touching = np.flatnonzero(solution.line_load > 0.0)
+    pressure = solution.largest_across[touching]
+    across = solution.extent_across[1][touching]
+    edges = solution.edges[np.append(touching, touching[-1] + 1)]
+    depth, (levels, fill) = depths()[0], _levels()
+    found = np.empty((y.size, levels.size))
+    for i, (station, b) in enumerate(zip(y, half_width, strict=True)):
+        z = b * levels[:, None]
+        reach = np.sqrt(z**2 + (SPREAD * b) ** 2)
+        first = max(int(np.searchsorted(edges, station - NEARBY * b)) - 1, 0)
+        last = min(int(np.searchsorted(edges, station + NEARBY * b)), touching.size)
+        near = slice(first, last)
+        relative = z / across[near]
+        # On the surface there is none; far below, that of a line load falls with the distance.
+        shear = np.interp(relative, np.append(0.0, depth), np.append(0.0, plane))
+        shear *= np.minimum(1.0, depth[-1] / relative)
+        share = np.diff(_share_below((edges[first : last + 1] - station) / reach), axis=1)
+        found[i] = np.sum(share * pressure[near] * shear, axis=1)
+    return np.maximum(found @ fill.T, 0.0)
+
+
+def _share_below(distance: Array) -> Array:
+    """Return the integral of 3/4 (1 + t^2)^(-5/2), which is 1 over all t, from 0 to relative distances."""
+    sine = distance / np.sqrt(1.0 + distance**2)
+    return np.asarray(0.75 * (sine - sine**3 / 3.0))
+
+
+@cache
+def _plane_strain(poisson: float) -> dict[str, Array]:
+    """Return the largest stresses over a pass of Hertz's line contact over its pressure, at all `depths`."""
+    line = line_contact(line_load=1.0, radius=1.0, compliance=1.0)
+    levels, fill = _levels()
+    found = plane_strain_passage(line, levels * line.half_width, poisson)
+    return {name: fill @ values / line.max_pressure for name, values in found.items()}
+
+
+def _counted(y: Array, half_width: Array, sharp: tuple[float, ...], largest: float) -> NDArray[np.bool_]:
+    """Return which points are not too near to sharp ends."""
+    counted = np.ones((y.size, depths()[0].size), dtype=np.bool_)
+    for end in sharp:
+        counted &= np.hypot(y[:, None] - end, half_width[:, None] * depths()[0]) >= LEFT_OUT * largest
+    return counted
 
 
 def _stations(solution: Solved, faces: tuple[float, float]) -> tuple[Array, Array, Array]:
@@ -179,30 +253,33 @@ def _edges_in_contact(solution: Solved) -> Array:
 
 
 def _ideal(solution: Solved, body: BodyName) -> Exposure | None:
-    """Return the exposure under Hertz's line contact, the load spread evenly over the length of possible contact."""
-    contact = solution.contact
+    return even_exposure(solution.contact, solution.load, body)
+
+
+def even_exposure(contact: Contact, load: float, body: BodyName) -> Exposure | None:
+    """Return the exposure under Hertz's line contact, a load spread evenly over the length of possible contact.
+
+    None where that length is unlimited.
+    """
     low, high = contact.interval
     if not np.isfinite(high - low):
         return None
-    edges = np.linspace(low, high, 2 if _even(solution) else 65)
+    edges = np.linspace(low, high, 2 if _even(contact) else 65)
     y, width = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
     poisson = (contact.a if body == "a" else contact.b).material.poisson
-    levels, fill = _levels()
-    half_width = np.empty(y.size)
-    amplitudes = {name: np.empty((y.size, fill.shape[0])) for name in QUANTITIES}
-    for i, curvature in enumerate(contact.curvature(y)):
-        line = line_contact(
-            line_load=solution.load / (high - low), radius=1.0 / float(curvature), compliance=contact.compliance
-        )
-        half_width[i] = line.half_width
-        for name, values in plane_strain_passage(line, levels * line.half_width, poisson).items():
-            amplitudes[name][i] = fill @ values
+    lines = [
+        line_contact(line_load=load / (high - low), radius=1.0 / float(each), compliance=contact.compliance)
+        for each in contact.curvature(y)
+    ]
+    half_width = np.array([line.half_width for line in lines])
+    pressure = np.array([line.max_pressure for line in lines])
+    amplitudes = {name: pressure[:, None] * each for name, each in _plane_strain(poisson).items()}
     counted = np.ones(amplitudes["shear"].shape, dtype=bool)
     return Exposure(body, y, width, half_width, **amplitudes, counted=counted, reference=None, sharp=())
 
 
-def _even(solution: Solved) -> bool:
+def _even(contact: Contact) -> bool:
     """Return whether the curvature is constant along y."""
-    low, high = solution.contact.interval
-    curvature = solution.contact.curvature(np.linspace(low, high, 65))
+    low, high = contact.interval
+    curvature = contact.curvature(np.linspace(low, high, 65))
     return bool(np.ptp(curvature) == 0.0)

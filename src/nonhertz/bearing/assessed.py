@@ -1,0 +1,306 @@
+"""The life of a loaded bearing by ISO 281 and ISO/TS 16281, under one load or a spectrum.
+
+    L10 = (C / P)^(10/3)        L_nmr = a_1 a_ISO L10r
+
+in millions of revolutions, L10r being that of `nonhertz.bearing.laminae`. Under a spectrum with the share u of the
+revolutions under each load, 1 / L = sum u / L (Palmgren, Miner). The static safety is C_0 over P_0.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from nonhertz.bearing.bearings import CylindricalThrustBearing
+from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.laminae import lamina_life, lamina_means, life_factors
+from nonhertz.bearing.lubrication import (
+    CLEANLINESS,
+    MOST_FACTOR,
+    contamination_factor,
+    reference_viscosity,
+    reliability_factor,
+)
+from nonhertz.bearing.ratings import Rating, equivalent_loads, rating
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.standard import LAMINAE
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import listed, numbers, one_of, positive, whole
+from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
+from nonhertz.life.spectrum import WHOLE
+from nonhertz.result.brief import plain_text
+from nonhertz.result.numerals import digits
+
+#: A loaded bearing, or several loads of one bearing with their shares of the revolutions.
+Loaded = BearingSolution | Sequence[tuple[BearingSolution, float]]
+
+_LIFE_EXPONENT = 10.0 / 3.0
+_PAIRS = "give pairs of a loaded bearing and its share of the revolutions"
+
+
+@dataclass(frozen=True, repr=False)
+class BearingLife:
+    """How long a bearing lasts under one load or a spectrum of loads, in 10^6 revolutions.
+
+    Attributes
+    ----------
+    rating : Rating
+        What it can bear.
+    equivalent_load, static_load : float
+        P and P_0 [N]; of a spectrum, the constant load with the same L10, and the largest P_0.
+    basic : float
+        L10, of ISO 281.
+    reference : float
+        L10r, of the laminae.
+    viscosity_ratio, contamination, life_factor : float or None
+        kappa, e_C and by how much they change the life, a_ISO [-]; None without a viscosity. Of a spectrum, the
+        smallest kappa and e_C.
+    reliability_factor : float
+        a_1 [-].
+    modified : float
+        L_nmr: L10r times a_1, and times a_ISO if there is one.
+    static_safety : float
+        S_0 [-].
+    parts : tuple of (BearingLife, float)
+        Of a spectrum, the life under each load by itself, and its share; empty under one load.
+    """
+
+    rating: Rating
+    equivalent_load: float
+    static_load: float
+    basic: float
+    reference: float
+    viscosity_ratio: float | None
+    contamination: float | None
+    life_factor: float | None
+    reliability_factor: float
+    modified: float
+    static_safety: float
+    parts: tuple[tuple[BearingLife, float], ...] = ()
+
+    def __repr__(self) -> str:
+        rated = self.rating
+        said = [
+            f"C = {digits(1e-3 * rated.dynamic)} kN, C0 = {digits(1e-3 * rated.static)} kN, "
+            f"P = {digits(1e-3 * self.equivalent_load)} kN, S0 = {digits(self.static_safety, 3)}",
+            f"L10 = {digits(self.basic, 4)}, L10r = {digits(self.reference, 4)} million revolutions",
+            f"modified {digits(self.modified, 4)} million revolutions: a1 = {digits(self.reliability_factor, 3)}"
+            + self._lubricated(),
+        ]
+        if self.parts:
+            said.append(f"under {len(self.parts)} loads for {digits(sum(share for _, share in self.parts), 3)} of it")
+        return plain_text("BearingLife", said)
+
+    def _lubricated(self) -> str:
+        if self.life_factor is None or self.viscosity_ratio is None or self.contamination is None:
+            return ", without lubrication"
+        return (
+            f", a_ISO = {digits(self.life_factor, 4)} with kappa = {digits(self.viscosity_ratio, 3)} and "
+            f"e_C = {digits(self.contamination, 3)}"
+        )
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """What lives are asked for, checked once."""
+
+    viscosity: float | None
+    contamination: float | None
+    cleanliness: str
+    reliability_factor: float
+    edge_stress: str | None
+    laminae: int
+    turning: str
+    dynamic: float | None
+    static: float | None
+
+
+def assess(
+    solution: Loaded,
+    *,
+    speed: ArrayLike | None = None,
+    viscosity: float | None = None,
+    contamination: float | None = None,
+    cleanliness: str = "high",
+    reliability: float = 0.9,
+    edge_stress: str | None = None,
+    laminae: int = LAMINAE,
+    turning: str = "inner",
+    dynamic: float | None = None,
+    static: float | None = None,
+) -> BearingLife:
+    """Return how long a bearing lasts under loads that stand still.
+
+    Parameters
+    ----------
+    solution : BearingSolution, or several of one bearing with their shares
+        The loaded bearing, or a spectrum: pairs of a solution and its share of the revolutions, from `solve_spectrum`
+        or with `shares_of_revolutions`. Shares are taken as they are; where they add up to less than 1, nothing is
+        loaded for the rest.
+    speed : float or sequence of float, optional
+        [1/min], beside a viscosity; of a spectrum one for all loads, or one for each.
+    viscosity : float, optional
+        Of the oil at its temperature in the bearing [mm^2/s], as from `oil_viscosity`.
+    contamination : float, optional
+        e_C, above 0 and at most 1; if left out, `contamination_factor` of the cleanliness.
+    cleanliness : str
+        Class of cleanliness, as in `contamination_factor`.
+    reliability : float
+        Share of bearings that last longer, from 0.9 to 0.9995.
+    edge_stress : {"pressure", "standard", "none"}, optional
+        As in `nonhertz.life.iso_16281`; the pressures that were solved for if there are any, else the standard's.
+    laminae : int
+        Number of slices.
+    turning : {"inner", "outer"}
+        Which ring turns against the load.
+    dynamic, static : float, optional
+        Ratings of a catalogue [N].
+
+    Raises
+    ------
+    InputError
+        If an argument is out of range, pressures are asked of a bearing that was solved by slices, rows are not alike,
+        or lubrication is asked of a thrust bearing, for which no formula was found twice.
+
+    Notes
+    -----
+    L10 contains the reduction by 0.83, lambda nu, for line loads that are not even; L10r does not, since the laminae
+    have the line loads themselves. Moments are not in P.
+    """
+    pairs = _pairs(solution)
+    asked = _Asked(
+        viscosity=viscosity,
+        contamination=contamination,
+        cleanliness=cleanliness,
+        reliability_factor=reliability_factor(reliability),
+        edge_stress=edge_stress,
+        laminae=whole("laminae", laminae, FEWEST, MOST, "give the number of slices, 41 say"),
+        turning=turning,
+        dynamic=dynamic,
+        static=static,
+    )
+    one_of("turning", turning, RINGS, "name the ring that turns against the load")
+    one_of("cleanliness", cleanliness, tuple(CLEANLINESS), "choose one, or give e_C as a number")
+    _check_oil(asked, speed, pairs[0][0])
+    speeds = _speeds(speed, len(pairs))
+    lives = tuple((_life(each, asked, pace), share) for (each, share), pace in zip(pairs, speeds, strict=True))
+    return lives[0][0] if isinstance(solution, BearingSolution) else _together(lives, asked)
+
+
+def _pairs(solution: Loaded) -> list[tuple[BearingSolution, float]]:
+    if isinstance(solution, BearingSolution):
+        return [(solution, 1.0)]
+    remedy = "solve one with nonhertz.bearing.solve, or " + _PAIRS
+    condition = "be a loaded bearing, or several with their shares"
+    pairs = listed("solution", solution, condition, remedy) if isinstance(solution, Sequence) else []
+    if not pairs or not all(isinstance(pair, Sequence) and len(pair) == 2 for pair in pairs):
+        raise InputError("solution", solution, condition, remedy)
+    for each, share in pairs:
+        if not isinstance(each, BearingSolution):
+            raise InputError("solution", each, condition, remedy)
+        positive("share", share, _PAIRS)
+        if each.bearing != pairs[0][0].bearing:
+            raise InputError("solution", "several", "all be of one bearing", "assess bearings one by one")
+    total = math.fsum(share for _, share in pairs)
+    if total > 1.0 + WHOLE:
+        raise InputError("share", round(total, 6), "add up to 1 at most", _PAIRS)
+    return pairs
+
+
+def _check_oil(asked: _Asked, speed: object, solution: BearingSolution) -> None:
+    if asked.viscosity is None:
+        for name, value in (("speed", speed), ("contamination", asked.contamination)):
+            if value is not None:
+                raise InputError(name, value, "be given with a viscosity", "give the viscosity too, or leave it out")
+        return
+    positive("viscosity", asked.viscosity, "give that of the oil in the bearing in mm^2/s")
+    if speed is None:
+        raise InputError("speed", None, "be given with a viscosity", "give the speed in 1/min")
+    if any(isinstance(row.bearing, CylindricalThrustBearing) for row in solution.bearing.rows):
+        condition = "be left out for thrust bearings, of which no a_ISO was found twice"
+        raise InputError("viscosity", asked.viscosity, condition, "assess the bearing without lubrication")
+    if asked.contamination is not None:
+        positive("contamination", asked.contamination, "give e_C, above 0 and at most 1")
+        if asked.contamination > 1.0:
+            raise InputError("contamination", asked.contamination, "not exceed 1", "give e_C, above 0 and at most 1")
+
+
+def _speeds(speed: ArrayLike | None, count: int) -> list[float | None]:
+    if speed is None:
+        return [None] * count
+    remedy = "give the speed in 1/min, or one for each load"
+    found = numbers("speed", speed, remedy)
+    if found.ndim > 1 or found.size not in (1, count):
+        raise InputError("speed", found.size, f"be one, or {count}, one for each load", remedy)
+    for each in found.ravel().tolist():
+        positive("speed", each, remedy)
+    return np.broadcast_to(found, count).tolist()  # type: ignore[no-any-return]
+
+
+def _life(solution: BearingSolution, asked: _Asked, speed: float | None) -> BearingLife:
+    by_strips = solution.method == "strips"
+    stress = asked.edge_stress
+    if stress is None:
+        stress = "pressure" if by_strips else "standard"
+    one_of("edge_stress", stress, EDGE_STRESS, "use 'pressure' for what was solved")
+    if stress == "pressure" and not by_strips:
+        raise InputError("edge_stress", stress, "be 'standard' or 'none' for slices", "solve the bearing by strips")
+    rated = rating(solution.bearing, dynamic=asked.dynamic, static=asked.static)
+    load, still = equivalent_loads(solution)
+    means = lamina_means(solution, asked.laminae, stress, asked.turning)
+    reference = lamina_life(rated, means)
+    kappa = clean = factor = None
+    if asked.viscosity is not None and speed is not None:
+        pitch = solution.bearing.rows[0].bearing.pitch
+        kappa = asked.viscosity / reference_viscosity(speed, pitch)
+        clean = asked.contamination
+        if clean is None:
+            clean = contamination_factor(kappa, pitch, asked.cleanliness)
+        factors = life_factors(solution, rated, means, kappa, float(clean))
+        factor = lamina_life(rated, means, factors) / reference if math.isfinite(reference) else MOST_FACTOR
+    return BearingLife(
+        rating=rated,
+        equivalent_load=load,
+        static_load=still,
+        basic=(rated.dynamic / load) ** _LIFE_EXPONENT if load > 0.0 else math.inf,
+        reference=reference,
+        viscosity_ratio=kappa,
+        contamination=clean,
+        life_factor=factor,
+        reliability_factor=asked.reliability_factor,
+        modified=asked.reliability_factor * reference * (1.0 if factor is None else factor),
+        static_safety=rated.static / still if still > 0.0 else math.inf,
+    )
+
+
+def miner(lives: Sequence[float], shares: Sequence[float]) -> float:
+    """Return the life under loads with shares of the revolutions."""
+    damage = math.fsum(share / life for life, share in zip(lives, shares, strict=True))
+    return 1.0 / damage if damage > 0.0 else math.inf
+
+
+def _together(parts: tuple[tuple[BearingLife, float], ...], asked: _Asked) -> BearingLife:
+    lives, shares = [life for life, _ in parts], [share for _, share in parts]
+    basic, reference, modified = (
+        miner([getattr(each, name) for each in lives], shares) for name in ("basic", "reference", "modified")
+    )
+    first, still = lives[0], max(each.static_load for each in lives)
+    oiled = asked.viscosity is not None
+    of_oil = modified / (asked.reliability_factor * reference) if math.isfinite(reference) else MOST_FACTOR
+    return replace(
+        first,
+        equivalent_load=first.rating.dynamic / basic ** (1.0 / _LIFE_EXPONENT),
+        static_load=still,
+        basic=basic,
+        reference=reference,
+        viscosity_ratio=min(each.viscosity_ratio or 0.0 for each in lives) if oiled else None,
+        contamination=min(each.contamination or 0.0 for each in lives) if oiled else None,
+        life_factor=of_oil if oiled else None,
+        modified=modified,
+        static_safety=first.rating.static / still if still > 0.0 else math.inf,
+        parts=parts,
+    )

@@ -1,0 +1,446 @@
+"""A guess of what is inside a bearing, from what stands in catalogues: boundary dimensions and load ratings.
+
+Wanted are the number Z of the rollers, their diameter D_w and effective length L and the pitch diameter. Known are, of
+ISO 76 and ISO 281,
+
+    C_0 = 44 (1 - gamma) Z L D_w cos(alpha)        gamma = D_w cos(alpha) / D_pw
+    C   = b_m f_c(gamma) (L cos(alpha))^(7/9) Z^(3/4) D_w^(29/27)
+
+C_0 is nothing but geometry, and is met exactly: it gives L for every Z and D_w. C then hardly depends on Z, because L Z
+is fixed and its powers are nearly equal, and makers rate their steel up to 20 % above the standard. So two ratings do
+not give two unknowns. What is left open is decided by what is usual (`_USUAL`): the most probable Z and D_w are those
+of the least sum of squares
+
+    ((ln(C / C_ISO) - 0.07) / 0.08)^2 + sum ((x - usual) / scatter)^2
+
+over the fill of the pitch circle Z D_w / (pi D_pw), the share of the radial section (D - d) / 2 that the rollers take,
+and L over the bearing's width. Usual shares and scatters are those of a few known bearings (docs/how-to/catalogue.md).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from nonhertz.bearing.bearings import (
+    MOST_ROLLERS,
+    CylindricalRollerBearing,
+    NeedleRollerBearing,
+    RollerBearing,
+    TaperedRollerBearing,
+)
+from nonhertz.bearing.ratings import Rating, rating
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import finite, one_of, positive
+from nonhertz.life.capacity import Raceway
+from nonhertz.model import profile
+from nonhertz.model.body import Body, Ring, Roller, TabulatedDiameter
+from nonhertz.result.brief import plain_text
+from nonhertz.result.numerals import digits
+
+
+@dataclass(frozen=True)
+class _Share:
+    usual: float
+    scatter: float
+
+    def misses(self, found: float) -> float:
+        return ((found - self.usual) / self.scatter) ** 2
+
+
+@dataclass(frozen=True)
+class _Design:
+    """What is usual in a kind of bearing."""
+
+    pitch: float  # over the mean of bore and outside diameter
+    fill: _Share  # of the pitch circle by rollers
+    section: _Share  # of the radial section by a roller
+    length: _Share  # of the width by the effective length
+
+
+_USUAL = {
+    "cylindrical": _Design(1.01, _Share(0.80, 0.05), _Share(0.55, 0.03), _Share(0.56, 0.05)),
+    "needle": _Design(1.0, _Share(0.75, 0.06), _Share(0.42, 0.05), _Share(0.67, 0.06)),
+    "tapered": _Design(1.01, _Share(0.91, 0.04), _Share(0.50, 0.03), _Share(0.58, 0.05)),
+}
+_STEEL = _Share(0.07, 0.08)  # logarithm of a maker's C over that of ISO 281
+_STATIC = 44.0  # N/mm^2
+LEAST_SECTION, MOST_SECTION = 0.2, 0.8
+LEAST_LENGTH, MOST_LENGTH = 0.2, 0.95
+FEWEST_ROLLERS, FULLEST = 5, 0.995
+MOST_ANGLE = math.radians(45.0)
+MOST_FACTOR = 1.5  # of C over that of ISO 281, either way
+# The diameter is searched on so many steps, each round on two of the last.
+_STEPS, _ROUNDS = 40, 4
+# Group N of ISO 5753-1 for cylindrical roller bearings of cylindrical bore, as two makers' tables agree on it: up to
+# which bore [mm], least and most [um].
+_NORMAL = (
+    (30, 20, 45), (40, 25, 50), (50, 30, 60), (65, 40, 70), (80, 40, 75), (100, 50, 85), (120, 50, 90), (140, 60, 105),
+    (160, 70, 120), (180, 75, 125), (200, 90, 145), (225, 105, 165), (250, 110, 175), (280, 125, 195), (315, 130, 205),
+    (355, 145, 225), (400, 190, 280), (450, 210, 310), (500, 220, 330), (560, 240, 360), (630, 260, 380),
+    (710, 285, 425), (800, 310, 470), (900, 350, 520), (1000, 390, 580),
+)  # fmt: skip
+_IN_N = "give both ratings of the catalogue in N: 44 kN are 44e3"
+
+
+@dataclass(frozen=True, repr=False)
+class CatalogueGuess:
+    """A bearing whose inside is guessed.
+
+    Attributes
+    ----------
+    bearing : RollerBearing
+        The most probable one.
+    sentences : tuple of str
+        What was guessed, and from what.
+    dynamic, static : float
+        C and C_0 of the catalogue [N], for `assess` and `rating`.
+    rated : Rating
+        Ratings of the guessed bearing by the standards' formulas.
+    rollers : tuple of int
+        Fewest and most rollers that are about as probable: within one of the least sum of squares.
+    """
+
+    bearing: RollerBearing
+    sentences: tuple[str, ...]
+    dynamic: float
+    static: float
+    rated: Rating
+    rollers: tuple[int, int]
+
+    def __repr__(self) -> str:
+        return plain_text("CatalogueGuess", list(self.sentences))
+
+
+def from_catalogue(
+    bore: float,
+    outside_diameter: float,
+    width: float,
+    dynamic: float,
+    static: float,
+    *,
+    kind: str = "cylindrical",
+    inner_raceway: float | None = None,
+    outer_raceway: float | None = None,
+    contact_angle: float | None = None,
+    limiting_ratio: float | None = None,
+    axial_factor: float | None = None,
+    clearance: float | None = None,
+) -> CatalogueGuess:
+    """Guess the inside of a roller bearing of one row from its dimensions and ratings.
+
+    Parameters
+    ----------
+    bore, outside_diameter, width : float
+        d, D and B of the catalogue, T of a tapered bearing [mm].
+    dynamic, static : float
+        C and C_0 [N].
+    kind : {"cylindrical", "needle", "tapered"}
+        The bearing.
+    inner_raceway, outer_raceway : float, optional
+        F and E of cylindrical and needle bearings [mm], which catalogues have for rings without ribs. With both, the
+        rollers' diameter and the pitch diameter are not guessed.
+    contact_angle : float, optional
+        Of a tapered bearing [rad]; or one of
+    limiting_ratio : float, optional
+        e = 1.5 tan(alpha), or
+    axial_factor : float, optional
+        Y = 0.4 / tan(alpha).
+    clearance : float, optional
+        Radial, of a tapered bearing axial [mm]. If left out, the middle of the normal group of ISO 5753-1 for
+        cylindrical roller bearings, up to a bore of 1000 mm, and 0 for tapered ones, which are set when mounted.
+
+    Returns
+    -------
+    CatalogueGuess
+        The bearing, with what was guessed in words.
+
+    Raises
+    ------
+    InputError
+        If an argument is out of range, or no rollers that fit between the rings have such ratings.
+
+    Notes
+    -----
+    Rollers have the reference profile of ISO 16281 on their effective length, rings are straight and as deep as their
+    walls, all of steel. Rollers of a tapered bearing meet in one point with its raceways.
+
+    Examples
+    --------
+    >>> guess = from_catalogue(30, 62, 16, 44e3, 36.5e3, inner_raceway=37.5, outer_raceway=55.5)
+    >>> guess
+    CatalogueGuess
+      a guess of the inside of a cylindrical roller bearing 30 x 62 x 16 mm
+      13 rollers of 9.000 x 8.792 mm on a pitch circle of 46.50 mm: 37.5 and 55.5 mm at the raceways, which were given
+      rollers take 80 % of the pitch circle, 56 % of the section and 55 % of the width
+      other numbers of rollers are less probable
+      C0 of 36.50 kN is met; C of 44.00 kN is 1.15 times that of ISO 281
+      clearance 32.5 um, the middle of the normal group; reference profile of ISO 16281
+    >>> guess.bearing.rollers, guess.bearing.pitch
+    (13, 46.5)
+    """
+    one_of("kind", kind, tuple(_USUAL), "write 'cylindrical', 'needle' or 'tapered'")
+    _check_sizes(bore, outside_diameter, width)
+    positive("dynamic", dynamic, _IN_N)
+    positive("static", static, _IN_N)
+    raceways = {"inner_raceway": inner_raceway, "outer_raceway": outer_raceway}
+    angles = {"contact_angle": contact_angle, "limiting_ratio": limiting_ratio, "axial_factor": axial_factor}
+    angle = _angle(angles) if kind == "tapered" else 0.0
+    for name, value in (raceways if kind == "tapered" else angles).items():
+        if value is not None:
+            raise InputError(name, value, f"be left out for a {kind} bearing", "it has none")
+    _check_raceways(bore, outside_diameter, raceways)
+    given = _Given(
+        float(bore), float(outside_diameter), float(width), float(dynamic), float(static), kind, inner_raceway,
+        outer_raceway, angle,
+    )  # fmt: skip
+    best, rollers = _most_probable(given)
+    slack = _clearance(given, clearance)
+    bearing = _made(given, best, slack)
+    return CatalogueGuess(
+        bearing, _sentences(given, best, rollers, slack, clearance is None), given.dynamic, given.static,
+        rating(bearing), rollers,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Given:
+    bore: float
+    outside: float
+    width: float
+    dynamic: float
+    static: float
+    kind: str
+    inner_raceway: float | None
+    outer_raceway: float | None
+    angle: float
+
+    @property
+    def usual(self) -> _Design:
+        return _USUAL[self.kind]
+
+    @property
+    def section(self) -> float:
+        return 0.5 * (self.outside - self.bore)
+
+    def pitch(self, diameter: float) -> float:
+        """Return the pitch diameter of rollers of a diameter [mm]."""
+        if self.inner_raceway is not None:
+            return self.inner_raceway + diameter
+        if self.outer_raceway is not None:
+            return self.outer_raceway - diameter
+        return self.usual.pitch * 0.5 * (self.bore + self.outside)
+
+    @property
+    def diameters(self) -> tuple[float, float]:
+        """Least and most diameter of a roller [mm]."""
+        if self.inner_raceway is not None and self.outer_raceway is not None:
+            both = 0.5 * (self.outer_raceway - self.inner_raceway)
+            return both, both
+        return LEAST_SECTION * self.section, MOST_SECTION * self.section
+
+
+@dataclass(frozen=True)
+class _Inside:
+    """Rollers in a bearing, with the length that C_0 asks for."""
+
+    given: _Given
+    rollers: int
+    diameter: float
+
+    @property
+    def pitch(self) -> float:
+        return self.given.pitch(self.diameter)
+
+    @property
+    def across(self) -> float:
+        return self.diameter * math.cos(self.given.angle)
+
+    @property
+    def length(self) -> float:
+        gamma = self.across / self.pitch
+        return self.given.static / (_STATIC * (1.0 - gamma) * self.rollers * self.across)
+
+    @property
+    def fill(self) -> float:
+        return self.rollers * self.diameter / (math.pi * self.pitch)
+
+    @property
+    def fits(self) -> bool:
+        """Whether rollers fit side by side, and between faces and rings."""
+        beside = (
+            self.pitch > self.diameter and self.rollers * math.asin(self.diameter / self.pitch) <= FULLEST * math.pi
+        )
+        along = LEAST_LENGTH * self.given.width <= self.length <= MOST_LENGTH * self.given.width
+        walls = self.pitch - self.across > self.given.bore and self.pitch + self.across < self.given.outside
+        return beside and along and walls
+
+    @property
+    def factor(self) -> float:
+        """C of the catalogue over that of ISO 281."""
+        ring = Raceway(self.diameter, self.length, self.pitch, True, contact_angle=self.given.angle)
+        return self.given.dynamic / ring.load_rating(self.rollers)
+
+    @property
+    def misses(self) -> float:
+        """The sum of squares by which the bearing is unusual."""
+        usual, given = self.given.usual, self.given
+        return (
+            # Beyond what is refused it counts no more, so that a mistaken C does not change the bearing.
+            _STEEL.misses(min(max(math.log(self.factor), -math.log(MOST_FACTOR)), math.log(MOST_FACTOR)))
+            + usual.fill.misses(self.fill)
+            + usual.section.misses(self.diameter / given.section)
+            + usual.length.misses(self.length / given.width)
+        )
+
+
+def _most_probable(given: _Given) -> tuple[_Inside, tuple[int, int]]:
+    """Return the most probable inside, and the numbers of rollers that are about as probable."""
+    low, high = given.diameters
+    least = min(given.pitch(low) - low, given.pitch(high) - high)
+    most = min(MOST_ROLLERS, int(math.pi * (least + high) / low) + 1)
+    found = [_best(given, number) for number in range(FEWEST_ROLLERS, most + 1)]
+    fitting = [each for each in found if each is not None]
+    if not fitting:
+        rings = f"{given.bore:g} and {given.outside:g} mm, {given.width:g} mm wide"
+        condition = f"be that of rollers which fit between rings of {rings}"
+        raise InputError("static", given.static, condition, _IN_N)
+    best = min(fitting, key=lambda each: each.misses)
+    if abs(math.log(best.factor)) > math.log(MOST_FACTOR):
+        by_standard = digits(given.dynamic / best.factor, 3)
+        condition = f"be near {by_standard} N, which ISO 281 gives a bearing with such a static rating"
+        raise InputError("dynamic", given.dynamic, condition, _IN_N)
+    near = [each.rollers for each in fitting if each.misses <= best.misses + 1.0]
+    return best, (min(near), max(near))
+
+
+def _best(given: _Given, rollers: int) -> _Inside | None:
+    """Return the most probable inside of a number of rollers, None if they do not fit."""
+    low, high = given.diameters
+    best: _Inside | None = None
+    for _ in range(_ROUNDS):
+        tried = [_Inside(given, rollers, each) for each in np.linspace(low, high, _STEPS + 1).tolist()]
+        best = min((each for each in tried if each.fits), key=lambda each: each.misses, default=best)
+        if best is None or low == high:
+            return best
+        step = (high - low) / _STEPS
+        low, high = max(low, best.diameter - step), min(high, best.diameter + step)
+    return best
+
+
+def _made(given: _Given, inside: _Inside, clearance: float) -> RollerBearing:
+    """Return the bearing, whose rollers meet in one point with the raceways if they are tapered."""
+    diameter, length, pitch = inside.diameter, inside.length, inside.pitch
+    if given.kind != "tapered":
+        roller = Roller(diameter=diameter, length=length, profile=profile.iso_logarithmic(diameter, length))
+        make = NeedleRollerBearing if given.kind == "needle" else CylindricalRollerBearing
+        inner, outer = _rings(given, pitch - diameter, pitch + diameter)
+        return make(roller=roller, inner=inner, outer=outer, rollers=inside.rollers, clearance=clearance)
+    half = _half_cone(diameter / pitch, given.angle)
+    axis = math.tan(given.angle - half)
+    low, high = (pitch * math.tan(each) / axis for each in (given.angle - 2.0 * half, given.angle))
+    ends = diameter + length * math.tan(half) * np.array([1.0, -1.0])
+    narrowing = TabulatedDiameter((-0.5 * length, 0.5 * length), tuple(ends.tolist()))
+    roller = Roller(diameter=narrowing, length=length, profile=profile.iso_tapered(diameter, length))
+    inner, outer = _rings(given, low, high)
+    return TaperedRollerBearing(
+        roller=roller, inner=inner, outer=outer, rollers=inside.rollers, pitch_diameter=pitch,
+        contact_angle=given.angle, clearance=clearance,
+    )  # fmt: skip
+
+
+def _half_cone(share: float, angle: float) -> float:
+    """Return half of the rollers' cone angle [rad], of which the tangent is D_w / D_pw sin(alpha - half)."""
+    half = 0.0
+    for _ in range(60):  # each takes less than D_w / D_pw of the error along
+        half = math.atan(share * math.sin(angle - half))
+    return half
+
+
+def _rings(given: _Given, inner: float, outer: float) -> tuple[Body, Body]:
+    of_inner = Ring(diameter=inner, depth=0.5 * (inner - given.bore))
+    return of_inner, Ring(diameter=-outer, depth=0.5 * (given.outside - outer))
+
+
+def _clearance(given: _Given, clearance: float | None) -> float:
+    if clearance is not None:
+        finite("clearance", clearance, "give it in mm: 30 um are 0.03")
+        return float(clearance)
+    if given.kind == "tapered":
+        return 0.0
+    for most, low, high in _NORMAL:
+        if given.bore <= most:
+            return 0.5e-3 * (low + high)
+    raise InputError("clearance", None, f"be given for a bore of more than {_NORMAL[-1][0]} mm", "give it in mm")
+
+
+def _angle(angles: Mapping[str, float | None]) -> float:
+    """Return the contact angle of a tapered bearing [rad] from one of three numbers."""
+    remedy = "give contact_angle in rad, or e as limiting_ratio, or Y as axial_factor"
+    stated = {name: value for name, value in angles.items() if value is not None}
+    if len(stated) != 1:
+        condition = "be given for a tapered bearing" if not stated else f"not be given together with {list(stated)[1]}"
+        name = next(iter(stated), "contact_angle")
+        raise InputError(name, stated.get(name), condition, remedy)
+    ((name, value),) = stated.items()
+    positive(name, value, remedy)
+    by_name = {"limiting_ratio": math.atan(value / 1.5), "axial_factor": math.atan(0.4 / value)}
+    found = by_name.get(name, float(value))
+    if found > MOST_ANGLE:
+        raise InputError(name, value, f"mean no more than {MOST_ANGLE:.4g} rad, 45 degrees", remedy)
+    return found
+
+
+def _check_sizes(bore: float, outside: float, width: float) -> None:
+    positive("bore", bore, "give d of the catalogue in mm")
+    positive("outside_diameter", outside, "give D of the catalogue in mm")
+    positive("width", width, "give B of the catalogue in mm")
+    if outside <= bore:
+        condition = f"exceed the bore of {bore:g} mm"
+        raise InputError("outside_diameter", outside, condition, "give D of the catalogue in mm")
+
+
+def _check_raceways(bore: float, outside: float, raceways: Mapping[str, float | None]) -> None:
+    low, high = bore, outside
+    for name, value in raceways.items():
+        if value is not None:
+            remedy = f"give {'F' if name == 'inner_raceway' else 'E'} of the catalogue in mm, or leave it out"
+            positive(name, value, remedy)
+            if not low < value < high:
+                raise InputError(name, value, f"lie between {low:g} and {high:g} mm", remedy)
+            low = value  # the outer raceway lies outside of the inner one
+
+
+def _sentences(
+    given: _Given, inside: _Inside, rollers: tuple[int, int], clearance: float, usual_clearance: bool
+) -> tuple[str, ...]:
+    """Return what was guessed."""
+    raceways = [each for each in (given.inner_raceway, given.outer_raceway) if each is not None]
+    of_pitch = (
+        " and ".join(f"{each:g}" for each in raceways) + " mm at the raceways, which were given"
+        if raceways
+        else f"{given.usual.pitch:g} times the mean of bore and outside diameter"
+    )
+    shares = (inside.fill, inside.diameter / given.section, inside.length / given.width)
+    fill, section, length = (digits(100.0 * share, 2) for share in shares)
+    low, high = rollers
+    size = f"{given.bore:g} x {given.outside:g} x {given.width:g} mm"
+    roller, pitch = f"{digits(inside.diameter, 4)} x {digits(inside.length, 4)} mm", f"{digits(inside.pitch, 4)} mm"
+    found = [
+        f"a guess of the inside of a {given.kind} roller bearing {size}",
+        f"{inside.rollers} rollers of {roller} on a pitch circle of {pitch}: {of_pitch}",
+        f"rollers take {fill} % of the pitch circle, {section} % of the section and {length} % of the width",
+        f"about as probable: {low} to {high} rollers" if low < high else "other numbers of rollers are less probable",
+        f"C0 of {digits(1e-3 * given.static, 4)} kN is met; C of {digits(1e-3 * given.dynamic, 4)} kN is "
+        f"{digits(inside.factor, 3)} times that of ISO 281",
+        f"clearance {digits(1e3 * clearance, 3)} um" + (_why(given) if usual_clearance else "")
+        + "; reference profile of ISO 16281",
+    ]  # fmt: skip
+    return tuple(found)
+
+
+def _why(given: _Given) -> str:
+    return ", until it is mounted" if given.kind == "tapered" else ", the middle of the normal group"

@@ -1,0 +1,492 @@
+"""Operating clearance: what fits, temperatures and speed leave of the clearance that a bearing has unmounted.
+
+Shaft, inner ring, outer ring and housing are plain rings of the diameters d_0 to d, d to F, E to D and D to D_H, with F
+and E of the raceways (`nonhertz.bearing.thick_rings`). A fit is pressed together if the parts, each by itself at its
+temperature and speed, would overlap: with the growths u of free parts and their compliances c = u / p,
+
+    p = max(0, (I / 2 + u_inside - u_outside) / (c_inside + c_outside))        I: interference on the diameter
+
+where they meet, and a fit whose pressure falls to zero is lost: from there on both parts grow as free ones. Rings stay
+round and stress-free along the axis, whatever the width of seat and ring; ribs, chamfers and the load of the rollers on
+the rings are neglected, and so is how far they slip. The clearance is
+
+    C = E - F - 2 D_w / cos(alpha)        each of them as it has grown.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from nonhertz.bearing.bearings import (
+    CylindricalRollerBearing,
+    RollerBearing,
+    SphericalRollerBearing,
+    TaperedRollerBearing,
+)
+from nonhertz.bearing.thick_rings import ThickRing
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import finite, not_negative, positive
+from nonhertz.model.material import STEEL, Material
+from nonhertz.result.brief import plain_text
+from nonhertz.result.numerals import digits
+
+REFERENCE = 20.0  # degC, at which dimensions are given
+EXPANSION = 12.5e-6  # 1/K, bearing steel (IKO, needle roller bearing catalogue, formula 29)
+COLDEST, HOTTEST = -273.15, 1000.0  # degC
+MOST_EXPANSION = 1e-3  # 1/K
+MOST_INTERFERENCE = 0.01  # of the diameter: ten times what elastic steel bears
+_DENSITY = 7.85e-9  # t/mm^3, of steel
+_PER_MINUTE = math.pi / 30.0
+_IN_MM = "give it on the diameter in mm: 20 um are 0.02"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shaft:
+    """The seat of an inner ring.
+
+    Parameters
+    ----------
+    diameter : float
+        Of the seat, which is the bearing's bore d [mm].
+    interference : float
+        By how much the shaft is larger than the bore, both at 20 degC and unmounted, on the diameter [mm]; negative
+        for a loose fit.
+    smoothing : float
+        What pressing flattens of the roughness of both surfaces and an interference so loses, on the diameter [mm].
+        DIN 7190 takes 0.8 (Rz_1 + Rz_2), and NSK leaves d / (d + 2) of the interference of a ground shaft, d in mm;
+        both are recalled.
+    bore : float
+        Of a hollow shaft [mm]; 0: solid.
+    material : Material
+        Of the shaft.
+    expansion : float
+        Its thermal expansion [1/K].
+    density : float
+        Its density [t/mm^3].
+    temperature : float
+        [degC].
+
+    Raises
+    ------
+    InputError
+        If the shaft cannot be.
+    """
+
+    diameter: float
+    interference: float = 0.0
+    smoothing: float = 0.0
+    bore: float = 0.0
+    material: Material = STEEL
+    expansion: float = EXPANSION
+    density: float = _DENSITY
+    temperature: float = REFERENCE
+
+    def __post_init__(self) -> None:
+        positive("diameter", self.diameter, "give that of the seat in mm")
+        not_negative("bore", self.bore, "give that of a hollow shaft in mm, 0 for a solid one")
+        if self.bore >= self.diameter:
+            condition = f"be less than the diameter of the shaft of {self.diameter:g} mm"
+            raise InputError("bore", self.bore, condition, "give that of a hollow shaft in mm, 0 for a solid one")
+        _check_seat(self)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Housing:
+    """The seat of an outer ring.
+
+    Parameters
+    ----------
+    diameter : float
+        Of the seat, which is the bearing's outside diameter D [mm].
+    interference : float
+        By how much the outer ring is larger than the seat, both at 20 degC and unmounted, on the diameter [mm];
+        negative for a loose fit.
+    smoothing : float
+        As for a `Shaft`.
+    outside_diameter : float
+        Of the housing as a ring [mm]; left out: endless.
+    material, expansion, temperature
+        As for a `Shaft`.
+
+    Raises
+    ------
+    InputError
+        If the housing cannot be.
+    """
+
+    diameter: float
+    interference: float = 0.0
+    smoothing: float = 0.0
+    outside_diameter: float = math.inf
+    material: Material = STEEL
+    expansion: float = EXPANSION
+    temperature: float = REFERENCE
+
+    def __post_init__(self) -> None:
+        positive("diameter", self.diameter, "give that of the seat in mm")
+        remedy = "give that of the housing in mm, or leave it out for an endless one"
+        if self.outside_diameter != math.inf:
+            positive("outside_diameter", self.outside_diameter, remedy)
+            if self.outside_diameter <= self.diameter:
+                condition = f"exceed that of the seat of {self.diameter:g} mm"
+                raise InputError("outside_diameter", self.outside_diameter, condition, remedy)
+        _check_seat(self)
+
+
+def _check_seat(seat: Shaft | Housing) -> None:
+    finite("interference", seat.interference, _IN_MM)
+    if abs(seat.interference) > MOST_INTERFERENCE * seat.diameter:
+        condition = f"not exceed {100.0 * MOST_INTERFERENCE:g} % of the diameter of {seat.diameter:g} mm"
+        raise InputError("interference", seat.interference, condition, _IN_MM)
+    not_negative("smoothing", seat.smoothing, _IN_MM)
+    if not isinstance(seat.material, Material):
+        raise InputError("material", seat.material, "be a Material", "make one with nonhertz.Material")
+    _check_expansion("expansion", seat.expansion)
+    if isinstance(seat, Shaft):
+        positive("density", seat.density, "give it in t/mm^3, 7.85e-9 for steel")
+    _check_temperature("temperature", seat.temperature)
+
+
+def _check_expansion(name: str, value: float) -> None:
+    remedy = "give it in 1/K, 12.5e-6 for bearing steel"
+    finite(name, value, remedy)
+    if abs(value) > MOST_EXPANSION:
+        raise InputError(name, value, f"not exceed {MOST_EXPANSION:g} per kelvin", remedy)
+
+
+def _check_temperature(name: str, value: float) -> None:
+    finite(name, value, "give it in degC")
+    if not COLDEST <= value <= HOTTEST:
+        raise InputError(name, value, f"lie between {COLDEST:g} and {HOTTEST:g} degC", "give it in degC")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Fit:
+    """A seat and a ring on each other.
+
+    Attributes
+    ----------
+    mounted_pressure : float
+        Where they meet, at 20 degC and at rest [MPa].
+    pressure : float
+        The same in operation [MPa]; 0: the parts do not press on each other.
+    seat_stress, raceway_stress : float
+        Hoop stress of the bearing's ring in operation, at its seat and at its raceway [MPa].
+    loosening_speed : float
+        Speed at which the pressure falls to zero at the temperatures of operation [1/min]; infinite if none does, and 0
+        where the parts part without any. Of an outer ring, which is at rest, infinite or 0.
+    """
+
+    mounted_pressure: float
+    pressure: float
+    seat_stress: float
+    raceway_stress: float
+    loosening_speed: float
+
+    @property
+    def loosened(self) -> bool:
+        """Whether the parts are pressed together when they are mounted, and not in operation."""
+        return self.mounted_pressure > 0.0 and self.pressure == 0.0
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class OperatingClearance:
+    """What is left of a bearing's radial clearance, and what took it.
+
+    The losses are taken in turn, and so add up: first the bearing is mounted, then it gets warm, then it turns. What a
+    fit gains or loses by temperatures or speed is theirs.
+
+    Attributes
+    ----------
+    unmounted : float
+        Radial clearance at first [mm].
+    inner_fit, outer_fit : float
+        What the fits take of it when the bearing is mounted [mm].
+    temperatures : float
+        What temperatures take [mm]; negative if they give.
+    speed : float
+        What speed takes [mm].
+    inner, outer : Fit
+        Pressures and stresses of both fits.
+
+    See Also
+    --------
+    operating_clearance : finds one
+    """
+
+    unmounted: float
+    inner_fit: float
+    outer_fit: float
+    temperatures: float
+    speed: float
+    inner: Fit
+    outer: Fit
+
+    @property
+    def clearance(self) -> float:
+        """Radial clearance in operation [mm]; negative: preload."""
+        return self.unmounted - self.inner_fit - self.outer_fit - self.temperatures - self.speed
+
+    def axial(self, contact_angle: float) -> float:
+        """Return the axial clearance of one tapered row that has this radial clearance [mm].
+
+        Parameters
+        ----------
+        contact_angle : float
+            Of the row [rad].
+
+        Returns
+        -------
+        float
+            C / (2 tan alpha): that of a `TaperedRollerBearing`, up to contact on this row alone.
+        """
+        positive("contact_angle", contact_angle, "give that of the row in rad: 12 degrees are 0.21")
+        if contact_angle >= 0.5 * math.pi:
+            raise InputError("contact_angle", contact_angle, "be less than a right angle", "give it in rad")
+        return 0.5 * self.clearance / math.tan(contact_angle)
+
+    def __repr__(self) -> str:
+        said = [
+            f"radial clearance {_um(self.clearance)} um of {_um(self.unmounted)} um unmounted",
+            f"taken by the inner fit {_um(self.inner_fit)} um, by the outer fit {_um(self.outer_fit)} um",
+            f"taken by temperatures {_um(self.temperatures)} um, by speed {_um(self.speed)} um",
+            *(line for name, fit in (("inner", self.inner), ("outer", self.outer)) for line in _said(name, fit)),
+        ]
+        return plain_text("OperatingClearance", said)
+
+
+def _um(length: float) -> str:
+    return digits(1e3 * length, 4)
+
+
+def _said(name: str, fit: Fit) -> list[str]:
+    mounted, running, seat, raceway = (
+        digits(each, 4) for each in (fit.mounted_pressure, fit.pressure, fit.seat_stress, fit.raceway_stress)
+    )
+    state = ", loosened" if fit.loosened else ""
+    if 0.0 < fit.loosening_speed < math.inf and not fit.loosened:
+        state = f", comes loose at {digits(fit.loosening_speed, 3)}/min"
+    return [
+        f"{name} fit: pressure {mounted} MPa mounted, {running} MPa in operation{state}",
+        f"{name} ring: hoop stress {seat} MPa at the seat, {raceway} MPa at the raceway",
+    ]
+
+
+def operating_clearance(
+    bearing: RollerBearing,
+    *,
+    shaft: Shaft,
+    housing: Housing,
+    inner_temperature: float = REFERENCE,
+    roller_temperature: float = REFERENCE,
+    outer_temperature: float = REFERENCE,
+    speed: float = 0.0,
+    ring_expansion: float = EXPANSION,
+    roller_expansion: float = EXPANSION,
+    ring_density: float = _DENSITY,
+) -> OperatingClearance:
+    """Return the clearance of a bearing in operation, from fits, temperatures and speed.
+
+    Parameters
+    ----------
+    bearing : RollerBearing
+        The bearing, with the clearance that it has unmounted; of a tapered one its axial clearance counts as a radial
+        one of 2 tan(alpha) times as much.
+    shaft, housing : Shaft, Housing
+        The seats, with their fits and temperatures.
+    inner_temperature, roller_temperature, outer_temperature : float
+        Of the bearing's parts [degC].
+    speed : float
+        Of inner ring and shaft [1/min]; outer ring and housing are at rest.
+    ring_expansion, roller_expansion : float
+        Thermal expansion of rings and rollers [1/K].
+    ring_density : float
+        Of the inner ring [t/mm^3].
+
+    Returns
+    -------
+    OperatingClearance
+        What is left, and what took how much of it.
+
+    Raises
+    ------
+    InputError
+        If an argument is out of range, or a seat does not fit the rings.
+
+    Notes
+    -----
+    With one steel for all parts, fits alone give the formulas of bearing makers (recalled from NSK's technical report).
+    Of the interference, the inner raceway grows by k (1 - k_0^2) / (1 - k^2 k_0^2) with k = d / F and k_0 = d_0 / d;
+    the outer one shrinks by h (1 - h_0^2) / (1 - h^2 h_0^2) with h = E / D and h_0 = D / D_H.
+
+    References
+    ----------
+    S. Timoshenko, J. N. Goodier, *Theory of Elasticity*, McGraw-Hill: thick cylinders and rotating discs (recalled).
+
+    Examples
+    --------
+    >>> import dataclasses
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
+    >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+    >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.0325)
+    >>> shaft, housing = nh.bearing.Shaft(diameter=30, interference=0.012), nh.bearing.Housing(diameter=62)
+    >>> found = operating_clearance(row, shaft=shaft, housing=housing)
+    >>> round(found.inner_fit, 5), round(found.clearance, 5), round(found.inner.pressure, 1)
+    (0.0096, 0.0229, 14.9)
+    >>> mounted = dataclasses.replace(row, clearance=found.clearance)
+    """
+    angle, unmounted = _check_bearing(bearing)
+    _check_rings(bearing, shaft, housing)
+    temperatures = {"inner": inner_temperature, "roller": roller_temperature, "outer": outer_temperature}
+    for name, value in temperatures.items():
+        _check_temperature(f"{name}_temperature", value)
+    _check_expansion("ring_expansion", ring_expansion)
+    _check_expansion("roller_expansion", roller_expansion)
+    not_negative("speed", speed, "give that of the inner ring in 1/min")
+    positive("ring_density", ring_density, "give it in t/mm^3, 7.85e-9 for steel")
+    fits = _fits(bearing, shaft, housing, ring_density)
+    warm = (
+        _Grown(shaft.expansion * (shaft.temperature - REFERENCE), ring_expansion * (inner_temperature - REFERENCE)),
+        _Grown(ring_expansion * (outer_temperature - REFERENCE), housing.expansion * (housing.temperature - REFERENCE)),
+    )
+    rollers = 2.0 * bearing.roller_diameter / math.cos(angle) * roller_expansion * (roller_temperature - REFERENCE)
+    turning = speed * _PER_MINUTE
+    mounted = [fit.raceway() for fit in fits]
+    warmed = [fit.raceway(by) for fit, by in zip(fits, warm, strict=True)]
+    inner_turning = fits[0].raceway(replace(warm[0], speed=turning))
+    return OperatingClearance(
+        unmounted=unmounted,
+        inner_fit=mounted[0],
+        outer_fit=0.0 - mounted[1],  # not -0.0
+        temperatures=(warmed[0] - mounted[0]) - (warmed[1] - mounted[1]) + rollers,
+        speed=inner_turning - warmed[0],
+        inner=fits[0].described(replace(warm[0], speed=turning)),
+        outer=fits[1].described(warm[1]),
+    )
+
+
+@dataclass(frozen=True)
+class _Grown:
+    """Thermal strains of what lies inside and outside of a fit, and the speed of both [rad/s]."""
+
+    inside: float = 0.0
+    outside: float = 0.0
+    speed: float = 0.0
+
+
+@dataclass(frozen=True)
+class _Joint:
+    """Two rings, one in the other, of which one is the bearing's."""
+
+    inside: ThickRing
+    outside: ThickRing
+    interference: float
+    on_shaft: bool
+
+    @property
+    def radius(self) -> float:
+        """Where they meet [mm]."""
+        return self.inside.outer
+
+    @property
+    def compliance(self) -> float:
+        """By how much the parts give way on the radius per pressure [mm/MPa]."""
+        return self.outside.growth(self.radius, inside=1.0) - self.inside.growth(self.radius, outside=1.0)
+
+    def overlap(self, grown: _Grown) -> float:
+        """Return by how much the parts would overlap on the radius, each by itself [mm]."""
+        warm = self.radius * (grown.inside - grown.outside)
+        return 0.5 * self.interference + warm - grown.speed**2 * self.parting
+
+    @property
+    def parting(self) -> float:
+        """By how much the outer part grows more than the inner one by speed [mm s^2]."""
+        return self.outside.growth(self.radius, speed=1.0) - self.inside.growth(self.radius, speed=1.0)
+
+    def pressure(self, grown: _Grown) -> float:
+        """Return the pressure between the parts [MPa]."""
+        return max(0.0, self.overlap(grown) / self.compliance)
+
+    @property
+    def ring(self) -> ThickRing:
+        """The bearing's ring."""
+        return self.outside if self.on_shaft else self.inside
+
+    def loads(self, grown: _Grown) -> dict[str, float]:
+        """Return what loads the bearing's ring."""
+        side = "inside" if self.on_shaft else "outside"
+        return {side: self.pressure(grown), "speed": grown.speed}
+
+    def raceway(self, grown: _Grown | None = None) -> float:
+        """Return by how much the diameter of the bearing's raceway has grown [mm]."""
+        grown = _Grown() if grown is None else grown
+        radius = self.ring.outer if self.on_shaft else self.ring.inner
+        strain = grown.outside if self.on_shaft else grown.inside
+        return 2.0 * (self.ring.growth(radius, **self.loads(grown)) + strain * radius)
+
+    def described(self, grown: _Grown) -> Fit:
+        """Return pressures and stresses."""
+        raceway = self.ring.outer if self.on_shaft else self.ring.inner
+        loads = self.loads(grown)
+        return Fit(
+            mounted_pressure=self.pressure(_Grown()),
+            pressure=self.pressure(grown),
+            seat_stress=self.ring.hoop_stress(self.radius, **loads),
+            raceway_stress=self.ring.hoop_stress(raceway, **loads),
+            loosening_speed=self._loosening(replace(grown, speed=0.0)),
+        )
+
+    def _loosening(self, at_rest: _Grown) -> float:
+        overlap = self.overlap(at_rest)
+        if overlap <= 0.0:
+            return 0.0
+        return math.sqrt(overlap / self.parting) / _PER_MINUTE if self.on_shaft and self.parting > 0.0 else math.inf
+
+
+def _fits(bearing: RollerBearing, shaft: Shaft, housing: Housing, density: float) -> tuple[_Joint, _Joint]:
+    inner, outer = (0.5 * abs(float(ring.diameter)) for ring in (bearing.inner, bearing.outer))  # type: ignore[arg-type]
+    seat, bore = 0.5 * shaft.diameter, 0.5 * housing.diameter
+    on_shaft = _Joint(
+        ThickRing(0.5 * shaft.bore, seat, shaft.material, shaft.density),
+        ThickRing(seat, inner, bearing.inner.material, density),
+        _effective(shaft),
+        True,
+    )
+    in_housing = _Joint(
+        ThickRing(outer, bore, bearing.outer.material, density),
+        ThickRing(bore, 0.5 * housing.outside_diameter, housing.material, density),
+        _effective(housing),
+        False,
+    )
+    return on_shaft, in_housing
+
+
+def _effective(seat: Shaft | Housing) -> float:
+    """Return the interference that is left when the roughness is flattened; a loose fit flattens nothing."""
+    return max(seat.interference - seat.smoothing, min(seat.interference, 0.0))
+
+
+def _check_bearing(bearing: RollerBearing) -> tuple[float, float]:
+    """Return the contact angle and the radial clearance of a bearing."""
+    if isinstance(bearing, TaperedRollerBearing):
+        return bearing.nominal_angle, 2.0 * math.tan(bearing.nominal_angle) * bearing.clearance
+    if isinstance(bearing, CylindricalRollerBearing | SphericalRollerBearing):
+        return bearing.nominal_angle, bearing.clearance
+    remedy = "give a cylindrical, needle, tapered or spherical one of one row"
+    raise InputError("bearing", bearing, "be a radial roller bearing", remedy)
+
+
+def _check_rings(bearing: RollerBearing, shaft: Shaft, housing: Housing) -> None:
+    if not isinstance(shaft, Shaft):
+        raise InputError("shaft", shaft, "be a Shaft", "make one with nonhertz.bearing.Shaft")
+    if not isinstance(housing, Housing):
+        raise InputError("housing", housing, "be a Housing", "make one with nonhertz.bearing.Housing")
+    raceway, around = (abs(float(ring.diameter)) for ring in (bearing.inner, bearing.outer))  # type: ignore[arg-type]
+    if shaft.diameter >= raceway:
+        condition = f"be less than that of the inner raceway of {raceway:g} mm"
+        raise InputError("shaft.diameter", shaft.diameter, condition, "give the bore of the inner ring in mm")
+    if housing.diameter <= around:
+        condition = f"exceed that of the outer raceway of {around:g} mm"
+        raise InputError("housing.diameter", housing.diameter, condition, "give that around the outer ring in mm")

@@ -1,0 +1,108 @@
+"""The laminae of ISO/TS 16281 in a whole bearing.
+
+    L10r = {sum_k [(q_ei / q_ci)^(9/2) + (q_ee / q_ce)^(9/2)]}^(-8/9)     over the laminae k of all rows,
+
+q_e being the mean over the rollers of the row of (f q)^4 to the power 1/4 at the ring that turns against the load, and
+that of the power 9/2 at the one that does not; q_c = Q_c n^(-7/9) is the capacity of a lamina. The load on the bearing
+that would load all as this lamina is,
+
+    P_k = 0.323 i Z cos(alpha) n {[q_ei^(9/2) + (r q_ee)^(9/2)] / [1 + r^(9/2)]}^(2/9)        r = 1.038 q_ci / q_ce,
+
+gives it a factor a_ISO, to the power 9/8 of which its damage is divided. P_k is from one program, which has a single
+row; the number of rows i is added here, since C_u is that of all rows together.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.lubrication import MOST_FACTOR, life_factor
+from nonhertz.bearing.ratings import Rating
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.standard import standard_slices
+from nonhertz.life.lamina import EXPONENT, SLOPE, edge_function, iso_16281, laminae_of
+
+Array = NDArray[np.float64]
+
+TURNING, STANDING = 4.0, 4.5  # powers of means over rollers
+_WORST_FACTOR = 0.1
+
+
+def lamina_means(solution: BearingSolution, laminae: int, edge_stress: str, turning: str) -> list[Array]:
+    """Return q_e of every lamina [N] of both rings, shape (2, laminae), for each row."""
+    suffered = _suffered(solution, laminae, edge_stress)
+    return [mean_over_rollers(suffered[these], turning) for these in rows_of(solution)]
+
+
+def rows_of(solution: BearingSolution) -> list[slice]:
+    """Return which rollers each row has."""
+    ends = np.cumsum([0, *(row.bearing.rollers for row in solution.bearing.rows)]).tolist()
+    return [slice(first, last) for first, last in itertools.pairwise(ends)]
+
+
+def mean_over_rollers(suffered: Array, turning: str) -> Array:
+    """Return the mean over rollers of loads of shape (rollers, 2, laminae), by the power of each ring."""
+    powers = [TURNING if ring == turning else STANDING for ring in RINGS]
+    return np.array([np.mean(suffered[:, k] ** power, axis=0) ** (1.0 / power) for k, power in enumerate(powers)])
+
+
+def lamina_life(rated: Rating, means: list[Array], factors: list[Array] | None = None) -> float:
+    """Return the life [10^6 revolutions] of rows of laminae, which may last longer by factors."""
+    damage = 0.0
+    for number, each in enumerate(means):
+        count = each.shape[1]
+        capacities = np.array([[rated.inner], [rated.outer]]) * count ** (-7.0 / 9.0)
+        longer = np.ones(count) if factors is None else factors[number]
+        damage += float(np.sum(np.sum((each / capacities) ** EXPONENT, axis=0) * longer**-SLOPE))
+    return damage ** (-1.0 / SLOPE) if damage > 0.0 else math.inf
+
+
+def life_factors(
+    solution: BearingSolution, rated: Rating, means: list[Array], kappa: float, contamination: float
+) -> list[Array]:
+    """Return a_ISO of every lamina, for each row."""
+    limit = contamination * rated.fatigue_limit
+    found = []
+    for row, each in zip(solution.bearing.rows, means, strict=True):
+        share = 1.038 * rated.inner / rated.outer
+        both = (each[0] ** EXPONENT + (share * each[1]) ** EXPONENT) / (1.0 + share**EXPONENT)
+        size = 0.323 * rated.rows * row.bearing.rollers * math.cos(row.bearing.nominal_angle) * each.shape[1]
+        found.append(np.array([_factor_at(kappa, limit, load) for load in size * both ** (1.0 / EXPONENT)]))
+    return found
+
+
+def _factor_at(kappa: float, limit: float, load: float) -> float:
+    if load <= 0.0:
+        return MOST_FACTOR
+    # Without a limit there is nothing that lubrication can do.
+    return life_factor(kappa, limit / load) if limit > 0.0 else _WORST_FACTOR
+
+
+def _suffered(solution: BearingSolution, laminae: int, edge_stress: str) -> Array:
+    """Return f q of every lamina [N], shape (rollers, 2, laminae)."""
+    found = np.zeros((*solution.load.shape, laminae))
+    if solution.method == "slices":
+        for row, these in zip(solution.bearing.rows, rows_of(solution), strict=True):
+            slices = standard_slices(row.bearing, laminae)
+            loads = slices.loads(solution.approach[these].ravel(), solution.tilt[these].ravel())
+            found[these] = loads.reshape(found[these].shape)
+        found *= edge_function(laminae) if edge_stress == "standard" else 1.0
+        return np.where(solution.load[..., None] > 0.0, found, 0.0)
+    model = iso_16281(laminae=laminae, edge_stress=edge_stress)
+    known: dict[int, Array] = {}
+    for j in range(solution.angle.size):
+        for k, ring in enumerate(RINGS):
+            contact = solution.contact(j, ring)
+            if contact is None:
+                continue
+            # Equal contacts are one and the same solution.
+            if id(contact) not in known:
+                cut = laminae_of(contact, model)
+                known[id(contact)] = cut.factor * cut.load
+            found[j, k] = known[id(contact)]
+    return found

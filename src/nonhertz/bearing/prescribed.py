@@ -1,0 +1,166 @@
+"""What acts on the inner ring, as it is given: forces, moments, displacements and rotations of one state or many."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import broadcast, numbers
+from nonhertz.model.prescription import MOST_TILT
+
+Array = NDArray[np.float64]
+
+
+class Prescribed(NamedTuple):
+    """What is given.
+
+    Attributes
+    ----------
+    by_force : ndarray of bool, shape (5,)
+        Of which motions of the ring the force or moment is given; of the others the displacement or rotation.
+    target : ndarray, shape (states, 5)
+        What is given [N, N mm, mm, rad].
+    """
+
+    by_force: NDArray[np.bool_]
+    target: Array
+
+
+class _Pair(NamedTuple):
+    """A force and the motion that may be given in its place; ``first`` is where a single number goes of two."""
+
+    force: str
+    motion: str
+    where: slice
+    first: int
+    units: tuple[str, str]
+
+
+_PAIRS = (
+    _Pair("radial", "radial_displacement", slice(1, 3), 0, ("N", "mm")),
+    _Pair("axial", "axial_displacement", slice(0, 1), 0, ("N", "mm")),
+    _Pair("moment", "tilt", slice(3, 5), 1, ("N mm", "rad")),
+)
+_ROTATION = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
+
+
+def one_state(bearing: RollerBearing | Paired, given: Mapping[str, ArrayLike | None]) -> Prescribed:
+    """Return what is given of one state: numbers, or pairs of them."""
+    values = {}
+    for pair in _PAIRS:
+        size = pair.where.stop - pair.where.start
+        for name, unit in zip((pair.force, pair.motion), pair.units, strict=True):
+            value = given.get(name)
+            if value is None:
+                continue
+            found = numbers(name, value, f"give it in {unit}")
+            if found.ndim and found.shape != (size,):
+                raise InputError(
+                    name, value, "be a number or two" if size == 2 else "be a number", f"give it in {unit}"
+                )
+            values[name] = found[None] if found.ndim else found.reshape(1)
+    return _prescribed(bearing, values, 1)
+
+
+def many_states(
+    bearing: RollerBearing | Paired, given: Mapping[str, ArrayLike | None]
+) -> tuple[Prescribed, tuple[int, ...]]:
+    """Return what is given of many states, and their shape: arrays along y, x and about z."""
+    rows = {name: numbers(name, each, "give numbers") for name, each in given.items() if each is not None}
+    spread = dict(zip(rows, broadcast("give arrays that fit each other", *rows.values()), strict=True)) if rows else {}
+    shape = next(iter(spread.values())).shape if spread else ()
+    if not math.prod(shape):
+        name = next(iter(rows))
+        raise InputError(name, given[name], "hold at least one number", "give a number or an array of them")
+    flat = {name: each.ravel() for name, each in spread.items()}
+    return _prescribed(bearing, flat, math.prod(shape)), shape
+
+
+def motions(displacement: ArrayLike, others: Mapping[str, object]) -> tuple[Prescribed, tuple[int, ...]]:
+    """Return all motions of the ring in many states, and their shape."""
+    for name, value in others.items():
+        if value is not None:
+            raise InputError(name, value, "not be given together with displacement", "leave one of them out")
+    remedy = "give x, y and z in mm and rotations about y and z in rad"
+    motion = numbers("displacement", displacement, remedy)
+    if motion.ndim == 0 or motion.shape[-1] != 5 or not motion.size:
+        raise InputError("displacement", motion.shape, "be of shape (..., 5)", remedy)
+    _refuse_large("displacement", motion[..., 3:])
+    return Prescribed(np.zeros(5, dtype=np.bool_), motion.reshape(-1, 5)), motion.shape[:-1]
+
+
+def _prescribed(bearing: RollerBearing | Paired, values: Mapping[str, Array], count: int) -> Prescribed:
+    """Check what is given: for each name numbers, shape (count,), or all components, shape (count, components)."""
+    by_force, target = np.zeros(5, dtype=np.bool_), np.zeros((count, 5))
+    axially = any(any(row.bears_axially) for row in bearing.rows)
+    radially = any(row.bearing.bears_radially for row in bearing.rows)
+    for pair in _PAIRS:
+        force, motion = values.get(pair.force), values.get(pair.motion)
+        if force is not None and motion is not None:
+            condition = f"not be given together with {pair.force}"
+            raise InputError(pair.motion, _first(motion), condition, "leave one of them out")
+        forced = {"radial": radially, "axial": axially, "moment": False}[pair.force]
+        by_force[pair.where] = force is not None or (motion is None and forced)
+        value = force if motion is None else motion
+        if value is not None and value.ndim == 1:
+            target[:, pair.where.start + pair.first] = value
+        elif value is not None:
+            target[:, pair.where] = value
+    _refuse_unborne("axial", axially, "along", (by_force, target), _PAIRS[1].where)
+    _refuse_unborne("radial", radially, "across", (by_force, target), _PAIRS[0].where)
+    _refuse_falling_apart(bearing, by_force, target)
+    if "tilt" in values:
+        _refuse_large("tilt", target[:, 3:])
+    return Prescribed(by_force, target)
+
+
+def _first(values: Array) -> object:
+    """Return what was given for the first state."""
+    first = values[0]
+    return first.tolist() if np.ndim(first) else float(first)
+
+
+def _refuse_unborne(name: str, borne: bool, way: str, given: tuple[NDArray[np.bool_], Array], where: slice) -> None:
+    """Refuse a force that the bearing does not bear; where there is none, the ring is held instead."""
+    by_force, target = given
+    if borne or not np.any(by_force[where]):
+        return
+    if np.any(target[:, where] != 0.0):
+        condition = f"be zero for a bearing whose inner ring is free to move {way} the axis"
+        largest = float(np.max(np.abs(target[:, where])))
+        raise InputError(name, largest, condition, f"use one that bears {name} loads")
+    by_force[where] = False
+
+
+def _refuse_falling_apart(bearing: RollerBearing | Paired, by_force: NDArray[np.bool_], target: Array) -> None:
+    """Refuse less axial force than a radial one needs where rows bear axial loads one way alone."""
+    ways = [row.bears_axially for row in bearing.rows]
+    up, down = any(way[0] for way in ways), any(way[1] for way in ways)
+    if not by_force[0] or up == down:
+        return
+    radial = np.hypot(target[:, 1], target[:, 2]) if np.all(by_force[1:3]) else np.zeros(len(target))
+    # A row that is held along the axis by ribs, or by nothing, needs no axial force for a radial one.
+    slope = min(math.tan(row.bearing.nominal_angle) for row in bearing.rows)
+    least = np.where(radial > 0.0, slope * radial, 0.0)
+    axial = target[:, 0] if up else -target[:, 0]
+    falls = np.flatnonzero(~((axial > least) | ((axial == 0.0) & (least == 0.0))))
+    if falls.size:
+        k = falls[0]
+        way, remedy = "+x" if up else "-x", "without that rows that bear it one way alone fall apart"
+        condition = f"exceed {least[k]:.4g} N along {way}, the tangent of the contact angle times the radial force"
+        if least[k] == 0.0:
+            condition, remedy = f"act along {way}, the only way in which this bearing bears it", "turn it round"
+        raise InputError("axial", float(target[k, 0]), condition, f"{remedy}; or give axial_displacement")
+
+
+def _refuse_large(name: str, rotations: Array) -> None:
+    """Refuse rotations that are not small."""
+    largest = float(rotations.flat[np.argmax(np.abs(rotations))])
+    if abs(largest) > MOST_TILT:
+        raise InputError(name, largest, f"be a small angle, of at most {MOST_TILT:g} rad", _ROTATION)

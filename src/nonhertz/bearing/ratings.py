@@ -1,0 +1,228 @@
+"""Load ratings and equivalent loads of bearings, ISO 281 and ISO 76.
+
+The formulas of one raceway are those of `nonhertz.life.capacity`; of i equal rows, in X, O or tandem, C is i^(7/9)
+times that of one. Several rows in X or O are one bearing of two rows or more, and have its factors:
+
+    one row, or all of them turned the same way     P = F_r, or 0.4 F_r + 0.4 cot(alpha) F_a
+    rows turned against each other                  P = F_r + 0.45 cot(alpha) F_a, or 0.67 [F_r + cot(alpha) F_a]
+
+up to F_a / F_r = 1.5 tan(alpha), and above; two public programs have them, and catalogues of spherical roller bearings
+agree. P_0 is the larger of F_r and 0.5 F_r + 0.22 cot(alpha) F_a, or F_r + 0.44 cot(alpha) F_a for rows against each
+other (one program). Cylindrical thrust bearings have P = P_0 = F_a.
+
+The static rating C_0 = 44 (1 - gamma) i Z L D cos(alpha) is the load at which 4000 MPa are reached on the roller that
+bears 5 C_0 / (i Z cos(alpha)); the same pressure under an axial load on flat washers gives 220 Z L D.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from nonhertz.bearing.bearings import (
+    CylindricalThrustBearing,
+    Paired,
+    RollerBearing,
+    SphericalRollerBearing,
+)
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import positive
+from nonhertz.life.capacity import (
+    MATERIAL_FACTOR,
+    REDUCTION,
+    THRUST_REDUCTION,
+    Raceway,
+    is_steel,
+    thrust_capacity,
+    thrust_rating,
+)
+
+_STATIC = 44.0  # N/mm^2
+_SHARE_OF_MOST_LOADED = 5.0
+_OF_SPHERICAL, _OF_THRUST = 1.15, 1.0  # b_m
+_ALIKE = 1e-9
+
+
+@dataclass(frozen=True)
+class Rating:
+    """What a bearing can bear, by ISO 281 and ISO 76.
+
+    Attributes
+    ----------
+    dynamic : float
+        Basic dynamic load rating C [N]: radial, or axial for a thrust bearing.
+    static : float
+        Basic static load rating C_0 [N], in the same direction.
+    inner, outer : float
+        Dynamic capacities of one contact Q_ci and Q_ce [N].
+    fatigue_limit : float
+        Fatigue load limit C_u [N].
+    rows : int
+        Number of equal rows, i.
+    material_factor : float
+        b_m, with which C was found, if it isn't a catalogue's: 1.1; 1.15 for spherical roller bearings (one public
+        program, as it had been recalled) and 1 for thrust bearings (recalled, without a second source).
+    reduction : float
+        lambda nu, the reduction of C for loads that are not even along the rollers, which the capacities of contacts
+        are free of: 0.83, or 0.73 for thrust bearings.
+    """
+
+    dynamic: float
+    static: float
+    inner: float
+    outer: float
+    fatigue_limit: float
+    rows: int = 1
+    material_factor: float = MATERIAL_FACTOR
+    reduction: float = REDUCTION
+
+
+def rating(
+    bearing: RollerBearing | Paired,
+    *,
+    dynamic: float | None = None,
+    static: float | None = None,
+    material_factor: float | None = None,
+) -> Rating:
+    """Return the ratings of a bearing.
+
+    Parameters
+    ----------
+    bearing : RollerBearing or Paired
+        The bearing; several rows must be alike.
+    dynamic, static : float, optional
+        C and C_0 of a catalogue [N], in place of those of the standards' formulas; of all rows together.
+    material_factor : float, optional
+        b_m in place of the one of the bearing's kind: 1 for needle rollers in a drawn cup.
+
+    Raises
+    ------
+    InputError
+        If rows differ, thrust bearings are turned against each other, or something isn't of bearing steel.
+
+    Notes
+    -----
+    C includes the factor 0.83 (0.73 for thrust bearings) for loads that are not even along the rollers, lambda nu.
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=10, length=9.6)
+    >>> rings = {"inner": nh.Ring(diameter=55), "outer": nh.Ring(diameter=-75)}
+    >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=14)
+    >>> round(rating(row).dynamic, 1), round(rating(row).inner, 1), round(rating(row).outer, 1)
+    (48416.8, 11449.6, 17271.6)
+    """
+    row, rows = _row_of(bearing)
+    for name, value in (("dynamic", dynamic), ("static", static)):
+        if value is not None:
+            positive(name, value, f"give the basic {name} load rating in N")
+    if material_factor is not None:
+        positive("material_factor", material_factor, "give b_m, 1.1 for cylindrical and tapered rollers")
+    factor = _material_factor(row) if material_factor is None else float(material_factor)
+    if isinstance(row, CylindricalThrustBearing):
+        return _thrust(row, rows, factor, dynamic, static)
+    inner, outer = raceways(row)
+    of_rows = {"rows": rows}
+    load = inner.load_rating(row.rollers, **of_rows, material_factor=factor) if dynamic is None else float(dynamic)
+    angle = row.nominal_angle
+    gamma = row.roller_diameter * math.cos(angle) / row.pitch
+    size = rows * row.rollers * inner.length * row.roller_diameter * math.cos(angle)
+    still = _STATIC * (1.0 - gamma) * size if static is None else float(static)
+    of_inner, of_outer = (each.capacity_of(load, row.rollers, **of_rows) for each in (inner, outer))
+    return Rating(load, still, of_inner, of_outer, _fatigue_limit(still, row), rows, factor, REDUCTION)
+
+
+def raceways(bearing: RollerBearing) -> tuple[Raceway, Raceway]:
+    """Return both raceways of a radial row as ISO 281 sees them."""
+    of_both = bearing.roller_diameter, length_of(bearing), bearing.pitch
+    angle = bearing.nominal_angle
+    return Raceway(*of_both, True, contact_angle=angle), Raceway(*of_both, False, contact_angle=angle)
+
+
+def length_of(bearing: RollerBearing) -> float:
+    """Return the length on which rollers and rings can touch [mm]."""
+    low, high = bearing.contacts[0].interval
+    return high - low
+
+
+def opposed(bearing: RollerBearing | Paired) -> bool:
+    """Return whether rows of a bearing are turned against each other, as in X and O."""
+    return len({row.turned for row in bearing.rows}) > 1
+
+
+def equivalent_loads(solution: BearingSolution) -> tuple[float, float]:
+    """Return P of ISO 281 and P_0 of ISO 76 [N]; moments are not in them."""
+    bearing = solution.bearing
+    radial, axial = math.hypot(*solution.force[1:3]), abs(float(solution.force[0]))
+    row = bearing.rows[0].bearing
+    if isinstance(row, CylindricalThrustBearing):
+        return axial, axial
+    angle = row.nominal_angle
+    if angle == 0.0:
+        return radial, radial
+    along = axial / math.tan(angle)
+    much = axial > 1.5 * math.tan(angle) * radial
+    if opposed(bearing):
+        return (0.67 * (radial + along) if much else radial + 0.45 * along), radial + 0.44 * along
+    return (0.4 * (radial + along) if much else radial), max(0.5 * radial + 0.22 * along, radial)
+
+
+def refuse_other_materials(bearing: RollerBearing | Paired) -> None:
+    """Refuse bearings that aren't of bearing steel, whose capacities are not known."""
+    for row in bearing.rows:
+        parts = (row.bearing.roller, row.bearing.inner, row.bearing.outer)
+        if not all(is_steel(each.material) for each in parts):
+            raise InputError("bearing", "of other materials", "be of bearing steel", "leave the ratings out")
+
+
+def _row_of(bearing: RollerBearing | Paired) -> tuple[RollerBearing, int]:
+    """Return one of equal rows, and how many there are."""
+    if not isinstance(bearing, RollerBearing | Paired) or type(bearing) is RollerBearing:
+        condition = "be a bearing of rollers"
+        raise InputError("bearing", type(bearing).__name__, condition, "make one with nonhertz.bearing")
+    refuse_other_materials(bearing)
+    rows = [row.bearing for row in bearing.rows]
+    if any(not _are_alike(rows[0], each) for each in rows[1:]):
+        condition = "have rows of the same kind and size, as the load ratings of ISO 281 are for"
+        raise InputError(
+            "bearing", "Paired", condition, "rate the rows by themselves, each under its share of the loads"
+        )
+    if isinstance(rows[0], CylindricalThrustBearing) and opposed(bearing):
+        condition = "have all its thrust bearings turned the same way: the others do not bear this load"
+        raise InputError("bearing", "Paired", condition, "rate the rows that bear it")
+    return rows[0], len(rows)
+
+
+def _are_alike(one: RollerBearing, other: RollerBearing) -> bool:
+    sizes = [
+        (each.roller_diameter, length_of(each), each.pitch, each.nominal_angle, float(each.rollers))
+        for each in (one, other)
+    ]
+    same = all(math.isclose(a, b, rel_tol=_ALIKE) for a, b in zip(*sizes, strict=True))
+    return type(one) is type(other) and same
+
+
+def _material_factor(row: RollerBearing) -> float:
+    if isinstance(row, SphericalRollerBearing):
+        return _OF_SPHERICAL
+    return _OF_THRUST if isinstance(row, CylindricalThrustBearing) else MATERIAL_FACTOR
+
+
+def _thrust(
+    row: CylindricalThrustBearing, rows: int, factor: float, dynamic: float | None, static: float | None
+) -> Rating:
+    length = length_of(row)
+    of_one = factor * thrust_rating(row.roller_diameter, length, row.pitch, row.rollers)
+    # As for radial bearings; the standard's sum over rows that may differ becomes this for equal ones.
+    increase = rows ** (7.0 / 9.0)
+    load = of_one * increase if dynamic is None else float(dynamic)
+    size = rows * row.rollers * length * row.roller_diameter
+    still = _SHARE_OF_MOST_LOADED * _STATIC * size if static is None else float(static)
+    capacity = thrust_capacity(load / increase, row.rollers)
+    return Rating(load, still, capacity, capacity, _fatigue_limit(still, row), rows, factor, THRUST_REDUCTION)
+
+
+def _fatigue_limit(static: float, row: RollerBearing) -> float:
+    return float(static / 8.2 * min(1.0, (100.0 / row.pitch) ** 0.3))

@@ -1,0 +1,195 @@
+"""Ribs that hold rollers along their axes, and the contacts of the rollers' ends on them.
+
+The end of a roller is part of a sphere with its centre on the roller's axis, and the flank of a rib part of a cone
+about the bearing's axis. They touch where the flank is square to a radius of the sphere, so that the normal goes
+through the sphere's centre: at a distance from the roller's axis of the sphere's radius times the sine of the flank's
+angle. Along the circle of the bearing the flank has the curvature n_r / r, n_r being the part of the normal along the
+radius r, and along its straight generator none, or that of its crown. The contact is that of Hertz over an ellipse.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.bearing.laws import Point
+from nonhertz.bearing.section import point_motion
+from nonhertz.errors import InputError
+from nonhertz.hertz import PointContact, point_contact
+from nonhertz.inputs.checks import not_negative, positive
+
+Array = NDArray[np.float64]
+
+#: Places of ribs: the ring, and the end of the rollers which it holds, -1 at low x.
+Place = tuple[str, int]
+#: Ribs of cylindrical roller bearings by their designs. NJ and NF bear axial loads on the inner ring along +x.
+DESIGNS: dict[str, tuple[Place, ...]] = {
+    "NU": (("outer", -1), ("outer", 1)),
+    "N": (("inner", -1), ("inner", 1)),
+    "NJ": (("inner", -1), ("outer", -1), ("outer", 1)),
+    "NF": (("inner", -1), ("inner", 1), ("outer", 1)),
+    "NUP": (("inner", -1), ("inner", 1), ("outer", -1), ("outer", 1)),
+}
+_HEIGHT = "give how far from the roller's axis the rib touches, in mm"
+
+
+@dataclass(frozen=True)
+class Rib:
+    """Ribs of a bearing's rings, and the rollers' ends on them.
+
+    Parameters
+    ----------
+    end_radius : float
+        Radius of the spherical end of the rollers [mm].
+    height : float
+        Distance of the contact from the roller's axis [mm]; of both rings' ribs.
+    crown_radius : float or None
+        Radius of a flank that is crowned [mm]; a straight one has none.
+    edge : float or None
+        Distance of the free edge of the flank from the roller's axis [mm], with which a contact that reaches it is
+        found; not looked for if left out.
+
+    Raises
+    ------
+    InputError
+        If one of them is out of range.
+
+    Examples
+    --------
+    >>> round(Rib.of_flank(end_radius=200.0, angle=0.01).height, 6)
+    1.999967
+    """
+
+    end_radius: float
+    height: float
+    crown_radius: float | None = None
+    edge: float | None = None
+
+    def __post_init__(self) -> None:
+        positive("end_radius", self.end_radius, "give the radius of the rollers' ends in mm")
+        not_negative("height", self.height, _HEIGHT)
+        if self.height >= self.end_radius:
+            condition = f"be less than the radius of the end, {self.end_radius:g} mm"
+            raise InputError("height", self.height, condition, "give how far from the roller's axis the rib touches")
+        if self.crown_radius is not None:
+            positive("crown_radius", self.crown_radius, "give that of the flank in mm, or leave it out")
+        if self.edge is not None:
+            not_negative("edge", self.edge, "give how far from the roller's axis the flank ends, in mm")
+            if self.edge >= self.height:
+                condition = f"be less than the height of the contact, {self.height:g} mm"
+                raise InputError("edge", self.edge, condition, "give how far from the roller's axis the flank ends")
+
+    @classmethod
+    def of_flank(
+        cls, *, end_radius: float, angle: float, crown_radius: float | None = None, edge: float | None = None
+    ) -> Rib:
+        """Return the rib whose flank is inclined by an angle [rad] against the plane square to the roller's axis."""
+        positive("end_radius", end_radius, "give the radius of the rollers' ends in mm")
+        not_negative("angle", angle, "give it in rad: half a degree is 0.0087")
+        if angle >= 0.5 * math.pi:
+            raise InputError("angle", angle, "be less than a right angle", "give it in rad: half a degree is 0.0087")
+        return cls(end_radius, end_radius * math.sin(angle), crown_radius, edge)
+
+    @property
+    def flank_angle(self) -> float:
+        """Angle of the flank against the plane square to the roller's axis, where it is touched [rad]."""
+        return math.asin(self.height / self.end_radius)
+
+
+@dataclass(frozen=True, eq=False)
+class RibContact:
+    """The contact of the rollers' ends with one rib of a row.
+
+    Attributes
+    ----------
+    ring : {"inner", "outer"}
+        Whose rib it is.
+    motion : ndarray, shape (2, 3)
+        Approach per motion of ring against roller; there is no tilt.
+    gap : float
+        What a centred roller is short of touching it [mm].
+    radius_around, radius_along : float
+        Combined radii of curvature around the bearing's axis and along the flank [mm].
+    compliance : float
+        Of both bodies [1/MPa].
+    room : float
+        How far the contact may reach along the flank, to the edge of the roller's end or of the flank [mm].
+    """
+
+    ring: str
+    motion: Array
+    gap: float
+    radius_around: float
+    radius_along: float
+    compliance: float
+    room: float
+
+    def under(self, load: float) -> PointContact:
+        """Return the contact under a load [N]."""
+        return point_contact(
+            load=load, radius_x=self.radius_around, radius_y=self.radius_along, compliance=self.compliance
+        )
+
+    @property
+    def law(self) -> Point:
+        """How it answers."""
+        unit = self.under(1.0)
+        return Point(unit.load / unit.approach**1.5)
+
+    def reaches_an_edge(self, load: float) -> bool:
+        """Return whether the ellipse under a load [N] reaches beyond the flank or the roller's end."""
+        return load > 0.0 and self.under(load).half_length > self.room
+
+
+@dataclass(frozen=True)
+class End:
+    """The end of a roller, on which ribs press.
+
+    Attributes
+    ----------
+    half : float
+        Half of the roller's length [mm].
+    radius : float
+        From the roller's axis to the edge of its end [mm].
+    inclined : float
+        By how much the roller's axis is inclined against the bearing's, falling towards high x [rad].
+    pitch : float
+        Diameter of the circle of the rollers' middles [mm].
+    """
+
+    half: float
+    radius: float
+    inclined: float
+    pitch: float
+
+    def contact(self, rib: Rib, place: Place, gap: float, compliance: float) -> RibContact:
+        """Return the contact with a rib.
+
+        Raises
+        ------
+        InputError
+            If the rib touches beyond the roller's end, or its flank is more concave than the end is convex.
+        """
+        if rib.height >= self.radius:
+            condition = f"be less than the radius of the rollers' ends, {self.radius:.6g} mm"
+            raise InputError("rib.height", rib.height, condition, _HEIGHT)
+        ring, side = place
+        # Square to the roller's axis, towards the ring; and along the axis, from this end into the roller.
+        towards = np.array([-math.sin(self.inclined), -math.cos(self.inclined)]) * (1.0 if ring == "inner" else -1.0)
+        along = np.array([math.cos(self.inclined), -math.sin(self.inclined)]) * -side
+        normal = along * math.cos(rib.flank_angle) - towards * math.sin(rib.flank_angle)
+        # The sphere's centre lies on the roller's axis, and the normal goes through it.
+        at = along * (rib.end_radius - self.half) - rib.end_radius * normal
+        around = 1.0 / rib.end_radius + float(normal[1]) / (0.5 * self.pitch + float(at[1]))
+        if not around > 0.0:
+            condition = "be small enough for a sphere inside the conical flank"
+            raise InputError("rib.end_radius", rib.end_radius, condition, "give a smaller one, or a larger height")
+        flank = 0.0 if rib.crown_radius is None else 1.0 / rib.crown_radius
+        room = self.radius - rib.height
+        if rib.edge is not None:
+            room = min(room, rib.height - rib.edge)
+        radii = 1.0 / around, 1.0 / (1.0 / rib.end_radius + flank)
+        return RibContact(ring, point_motion(normal.tolist(), at.tolist()), gap, *radii, compliance, room)

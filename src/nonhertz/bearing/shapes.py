@@ -1,0 +1,284 @@
+"""Shapes of rings that are not round, as values: from numbers at angles, or from Fourier terms, and sums of them.
+
+A shape is a function of the angle [rad] from y towards z that returns how much less room a raceway leaves there than a
+circle does [mm]: positive where an inner raceway bulges outwards or an outer one inwards. Shapes are compared by what
+they hold, unlike functions, so that bearings with equal shapes are equal.
+
+Bearings are solved at rest. An outer ring's shape stands still, in a housing that ovals; that of an inner ring turns
+with it, and what is solved is one moment: `RingShape.turned` gives the others.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import finite, numbers, one_of, whole
+
+Array = NDArray[np.float64]
+#: The curve through numbers at angles.
+Curve = Literal["cubic", "linear"]
+
+MOST_ORDER = 10_000
+MOST_POINTS = 100_000
+_TURN = 2.0 * math.pi
+_CLOSED = 1e-9  # of a turn, within which two angles are the same
+_ANGLES = "give a row of angles in rad, within one turn"
+_DEVIATIONS = "give as many lengths in mm as angles"
+_TERMS = "give a mapping such as {2: 0.005}, or {2: (0.005, 0.3)} with the angle of a crest"
+
+
+class RingShape:
+    """How far a raceway is from a circle; called with angles [rad], it returns lengths [mm].
+
+    Made with `fourier_shape`, `tabulated_shape` and ``+``.
+    """
+
+    def __call__(self, angle: ArrayLike) -> Array:
+        """Return how much less room there is at angles than a circle leaves.
+
+        Parameters
+        ----------
+        angle : array_like
+            From y towards z [rad].
+
+        Returns
+        -------
+        array
+            [mm].
+        """
+        return self._at(numbers("angle", angle, "give angles in rad"))
+
+    def _at(self, angle: Array) -> Array:
+        raise NotImplementedError
+
+    def turned(self, by: float) -> RingShape:
+        """Return the shape of the ring when it has turned.
+
+        Parameters
+        ----------
+        by : float
+            From y towards z [rad].
+        """
+        finite("by", by, "give the angle in rad")
+        return self._turned(float(by))
+
+    def _turned(self, by: float) -> RingShape:
+        raise NotImplementedError
+
+    def scaled(self, by: float) -> RingShape:
+        """Return the shape with all deviations multiplied.
+
+        Parameters
+        ----------
+        by : float
+            -1 where they are positive for more room.
+        """
+        finite("by", by, "give a number")
+        return self._scaled(float(by))
+
+    def _scaled(self, by: float) -> RingShape:
+        raise NotImplementedError
+
+    @property
+    def tables(self) -> tuple[dict[str, object], ...]:
+        """What it is the sum of, each as keywords: ``terms`` for `fourier_shape`, or those of `tabulated_shape`.
+
+        Empty for a class of the user's.
+        """
+        return ()
+
+    def __add__(self, other: RingShape) -> RingShape:
+        if not isinstance(other, RingShape):
+            return NotImplemented
+        return _SumShape(_parts(self) + _parts(other))
+
+
+def _parts(shape: RingShape) -> tuple[RingShape, ...]:
+    return shape.parts if isinstance(shape, _SumShape) else (shape,)
+
+
+@dataclass(frozen=True)
+class _SumShape(RingShape):
+    parts: tuple[RingShape, ...]
+
+    @property
+    def tables(self) -> tuple[dict[str, object], ...]:
+        found = [part.tables for part in self.parts]
+        return tuple(table for each in found for table in each) if all(found) else ()
+
+    def _at(self, angle: Array) -> Array:
+        return np.asarray(np.sum([part(angle) for part in self.parts], axis=0))
+
+    def _scaled(self, by: float) -> RingShape:
+        return _SumShape(tuple(part.scaled(by) for part in self.parts))
+
+    def _turned(self, by: float) -> RingShape:
+        return _SumShape(tuple(part.turned(by) for part in self.parts))
+
+
+@dataclass(frozen=True)
+class _FourierShape(RingShape):
+    """Orders with their amplitudes [mm] and the angles of a crest [rad]."""
+
+    terms: tuple[tuple[int, float, float], ...]
+
+    @property
+    def tables(self) -> tuple[dict[str, object], ...]:
+        return ({"terms": {order: (amplitude, crest) for order, amplitude, crest in self.terms}},)
+
+    def _at(self, angle: Array) -> Array:
+        found = np.zeros_like(angle)
+        for order, amplitude, crest in self.terms:
+            found += amplitude * np.cos(order * (angle - crest))
+        return found
+
+    def _scaled(self, by: float) -> RingShape:
+        return _FourierShape(tuple((order, by * amplitude, crest) for order, amplitude, crest in self.terms))
+
+    def _turned(self, by: float) -> RingShape:
+        return _FourierShape(tuple((order, amplitude, crest + by) for order, amplitude, crest in self.terms))
+
+
+@dataclass(frozen=True)
+class _TabulatedShape(RingShape):
+    """Ascending angles within a turn [rad] and the deviation there [mm]; what follows the last is the first."""
+
+    angle: tuple[float, ...]
+    deviation: tuple[float, ...]
+    curve: Curve
+    offset: float = 0.0
+
+    @property
+    def tables(self) -> tuple[dict[str, object], ...]:
+        angle = [each + self.offset for each in self.angle]
+        return ({"angle": angle, "deviation": list(self.deviation), "curve": self.curve},)
+
+    def _at(self, angle: Array) -> Array:
+        return np.asarray(self._curve(np.mod(angle - self.offset - self.angle[0], _TURN)))
+
+    @cached_property
+    def _curve(self) -> Callable[[Array], Array]:
+        places = np.append(self.angle, self.angle[0] + _TURN) - self.angle[0]
+        values = np.append(self.deviation, self.deviation[0])
+        if self.curve == "linear" or len(self.angle) < 3:
+            return lambda angle: np.interp(angle, places, values)
+        from scipy.interpolate import CubicSpline
+
+        curve: Callable[[Array], Array] = CubicSpline(places, values, bc_type="periodic")
+        return curve
+
+    def _scaled(self, by: float) -> RingShape:
+        return replace(self, deviation=tuple(by * each for each in self.deviation))
+
+    def _turned(self, by: float) -> RingShape:
+        return replace(self, offset=self.offset + by)
+
+
+def fourier_shape(terms: Mapping[int, float | tuple[float, float]]) -> RingShape:
+    """Return a shape from its waves around the ring.
+
+    Parameters
+    ----------
+    terms : mapping of int to float or (float, float)
+        Order n -> amplitude a [mm], or amplitude and angle of a crest [rad]: the sum of a cos(n (angle - crest)). Order
+        0 is a ring that is too small or too large, 1 one off its centre, 2 an oval.
+
+    Returns
+    -------
+    RingShape
+        The shape; a crest leaves least room.
+
+    Raises
+    ------
+    InputError
+        If an order or its amplitude is not one.
+
+    Examples
+    --------
+    >>> oval = fourier_shape({2: 0.005})
+    >>> oval([0.0, math.pi / 2]).tolist()
+    [0.005, -0.005]
+    >>> oval == fourier_shape({2: (0.005, 0.0)}), (oval + fourier_shape({3: 0.001}))([0.0]).tolist()
+    (True, [0.006])
+    """
+    if not isinstance(terms, Mapping):
+        raise InputError("terms", terms, "be a mapping of orders to amplitudes", _TERMS)
+    found = []
+    for order, wave in terms.items():
+        place = f"terms[{order!r}]"
+        number = whole("order", order, 0, MOST_ORDER, _TERMS)
+        row = numbers(place, wave, _TERMS).ravel()
+        if row.size not in (1, 2):
+            raise InputError(place, wave, "be an amplitude, or an amplitude and an angle", _TERMS)
+        found.append((number, float(row[0]), float(row[1]) if row.size == 2 else 0.0))
+    return _FourierShape(tuple(sorted(found)))
+
+
+def tabulated_shape(angle: ArrayLike, deviation: ArrayLike, curve: Curve = "cubic") -> RingShape:
+    """Return a shape from numbers at angles, such as measured ones.
+
+    Parameters
+    ----------
+    angle : array_like, shape (n,)
+        From y towards z [rad], n at least 2, within one turn, in any order. A last one that is a turn after the first
+        closes the ring and has the same deviation.
+    deviation : array_like, shape (n,)
+        How much less room there is [mm].
+    curve : {"cubic", "linear"}
+        What goes through the numbers: the periodic cubic spline, with continuous curvature, or straight lines. Both
+        close the ring; through two numbers only lines go.
+
+    Returns
+    -------
+    RingShape
+        The shape.
+
+    Raises
+    ------
+    InputError
+        If angles and deviations do not go around a ring once.
+
+    Examples
+    --------
+    >>> shape = tabulated_shape([0.0, 1.0, 2.0, 4.0], [0.0, 0.01, 0.0, -0.01], curve="linear")
+    >>> shape([0.5, 3.0, 2 * math.pi]).round(4).tolist()
+    [0.005, -0.005, 0.0]
+    """
+    one_of("curve", curve, get_args(Curve), "write 'cubic' or 'linear'")
+    places, values = numbers("angle", angle, _ANGLES), numbers("deviation", deviation, _DEVIATIONS)
+    if places.ndim != 1 or places.size < 2:
+        raise InputError("angle", angle, "be a row of at least two angles", _ANGLES)
+    if places.size > MOST_POINTS:
+        raise InputError("angle", places.size, f"hold no more than {MOST_POINTS:,} angles", "give fewer")
+    if values.shape != places.shape:
+        raise InputError("deviation", values.shape, f"be a row of {places.size} lengths", _DEVIATIONS)
+    order = np.argsort(places, kind="stable")
+    places, values = _opened(places[order], values[order])
+    if np.any(np.diff(places) <= _CLOSED * _TURN):
+        twice = float(places[:-1][np.diff(places) <= _CLOSED * _TURN][0])
+        raise InputError("angle", twice, "occur once", _ANGLES)
+    return _TabulatedShape(tuple(places.tolist()), tuple(values.tolist()), curve)
+
+
+def _opened(places: Array, values: Array) -> tuple[Array, Array]:
+    """Return angles without the one that closes the ring."""
+    span = float(places[-1] - places[0])
+    if span > _TURN * (1.0 + _CLOSED):
+        condition = f"span no more than one turn of {_TURN:.6g} rad"
+        raise InputError("angle", span, condition, "give angles in rad, 360 degrees are 6.2832")
+    if span < _TURN * (1.0 - _CLOSED):
+        return places, values
+    if abs(values[-1] - values[0]) > 1e-6 * max(float(np.ptp(values)), 1e-6):
+        condition = f"be the same where the ring closes, {values[0]:.6g} mm"
+        raise InputError(
+            "deviation", float(values[-1]), condition, "leave out the angle that is a turn after the first"
+        )
+    return places[:-1], values[:-1]

@@ -1,0 +1,161 @@
+"""Spectra of loads on a bearing."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.mapped import BearingMaps
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.standard import LAMINAE
+from nonhertz.bearing.verb import Method, solve
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import listed, not_negative, numbers, positive
+from nonhertz.life.spectrum import WHOLE
+
+_SHARE = "give the share of the revolutions, above 0 and at most 1"
+_CASES = "give a list of nonhertz.bearing.LoadCase(share=..., radial=...)"
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoadCase:
+    """A load on a bearing, carried for a share of the revolutions.
+
+    Parameters
+    ----------
+    share : float
+        Share of the revolutions [-], above 0 and at most 1; from shares of the time by `shares_of_revolutions`.
+    radial, axial, moment, radial_displacement, axial_displacement, tilt
+        As in `solve`.
+    speed : float
+        Of the inner ring [1/min], as in `solve`.
+
+    Raises
+    ------
+    InputError
+        If one of them is out of range; whether the bearing takes the load turns out when it is solved.
+    """
+
+    share: float
+    radial: ArrayLike | None = None
+    axial: float | None = None
+    moment: ArrayLike | None = None
+    radial_displacement: ArrayLike | None = None
+    axial_displacement: float | None = None
+    tilt: ArrayLike | None = None
+    speed: float = 0.0
+
+    def __post_init__(self) -> None:
+        positive("share", self.share, _SHARE)
+        if self.share > 1.0:
+            raise InputError("share", self.share, "not exceed 1", _SHARE)
+        not_negative("speed", self.speed, "give the speed in 1/min")
+        for name, value in self.load.items():
+            if value is not None:
+                self._check(name, value)
+
+    def _check(self, name: str, value: ArrayLike) -> None:
+        single = name.startswith("axial")
+        remedy = "give a number" if single else "give a number, or two in the directions of both axes"
+        shape = numbers(name, value, remedy).shape
+        if shape and (single or shape != (2,)):
+            raise InputError(name, value, "be a number" if single else "be a number or two", remedy)
+
+    @property
+    def load(self) -> dict[str, Any]:
+        """What `solve` takes."""
+        return {name: value for name, value in vars(self).items() if name != "share"}
+
+
+def solve_spectrum(
+    bearing: RollerBearing | Paired,
+    cases: Sequence[LoadCase],
+    *,
+    method: Method = "strips",
+    laminae: int = LAMINAE,
+    maps: BearingMaps | None = None,
+) -> tuple[tuple[BearingSolution, float], ...]:
+    """Load a bearing with every load of a spectrum.
+
+    Parameters
+    ----------
+    bearing : RollerBearing or Paired
+        The bearing.
+    cases : sequence of LoadCase
+        The loads. Where their shares add up to less than 1, nothing is loaded for the rest.
+    method, laminae, maps
+        As in `solve`.
+
+    Returns
+    -------
+    tuple of pairs
+        Solution and share of each, as `assess` takes them.
+
+    Raises
+    ------
+    InputError
+        If there are no cases, their shares add up to more than 1, or a load is not valid.
+    ConvergenceError
+        If no balance is found under a load.
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
+    >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+    >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13)
+    >>> cases = [LoadCase(share=0.2, radial=10e3, speed=1500), LoadCase(share=0.8, radial=4e3, speed=1500)]
+    >>> pairs = solve_spectrum(row, cases, method="slices")
+    >>> round(nh.bearing.assess(pairs).equivalent_load, -1)
+    6500.0
+    """
+    cases = listed("cases", cases, "be several LoadCase", _CASES)
+    for case in cases:
+        if not isinstance(case, LoadCase):
+            raise InputError("cases", case, "be a LoadCase", _CASES)
+    total = math.fsum(case.share for case in cases)
+    if not cases or total > 1.0 + WHOLE:
+        condition = "add up to 1 at most" if cases else "be of one load or more"
+        raise InputError("share", round(total, 6), condition, "give all loads with their shares of the revolutions")
+    options: dict[str, Any] = {"method": method, "laminae": laminae, "maps": maps}
+    return tuple((solve(bearing, **case.load, **options), case.share) for case in cases)
+
+
+def shares_of_revolutions(times: ArrayLike, speeds: ArrayLike) -> tuple[float, ...]:
+    """Return the shares of the revolutions of loads that act for shares of the time, at speeds of their own.
+
+    Parameters
+    ----------
+    times : sequence of float
+        Shares of the time [-], 1 in all at most; for the rest the bearing stands still.
+    speeds : sequence of float
+        [1/min].
+
+    Returns
+    -------
+    tuple of float
+        t n over the sum of t n, which add up to 1.
+
+    Examples
+    --------
+    >>> shares_of_revolutions([0.5, 0.5], [3000, 1000])
+    (0.75, 0.25)
+    """
+    remedy = "give one for each load"
+    found = numbers("times", times, remedy), numbers("speeds", speeds, remedy)
+    if found[0].ndim != 1 or found[0].shape != found[1].shape or not found[0].size:
+        raise InputError("speeds", found[1].size, f"be as many as times, {found[0].size}", remedy)
+    for share in found[0].tolist():
+        positive("times", share, "give shares of the time, above 0 and 1 in all at most")
+    for speed in found[1].tolist():
+        positive("speeds", speed, "give speeds in 1/min, above 0: what stands still has no revolutions")
+    total = math.fsum(found[0].tolist())
+    if total > 1.0 + WHOLE:
+        raise InputError("times", round(total, 6), "add up to 1 at most", "give shares of the time")
+    turned = found[0] * found[1]
+    return tuple((turned / turned.sum()).tolist())

@@ -1,0 +1,99 @@
+"""How far the largest pressure in a bearing is from what its steel bears at rest.
+
+ISO 76 puts the static rating where 4000 MPa leave a permanent dent of 1e-4 of the roller's diameter. The safety here
+is how many times its load the contact with the largest pressure could carry before it reaches the limit, at its tilt,
+found with the contact itself. Of Hertz's line contact that would be (4000 / p)^2; where profiles or a tilt matter it is
+not, since the load then spreads or goes to an end.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.errors import InputError, without_accuracy_warnings
+from nonhertz.inputs.checks import positive
+from nonhertz.result.ends import ends_in_words
+from nonhertz.result.solution import Solution
+from nonhertz.solver.one import solve
+
+LIMIT = 4000.0  # MPa
+_FURTHEST = 1e6
+_EXACT = 1e-6
+
+
+def pressure_safety(solution: BearingSolution, limit: float = LIMIT) -> float:
+    """Return the load at which the contact with the largest pressure reaches a limit, over its load [-].
+
+    Parameters
+    ----------
+    solution : BearingSolution
+        The loaded bearing, solved by strips.
+    limit : float
+        [MPa].
+
+    Returns
+    -------
+    float
+        Infinite where nothing is loaded; below 1 where the limit is exceeded.
+
+    Raises
+    ------
+    InputError
+        If the bearing was solved by slices, or a loaded contact has an end towards which the pressure has no limit.
+
+    Notes
+    -----
+    The load of that one contact grows at the tilt that it has. In the bearing a larger load reaches more rollers and
+    spreads over them, so that the bearing's load may grow by more, and tilts may change: solve it under the larger load
+    to be sure.
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=9, length=10, corner_radius=0.3, profile=nh.profile.crown(radius=1200))
+    >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+    >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13)
+    >>> pressure_safety(nh.bearing.solve(row, radial=10e3)) > 1.5
+    True
+    """
+    if not isinstance(solution, BearingSolution):
+        raise InputError("solution", solution, "be a loaded bearing", "solve one with nonhertz.bearing.solve")
+    positive("limit", limit, "give the pressure in MPa, 4000 by ISO 76")
+    pressures = solution.max_pressure
+    contacts = [solution.contact(j, ring) for j in range(solution.angle.size) for ring in RINGS]
+    ends = {end for each in contacts if each is not None for end in each.singular_ends}
+    if ends:
+        condition = "have ends at which the pressure has a limit, and has none towards " + ends_in_words(ends)
+        raise InputError("solution", "a loaded bearing", condition, "give the rollers a corner_radius or a profile")
+    most = contacts[int(np.argmax(pressures))]
+    return math.inf if most is None else _factor(most, limit)
+
+
+def _factor(contact: Solution, limit: float) -> float:
+    """Return the factor on the load at which a contact reaches a pressure."""
+
+    def pressure(factor: float) -> float:
+        with without_accuracy_warnings():
+            return solve(contact.contact, load=factor * contact.load, tilt=contact.tilt).max_pressure
+
+    # The pressure grows with the load, hardly faster than its square root.
+    low = high = 1.0
+    while pressure(high) < limit:
+        low, high = high, high * max(1.5, (limit / pressure(high)) ** 2.0)
+        _refuse_beyond(high, limit)
+    while pressure(low) > limit:
+        low, high = low * min(0.5, (limit / pressure(low)) ** 2.0), low
+        _refuse_beyond(low, limit)
+    from scipy.optimize import brentq
+
+    return float(brentq(lambda factor: math.log(pressure(factor) / limit), low, high, rtol=_EXACT, xtol=_EXACT * low))
+
+
+def _refuse_beyond(factor: float, limit: float) -> None:
+    if not 1.0 / _FURTHEST < factor < _FURTHEST:
+        condition = "be reached within a millionth and a million times the load of the contact"
+        raise InputError("limit", limit, condition, "give the pressure in MPa, 4000 by ISO 76")

@@ -1,0 +1,328 @@
+"""Force against displacement of a bearing on a grid, for programs that move shafts themselves."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.interpolate import RegularGridInterpolator
+
+from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.mapped import BearingMaps
+from nonhertz.bearing.section import MOTIONS
+from nonhertz.bearing.standard import LAMINAE
+from nonhertz.bearing.verb import Method, solve_many
+from nonhertz.errors import AccuracyWarning, InputError
+from nonhertz.inputs.checks import broadcast, numbers, one_of, whole
+from nonhertz.maps.misses import SAFETY
+from nonhertz.result.brief import plain_text
+from nonhertz.result.numerals import digits, given
+from nonhertz.result.solution import ReadOnly, read_only
+
+Array = NDArray[np.float64]
+Kind = Literal["linear", "cubic"]
+
+#: What holds the inner ring in the place that its motions say: forces along x, y and z, and moments about y and z.
+FORCES = ("force_x", "force_y", "force_z", "moment_y", "moment_z")
+UNITS_OF_MOTIONS = ("mm", "mm", "mm", "rad", "rad")
+UNITS_OF_FORCES = ("N", "N", "N", "N mm", "N mm")
+KINDS = ("linear", "cubic")
+MOST_STATES = 200_000
+CHECKS = 200
+_LEAST = {"linear": 2, "cubic": 4}  # points on an axis
+# States solved together: of 13 rollers each takes some 5 kB, and half a megabyte where its strips are kept.
+_TOGETHER, _BY_STRIPS = 2000, 200
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ForceTable(ReadOnly):
+    """Forces on the inner ring of a bearing on a grid of its motions; made by `table`.
+
+    Attributes
+    ----------
+    bearing : RollerBearing or Paired
+        The bearing.
+    method : str
+        How its contacts were solved.
+    speed : float
+        Of the inner ring [1/min].
+    names : tuple of str
+        The motions that vary, of ``"x"``, ``"y"``, ``"z"`` [mm], ``"about_y"`` and ``"about_z"`` [rad].
+    axes : tuple of ndarray
+        Their values, ascending: the grid is of shape ``(...)``, an axis for each.
+    displacement, force : ndarray, shape (..., 5)
+        As in `BearingSolution` [mm, rad], [N, N mm].
+    stiffness : ndarray, shape (..., 5, 5)
+        d(force) / d(displacement).
+    converged : ndarray of bool, shape (...)
+        Whether the rollers found their balance; where not, forces and stiffness are NaN.
+    checked_displacement, checked_force : ndarray, shape (checks, 5)
+        Solved in the middle of cells of the grid, to see what interpolation is off by; without those that found no
+        balance.
+    """
+
+    bearing: RollerBearing | Paired
+    method: str
+    speed: float
+    names: tuple[str, ...]
+    axes: tuple[Array, ...]
+    displacement: Array
+    force: Array
+    stiffness: Array
+    converged: NDArray[np.bool_]
+    checked_displacement: Array
+    checked_force: Array
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for axis in self.axes:
+            read_only(axis)
+
+    def __repr__(self) -> str:
+        rows = [f"{type(row.bearing).__name__} of {row.bearing.rollers} rollers" for row in self.bearing.rows]
+        grid = [
+            f"{name} {given(1e3 * axis[0], 4)} to {given(1e3 * axis[-1], 4)} "
+            f"{'mrad' if name.startswith('about') else 'um'} in {axis.size}"
+            for name, axis in zip(self.names, self.axes, strict=True)
+        ]
+        at = f", at {given(self.speed)} 1/min" if self.speed else ""
+        said = [
+            f"{' and '.join(rows)}, by {self.method}{at}",
+            "; ".join(grid),
+            f"{np.count_nonzero(self.converged)} of {self.converged.size} states converged",
+        ]
+        if self.checked_force.size:
+            said.append(f"interpolated linearly within {self._share()}")
+        return plain_text("ForceTable", said)
+
+    def _share(self) -> str:
+        """Return the bounds over the largest forces and moments in words."""
+        bound = self.bound()
+        found = []
+        for what, where in (("force", slice(0, 3)), ("moment", slice(3, 5))):
+            largest = float(np.max(np.abs(np.nan_to_num(self.force[..., where]))))
+            if largest > 0.0:
+                found.append(f"{digits(100.0 * float(np.max(bound[where])) / largest, 2)} % of the largest {what}")
+        return " and ".join(found) or "0 %"
+
+    def interpolated(
+        self,
+        *,
+        x: ArrayLike | None = None,
+        y: ArrayLike | None = None,
+        z: ArrayLike | None = None,
+        about_y: ArrayLike | None = None,
+        about_z: ArrayLike | None = None,
+        kind: Kind = "linear",
+    ) -> Array:
+        """Return forces and moments between the points of the grid.
+
+        Parameters
+        ----------
+        x, y, z, about_y, about_z : array_like
+            The motions that vary in the table [mm, rad], and no other; broadcast against each other.
+        kind : {"linear", "cubic"}
+            Between neighbours, or by a cubic spline, which takes four points on every axis. A spline is smooth, and
+            so follows no kink; `bound` says what either is off by.
+
+        Returns
+        -------
+        ndarray, shape (..., 5)
+            [N, N mm].
+
+        Raises
+        ------
+        InputError
+            If a motion is missing, unknown, or outside the table.
+        """
+        self._check_kind(kind)
+        remedy = f"give {', '.join(self.names)}"
+        motions = dict(zip(MOTIONS, (x, y, z, about_y, about_z), strict=True))
+        for name, value in motions.items():
+            if (value is not None) is not (name in self.names):
+                condition = "be given" if value is None else "be left out: it does not vary in the table"
+                raise InputError(name, value, condition, remedy)
+        asked = [numbers(name, motions[name], "give numbers in mm and rad") for name in self.names]  # type: ignore[arg-type]
+        at = np.stack(broadcast(remedy, *asked), axis=-1)
+        for name, axis, values in zip(self.names, self.axes, np.moveaxis(at, -1, 0), strict=True):
+            beyond = np.flatnonzero((values.ravel() < axis[0]) | (values.ravel() > axis[-1]))
+            if beyond.size:
+                condition = f"lie in the range of the table, {axis[0]:.6g} to {axis[-1]:.6g}"
+                raise InputError(name, float(values.ravel()[beyond[0]]), condition, "make a table of a wider range")
+        found: Array = self._between(kind, at)
+        return found
+
+    def bound(self, kind: Kind = "linear") -> Array:
+        """Return how far interpolated forces and moments may be from solved ones.
+
+        One and a half times the largest error in the middle of cells, as for `nonhertz.ContactMap`.
+
+        Parameters
+        ----------
+        kind : {"linear", "cubic"}
+            As for `interpolated`.
+
+        Returns
+        -------
+        ndarray, shape (5,)
+            [N, N mm]; NaN if nothing was checked.
+
+        Raises
+        ------
+        InputError
+            If the kind is unknown, or the grid too small for it.
+        """
+        self._check_kind(kind)
+        at = self.checked_displacement[:, [MOTIONS.index(name) for name in self.names]]
+        off = np.abs(self._between(kind, at) - self.checked_force)
+        off = off[np.all(np.isfinite(off), axis=1)]
+        return SAFETY * np.max(off, axis=0) if off.size else np.full(5, np.nan)
+
+    def _between(self, kind: Kind, at: Array) -> Array:
+        found: Array = RegularGridInterpolator(self.axes, self.force, method=kind)(at)
+        return found.reshape(*at.shape[:-1], 5)
+
+    def _check_kind(self, kind: Kind) -> None:
+        one_of("kind", kind, KINDS, "use 'linear', or 'cubic' for a spline")
+        least = _LEAST[kind]
+        for name, axis in zip(self.names, self.axes, strict=True):
+            if axis.size < least:
+                condition = f"not be used with {axis.size} points along {name}: it needs {least}"
+                raise InputError("kind", kind, condition, "use 'linear', or make a larger table")
+        if kind == "cubic" and not np.all(self.converged):
+            condition = "not be used where states have not converged: a spline takes them all"
+            raise InputError("kind", kind, condition, "use 'linear', or make a table of a narrower range")
+
+
+def table(
+    bearing: RollerBearing | Paired,
+    *,
+    x: ArrayLike = 0.0,
+    y: ArrayLike = 0.0,
+    z: ArrayLike = 0.0,
+    about_y: ArrayLike = 0.0,
+    about_z: ArrayLike = 0.0,
+    speed: float = 0.0,
+    method: Method = "strips",
+    laminae: int = LAMINAE,
+    maps: BearingMaps | None = None,
+    checks: int = CHECKS,
+) -> ForceTable:
+    """Return the forces on the inner ring of a bearing on a grid of its motions.
+
+    Parameters
+    ----------
+    bearing : RollerBearing or Paired
+        The bearing.
+    x, y, z : float or array_like
+        Displacements of the inner ring [mm]: a number where it is fixed, ascending ones along an axis of the grid.
+    about_y, about_z : float or array_like
+        Its rotations [rad], likewise.
+    speed, method, laminae, maps
+        As in `nonhertz.bearing.solve_many`; a large table takes maps.
+    checks : int
+        In the middle of how many cells it is solved as well, to know what interpolation is off by; all cells, if there
+        are fewer. 0 for none.
+
+    Returns
+    -------
+    ForceTable
+
+    Raises
+    ------
+    InputError
+        If the input is invalid.
+    ConvergenceError
+        If a contact has no solution by strips.
+
+    Warns
+    -----
+    AccuracyWarning
+        If states have not converged.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
+    >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+    >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13)
+    >>> found = table(row, y=np.linspace(0, 0.03, 7), about_z=np.linspace(-1e-3, 1e-3, 5), method="slices")
+    >>> found.force.shape, found.interpolated(y=0.012, about_z=0)[1].round(-2)
+    ((7, 5, 5), np.float64(5000.0))
+    """
+    count = whole("checks", checks, 0, MOST_STATES, "give the number of cells to check, 200 say")
+    motions = dict(zip(MOTIONS, (x, y, z, about_y, about_z), strict=True))
+    values = {name: _values(name, value) for name, value in motions.items()}
+    names = tuple(name for name, found in values.items() if found.ndim)
+    if not names:
+        raise InputError(
+            "y", motions["y"], "be an array if no other motion is", "give the values of one motion or more"
+        )
+    states = math.prod(found.size for found in values.values())
+    if states > MOST_STATES:
+        condition = f"be at most {MOST_STATES} points, not {states}"
+        raise InputError("grid of " + ", ".join(names), "too large", condition, "give fewer values")
+    options: dict[str, Any] = {"speed": speed, "method": method, "laminae": laminae, "maps": maps}
+    axes = tuple(values[name] for name in names)
+    grid = _grid(values)
+    force, stiffness, converged = _solved(bearing, grid.reshape(-1, 5), options)
+    middles = _grid({name: 0.5 * (found[1:] + found[:-1]) if found.ndim else found for name, found in values.items()})
+    middles = middles.reshape(-1, 5)
+    if count < len(middles):
+        middles = middles[np.sort(np.random.default_rng(0).choice(len(middles), count, replace=False))]
+    checked, _, settled = _solved(bearing, middles, options) if len(middles) else (middles, None, np.ones(0, bool))
+    failed = np.count_nonzero(~converged) + np.count_nonzero(~settled)
+    if failed:
+        said = f"{failed} of {converged.size + settled.size} states of the bearing found no balance; see converged."
+        warnings.warn(said, AccuracyWarning, stacklevel=2)
+    shape = grid.shape[:-1]
+    return ForceTable(
+        bearing=bearing,
+        method=method,
+        speed=float(speed),
+        names=names,
+        axes=axes,
+        displacement=grid,
+        force=force.reshape(*shape, 5),
+        stiffness=stiffness.reshape(*shape, 5, 5),
+        converged=converged.reshape(shape),
+        checked_displacement=middles[settled],
+        checked_force=checked[settled],
+    )
+
+
+def _values(name: str, value: ArrayLike) -> Array:
+    """Return a number, or the values along an axis."""
+    remedy = "give a number, or ascending ones"
+    found = numbers(name, value, remedy)
+    if found.ndim and (found.ndim > 1 or found.size < 2 or np.any(np.diff(found) <= 0.0)):
+        raise InputError(name, value, "be a number or two or more that ascend", remedy)
+    return found.copy()
+
+
+def _grid(values: dict[str, Array]) -> Array:
+    """Return all motions at the points of a grid, of shape (..., 5)."""
+    axes = [found for found in values.values() if found.ndim]
+    spread = iter(np.meshgrid(*axes, indexing="ij"))
+    shape = tuple(axis.size for axis in axes)
+    return np.stack([next(spread) if found.ndim else np.full(shape, found) for found in values.values()], axis=-1)
+
+
+def _solved(
+    bearing: RollerBearing | Paired, displacement: Array, options: dict[str, Any]
+) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Return forces, stiffness and which states have converged; where not, NaN."""
+    parts = []
+    together = _BY_STRIPS if options["method"] == "strips" and options["maps"] is None else _TOGETHER
+    for first in range(0, len(displacement), together):
+        found = solve_many(bearing, displacement=displacement[first : first + together], **options)
+        settled = found.converged
+        force = np.where(settled[:, None], found.force, np.nan)
+        parts.append((force, np.where(settled[:, None, None], found.stiffness, np.nan), settled))
+    force, stiffness, converged = (np.concatenate(part) for part in zip(*parts, strict=True))
+    return force, stiffness, converged

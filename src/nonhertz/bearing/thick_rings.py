@@ -1,0 +1,67 @@
+"""How a plain ring answers pressure on its faces and its own speed: Lamé's solution and that of a rotating disc.
+
+A ring between the radii a and b, thin along its axis, so that no stress acts along it (plane stress). Pressures p
+inside and q outside, and a speed omega, give
+
+    sigma_r = A - B / r^2 - (3 + nu) / 8 rho omega^2 r^2
+    sigma_t = A + B / r^2 - (1 + 3 nu) / 8 rho omega^2 r^2        E u = r (sigma_t - nu sigma_r)
+
+with A and B from sigma_r(a) = -p and sigma_r(b) = -q. In a disc without a hole B = 0; around a hole in an endless plate
+at rest A = -q. Everything is linear in p, q and omega^2 together, so that one routine serves all.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from nonhertz.model.material import Material
+
+
+@dataclass(frozen=True)
+class ThickRing:
+    """A ring of rectangular section, a disc if its inner radius is zero, a plate with a hole if its outer is infinite.
+
+    Attributes
+    ----------
+    inner, outer : float
+        Radii a and b [mm].
+    material : Material
+        What it is made of.
+    density : float
+        [t/mm^3].
+    """
+
+    inner: float
+    outer: float
+    material: Material
+    density: float
+
+    def hoop_stress(self, radius: float, *, inside: float = 0.0, outside: float = 0.0, speed: float = 0.0) -> float:
+        """Return the tangential stress at a radius [MPa], under pressures [MPa] and a speed [rad/s]."""
+        mean, share, body = self._constants(inside, outside, speed)
+        nu = self.material.poisson
+        return mean + share / radius**2 - (1.0 + 3.0 * nu) / 8.0 * body * radius**2
+
+    def radial_stress(self, radius: float, *, inside: float = 0.0, outside: float = 0.0, speed: float = 0.0) -> float:
+        """Return the radial stress at a radius [MPa], negative where pressed."""
+        mean, share, body = self._constants(inside, outside, speed)
+        return mean - share / radius**2 - (3.0 + self.material.poisson) / 8.0 * body * radius**2
+
+    def growth(self, radius: float, *, inside: float = 0.0, outside: float = 0.0, speed: float = 0.0) -> float:
+        """Return by how much a radius grows [mm]."""
+        loads = {"inside": inside, "outside": outside, "speed": speed}
+        strained = self.hoop_stress(radius, **loads) - self.material.poisson * self.radial_stress(radius, **loads)
+        return radius * strained / self.material.modulus
+
+    def _constants(self, inside: float, outside: float, speed: float) -> tuple[float, float, float]:
+        """Return A, B and rho omega^2."""
+        a, b, body = self.inner, self.outer, self.density * speed**2
+        third = (3.0 + self.material.poisson) / 8.0 * body
+        if math.isinf(b):
+            return -outside, (inside - outside) * a**2, body
+        if a == 0.0:
+            return third * b**2 - outside, 0.0, body
+        difference = b**2 - a**2
+        mean = (inside * a**2 - outside * b**2) / difference + third * (a**2 + b**2)
+        return mean, a**2 * b**2 * ((inside - outside) / difference + third), body

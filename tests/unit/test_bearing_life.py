@@ -1,0 +1,419 @@
+"""Lives of whole bearings: several rows, thrust bearings, spectra, stressed volumes and static pressure."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import nonhertz as nh
+from nonhertz.bearing.fatigue import _Calibration
+from nonhertz.life.volume import section_exposure
+
+B = nh.bearing
+
+
+def row(rollers=14, pitch=65.0, diameter=10.0, length=9.6, **given):
+    return B.CylindricalRollerBearing(
+        roller=nh.Roller(diameter=diameter, length=length, profile=given.pop("profile", nh.profile.crown(2000))),
+        inner=nh.Ring(diameter=pitch - diameter),
+        outer=nh.Ring(diameter=-pitch - diameter),
+        rollers=rollers,
+        **given,
+    )
+
+
+TAPER = B.TaperedRollerBearing(
+    roller=nh.Roller(
+        diameter=nh.TabulatedDiameter((-5.825, 5.825), (10.94, 10.12)), length=11.65, profile=nh.profile.crown(8000)
+    ),
+    inner=nh.Ring(diameter=40.8),
+    outer=nh.Ring(diameter=-62.32),
+    rollers=14,
+    contact_angle=0.207,
+)
+THRUST = B.CylindricalThrustBearing(
+    roller=nh.Roller(diameter=5.0, length=5.0, profile=nh.profile.crown(20000)),
+    inner=nh.Plate(),
+    outer=nh.Plate(),
+    rollers=20,
+    pitch_diameter=50.0,
+)
+
+
+def spherical(**given):
+    return B.SphericalRollerBearing(
+        roller=nh.Roller(diameter=12.0, length=11.0),
+        inner=nh.Ring(diameter=48.0),
+        outer=nh.Ring(diameter=-72.4),
+        rollers=14,
+        **({"contact_angle": 0.2, "profile_radius": 34.0, "inner_groove": 35.5, "outer_groove": 35.5} | given),
+    )
+
+
+# Ratings
+
+
+def test_two_rows_have_the_rating_of_twice_the_length():
+    """ISO 281 writes (i L cos alpha)^(7/9); each row's contacts are what they are alone."""
+    one, two = B.rating(TAPER), B.rating(B.paired(TAPER, "O", 20.0))
+    assert two.dynamic / one.dynamic == pytest.approx(2.0 ** (7.0 / 9.0), rel=1e-12)
+    assert two.static == pytest.approx(2.0 * one.static, rel=1e-12)
+    assert (two.inner, two.outer) == pytest.approx((one.inner, one.outer), rel=1e-12)
+    assert (one.rows, two.rows, one.material_factor, one.reduction) == (1, 2, 1.1, 0.83)
+    # The same from the rating of a catalogue for both rows.
+    assert B.rating(B.paired(TAPER, "O", 20.0), dynamic=two.dynamic).inner == pytest.approx(one.inner, rel=1e-12)
+
+
+def test_spherical_bearings_and_drawn_cups_have_factors_of_their_own():
+    rated = B.rating(spherical())
+    assert rated.material_factor == 1.15
+    assert rated.dynamic / B.rating(spherical(), material_factor=1.1).dynamic == pytest.approx(1.15 / 1.1)
+    assert B.rating(row(), material_factor=1.0).dynamic == pytest.approx(B.rating(row()).dynamic / 1.1)
+
+
+def test_a_thrust_bearing_has_the_factor_of_the_table():
+    """ISO 281's table of f_c as it is recalled: 105.4, 122.9, 150.7 at D / D_pw = 0.01, 0.02, 0.05."""
+    for ratio, factor in ((0.01, 105.4), (0.02, 122.9), (0.05, 150.7)):
+        bearing = dataclasses.replace(THRUST, pitch_diameter=5.0 / ratio)
+        size = 5.0 ** (7 / 9) * 20**0.75 * 5.0 ** (29 / 27)
+        assert B.rating(bearing).dynamic / size == pytest.approx(factor, abs=0.051)
+    rated = B.rating(THRUST)
+    # Evenly loaded with C_a, (Q_c / Q)^-4.5 of both rings must add up to one: Q = C_a / Z, but for lambda.
+    assert 2.0 * (rated.dynamic / 20 / (0.73 * rated.inner)) ** 4.5 == pytest.approx(1.0, rel=1e-12)
+
+
+def test_static_ratings_are_where_hertz_has_4000_mpa():
+    """Q_max = 5 C_0 / (Z cos alpha) in a radial bearing, C_0 / Z under an axial load; E = 206 to 210 GPa give 0.5 %."""
+    for bearing, share, radius in ((row(), 5.0, 0.5 / (1 / 10 + 1 / 55)), (THRUST, 1.0, 2.5)):
+        load = share * B.rating(bearing).static / bearing.rollers
+        line = nh.hertz.line_contact(
+            line_load=load / bearing.roller_length, radius=radius, compliance=bearing.contacts[0].compliance
+        )
+        assert line.max_pressure == pytest.approx(4000.0, rel=0.007)
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (
+            lambda: B.rating(B.Paired(bearings=(TAPER, row()), x=(-10, 10), turned=(False, True))),
+            "bearing = 'Paired' must have rows of the same kind and size",
+        ),
+        (
+            lambda: B.rating(B.paired(THRUST, "X", 20.0)),
+            "bearing = 'Paired' must have all its thrust bearings turned the same way",
+        ),
+        (lambda: B.rating(3), "bearing = 'int' must be a bearing of rollers"),
+        (
+            lambda: B.assess(B.solve(THRUST, axial=1e3, method="slices"), viscosity=20.0, speed=1e3),
+            "viscosity = 20.0 must be left out for thrust bearings",
+        ),
+    ],
+)
+def test_what_has_no_rating_is_refused_in_one_sentence(make, message):
+    with pytest.raises(nh.InputError) as refused:
+        make()
+    assert message in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+# Equivalent loads
+
+
+def loads(bearing, radial, axial):
+    found = B.assess(B.solve(bearing, radial=radial, axial=axial, method="slices"))
+    return found.equivalent_load, found.static_load
+
+
+def test_equivalent_loads_of_spherical_bearings_have_the_factors_of_a_catalogue():
+    """FYH's table of spherical roller bearings, XS412: e = 0.25, Y_1 = 2.71, X_2 = 0.67, Y_2 = 4.03, to two digits."""
+    pair = B.paired(spherical(contact_angle=math.atan(0.25 / 1.5)), "O", 16.0, clearance=-0.005)
+    below, above = loads(pair, 10e3, 2.4e3), loads(pair, 10e3, 2.6e3)
+    assert below[0] == pytest.approx(10e3 + 2.71 * 2.4e3, rel=5e-3)
+    assert above[0] == pytest.approx(0.67 * 10e3 + 4.03 * 2.6e3, rel=5e-3)
+    assert above[1] == pytest.approx(10e3 + 0.44 / (0.25 / 1.5) * 2.6e3, rel=1e-6)
+
+
+def test_tandem_rows_have_the_equivalent_load_of_one_and_cylindrical_ones_that_of_the_radial_force():
+    tandem = B.paired(TAPER, "tandem", 20.0)
+    assert loads(tandem, 20e3, 6e3)[0] == pytest.approx(20e3)
+    steep = 9e3 / math.tan(0.207)
+    assert loads(tandem, 20e3, 9e3)[0] == pytest.approx(0.4 * 20e3 + 0.4 * steep)
+    assert loads(row(), 5e3, None) == pytest.approx((5e3, 5e3))
+    assert loads(THRUST, None, 7e3) == pytest.approx((7e3, 7e3))
+
+
+# Lives by laminae
+
+
+def test_equal_rows_that_share_a_load_live_as_weibull_says():
+    """Each row lives as long as alone under half of the load; of two, the first failure counts."""
+    alone = B.assess(B.solve(TAPER, radial=10e3, axial=3e3, method="slices"), edge_stress="none")
+    pair = B.solve(B.paired(TAPER, "tandem", 20.0), radial=20e3, axial=6e3, method="slices")
+    both = B.assess(pair, edge_stress="none")
+    assert both.reference == pytest.approx(alone.reference * 2.0 ** (-8.0 / 9.0), rel=1e-6)
+    # C grows as 2^(7/9) and P doubles: with the power 10/3 nearly the same.
+    assert both.basic == pytest.approx(alone.basic * 2.0 ** (-2.0 / 9.0 * 10.0 / 3.0), rel=1e-6)
+
+
+def test_lubrication_does_as_much_for_two_rows_as_for_one():
+    oil = {"speed": 1500.0, "viscosity": 30.0}
+    alone = B.assess(B.solve(TAPER, radial=10e3, axial=3e3, method="slices"), **oil)
+    both = B.assess(B.solve(B.paired(TAPER, "tandem", 20.0), radial=20e3, axial=6e3, method="slices"), **oil)
+    assert both.life_factor == pytest.approx(alone.life_factor, rel=1e-6)
+
+
+def test_a_thrust_bearing_of_even_loads_has_the_l10r_of_its_capacity():
+    """Q = F / Z on flat washers without a profile: {2 (Q / Q_c)^(9/2)}^(-8/9), whoever turns."""
+    flat = dataclasses.replace(THRUST, roller=nh.Roller(diameter=5.0, length=5.0))
+    found = B.solve(flat, axial=10e3, method="slices")
+    expected = (2.0 * (500.0 / B.rating(flat).inner) ** 4.5) ** (-8.0 / 9.0)
+    for turning in ("inner", "outer"):
+        life = B.assess(found, edge_stress="none", turning=turning)
+        assert life.reference == pytest.approx(expected, rel=1e-9)
+    assert life.basic == pytest.approx((B.rating(flat).dynamic / 10e3) ** (10.0 / 3.0))
+
+
+def test_the_ring_that_stands_still_suffers_more_from_a_load_on_few_rollers():
+    found = B.solve(row(), radial=6e3, method="slices")
+    inner, outer = (B.assess(found, turning=each, edge_stress="none").reference for each in ("inner", "outer"))
+    # The inner ring has the smaller capacity, and the mean to the power 9/2 is above that to the power 4.
+    assert outer < inner
+
+
+# Spectra
+
+
+def test_a_spectrum_lives_as_palmgren_and_miner_say():
+    cases = [B.LoadCase(share=0.25, radial=8e3, speed=1500.0), B.LoadCase(share=0.75, radial=4e3, speed=500.0)]
+    pairs = B.solve_spectrum(row(), cases, method="slices")
+    oil = {"viscosity": 40.0, "reliability": 0.95}
+    both = B.assess(pairs, speed=[1500.0, 500.0], **oil)
+    parts = [B.assess(each, speed=case.speed, **oil) for (each, _), case in zip(pairs, cases, strict=True)]
+    for name in ("basic", "reference", "modified"):
+        heavy, light = (getattr(each, name) for each in parts)
+        assert getattr(both, name) == pytest.approx(1.0 / (0.25 / heavy + 0.75 / light), rel=1e-12)
+    assert both.equivalent_load == pytest.approx((0.25 * 8e3 ** (10 / 3) + 0.75 * 4e3 ** (10 / 3)) ** 0.3, rel=1e-9)
+    assert both.static_safety == min(each.static_safety for each in parts)
+    assert both.viscosity_ratio == min(each.viscosity_ratio for each in parts)
+    assert both.modified == pytest.approx(both.reliability_factor * both.life_factor * both.reference)
+    assert [share for _, share in both.parts] == [0.25, 0.75]
+    assert "under 2 loads" in repr(both)
+
+
+def test_shares_below_one_are_taken_as_they_are_and_above_one_refused():
+    found = B.solve(row(), radial=6e3, method="slices")
+    assert B.assess([(found, 0.5)]).basic == pytest.approx(2.0 * B.assess(found).basic)
+    with pytest.raises(nh.InputError, match=r"share = 1\.2 must add up to 1 at most"):
+        B.assess([(found, 0.6), (found, 0.6)])
+    with pytest.raises(nh.InputError, match=r"share = 1\.2 must add up to 1 at most"):
+        B.solve_spectrum(row(), [B.LoadCase(share=0.6, radial=1e3)] * 2)
+    other = B.solve(row(rollers=12), radial=6e3, method="slices")
+    with pytest.raises(nh.InputError, match="solution = 'several' must all be of one bearing"):
+        B.assess([(found, 0.5), (other, 0.5)])
+    with pytest.raises(nh.InputError, match="speed = 3 must be one, or 2, one for each load"):
+        B.assess([(found, 0.5), (found, 0.5)], speed=[1.0, 2.0, 3.0], viscosity=20.0)
+
+
+def test_shares_of_time_become_shares_of_revolutions():
+    assert_allclose(B.shares_of_revolutions([0.1, 0.2, 0.3], [3000, 1500, 1000]), [1 / 3] * 3)
+    for times, speeds, message in (
+        ([0.7, 0.7], [1, 1], r"times = 1\.4 must add up to 1 at most"),
+        ([0.5], [1, 1], "speeds = 2 must be as many as times, 1"),
+        ([0.5], [0.0], r"speeds = 0\.0 must be positive"),
+    ):
+        with pytest.raises(nh.InputError, match=message):
+            B.shares_of_revolutions(times, speeds)
+
+
+# Stressed volumes
+
+
+@pytest.mark.parametrize(("rollers", "pitch", "diameter"), [(14, 65.0, 10.0), (40, 200.0, 10.0), (8, 30.0, 10.0)])
+def test_the_capacities_of_both_rings_give_one_constant_of_the_material(rollers, pitch, diameter):
+    """Passes, circumferences and volumes of two rings, against two formulas of ISO 281, which are 0.2 % apart.
+
+    Counting Z / 2 (1 - gamma) passes at the inner ring as well would be 37 % off in the first bearing.
+    """
+    bearing = row(rollers, pitch, diameter)
+    inner, outer = _Calibration(bearing, B.rating(bearing), nh.life.lundberg_palmgren()).constants()
+    assert inner == pytest.approx(outer, rel=3e-3)
+    # It is that of the steel, whatever the bearing.
+    first = row()
+    reference = _Calibration(first, B.rating(first), nh.life.lundberg_palmgren()).constants()[0]
+    assert inner == pytest.approx(reference, rel=3e-3)
+
+
+def test_even_pressures_have_the_l10r_of_the_standard():
+    """(mean Q^4)^(1/4) and (mean Q^(9/2))^(2/9) against Q_ci and Q_ce, from the loads of the rollers by hand."""
+    found = B.solve(row(), radial=6e3)
+    rated, load = B.rating(row()), found.load
+    turning = np.mean(load[:, 0] ** 4.0) ** 0.25 / rated.inner
+    standing = np.mean(load[:, 1] ** 4.5) ** (1.0 / 4.5) / rated.outer
+    lives = B.volume_life(found)
+    assert_allclose(lives.even[0, :2], [turning**-4.0, standing**-4.0], rtol=1e-6)
+    # With the outer ring turning the powers change places.
+    other = B.volume_life(found, turning="outer").even[0, 0]
+    assert other == pytest.approx((np.mean(load[:, 0] ** 4.5) ** (1.0 / 4.5) / rated.inner) ** -4.0, rel=1e-6)
+
+
+def test_an_evenly_loaded_bearing_has_a_closed_composition():
+    """Equal loads: rings as (Q_c / Q)^4 times the relative life of one contact, rollers by passes and lengths.
+
+    A roller of 5 mm on 50 mm turns 5 times in a revolution and has both rings over it, 10 passes on 20 rollers of 5 mm
+    round; a ring has 10 passes on 50 mm. So the rollers have the damage of the ring times 20 * 5 / 50 = 2.
+    """
+    lives = B.volume_life(B.solve(THRUST, axial=10e3))
+    ring = (B.rating(THRUST).inner / 500.0) ** 4.0
+    assert_allclose(lives.even[0], [ring, ring, ring * 2.0 ** (-8.0 / 9.0)], rtol=1e-7)
+    contact = B.solve(THRUST, axial=10e3).contact(0)
+    model = nh.life.lundberg_palmgren()
+    seen = section_exposure(contact, "b")
+    relative = (seen.reference.damage(model) / seen.damage(model)) ** (8.0 / 9.0)
+    assert lives.inner == pytest.approx(ring * relative, rel=1e-7)
+    assert lives.rings == pytest.approx(lives.inner * 2.0 ** (-8.0 / 9.0), rel=1e-7)
+    assert lives.bearing == pytest.approx(lives.inner * 4.0 ** (-8.0 / 9.0), rel=1e-5)
+
+
+def test_one_loaded_roller_of_a_standing_ring_is_a_single_contact():
+    """Of Z places on the standing ring one is loaded: its damage is a Z-th, and its life Z^(8/9) of that of all."""
+    wide = row(clearance=0.15)
+    found = B.solve(wide, radial=300.0)
+    assert np.count_nonzero(found.load[:, 1]) == 1
+    lives = B.volume_life(found)
+    load = found.load.max()
+    full = (B.rating(wide).outer / load) ** 4.0
+    assert lives.even[0, 1] == pytest.approx(full * 14.0 ** (8.0 / 9.0), rel=1e-5)
+    # The turning ring is under it for a Z-th of the passes, everywhere.
+    assert lives.even[0, 0] == pytest.approx((B.rating(wide).inner / load) ** 4.0 * 14.0, rel=1e-5)
+
+
+def test_lives_by_volume_and_by_laminae_agree_where_pressures_are_smooth():
+    """Both know the pressures; laminae take the power 9/2 of the line load that would have them."""
+    found = B.solve(row(profile=nh.profile.crown(1200)), radial=6e3)
+    assert B.volume_life(found).rings == pytest.approx(B.assess(found).reference, rel=0.01)
+
+
+def test_a_tilt_shortens_lives_by_all_models_and_a_limit_lengthens_them():
+    bearing = row(profile=nh.profile.iso_logarithmic(diameter=10, length=9.6))
+    upright, tilted = (B.solve(bearing, radial=12e3, tilt=tilt) for tilt in (0.0, 3e-3))
+    for model in ("lundberg-palmgren", "zaretsky", "weibull", "ioannides-harris"):
+        lives = [B.volume_life(each, model) for each in (upright, tilted)]
+        assert lives[1].bearing < 0.8 * lives[0].bearing
+        assert lives[1].relative < lives[0].relative
+    limited = nh.life.ioannides_harris(fatigue_limit=100.0)
+    assert B.volume_life(upright, limited).rings > B.volume_life(upright).rings
+
+
+def test_the_rating_of_a_catalogue_calibrates_lives():
+    """Lives go with the fourth power of the capacity, which goes with C."""
+    found = B.solve(row(), radial=6e3)
+    twice = B.volume_life(found, dynamic=2.0 * B.rating(row()).dynamic)
+    assert_allclose(twice.of_rows, 16.0 * B.volume_life(found).of_rows, rtol=1e-6)
+
+
+def test_rows_that_differ_have_lives_by_volume_of_their_own():
+    thick = dataclasses.replace(row(), roller=nh.Roller(diameter=10.0, length=12.0, profile=nh.profile.crown(2000)))
+    mixed = B.Paired(bearings=(row(), thick), x=(-8.0, 8.0), turned=(False, False))
+    lives = B.volume_life(B.solve(mixed, radial=9e3))
+    assert lives.of_rows.shape == (2, 3)
+    assert lives.inner == pytest.approx(np.sum(lives.of_rows[:, 0] ** (-9.0 / 8.0)) ** (-8.0 / 9.0))
+    assert lives.bearing < lives.of_rows.min()
+
+
+def test_steep_pressures_are_said_where_sections_do_not_do():
+    corner = dataclasses.replace(row(), roller=nh.Roller(diameter=10.0, length=9.6, corner_radius=0.3))
+    smooth, steep = B.solve(row(profile=nh.profile.crown(1000)), radial=3e3), B.solve(corner, radial=6e3, tilt=1e-3)
+    assert not B.volume_life(smooth, "zaretsky").warnings
+    assert not B.volume_life(steep).warnings
+    assert "sections take shear there for worse than it is" in B.volume_life(steep, "zaretsky").warnings[0]
+
+
+def test_sharp_ends_are_said_and_unloaded_bearings_last():
+    sharp = B.volume_life(B.solve(row(profile=nh.profile.straight()), radial=6e3))
+    assert "no limit" in sharp.warnings[0]
+    still = B.volume_life(B.solve(row(clearance=0.02), radial_displacement=0.0))
+    assert still.bearing == still.rings == math.inf
+    assert math.isnan(still.relative)
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"model": "iso-16281"}, "model = 'iso-16281' must be a model of the stressed volume"),
+        ({"model": nh.life.ioannides_harris(fatigue_limit=5e3)}, "model = 'ioannides-harris' must do damage at the"),
+        ({"turning": "both"}, "turning = 'both' must be one of"),
+        ({"field": "half"}, "field = 'half' must be one of"),
+    ],
+)
+def test_what_volumes_cannot_do_is_refused(given, message):
+    found = B.solve(row(rollers=6), radial=1e3)
+    with pytest.raises(nh.InputError) as refused:
+        B.volume_life(found, **given)
+    assert message in str(refused.value)
+    with pytest.raises(nh.InputError, match="solution = 'by slices' must be by strips"):
+        B.volume_life(B.solve(row(), radial=1e3, method="slices"))
+
+
+@pytest.mark.slow
+def test_sections_are_good_for_the_whole_field():
+    """Crowned rollers that do not reach their ends; the field of a whole contact takes a quarter of a minute."""
+    bearing = dataclasses.replace(THRUST, roller=nh.Roller(diameter=5.0, length=5.0, profile=nh.profile.crown(300)))
+    found = B.solve(bearing, axial=2e3)
+    sections, whole = (B.volume_life(found, field=each) for each in ("sections", "whole"))
+    assert_allclose(sections.of_rows, whole.of_rows, rtol=0.01)
+
+
+@pytest.mark.slow
+def test_sections_are_good_at_the_peak_of_a_corner():
+    """Neither the corner of 0.5 mm nor the outer ring was used to find how far a section's pressure acts."""
+    roller = nh.Roller(diameter=10, length=9.6, corner_radius=0.5, profile=nh.profile.crown(2000))
+    contact = nh.solve(nh.Contact(roller, nh.Ring(diameter=-75.0)), load=4e3, tilt=7e-4)
+    assert contact.max_pressure > 1.4 * contact.centre_pressure[contact.centre_pressure.size // 2]
+    seen, sections = nh.life.exposure(contact, "a"), section_exposure(contact, "a")
+    for model in (nh.life.lundberg_palmgren(), nh.life.ioannides_harris(fatigue_limit=200.0)):
+        # In life: damage to the power 8 / 9.
+        assert sections.damage(model) == pytest.approx(seen.damage(model), rel=0.015)
+
+
+# Static pressure
+
+
+def test_the_safety_against_a_pressure_is_the_factor_on_the_load():
+    found = B.solve(row(profile=nh.profile.crown(1000)), radial=6e3)
+    factor = B.pressure_safety(found)
+    most = found.contact(0)
+    loaded = nh.solve(most.contact, load=factor * most.load, tilt=most.tilt)
+    assert loaded.max_pressure == pytest.approx(4000.0, rel=1e-5)
+    assert B.pressure_safety(found, limit=0.9 * most.max_pressure) < 1.0
+    assert B.pressure_safety(B.solve(row(clearance=0.02), radial_displacement=0.0)) == math.inf
+
+
+def test_a_sharp_end_has_no_safety():
+    found = B.solve(row(profile=nh.profile.straight()), radial=6e3)
+    with pytest.raises(nh.InputError, match="must have ends at which the pressure has a limit, and has none towards"):
+        B.pressure_safety(found)
+
+
+# Single contacts of tapered rollers
+
+
+def test_a_tapered_contact_has_a_life_with_its_contact_angle():
+    solution = nh.solve(TAPER.contacts[1], load=3e3)
+    (without,) = nh.life.assess(solution, "iso-16281", body="b", rollers=14)
+    assert without.million_revolutions is None
+    assert "give contact_angle" in without.no_revolutions
+    (life,) = nh.life.assess(solution, "iso-16281", body="b", rollers=14, contact_angle=0.207)
+    assert life.million_revolutions > 0.0
+
+
+def test_a_tapered_contact_has_the_capacity_of_its_bearing():
+    """Its rings are 0.13 mm off a fit without clearance, of 51.56 mm, and so is the pitch circle: 0.3 %."""
+    rated = B.rating(TAPER)
+    for contact, expected in zip(TAPER.contacts, (rated.inner, rated.outer), strict=True):
+        ring, why = nh.life.raceway(contact, contact_angle=0.207)
+        assert not why
+        assert ring.pitch_diameter == pytest.approx(TAPER.pitch, rel=4e-3)
+        assert ring.capacity(14) == pytest.approx(expected, rel=4e-3)

@@ -1,0 +1,193 @@
+"""Rings that are not round, as values: from Fourier terms, from numbers, from files."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.bearing import fourier_shape, tabulated_shape
+from nonhertz.io.ring_shapes import read_ring_shape
+
+ROW = nh.bearing.CylindricalRollerBearing(
+    roller=nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(4000)),
+    inner=nh.Ring(diameter=37.5),
+    outer=nh.Ring(diameter=-55.5),
+    rollers=13,
+)
+AROUND = np.linspace(-7.0, 7.0, 57)
+TURN = 2.0 * math.pi
+
+
+def oval(angle):
+    return 0.005 * np.cos(2.0 * (angle - 0.3))
+
+
+def test_a_bearing_with_a_shape_is_one_with_its_function():
+    shape = fourier_shape({2: (0.005, 0.3)})
+    by_value, by_function = (dataclasses.replace(ROW, outer_shape=each) for each in (shape, oval))
+    np.testing.assert_allclose(by_value.gaps[1], by_function.gaps[1], rtol=0.0, atol=1e-17)
+    # Positive leaves less room: the roller nearest a crest touches first.
+    assert by_value.gaps[1].argmin() == np.abs(np.cos(ROW.angles - 0.3)).argmax()
+    same = dataclasses.replace(ROW, outer_shape=fourier_shape({2: (0.005, 0.3)}))
+    assert by_value == same
+    assert hash(shape) == hash(same.outer_shape)
+    assert by_value != dataclasses.replace(ROW, outer_shape=fourier_shape({2: (0.005, 0.4)}))
+
+
+def test_an_outer_ring_off_its_centre_is_an_inner_ring_that_has_moved():
+    # Order 1 on the outer ring: it lies nearer at a crest, as if the inner ring had moved there.
+    shifted = dataclasses.replace(ROW, outer_shape=fourier_shape({1: 0.01}))
+    centred = nh.bearing.solve(ROW, radial=3e3, method="slices")
+    found = nh.bearing.solve(shifted, radial=3e3, method="slices")
+    assert found.displacement[1] == pytest.approx(centred.displacement[1] - 0.01, abs=1e-9)
+    np.testing.assert_allclose(found.load, centred.load, rtol=1e-6, atol=1e-3)
+
+
+def test_order_zero_is_clearance():
+    # The clearance is shared by both contacts on both sides: a raceway that is nearer by c / 2 takes c.
+    tight = dataclasses.replace(
+        ROW, clearance=0.02, inner_shape=fourier_shape({0: 0.005}), outer_shape=fourier_shape({0: 0.005})
+    )
+    none = nh.bearing.solve(ROW, radial=3e3, method="slices")
+    np.testing.assert_allclose(
+        nh.bearing.solve(tight, radial=3e3, method="slices").load, none.load, rtol=1e-6, atol=1e-3
+    )
+
+
+@pytest.mark.parametrize("curve", ["cubic", "linear"])
+def test_a_table_goes_through_its_numbers_and_closes(curve):
+    angle, deviation = np.array([0.4, 1.1, 2.0, 3.5, 5.9]), np.array([1.0, -2.0, 0.5, 0.7, -0.3])
+    shape = tabulated_shape(angle, deviation, curve)
+    for turns in (-3, 0, 2):
+        np.testing.assert_allclose(shape(angle + turns * TURN), deviation, atol=1e-12)
+    shuffled = tabulated_shape(angle[[3, 1, 0, 4, 2]], deviation[[3, 1, 0, 4, 2]], curve)
+    assert shape == shuffled
+    # Also across the angle at which the table begins.
+    before, after = shape([0.4 - 1e-9]), shape([0.4 + 1e-9])
+    assert before == pytest.approx(after, abs=1e-7)
+
+
+def test_lines_are_straight_over_the_end_of_the_turn():
+    shape = tabulated_shape([0.5, 2.0, 4.0], [0.0, 1.0, 2.0], "linear")
+    # From 2 at 4.0 to 0 at 0.5 + 2 pi.
+    assert shape([5.0]) == pytest.approx(2.0 - 2.0 * 1.0 / (0.5 + TURN - 4.0))
+    assert shape([0.0]) == pytest.approx(2.0 - 2.0 * (TURN - 4.0) / (0.5 + TURN - 4.0))
+
+
+def test_the_spline_follows_a_smooth_ring():
+    # Fourth order: half of the step, a sixteenth of the error.
+    errors = []
+    for points in (24, 48):
+        angle = np.arange(points) * TURN / points
+        errors.append(np.abs(tabulated_shape(angle, np.cos(3.0 * angle))(AROUND) - np.cos(3.0 * AROUND)).max())
+    assert errors[1] < errors[0] / 12.0
+    assert errors[1] < 1e-3
+
+
+def test_the_angle_that_closes_the_ring_may_be_given():
+    angle = np.linspace(0.0, TURN, 13)
+    assert tabulated_shape(angle, np.cos(angle)) == tabulated_shape(angle[:-1], np.cos(angle[:-1]))
+
+
+@pytest.mark.parametrize(
+    "shape",
+    [
+        fourier_shape({1: 0.002, 2: (0.005, 0.3)}),
+        tabulated_shape([0.0, 1.0, 3.0, 5.0], [0.0, 0.003, -0.001, 0.002]),
+        fourier_shape({3: 0.001}) + tabulated_shape([0.0, 2.0, 4.0], [0.0, 0.003, -0.001], "linear"),
+    ],
+)
+def test_shapes_can_be_added_turned_and_scaled(shape):
+    np.testing.assert_allclose(shape.turned(0.7)(AROUND), shape(AROUND - 0.7), atol=1e-15)
+    np.testing.assert_allclose(shape.turned(0.7).turned(-0.2)(AROUND), shape(AROUND - 0.5), atol=1e-15)
+    np.testing.assert_allclose(shape.scaled(-2.0)(AROUND), -2.0 * shape(AROUND), atol=1e-15)
+    both = shape + fourier_shape({4: 0.001})
+    np.testing.assert_allclose(both(AROUND), shape(AROUND) + 0.001 * np.cos(4.0 * AROUND), atol=1e-15)
+    assert both == shape + fourier_shape({4: 0.001})
+    assert isinstance(hash(both), int)
+    with pytest.raises(TypeError):
+        _ = shape + 3.0
+
+
+def test_bearings_with_equal_shapes_are_equal_unlike_those_with_functions():
+    one, two = (dataclasses.replace(ROW, outer_shape=fourier_shape({2: 0.004})) for _ in range(2))
+    assert one == two
+    assert dataclasses.replace(ROW, outer_shape=lambda a: 0.004 * np.cos(2 * a)) != one
+
+
+# Files
+def written(tmp_path, text):
+    path = tmp_path / "ring.csv"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize(
+    ("text", "units"),
+    [
+        ("angle [deg]; deviation [um]\n0; 5\n90; -5\n180; 5\n270; -5\n", {}),
+        ("angle [deg]\tdeviation [um]\n0,0\t5,0\n90,0\t-5,0\n180,0\t5,0\n270,0\t-5,0\n", {}),
+        ("# angle (rad), z (mm)\n0, 0.005\n1.570796327, -0.005\n3.141592654, 0.005\n4.712388980, -0.005\n", {}),
+        ("0 5\n90 -5\n180 5\n270 -5\n360 5\n", {"angle_unit": "deg", "deviation_unit": "um"}),
+        ("angle in °; z in um\n-90; -5\n0; 5\n90; -5\n180; 5\n", {}),
+    ],
+)  # fmt: skip
+def test_a_file_is_its_numbers(tmp_path, text, units):
+    shape = read_ring_shape(written(tmp_path, text), **units)
+    right = tabulated_shape(np.arange(4) * math.pi / 2.0, [0.005, -0.005, 0.005, -0.005])
+    np.testing.assert_allclose(shape(AROUND), right(AROUND), atol=1e-10)  # nine digits of an angle
+
+
+@pytest.mark.parametrize(
+    ("text", "options", "message"),
+    [
+        ("0 5\n90 -5\n", {"deviation_unit": "um"}, "must state the unit of its angles: write it above the column"),
+        ("angle [deg] z\n0 5\n90 -5\n", {}, "must state the unit of its deviations: write it above the column"),
+        ("", {}, "file = 'ring.csv' must not be empty"),
+        ("angle [deg]; z [um]\n", {}, "must hold two columns of numbers"),
+        ("angle [rad]; z [um]\n0; 1\n90; 2\n180; 1\n", {}, "must hold one turn of a ring (angle = 180.0 must span"),
+        ("angle [deg]; z [um]; n\n0; 1; 2\n90; 2; 3\n", {}, "must hold two columns, angle and deviation: delete the"),
+        ("angle [deg]; z [um]\n0; 1\n90; 2\n90; 3\n", {}, "must occur once"),
+        ("angle [deg]; z [um]\n0; 1\n90; 2\n360; 3\n", {}, "must be the same where the ring closes"),
+        ("angle [deg]; z [um]\n0; 1\n90; 2\n", {"angle_unit": "grad"}, "angle_unit = 'grad' must be one of 'rad'"),
+        ("angle [deg]; z [um]\n0; 1\n90; 2\n", {"deviation_unit": "kg"}, "deviation_unit = 'kg' must"),
+        ("angle [deg]; z [um]\n0; 1\n90; 2\n", {"deviation_unit": 3}, "deviation_unit = 3 must be text"),
+        ("angle [deg]; z [um]\n0; 1\n90; 2\n", {"curve": "quintic"}, "curve = 'quintic' must be one of"),
+    ],
+)  # fmt: skip
+def test_a_file_that_is_no_ring_is_refused(tmp_path, text, options, message):
+    with pytest.raises(nh.InputError) as raised:
+        read_ring_shape(written(tmp_path, text), **options)
+    assert message in str(raised.value)
+    assert len(str(raised.value).splitlines()) == 1
+
+
+@pytest.mark.parametrize("path", ["missing.csv", "\0", 3.5, None])
+def test_a_file_that_cannot_be_read_is_refused(path):
+    with pytest.raises(nh.InputError, match="must be a file that can be read"):
+        read_ring_shape(path)
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: fourier_shape(0.005), "terms = 0.005 must be a mapping of orders to amplitudes"),
+        (lambda: fourier_shape({2.5: 0.005}), "order = 2.5 must be a whole number from 0 to 10000"),
+        (lambda: fourier_shape({2: (1.0, 2.0, 3.0)}), "terms[2] = (1.0, 2.0, 3.0) must be an amplitude"),
+        (lambda: fourier_shape({2: math.nan}), "terms[2] = nan must be finite"),
+        (lambda: tabulated_shape([0.0], [1.0]), "angle = [0.0] must be a row of at least two angles"),
+        (
+            lambda: tabulated_shape([0.0, 90.0], [1.0, 2.0]),
+            "angle = 90.0 must span no more than one turn of 6.28319 rad",
+        ),
+        (lambda: tabulated_shape([0.0, 1.0], [1.0]), "deviation = (1,) must be a row of 2 lengths"),
+        (lambda: tabulated_shape([0.0, 1.0, 1.0], [1.0, 2.0, 3.0]), "angle = 1.0 must occur once"),
+        (lambda: fourier_shape({2: 0.005}).turned(math.inf), "by = inf must be a finite number"),
+    ],
+)
+def test_what_is_no_shape_is_refused(make, message):
+    with pytest.raises(nh.InputError) as raised:
+        make()
+    assert message in str(raised.value)

@@ -1,0 +1,177 @@
+"""Contacts of a bearing by strips: they follow from one step to the next, and both rings use the same strips."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+import nonhertz as nh
+from nonhertz.bearing import strips
+from nonhertz.bearing.strips import StripLaw
+
+ROLLER = nh.Roller(diameter=9.0, length=10.0, corner_radius=0.3, profile=nh.profile.crown(1200.0))
+RINGS = nh.Ring(diameter=37.5, depth=3.75), nh.Ring(diameter=-55.5, depth=3.25)
+INNER, OUTER = (nh.Contact(ROLLER, ring) for ring in RINGS)
+FIRST = np.array([0])
+POSES = [(0.0118, 1.46e-4), (0.004, 0.0), (0.009, -1.2e-3), (0.0006, 2e-4)]
+
+
+def asked(law, approach, tilt, row=0):
+    found = law.pressed(np.array([row]), np.array([approach]), np.array([tilt]))
+    return np.concatenate([found.load, found.moment, found.stiffness.ravel()])
+
+
+def laid(law, row=0):
+    grids = law._kept[row].grids
+    return grids.edges[0, : grids.counts[0] + 1]
+
+
+def size_of(answer):
+    """Sizes of load, moment and stiffness, for tolerances."""
+    load, half = abs(answer[0]), 5.0
+    stiffness = abs(answer[2])
+    return np.array([load, load * half, stiffness, stiffness * half, stiffness * half, stiffness * half**2])
+
+
+@pytest.mark.parametrize("pose", POSES)
+def test_answers_are_those_of_a_contact_by_itself(pose):
+    found = asked(StripLaw(INNER), *pose)
+    alone = nh.solve(INNER, approach=pose[0], tilt=pose[1])
+    assert_allclose(found[0], alone.load, rtol=2e-4)
+    assert_allclose(found[1], alone.moment, atol=2e-4 * 5.0 * alone.load)
+
+
+@pytest.mark.parametrize("pose", POSES)
+@pytest.mark.parametrize("change", [(1e-3, 0.0), (-0.02, 0.01), (0.015, -0.004), (-0.1, 0.0)])
+def test_a_contact_that_followed_is_the_one_solved_there_on_the_same_strips(pose, change):
+    law = StripLaw(INNER, strips=41)
+    asked(law, *pose)
+    depth = float(law.penetration(np.array([pose[0]]), np.array([pose[1]]))[0])
+    there = pose[0] + change[0] * depth, pose[1] + change[1] * depth / 5.0
+    kept = law._kept[0]
+    assert law._follows(0, kept, there)
+    followed = kept.answer / law._problem.compliance
+    anew = asked(StripLaw(INNER, strips=41), *there)
+    # The load is exact to the square of the last step, the stiffness to the step.
+    assert np.all(np.abs(followed - anew) <= np.array([1e-9, 1e-9, 1e-5, 1e-5, 1e-5, 1e-5]) * size_of(anew))
+
+
+def test_what_cannot_follow_is_left_as_it_was():
+    law = StripLaw(INNER, strips=41)
+    before = asked(law, 0.0118, 0.0)
+    kept = law._kept[0]
+    state = [each.copy() for each in (kept.states.r, kept.states.m, kept.states.rigid)]
+    assert not law._follows(0, kept, (-1.0, 0.0))
+    for was, each in zip(state, (kept.states.r, kept.states.m, kept.states.rigid), strict=True):
+        assert_array_equal(each, was)
+    assert kept.asked == (0.0118, 0.0)
+    assert_array_equal(asked(law, 0.0118, 0.0), before)
+
+
+def test_stiffness_is_the_derivative_on_kept_strips():
+    law = StripLaw(INNER, strips=41)
+    middle = asked(law, 0.01, 3e-4)
+    for k, step in enumerate([(1e-6, 0.0), (0.0, 1e-7)]):
+        more = asked(law, 0.01 + step[0], 3e-4 + step[1])
+        less = asked(law, 0.01 - step[0], 3e-4 - step[1])
+        slope = (more - less)[:2] / (2.0 * max(step))
+        assert_allclose(middle[[2 + k, 4 + k]], slope, rtol=1e-4)
+
+
+def test_the_other_ring_takes_the_strips_and_loses_nothing():
+    inner, outer = StripLaw(INNER), StripLaw(OUTER)
+    inner.beside(outer)
+    pose = 0.0118, 1.46e-4
+    outer.expect(FIRST, np.array([pose[0]]), np.array([pose[1]]))
+    first, second = asked(inner, *pose), asked(outer, *pose)
+    assert_array_equal(laid(inner), laid(outer))
+    for contact, found in ((INNER, first), (OUTER, second)):
+        alone = nh.solve(contact, approach=pose[0], tilt=pose[1])
+        assert_allclose(found[0], alone.load, rtol=2e-4)
+        assert_allclose(found[1], alone.moment, atol=2e-4 * 5.0 * alone.load)
+
+
+def test_the_ring_that_is_pressed_deeper_lays_the_strips():
+    inner, outer = StripLaw(INNER), StripLaw(OUTER)
+    inner.beside(outer)
+    outer.expect(FIRST, np.array([0.012]), np.array([0.0]))
+    asked(inner, 0.0115, 0.0)
+    assert outer._kept[0].laid_for == (0.012, 0.0)
+    assert_array_equal(laid(inner), laid(outer))
+    inner.expect(FIRST, np.array([0.001]), np.array([0.0]))
+    asked(outer, 0.02, 0.0)
+    assert outer._kept[0].laid_for == (0.012, 0.0)  # it is on its way
+
+
+def test_rings_whose_separations_differ_lay_their_own():
+    crowned = nh.Contact(ROLLER, nh.Ring(diameter=-55.5, depth=3.25, profile=nh.profile.crown(3000.0)))
+    inner, outer = StripLaw(INNER), StripLaw(crowned)
+    inner.beside(outer)
+    assert inner._other is None
+    assert outer._other is None
+
+
+@pytest.mark.parametrize(("deeper", "anew"), [(0.01, False), (0.05, True), (-0.05, False), (-0.2, True)])
+def test_near_the_balance_strips_are_laid_anew_where_the_contact_has_become_another(deeper, anew):
+    law = StripLaw(INNER)
+    asked(law, 0.01, 0.0)
+    before = laid(law).copy()
+    law.lay_anew()
+    asked(law, 0.01 * (1.0 + deeper), 0.0)
+    after = laid(law)
+    assert anew != (before.shape == after.shape and bool(np.all(before == after)))
+
+
+def test_on_the_way_strips_are_kept_up_to_three_times_the_depth():
+    law = StripLaw(INNER)
+    asked(law, 0.004, 0.0)
+    before = laid(law).copy()
+    asked(law, 0.004 * 2.9, 0.0)
+    assert_array_equal(laid(law), before)
+    asked(law, 0.004 * 3.1, 0.0)
+    assert law._kept[0].laid_for == (0.004 * 3.1, 0.0)
+
+
+def test_the_same_contacts_are_solved_once(monkeypatch):
+    law = StripLaw(INNER)
+    solved = []
+    lay = StripLaw._lay_at_once
+    monkeypatch.setattr(
+        StripLaw, "_lay_at_once", lambda self, rows, poses: (solved.append(rows), lay(self, rows, poses))
+    )
+    rows, approach, tilt = np.arange(4), np.array([0.01, 0.005, 0.01, -0.003]), np.array([0.0, 1e-4, 0.0, 0.0])
+    found = law.pressed(rows, approach, tilt)
+    assert sorted(row for each in solved for row in each) == [0, 1]
+    assert found.load[0] == found.load[2] > found.load[1] > found.load[3] == 0.0
+
+
+def test_few_remotes_are_kept(monkeypatch):
+    monkeypatch.setattr(strips, "KEPT_REMOTE", 2)
+    law = StripLaw(INNER)
+    for row in range(3):
+        asked(law, 0.01, 1e-5 * row, row)
+        asked(law, 0.01 + 1e-5, 1e-5 * row, row)
+        assert len(law._remote) <= 2
+    alone = nh.solve(INNER, approach=0.01 + 1e-5, tilt=1e-5)
+    assert_allclose(asked(law, 0.01 + 1e-5, 1e-5, 1)[0], alone.load, rtol=2e-4)
+
+
+def test_a_contact_without_a_solution_is_named():
+    told = r"The contact of a roller at an approach of 30000 um and a tilt of 0 mrad has no solution\."
+    with pytest.raises(nh.ConvergenceError, match=told):
+        asked(StripLaw(INNER), 30.0, 0.0)
+
+
+@pytest.mark.parametrize(("speed", "most"), [(30.0, 100), (3000.0, 26)])
+def test_rollers_that_speed_alone_presses_cost_little(speed, most, monkeypatch):
+    """They crossed the clearance in leaps that pressed them half a millimetre deep: a hundred times the work."""
+    laid = []
+    lay = StripLaw._lay_at_once
+    monkeypatch.setattr(StripLaw, "_lay_at_once", lambda self, rows, poses: (laid.extend(rows), lay(self, rows, poses)))
+    nu206 = nh.bearing.CylindricalRollerBearing(
+        roller=ROLLER, inner=RINGS[0], outer=RINGS[1], rollers=13, clearance=0.0184
+    )
+    found = nh.bearing.solve(nu206, radial=11e3, tilt=1e-3, speed=speed)
+    idle = found.load[:, 0] == 0.0
+    assert np.count_nonzero(idle) >= 6
+    assert_allclose(found.load[idle, 1], found.roller_load[idle, 1], atol=1e-9 * found.load.max())
+    assert len(laid) <= most
