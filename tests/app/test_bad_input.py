@@ -619,7 +619,7 @@ def test_a_file_is_refused_in_the_words_of_python(
         (["solve"], 'Command "solve" parameter CASE requires an argument'),
         (["solve", "a", "b"], "Unused Tokens: ['b']"),
         (["solve", "a", "--jsn"], "Unknown option: --jsn. Did you mean --json?"),
-        (["check"], 'Command "check" parameter CASE requires an argument'),
+        (["check"], 'Command "check" parameter FILE requires an argument'),
     ],
 )
 def test_wrong_usage_is_one_sentence(capsys: pytest.CaptureFixture[str], words: list[str], beginning: str) -> None:

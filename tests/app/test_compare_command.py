@@ -16,6 +16,7 @@ import nonhertz.plot
 from nonhertz.cli import main
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
+CASES = [path for path in sorted(EXAMPLES.glob("*.toml")) if "[body.a]" in path.read_text(encoding="utf-8")]
 CELLS = ["--cells", "24", "48"]
 FILES = {"comparison.json", "comparison.csv", "comparison.svg", "comparison.png"}
 
@@ -61,7 +62,7 @@ def test_json_is_one_object_and_nothing_else(case: str, capsys: pytest.CaptureFi
     assert {path.name for path in Path("new/folder").iterdir()} == FILES
 
 
-@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
 def test_every_example_can_be_compared(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["compare", str(path), *CELLS, "--json"]) == 0
     found = json.loads(capsys.readouterr().out)

@@ -339,6 +339,7 @@ def test_the_schema_and_the_solver_agree_on_the_number_of_strips() -> None:
 
 def test_a_life_table_holds_models_and_a_spectrum() -> None:
     life = case_in(WHOLE, Path()).life
+    assert life.contact_angle == pytest.approx(np.radians(12.0))
     assert (life.rollers, life.names) == (14, ("zaretsky", "iso-16281"))
     assert life.spectrum == (LoadCase(load=20e3, share=0.25, tilt=0.5e-3), LoadCase(load=5e3, share=0.75))
     volume, laminae = life.models()
@@ -356,6 +357,7 @@ def test_without_a_life_table_all_models_are_wanted_as_they_are() -> None:
     ("life", "sentences"),
     [
         ({"rollers": 14.5}, ["rollers = 14.5 must be a whole number"]),
+        ({"contact_angle": 12.0}, ["contact_angle = 12.0 must not exceed 0.7854 rad"]),
         (
             {"rollers": -1, "laminae": 3},
             ["rollers = -1 must be positive", "laminae = 3 must be a whole number from 30 to 2000"],
@@ -452,6 +454,7 @@ WHOLE: dict[str, Any] = {
     "solver": {"element": "parabolic", "strips": 41},
     "life": {
         "rollers": 14,
+        "contact_angle": "12 deg",
         "models": ["zaretsky", "iso-16281"],
         "slope": 1.5,
         "fatigue_limit": "0.3 GPa",

@@ -16,6 +16,7 @@ from nonhertz.life import LoadCase
 from nonhertz.model.profile import CATALOGUE, Profile
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
+CASES = [path for path in sorted(EXAMPLES.glob("*.toml")) if "[body.a]" in path.read_text(encoding="utf-8")]
 LENGTH = 20.0
 PARAMETERS = {
     "straight": {},
@@ -86,7 +87,7 @@ def test_flipped_profiles_are_written_too(kind):
     assert "flip" not in second
 
 
-@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
 def test_the_examples_come_back_as_they_are_and_need_no_other_file(path, tmp_path):
     case = read_case(path)
     case.write(tmp_path / "again.toml")

@@ -90,6 +90,39 @@ def solve(
 
 
 @app.command
+def bearing(
+    file: Path,
+    /,
+    *,
+    compare: Annotated[bool, Parameter(negative="")] = False,
+    out: Path | None = None,
+    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+) -> int:
+    """Solve a bearing file and print loads, pressures and life of the whole bearing.
+
+    Parameters
+    ----------
+    file : Path
+        The bearing file; see 'nonhertz new --bearing'.
+    compare : bool
+        Solve it by strips and by the slices of ISO/TS 16281, and print both side by side.
+    out : Path
+        Directory for result.json, rollers.csv, lines.csv and the figures, with --compare for comparison.json and
+        comparison.csv; created if it does not exist.
+    as_json : bool
+        Print one JSON object with all numbers instead of the tables.
+    """
+    from nonhertz.cli.bearing import report_bearing, report_comparison
+    from nonhertz.io.bearingfile import read_bearing
+    from nonhertz.io.folder import refuse_unwritable
+
+    problem = read_bearing(file)
+    if out is not None:
+        refuse_unwritable(out)
+    return (report_comparison if compare else report_bearing)(problem, out, as_json)
+
+
+@app.command
 def compare(
     case: Path,
     /,
@@ -231,36 +264,39 @@ def report(
     out: Path | None = None,
     life: bool | None = None,
     stress: bool = True,
+    compare: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
-    """Solve case files and write one HTML report that anyone can open in a browser.
+    """Solve case files or bearing files and write one HTML report that anyone can open in a browser.
 
-    It contains inputs, assumptions and whether they hold, results, figures, references and the case files themselves,
-    and loads nothing from elsewhere. Several cases are compared with the first.
+    It contains inputs, assumptions and whether they hold, results, figures, references and the files themselves, and
+    loads nothing from elsewhere. Several cases, or several bearings, are compared with the first.
 
     Parameters
     ----------
     cases : tuple of Path
-        The case files, at least one.
+        The case files, or the bearing files, at least one.
     out : Path
         The file to write; an older report is overwritten, any other file is not. By default the first case file's name
         with '-report.html', in the current directory.
     life : bool
         Whether to assess lives, which takes a few seconds per load; by default only for cases with a table life.
+        Bearings are rated in any case but --no-life.
     stress : bool
-        Search for the largest stresses below the surface.
+        Search for the largest stresses below the surface, of case files.
+    compare : bool
+        Set strips beside the slices of ISO/TS 16281, of bearing files.
     """
-    from nonhertz.cli.report import made, read_cases, target, write
+    from nonhertz.cli.report import composed, read_cases, target, write
     from nonhertz.io.folder import refuse_unwritable
 
     if not cases:
-        raise InputError("CASE", "", "be given", "name one case file or more")
+        raise InputError("CASE", "", "be given", "name one case file or bearing file, or more")
     path = target(out, cases)
     read = read_cases(cases)
     refuse_unwritable(path.parent)
-    text, found = made(read, life, stress)
+    text, complaints = composed(read, life, stress, compare)
     write(path, text)
     print(f"wrote {path}")
-    complaints = [f"{each.label}: {each.complaint}" for each in found if each.complaint]
     if complaints:
         sys.stdout.flush()
         print(*complaints, sep="\n", file=sys.stderr)
@@ -411,47 +447,46 @@ def contact_map(
 
 
 @app.command
-def check(case: Path, /) -> int:
-    """List all mistakes in a case file.
+def check(file: Path, /) -> int:
+    """List all mistakes in a case file or a bearing file.
 
     Parameters
     ----------
-    case : Path
-        The case file.
+    file : Path
+        The file.
     """
-    from nonhertz.cli.solve import solved_or_not
-    from nonhertz.io.casefile import read_case
+    from nonhertz.cli.check import checked
 
     try:
-        problem = read_case(case)
-        # Finds what only the solver can see, such as an unbounded contact. It takes milliseconds.
-        solved_or_not(problem)
+        fine = checked(file)
     except CaseError as error:
         for number, mistake in enumerate(error.mistakes, start=1):
             print(f"{number}. {mistake}")
         return BAD_INPUT
-    low, high = problem.contact.interval
-    given = ", ".join(f"{name} = {value:g}" for name, value in problem.prescribed.items())
-    print(f"{case} is fine: {problem.title!r}, bodies face each other from y = {low:g} to {high:g} mm, {given}.")
+    print(fine)
     return FINE
 
 
 @app.command
-def new(path: Path | None = None, /) -> int:
+def new(path: Path | None = None, /, *, bearing: Annotated[bool, Parameter(negative="")] = False) -> int:
     """Write a commented case file to start from.
 
     Parameters
     ----------
     path : Path
         The file to write; an existing file is never overwritten. By default the text is printed.
+    bearing : bool
+        Write a bearing file instead.
     """
-    from nonhertz.io.casefile import starting_case, write_starting_case
+    from nonhertz.io.bearingfile import starting_bearing
+    from nonhertz.io.casefile import starting_case, write_new
 
+    text = starting_bearing() if bearing else starting_case()
     if path is None:
-        print(starting_case(), end="")
+        print(text, end="")
     else:
-        write_starting_case(path)
-        print(f"wrote {path}; solve it with: nonhertz solve {path}")
+        write_new(text, path)
+        print(f"wrote {path}; solve it with: nonhertz {'bearing' if bearing else 'solve'} {path}")
     return FINE
 
 
@@ -463,15 +498,15 @@ def serve(
     port: int = 8765,
     browser: bool = True,
 ) -> NoReturn:
-    """Open a page in the browser on which to change a case and see it solved as you type.
+    """Open a page in the browser on which to change a case or a bearing and see it solved as you type.
 
     The page is served to this machine only, and no data leave it. Ctrl-C stops it.
 
     Parameters
     ----------
     case : Path
-        The case file to start with; by default the one that 'nonhertz new' writes. The page reads no files: a profile
-        from a file starts with its points.
+        The case file or bearing file to start with; by default the case that 'nonhertz new' writes. The page reads no
+        files: a profile from a file starts with its points.
     port : int
         Port on which the page is served; 0 for any free port.
     browser : bool
@@ -480,14 +515,14 @@ def serve(
     from nonhertz.cli.serve import starting_document
     from nonhertz.web.server.serving import serve as serve_page
 
-    document, notes = starting_document(case)
-    for note in notes:
+    start = starting_document(case)
+    for note in start.notes:
         print(note)
 
     def announce(address: str) -> None:
         print(f"The page is at {address} until you press Ctrl-C here.", flush=True)
 
-    serve_page(document, port, browser=browser, announce=announce)
+    serve_page(start.document, port, browser=browser, announce=announce, text=start.text)
 
 
 @app.command

@@ -2,31 +2,54 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 from pathlib import Path
 
 from nonhertz.cli.verify import Progress
-from nonhertz.errors import AccuracyWarning, CaseError, InputError
-from nonhertz.io.casefile import Case, named, read_case
+from nonhertz.errors import CaseError, InputError, without_accuracy_warnings
+from nonhertz.io.bearingfile import BearingCase, bearing_in
+from nonhertz.io.casefile import Case, case_in, case_text, holds_bearing, named, parsed
 from nonhertz.io.folder import write_files
-from nonhertz.report import MARK, CaseResults, examined, rendered, settled, steps
+from nonhertz.report import (
+    MARK,
+    BearingResults,
+    CaseResults,
+    examined,
+    rendered,
+    rendered_bearings,
+    settled,
+    settled_bearings,
+    steps,
+)
 
 _REMEDY = "give the name of a file such as report.html"
 _NEAR = 2000  # characters at the beginning of a report, which include its mark
 
 
-def read_cases(paths: Sequence[Path]) -> list[Case]:
-    """Return the cases in files.
+def read_cases(paths: Sequence[Path]) -> list[Case] | list[BearingCase]:
+    """Return the cases in files, or the bearings in bearing files.
 
     Raises
     ------
     CaseError
         With every mistake in all of them; with several files each is prefixed by its path.
+    InputError
+        If some are case files and some bearing files.
     """
+    cases = _read_all(paths)
+    contacts = [case for case in cases if isinstance(case, Case)]
+    bearings = [case for case in cases if isinstance(case, BearingCase)]
+    if contacts and bearings:
+        both = f"{contacts[0].path} and {bearings[0].path}"
+        remedy = "make a report of each kind, with 'nonhertz report' twice"
+        raise InputError("CASE", both, "be all case files or all bearing files", remedy)
+    return bearings or contacts
+
+
+def _read_all(paths: Sequence[Path]) -> list[Case | BearingCase]:
     if len(paths) == 1:
         return [_silently(paths[0])]
-    cases: list[Case] = []
+    cases: list[Case | BearingCase] = []
     mistakes: list[str] = []
     for path in paths:
         try:
@@ -39,11 +62,12 @@ def read_cases(paths: Sequence[Path]) -> list[Case]:
     return cases
 
 
-def _silently(path: Path) -> Case:
-    """Return a case without issuing warnings; the report shows them."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", AccuracyWarning)
-        return read_case(path)
+def _silently(path: Path) -> Case | BearingCase:
+    """Return a case or a bearing without issuing warnings; the report shows them."""
+    text = case_text(path)
+    document = parsed(text, str(path))
+    with without_accuracy_warnings():
+        return (bearing_in if holds_bearing(document) else case_in)(document, path, text)
 
 
 def target(out: Path | None, cases: Sequence[Path]) -> Path:
@@ -72,6 +96,40 @@ def made(cases: Sequence[Case], life: bool | None, stress: bool) -> tuple[str, t
         return rendered(found), found
     finally:
         progress.wipe()
+
+
+def made_of_bearings(
+    cases: Sequence[BearingCase], life: bool | None, compare: bool
+) -> tuple[str, tuple[BearingResults, ...]]:
+    """Return the report on bearings as text, and the results in it."""
+    progress = Progress(len(cases) + 1)
+    try:
+        found = settled_bearings(cases, life=life, compare=compare, announce=progress.announce)
+        progress.announce("figures")
+        return rendered_bearings(found), found
+    finally:
+        progress.wipe()
+
+
+def composed(
+    cases: list[Case] | list[BearingCase], life: bool | None, stress: bool, compare: bool
+) -> tuple[str, list[str]]:
+    """Return the report on cases or bearings as text, and a line for each that was not solved.
+
+    Raises
+    ------
+    InputError
+        If strips and slices are to be compared where there is no bearing.
+    """
+    bearings = [case for case in cases if isinstance(case, BearingCase)]
+    contacts = [case for case in cases if isinstance(case, Case)]
+    if contacts and compare:
+        remedy = f"use 'nonhertz compare {contacts[0].path}' for strips beside the plane grid"
+        raise InputError("--compare", str(contacts[0].path), "be used with bearing files", remedy)
+    text: str
+    found: Sequence[CaseResults | BearingResults]
+    text, found = made_of_bearings(bearings, life, compare) if bearings else made(contacts, life, stress)
+    return text, [f"{each.label}: {each.complaint}" for each in found if each.complaint]
 
 
 def write(path: Path, text: str) -> None:

@@ -42,12 +42,21 @@ def _map() -> None:
     found.under(load=1e3)
 
 
+def _bearing() -> None:
+    row = nh.bearing.CylindricalRollerBearing(
+        roller=_contact().a, inner=nh.Ring(diameter=40.0), outer=nh.Ring(diameter=-60.0), rollers=6
+    )
+    nh.bearing.solve(row, radial=2e3, method="slices")
+    nh.bearing.solve(row, radial=2e3)
+
+
 PARTS: dict[str, Callable[[], None]] = {
     "strips": _solve,
     "stress": _stress,
     "life": _life,
     "plane grid": _plane_grid,
     "map": _map,
+    "bearing": _bearing,
 }
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import statistics
 import time
-import warnings
 from collections.abc import Callable
 from typing import Any, TypeVar
 
@@ -12,7 +11,7 @@ from nonhertz.comparison.quantities import quantities
 from nonhertz.comparison.reasons import stretches
 from nonhertz.comparison.stations import stations
 from nonhertz.comparison.value import Comparison, Seconds
-from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
+from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.inputs.checks import callback, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.patch import PatchSolution
@@ -98,8 +97,7 @@ def compare(
     def on_grid() -> PatchSolution:
         return solve_patch(contact, **given, cells=cells, threads=threads)
 
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", AccuracyWarning)
+    with without_accuracy_warnings():
         (semi, of_semi), (parabola, of_parabola) = on_strips(SEMI_ELLIPTIC), on_strips(PARABOLIC)
         patch, of_patch = _timed("plane grid", on_grid, 0, announce)
     if not patch.footprint.any():

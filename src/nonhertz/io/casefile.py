@@ -8,9 +8,8 @@ from __future__ import annotations
 import contextlib
 import errno
 import inspect
-import sys
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from importlib import resources
 from pathlib import Path
@@ -24,14 +23,15 @@ from nonhertz.model.contact import Contact
 
 if TYPE_CHECKING:
     from nonhertz.io.document import LifeTable
-    from nonhertz.io.mistakes import Mistake
     from nonhertz.io.origin import Origin
     from nonhertz.life import LoadCase, Model
     from nonhertz.result.solution import Solution
 
+#: Tables of a bearing file in place of those of both bodies.
+OF_BEARINGS = ("bearing", "roller", "inner", "outer")
 _OF_BOTH_BODIES = ("diameter", "length", "position")
 _SECTIONS = {
-    "life": ("rollers", "slope", "fatigue_limit", "laminae", "edge_stress", "line_loads", "share"),
+    "life": ("rollers", "contact_angle", "slope", "fatigue_limit", "laminae", "edge_stress", "line_loads", "share"),
     "load": ("load", "approach", "tilt", "moment"),
     "solver": ("element", "strips", "accuracy"),
 }
@@ -51,12 +51,15 @@ class LifeCase:
         Model parameters given in the file, whichever models take them.
     spectrum : tuple of LoadCase
         Loads that replace the single load; empty if there is no spectrum.
+    contact_angle : float or None
+        Contact angle of the bearing [rad], for tapered rollers.
     """
 
     rollers: int | None = None
     names: tuple[str, ...] = ()
     parameters: dict[str, Any] = field(default_factory=dict)
     spectrum: tuple[LoadCase, ...] = ()
+    contact_angle: float | None = None
 
     def models(self, names: Iterable[str] = ()) -> tuple[Model, ...]:
         """Return models by name, each with the parameters from the file that it takes.
@@ -218,19 +221,9 @@ class Case:
             If the file cannot be written, or the case has something no case file can hold: a profile or diameter of a
             user-defined class, or strips given by their edges.
         """
-        from nonhertz.io.folder import write_files
         from nonhertz.io.written import document
 
-        if not isinstance(path, str | Path):
-            raise InputError("path", path, "be the name of a file to write", "give a string or a Path")
-        text, path = as_toml(document(self)), Path(path)
-        if len(text) > LARGEST_CASE:
-            condition = f"fit into a case file of at most {LARGEST_CASE / 1e6:g} MB"
-            raise InputError("profile", f"{len(text) / 1e6:.1f} MB", condition, "smooth it or take every tenth point")
-        try:
-            write_files(path.parent, {path.name: text})
-        except InputError as error:
-            raise InputError("path", str(path), error.condition, error.remedy) from None
+        write_document(lambda: document(self), path)
 
 
 def read_case(path: str | Path) -> Case:
@@ -257,11 +250,25 @@ def read_case(path: str | Path) -> Case:
         raise InputError("path", path, "be the name of a case file", "give a string or a Path")
     path = Path(path)
     text = case_text(path)
-    return case_in(parsed(text, str(path)), path, text)
+    document = parsed(text, str(path))
+    if holds_bearing(document):
+        raise CaseError([f"{path} must hold a single contact, not a bearing: use 'nonhertz bearing {path}'."])
+    return case_in(document, path, text)
 
 
-def case_text(path: Path) -> str:
-    """Return the text of a case file. It is read only once, since it may be a pipe.
+def holds_bearing(document: Mapping[str, Any]) -> bool:
+    """Return whether a document is meant as that of a bearing rather than of a single contact.
+
+    Examples
+    --------
+    >>> holds_bearing({"bearing": {"rollers": 13}}), holds_bearing({"body": {}, "load": {}})
+    (True, False)
+    """
+    return "body" not in document and any(name in document for name in OF_BEARINGS)
+
+
+def case_text(path: Path, what: str = "case file", new: str = "nonhertz new") -> str:
+    """Return the text of a case file, or of another file of that kind. It is read only once, since it may be a pipe.
 
     Raises
     ------
@@ -271,10 +278,10 @@ def case_text(path: Path) -> str:
     try:
         return content(path, LARGEST_CASE).decode("utf-8-sig")
     except FileNotFoundError:
-        way_out = "give the path of a case file, or begin with one from 'nonhertz new'"
+        way_out = f"give the path of a {what}, or begin with one from '{new}'"
         sentence = f"{path} must exist: {way_out}."
     except IsADirectoryError:
-        sentence = f"{path} must be a file, not a directory: give the path of a case file."
+        sentence = f"{path} must be a file, not a directory: give the path of a {what}."
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
         sentence = f"{path}, line {line}, must be text in UTF-8: save the file with that encoding."
@@ -309,7 +316,7 @@ def case_in(document: dict[str, Any], path: Path, text: str | None = None, *, fi
     from pydantic import ValidationError
 
     from nonhertz.io.document import CaseTable, reading
-    from nonhertz.io.mistakes import case_error, mistakes_in
+    from nonhertz.io.mistakes import case_error, in_order, mistakes_in
     from nonhertz.io.origin import Origin, with_notes
     from nonhertz.strip.element import ELEMENTS
 
@@ -317,7 +324,7 @@ def case_in(document: dict[str, Any], path: Path, text: str | None = None, *, fi
     try:
         table, notes = with_notes(lambda: CaseTable.model_validate(document, context=reading(document, folder)))
     except ValidationError as error:
-        raise case_error(_in_order(mistakes_in(error, CaseTable), document)) from None
+        raise case_error(in_order(mistakes_in(error, CaseTable), document)) from None
     case = Case(
         title=table.title or legible(path.stem),
         contact=table.body.contact(),
@@ -374,8 +381,8 @@ def starting_case() -> str:
     return resources.files("nonhertz.io").joinpath("starting_case.toml").read_text(encoding="utf-8")
 
 
-def write_starting_case(path: str | Path) -> None:
-    """Write `starting_case` to a new file.
+def write_new(text: str, path: str | Path) -> None:
+    """Write text to a new file, all of it or nothing.
 
     Raises
     ------
@@ -385,7 +392,7 @@ def write_starting_case(path: str | Path) -> None:
     path = Path(path)
     try:
         with path.open("x", encoding="utf-8") as file, _taken_away_unless_whole(path):
-            file.write(starting_case())
+            file.write(text)
             file.flush()
     except FileExistsError:
         remedy = "choose another name, since nothing is overwritten"
@@ -393,6 +400,28 @@ def write_starting_case(path: str | Path) -> None:
     except (OSError, ValueError) as error:
         reason = (getattr(error, "strerror", None) or str(error)).lower()
         raise InputError("PATH", str(path), f"be a file to write to ({reason})", "choose another name") from None
+
+
+def write_document(make: Callable[[], dict[str, Any]], path: str | Path) -> None:
+    """Write the document that a function makes to a file, in place of an older one; all of it or nothing.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written, or the document is larger than any that would be read.
+    """
+    from nonhertz.io.folder import write_files
+
+    if not isinstance(path, str | Path):
+        raise InputError("path", path, "be the name of a file to write", "give a string or a Path")
+    text, path = as_toml(make()), Path(path)
+    if len(text) > LARGEST_CASE:
+        condition = f"fit into a case file of at most {LARGEST_CASE / 1e6:g} MB"
+        raise InputError("profile", f"{len(text) / 1e6:.1f} MB", condition, "smooth it or take every tenth point")
+    try:
+        write_files(path.parent, {path.name: text})
+    except InputError as error:
+        raise InputError("path", str(path), error.condition, error.remedy) from None
 
 
 @contextlib.contextmanager
@@ -431,31 +460,7 @@ def _life(table: LifeTable) -> LifeCase:
         from nonhertz.life import LoadCase
 
         spectrum = tuple(LoadCase(**dict(case)) for case in table.spectrum)
-    return LifeCase(table.rollers, table.models, table.parameters(), spectrum)
-
-
-def _in_order(mistakes: Iterable[Mistake], document: dict[str, Any]) -> list[Mistake]:
-    """Return mistakes in the order of their places in the file; missing keys come after those present."""
-    # Each table is numbered once: searching it for every key would take quadratic time.
-    numbered: dict[int, dict[str, int]] = {}
-
-    def position(mistake: Mistake) -> tuple[int, ...]:
-        positions: list[int] = []
-        value: Any = document
-        for part in mistake.place:
-            if isinstance(value, dict) and part in value:
-                if id(value) not in numbered:
-                    numbered[id(value)] = {key: number for number, key in enumerate(value)}
-                positions.append(numbered[id(value)][str(part)])
-                value = value[part]
-            elif isinstance(value, list) and isinstance(part, int):
-                positions.append(part)
-                value = value[part - 1]
-            else:
-                return (*positions, sys.maxsize)
-        return tuple(positions)
-
-    return sorted(mistakes, key=position)
+    return LifeCase(table.rollers, table.models, table.parameters(), spectrum, table.contact_angle)
 
 
 def _tables(text: str, name: str) -> dict[str, Any]:

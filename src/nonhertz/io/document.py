@@ -12,7 +12,7 @@ import dataclasses
 import math
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Annotated, Any, Self, TypeVar
+from typing import Annotated, Any, ClassVar, Self, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -87,21 +87,26 @@ class Table(BaseModel):
 AnyTable = TypeVar("AnyTable", bound=Table)
 
 
-def _read_table(table: type[AnyTable], value: Any) -> AnyTable:
+def read_table(table: type[AnyTable], value: Any) -> AnyTable:
+    """Return the table in a value, or raise `TableError` with all of its mistakes."""
     try:
         return table.model_validate(value)
     except ValidationError as error:
         raise TableError(mistakes_in(error, table)) from None
 
 
-def _quantity(unit: str) -> PlainValidator:
+def quantity(unit: str) -> PlainValidator:
+    """Return what reads a number in ``unit`` or text with a unit."""
+
     def read(value: Any, info: ValidationInfo) -> Any:
         return in_unit(str(info.field_name), value, unit)
 
     return PlainValidator(read)
 
 
-def _quantities(unit: str) -> PlainValidator:
+def quantities(unit: str) -> PlainValidator:
+    """Return what reads a list of these."""
+
     def read(value: Any, info: ValidationInfo) -> Any:
         name = str(info.field_name)
         if not isinstance(value, list):
@@ -118,13 +123,13 @@ def _list_schema(unit: str) -> WithJsonSchema:
     return WithJsonSchema({"type": "array", "items": quantity_schema(unit), "minItems": 2})
 
 
-Number = Annotated[float, _quantity(""), WithJsonSchema(quantity_schema(""))]
-Length = Annotated[float, _quantity("mm"), WithJsonSchema(quantity_schema("mm"))]
-Lengths = Annotated[tuple[float, ...], _quantities("mm"), _list_schema("mm")]
-Stress = Annotated[float, _quantity("MPa"), WithJsonSchema(quantity_schema("MPa"))]
-Force = Annotated[float, _quantity("N"), WithJsonSchema(quantity_schema("N"))]
-Angle = Annotated[float, _quantity("rad"), WithJsonSchema(quantity_schema("rad"))]
-Moment = Annotated[float, _quantity("N mm"), WithJsonSchema(quantity_schema("N mm"))]
+Number = Annotated[float, quantity(""), WithJsonSchema(quantity_schema(""))]
+Length = Annotated[float, quantity("mm"), WithJsonSchema(quantity_schema("mm"))]
+Lengths = Annotated[tuple[float, ...], quantities("mm"), _list_schema("mm")]
+Stress = Annotated[float, quantity("MPa"), WithJsonSchema(quantity_schema("MPa"))]
+Force = Annotated[float, quantity("N"), WithJsonSchema(quantity_schema("N"))]
+Angle = Annotated[float, quantity("rad"), WithJsonSchema(quantity_schema("rad"))]
+Moment = Annotated[float, quantity("N mm"), WithJsonSchema(quantity_schema("N mm"))]
 # Left to the body's own checks.
 Word = Annotated[str, PlainValidator(lambda value: value), WithJsonSchema({"type": "string"})]
 
@@ -142,9 +147,10 @@ class MaterialTable(Table):
         return value
 
 
-def _read_material(value: Any) -> Material:
+def read_material(value: Any) -> Material:
+    """Return the material that a name or a table stands for."""
     if isinstance(value, dict):
-        table = _read_table(MaterialTable, value)
+        table = read_table(MaterialTable, value)
         return Material(modulus=table.modulus, poisson=table.poisson)
     if not isinstance(value, str):
         remedy = "give a name such as 'steel' or a table { modulus = 207000, poisson = 0.3 }"
@@ -170,7 +176,7 @@ def _read_diameter(value: Any, info: ValidationInfo) -> Any:
 def _diameter(name: str, value: Any) -> Any:
     if not isinstance(value, dict):
         return in_unit(name, value, "mm")
-    table = _read_table(DiameterTable, value)
+    table = read_table(DiameterTable, value)
     try:
         return TabulatedDiameter(y=table.y, diameter=table.diameter)
     except InputError as error:
@@ -243,12 +249,18 @@ class ChamferTable(Table):
         return Chamfer(self.length, self.angle, self.blend_radius)
 
 
+Kind = Annotated[type[Body] | None, PlainValidator(_read_kind), WithJsonSchema({"enum": list(_KINDS)})]
+
+
 class BodyTable(Table):
     """One of the two bodies."""
 
+    #: Whose checks the keys of a body without a kind must satisfy.
+    unnamed: ClassVar[type[Body]] = Body
+
     # A key comes after those that its own check depends on. The defaults are for the schema only: whatever a file
     # leaves out gets the default of the body's class.
-    kind: Annotated[type[Body] | None, PlainValidator(_read_kind), WithJsonSchema({"enum": list(_KINDS)})] = Field(
+    kind: Kind = Field(
         default=None,
         description="'roller', 'ring' or 'plate': what the diameter must be, and the default of the depth; 'body' for "
         "any; left out, a body with a positive diameter and a length is a roller",
@@ -280,7 +292,7 @@ class BodyTable(Table):
     )
     chamfer: ChamferTable | None = Field(default=None, description="chamfers in place of a corner radius")
     position: Length = Field(default=Body.position, description="axial position of the middle of the body [mm]")
-    material: Annotated[Material, PlainValidator(_read_material, json_schema_input_type=Word | MaterialTable)] = Field(
+    material: Annotated[Material, PlainValidator(read_material, json_schema_input_type=Word | MaterialTable)] = Field(
         default=STEEL, description="name of a material, or a table of modulus and poisson"
     )
     profile: Annotated[Profile, PlainValidator(_read_profile), WithJsonSchema(profile_schema())] = Field(
@@ -320,7 +332,7 @@ class BodyTable(Table):
             return value  # whose depth is a mistake already
         # Without a valid kind there is no telling what the other keys must satisfy.
         read = info.data if "kind" in info.data else {}
-        kind = read.get("kind") or Body
+        kind = read.get("kind") or cls.unnamed
         body = {other: read.get(other, stand_in) for other, stand_in in _STAND_INS.items()} | {name: value}
         try:
             kind(**{key: entry for key, entry in body.items() if entry is not None})
@@ -362,17 +374,17 @@ def reading(document: Any, folder: Path | None) -> dict[str, Any]:
         Directory that the names of files are relative to; None where no file may be read.
     """
     bodies = document.get("body") if isinstance(document, dict) else None
-    return {"folder": folder, "radius": _combined_radius(bodies if isinstance(bodies, dict) else {})}
+    given = bodies if isinstance(bodies, dict) else {}
+    return {"folder": folder, "radius": combined_radius(given.get("a"), given.get("b"))}
 
 
-def _combined_radius(bodies: dict[str, Any]) -> Any:
+def combined_radius(*bodies: Any) -> Any:
     """Return the combined radius across the contact [mm] at the middles of two bodies, None if they have none.
 
     It is found before the bodies are read one after the other, since the profile of one may depend on both.
     """
     curvature = 0.0
-    for name in ("a", "b"):
-        body = bodies.get(name)
+    for body in bodies:
         if not isinstance(body, dict):
             return BROKEN
         try:
@@ -392,7 +404,7 @@ class BodiesTable(Table):
     def _check(self) -> Self:
         try:
             contact = self.contact()
-            contact.curvature(_sampled(contact.interval))
+            contact.curvature(sampled(contact.interval))
         except InputError as error:
             raise TableError([of_both(error)]) from None
         return self
@@ -418,7 +430,7 @@ def of_both(error: InputError) -> Mistake:
     return Mistake((name, "diameter"), InputError("diameter", diameters[name], condition, error.remedy))
 
 
-def _sampled(interval: tuple[float, float]) -> NDArray[np.float64]:
+def sampled(interval: tuple[float, float]) -> NDArray[np.float64]:
     """Return positions at which to check a contact; the solver checks again at its own strips."""
     low, high = (min(max(end, -_FAR_AWAY), _FAR_AWAY) for end in interval)
     return np.linspace(low, high, 1001)
@@ -456,29 +468,44 @@ class LoadTable(Table):
     @model_validator(mode="wrap")
     @classmethod
     def _check_pairs(cls, value: Any, read: ValidatorFunctionWrapHandler) -> LoadTable:
-        if not isinstance(value, dict):
-            refused: LoadTable = read(value)
-            return refused
-        mistakes = _pair_mistakes(value)
-        try:
-            table: LoadTable = read(value)
-        except ValidationError as error:
-            mistakes = mistakes_in(error, cls) + mistakes
-        if mistakes:
-            raise TableError(mistakes)
-        return table
+        return read_beside(cls, value, read, _load_mistakes)
 
     def prescribed(self) -> dict[str, float]:
         """Return the prescribed quantities."""
         return {name: value for name, value in self if value is not None}
 
 
-def _pair_mistakes(given: dict[str, Any]) -> list[Mistake]:
-    mistakes = [
+def read_beside(
+    table: type[AnyTable],
+    value: Any,
+    read: ValidatorFunctionWrapHandler,
+    find: Callable[[dict[str, Any]], list[Mistake]],
+) -> AnyTable:
+    """Return the table in a value, or raise `TableError` with its mistakes and others that a function finds."""
+    if not isinstance(value, dict):
+        refused: AnyTable = read(value)
+        return refused
+    mistakes = find(value)
+    try:
+        found: AnyTable = read(value)
+    except ValidationError as error:
+        mistakes = mistakes_in(error, table) + mistakes
+    if mistakes:
+        raise TableError(mistakes)
+    return found
+
+
+def pair_mistakes(given: dict[str, Any], *pairs: tuple[str, str]) -> list[Mistake]:
+    """Return mistakes of keys that are given although another is."""
+    return [
         Mistake((second,), InputError(second, given[second], f"not be given together with {first}", "leave one out"))
-        for first, second in (("load", "approach"), ("tilt", "moment"))
+        for first, second in pairs
         if first in given and second in given
     ]
+
+
+def _load_mistakes(given: dict[str, Any]) -> list[Mistake]:
+    mistakes = pair_mistakes(given, ("load", "approach"), ("tilt", "moment"))
     # An unknown key that looks like one of them has already been reported.
     meant = {nearest(key, LoadTable.model_fields) for key in given}
     if not meant & {"load", "approach"}:
@@ -548,9 +575,8 @@ class LoadCaseTable(Table):
         return value
 
 
-def _read_spectrum(value: Any) -> tuple[LoadCaseTable, ...]:
-    from nonhertz.life.spectrum import WHOLE
-
+def read_loads(value: Any, table: type[AnyTable]) -> tuple[AnyTable, ...]:
+    """Return the loads of a spectrum, a table each."""
     if not isinstance(value, list) or not value:
         raise InputError("spectrum", value, "be a list of tables", _SPECTRUM_REMEDY)
     if len(value) > LOADS:
@@ -561,15 +587,22 @@ def _read_spectrum(value: Any) -> tuple[LoadCaseTable, ...]:
             mistakes.append(Mistake((position,), InputError("spectrum", entry, "be a table", _SPECTRUM_REMEDY)))
             continue
         try:
-            cases.append(_read_table(LoadCaseTable, entry))
+            cases.append(read_table(table, entry))
         except TableError as error:
             mistakes += [mistake.within((position,)) for mistake in error.mistakes]
     if mistakes:
         raise TableError(mistakes)
+    return tuple(cases)
+
+
+def _read_spectrum(value: Any) -> tuple[LoadCaseTable, ...]:
+    from nonhertz.life.spectrum import WHOLE
+
+    cases = read_loads(value, LoadCaseTable)
     total = math.fsum(case.share for case in cases)
     if abs(total - 1.0) > WHOLE:
         raise InputError("share", round(total, 6), "add up to 1", "give all loads with their shares of the revolutions")
-    return tuple(cases)
+    return cases
 
 
 def _read_models(value: Any) -> tuple[str, ...]:
@@ -615,6 +648,9 @@ class LifeTable(Table):
     rollers: Annotated[int, PlainValidator(_read_rollers), WithJsonSchema({"type": "integer", "minimum": 1})] | None = (
         Field(default=None, description="number of rollers in the bearing, for absolute lives")
     )
+    contact_angle: Angle | None = Field(
+        default=None, description="contact angle of the bearing [rad], for absolute lives of tapered rollers"
+    )
     models: Annotated[
         tuple[str, ...],
         PlainValidator(_read_models),
@@ -637,6 +673,15 @@ class LifeTable(Table):
         WithJsonSchema({"type": "array", "items": LoadCaseTable.model_json_schema(), "minItems": 1}),
     ] = Field(default=(), description="loads with their shares of the revolutions, in place of [load]")
 
+    @field_validator("contact_angle")
+    @classmethod
+    def _check_angle(cls, value: float | None) -> float | None:
+        from nonhertz.life import Raceway
+
+        if value is not None:
+            Raceway(1.0, 1.0, 9.0, True, contact_angle=value)
+        return value
+
     @field_validator(*_MODEL_WITH)
     @classmethod
     def _check(cls, value: Any, info: ValidationInfo) -> Any:
@@ -658,12 +703,13 @@ def _read_format(value: Any) -> int:
     return FORMAT
 
 
+Format = Annotated[int, PlainValidator(_read_format), WithJsonSchema({"const": FORMAT})]
+
+
 class CaseTable(Table):
     """A case file."""
 
-    format: Annotated[int, PlainValidator(_read_format), WithJsonSchema({"const": FORMAT})] = Field(
-        default=FORMAT, description="format of the file; older files that leave it out are read"
-    )
+    format: Format = Field(default=FORMAT, description="format of the file; older files that leave it out are read")
     title: str = Field(default="", description="what the case is called in tables and figures")
     body: BodiesTable = Field(description="the two bodies")
     load: LoadTable = Field(description="what presses them together")

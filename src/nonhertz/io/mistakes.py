@@ -9,6 +9,7 @@ from __future__ import annotations
 import difflib
 import json
 import re
+import sys
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, get_args
@@ -103,6 +104,30 @@ def path_of(place: Place) -> str:
             shown = part if len(part) <= _LONGEST_KEY else part[: _LONGEST_KEY - 3] + "..."
             path += ("." if path else "") + (shown if _BARE_KEY.fullmatch(shown) else json.dumps(shown))
     return path
+
+
+def in_order(mistakes: Iterable[Mistake], document: dict[str, Any]) -> list[Mistake]:
+    """Return mistakes in the order of their places in the file; missing keys come after those present."""
+    # Each table is numbered once: searching it for every key would take quadratic time.
+    numbered: dict[int, dict[str, int]] = {}
+
+    def position(mistake: Mistake) -> tuple[int, ...]:
+        positions: list[int] = []
+        value: Any = document
+        for part in mistake.place:
+            if isinstance(value, dict) and part in value:
+                if id(value) not in numbered:
+                    numbered[id(value)] = {key: number for number, key in enumerate(value)}
+                positions.append(numbered[id(value)][str(part)])
+                value = value[part]
+            elif isinstance(value, list) and isinstance(part, int):
+                positions.append(part)
+                value = value[part - 1]
+            else:
+                return (*positions, sys.maxsize)
+        return tuple(positions)
+
+    return sorted(mistakes, key=position)
 
 
 def nearest(word: str, known: Iterable[str]) -> str | None:

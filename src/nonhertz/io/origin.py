@@ -1,4 +1,4 @@
-"""What a case was read from: its text, and the files named in it."""
+"""What a case, of a contact or a bearing, was read from: its text, and the files named in it."""
 
 from __future__ import annotations
 
@@ -66,8 +66,20 @@ def with_notes(read: Callable[[], Read]) -> tuple[Read, tuple[str, ...]]:
     return value, tuple(notes)
 
 
+def body_tables(document: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str, Any]]]:
+    """Yield place and table of every body in the document of a case, of a contact or a bearing."""
+    for name, table in document.get("body", {}).items():
+        yield f"body.{name}", table
+    for name in ("roller", "inner", "outer"):
+        if name in document:
+            yield name, document[name]
+
+
 def _files_in(document: Mapping[str, Any]) -> Iterator[str]:
-    for body in document.get("body", {}).values():
-        for table in profile_tables(body):
-            if isinstance(table.get("file"), str):
-                yield table["file"]
+    tables = [table for _, body in body_tables(document) for table in profile_tables(body)]
+    for shape in ("inner_shape", "outer_shape"):
+        value = document.get("bearing", {}).get(shape, [])
+        tables += [value] if isinstance(value, dict) else value
+    for table in tables:
+        if isinstance(table.get("file"), str):
+            yield table["file"]

@@ -1,7 +1,7 @@
 """Quantities as people write them: from a number, or text such as ``"0.5 mrad"``, to a number in the base units.
 
-Everything inside the package is in mm, N, MPa and rad. Only this module knows other units, and only it imports
-pint, which takes a quarter of a second and so waits until a text with a unit comes along.
+Everything inside the package is in mm, N, MPa and rad, speeds in 1/min. Only this module knows other units, and only
+it imports pint, which takes a quarter of a second and so waits until a text with a unit comes along.
 Text is parsed here and pint sees only the unit, because pint's own parser evaluates arithmetic and would
 happily work for hours on ``"9**9**9 mm"``.
 """
@@ -25,6 +25,9 @@ _KINDS = {
     "1/MPa": ("inverse stress", "2.8e-6 1/MPa"),
     "rad": ("angle", "0.5 mrad' or '8 um/25 mm"),
     "N mm": ("moment", "5 N m"),
+    "1/min": ("speed", "1500 1/min' or '1500 rpm"),
+    "mm^2/s": ("viscosity", "20 mm^2/s"),
+    "t/mm^3": ("density", "7850 kg/m^3"),
 }
 _BEGINNING = re.compile(r"\s*[-+]?\.?\d")
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
@@ -36,6 +39,8 @@ _SLOPE = re.compile(rf"\s*({_NUMBER})\s*({_FACTOR})\s*/\s*(?:({_NUMBER})\s*)?({_
 _LONGEST = 40
 # To pint "Nm" is a measure of yarn and "Nmm" is unknown; on drawings both are moments.
 _RUN_TOGETHER = re.compile(r"\b([kM]?N)(m|cm|mm)\b")
+# Turns as ISO writes them; pint knows neither.
+_TURN = re.compile(r"\br(?:ev)?\b")
 _BARE_EXPONENT = re.compile(r"(?<=[A-Za-zµμ])(-?\d)")
 
 
@@ -50,7 +55,8 @@ def in_unit(field: str, value: Any, unit: str) -> Any:
         A number, already in ``unit``, or text with a number and a unit. An angle may also be text of one length over
         another, its tangent. Anything else is returned unchanged, for the model to reject in its own wording.
     unit : str
-        ``"mm"``, ``"N"``, ``"MPa"``, ``"1/MPa"``, ``"rad"``, ``"N mm"``, or ``""`` for a plain number.
+        ``"mm"``, ``"N"``, ``"MPa"``, ``"1/MPa"``, ``"rad"``, ``"N mm"``, ``"1/min"``, ``"mm^2/s"``, ``"t/mm^3"``, or
+        ``""`` for a plain number.
 
     Returns
     -------
@@ -73,6 +79,8 @@ def in_unit(field: str, value: Any, unit: str) -> Any:
     5000.0
     >>> in_unit("angle", "25 mm/25 mm", "rad") == math.atan(1.0)
     True
+    >>> in_unit("speed", "1500 rpm", "1/min"), in_unit("speed", "25 Hz", "1/min")
+    (1500.0, 1500.0)
     """
     if isinstance(value, bool):
         return value
@@ -149,11 +157,16 @@ def _factor(written: str, unit: str) -> float:
     spelled = _RUN_TOGETHER.sub(r"\1 \2", written)
     spelled = _BARE_EXPONENT.sub(r"^\1", spelled.replace("**", "^"))
     spelled = "1" + spelled if spelled.startswith("/") else spelled
+    if unit == "1/min":
+        spelled = _TURN.sub("turn", spelled)
     try:
         quantity = _registry().Quantity(1.0, _registry().parse_units(spelled))
-        factor = float(quantity.to(unit).magnitude)
+        # To pint an angle is a number, and 1/min are radians: turns are converted to turns.
+        turning = unit == "1/min" and "radian" in str(quantity.to_root_units().units)
+        unit_there = "turn/min" if turning else unit
+        factor = float(quantity.to(unit_there).magnitude)
         # Degrees Celsius and decibels convert, but not by a factor.
-        linear = math.isclose(float((2.0 * quantity).to(unit).magnitude), 2.0 * factor)
+        linear = math.isclose(float((2.0 * quantity).to(unit_there).magnitude), 2.0 * factor)
     except pint.UndefinedUnitError:
         raise ValueError("have a known unit") from None
     except (pint.PintError, ValueError, TypeError, AssertionError, ArithmeticError, LookupError):

@@ -42,13 +42,14 @@ def bodies(contact: Contact) -> dict[str, Any]:
     found = {}
     for name, body in (("a", contact.a), ("b", contact.b)):
         try:
-            found[name] = _body(body)
+            found[name] = body_table(body)
         except InputError as error:
             raise error.within(f"body.{name}") from None
     return found
 
 
-def _body(body: Body) -> dict[str, Any]:
+def body_table(body: Body) -> dict[str, Any]:
+    """Return the table of a body."""
     table: dict[str, Any] = {"kind": type(body).__name__.lower()}
     for name, value in (("diameter", body.diameter), ("bore", body.bore)):
         if value is not None:
@@ -59,7 +60,7 @@ def _body(body: Body) -> dict[str, Any]:
             table[name] = float(value)
     if body.chamfer is not None:
         table["chamfer"] = {name: float(value) for name, value in asdict(body.chamfer).items()}
-    table["material"] = _material(body.material)
+    table["material"] = material_table(body.material)
     profiles = list(profile_tables(body.profile))
     if profiles:
         table["profile"] = profiles
@@ -78,7 +79,8 @@ def _diameter(name: str, value: object) -> float | dict[str, Any]:
     raise InputError(name, value, "be a number or a table to go into a case file", remedy)
 
 
-def _material(material: Material) -> str | dict[str, float]:
+def material_table(material: Material) -> str | dict[str, float]:
+    """Return the name of a material, or its constants."""
     named = [name for name, known in MATERIALS.items() if known == material]
     return named[0] if named else {"modulus": float(material.modulus), "poisson": float(material.poisson)}
 
@@ -132,7 +134,12 @@ def _solver(options: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _life(life: LifeCase) -> dict[str, Any]:
-    found = {"rollers": life.rollers, "models": list(life.names), **life.parameters}
+    found = {
+        "rollers": life.rollers,
+        "contact_angle": life.contact_angle,
+        "models": list(life.names),
+        **life.parameters,
+    }
     found["spectrum"] = [
         {"load": float(each.load), "share": float(each.share), "tilt": float(each.tilt)} for each in life.spectrum
     ]

@@ -7,13 +7,12 @@ since the results carry them as sentences.
 from __future__ import annotations
 
 import contextlib
-import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
+from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.io.casefile import Case, placed
 from nonhertz.io.lives import Assessment
 from nonhertz.life import Model, VolumeModel, assess, solve_spectrum
@@ -40,8 +39,7 @@ def solved(case: Case) -> Solution:
     ConvergenceError
         If it stops short of a solution.
     """
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", AccuracyWarning)
+    with without_accuracy_warnings():
         return case.solve()
 
 
@@ -140,15 +138,21 @@ def assessed(
     with _in_the_words_of_the_file():
         for body in BODIES:
             announce_next = _announcer(announce, body, len(spectrum))
-            lives[body] = assess(spectrum, models, body=body, rollers=case.life.rollers, announce=announce_next)
+            lives[body] = assess(
+                spectrum,
+                models,
+                body=body,
+                rollers=case.life.rollers,
+                contact_angle=case.life.contact_angle,
+                announce=announce_next,
+            )
     return Assessment(case.title, case.life.rollers, spectrum, lives, notes)
 
 
 @contextlib.contextmanager
 def _in_the_words_of_the_file() -> Iterator[None]:
     """Turn errors into ones that name the key of the case file, and suppress warnings, which the results carry."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", AccuracyWarning)
+    with without_accuracy_warnings():
         try:
             yield
         except InputError as error:

@@ -1,0 +1,126 @@
+"""What ``nonhertz bearing`` solves, writes and prints."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from rich.table import Table
+from rich.text import Text
+
+from nonhertz.bearing.assessed import BearingLife
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.cli import FINE, NOT_CONVERGED
+from nonhertz.cli.printing import console, print_table
+from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
+from nonhertz.io.bearing_results import as_json, as_object, comparison_files, comparison_object, files
+from nonhertz.io.bearingfile import BearingCase, placed
+from nonhertz.io.folder import write_files
+from nonhertz.show.bearing import (
+    COMPARED_COLUMNS,
+    OF_LARGEST,
+    ROLLER_COLUMNS,
+    bearing_warnings,
+    compared_roller_rows,
+    compared_rows,
+    life_rows,
+    rated,
+    roller_rows,
+    spectrum_rows,
+    summary_rows,
+)
+
+WIDTH = 120  # of piped output
+
+
+def report_bearing(case: BearingCase, out: Path | None, json: bool) -> int:
+    """Solve a bearing, write results if requested, print them; return the exit code."""
+    try:
+        solution = _solved(case)
+        life, reason = rated(case, solution)
+        sentences = bearing_warnings(solution)
+    except ConvergenceError as error:
+        print(error, file=sys.stderr)
+        return NOT_CONVERGED
+    except InputError as error:  # of a contact, when its pressure is solved
+        raise placed(error) from None
+    found = life, reason, sentences
+    written = (
+        () if out is None else write_files(out, files(solution, case, *found), lambda to: _draw(solution, case, to))
+    )
+    if json:
+        print(as_json(as_object(solution, case, *found)))
+        return FINE
+    _print_bearing(case, solution, *found)
+    _print_written(written)
+    return FINE
+
+
+def report_comparison(case: BearingCase, out: Path | None, json: bool) -> int:
+    """Solve a bearing by strips and by slices, write and print both; return the exit code."""
+    try:
+        strips, slices = case.solve("strips"), case.solve("slices")
+    except ConvergenceError as error:
+        print(error, file=sys.stderr)
+        return NOT_CONVERGED
+    written = () if out is None else write_files(out, comparison_files(strips, slices, case.title))
+    if json:
+        print(as_json(comparison_object(strips, slices, case.title)))
+        return FINE
+    printing = console(WIDTH)
+    printing.print(Text(case.title, style="bold"))
+    print_table(printing, _table(("", "strips", "slices", "difference"), compared_rows(strips, slices), left=(0,)))
+    printing.print()
+    print_table(printing, _table(COMPARED_COLUMNS, compared_roller_rows(strips, slices)))
+    printing.print(Text(OF_LARGEST), soft_wrap=True)
+    _print_written(written)
+    return FINE
+
+
+def _solved(case: BearingCase) -> BearingSolution:
+    """Return the solution, whose warnings are printed with the results."""
+    with without_accuracy_warnings():
+        return case.solve()
+
+
+def _draw(solution: BearingSolution, case: BearingCase, folder: Path) -> None:
+    """Write the figures of a bearing."""
+    from nonhertz import plot
+
+    for name, figure in plot.bearing_figures(solution, case.title).items():
+        plot.save(figure, folder / name)
+
+
+def _print_bearing(
+    case: BearingCase, solution: BearingSolution, life: BearingLife | None, reason: str, sentences: Sequence[str]
+) -> None:
+    printing = console(WIDTH)
+    printing.print(Text(case.title, style="bold"))
+    table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
+    speed = None if case.spectrum else case.prescribed.get("speed")
+    for row in (*summary_rows(case, solution), *spectrum_rows(case), *life_rows(life, reason, speed)):
+        table.add_row(*map(Text, row))
+    print_table(printing, table)
+    printing.print()
+    print_table(printing, _table(ROLLER_COLUMNS, roller_rows(solution)))
+    for sentence in sentences:
+        printing.print(Text(f"warning: {sentence}", style="yellow"), soft_wrap=True)
+
+
+def _print_written(written: Iterable[Path]) -> None:
+    for path in written:
+        print(f"wrote {path}")
+
+
+def _table(head: Sequence[str], rows: Iterable[Sequence[str]], *, left: Sequence[int] = ()) -> Table:
+    """Return a table without the columns that are blank throughout."""
+    rows = list(rows)
+    columns = [position for position in range(len(head)) if any(row[position] for row in rows)]
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
+    for position in columns:
+        # As text: rich would take [MPa] for markup.
+        table.add_column(Text(head[position]), justify="left" if position in left else "right")
+    for row in rows:
+        table.add_row(*(Text(row[position]) for position in columns))
+    return table

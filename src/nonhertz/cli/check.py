@@ -1,0 +1,61 @@
+"""What ``nonhertz check`` reads and tries."""
+
+from __future__ import annotations
+
+import contextlib
+from pathlib import Path
+from typing import Any
+
+from nonhertz.errors import ConvergenceError
+from nonhertz.io.casefile import case_in, case_text, holds_bearing, parsed
+
+_UNITS = {
+    **dict.fromkeys(("load", "radial", "axial"), "N"),
+    **dict.fromkeys(("approach", "radial_displacement", "axial_displacement"), "mm"),
+    "tilt": "rad",
+    "moment": "N mm",
+    "speed": "1/min",
+}
+
+
+def checked(path: Path) -> str:
+    """Read a case file or a bearing file, try whether it can be solved, and return what it holds in one line.
+
+    Raises
+    ------
+    CaseError
+        With every mistake in the file.
+    """
+    text = case_text(path)
+    document = parsed(text, str(path))
+    holds = _bearing if holds_bearing(document) else _contact
+    return f"{path} is fine: {holds(document, path, text)}."
+
+
+def _contact(document: dict[str, Any], path: Path, text: str) -> str:
+    from nonhertz.cli.solve import solved_or_not
+
+    case = case_in(document, path, text)
+    # Finds what only the solver can see, such as an unbounded contact. It takes milliseconds.
+    solved_or_not(case)
+    low, high = case.contact.interval
+    return f"{case.title!r}, bodies face each other from y = {low:g} to {high:g} mm, {_listed(case.prescribed)}"
+
+
+def _bearing(document: dict[str, Any], path: Path, text: str) -> str:
+    from nonhertz.io.bearingfile import bearing_in
+
+    case = bearing_in(document, path, text)
+    # By slices, which takes milliseconds. Whether a balance is found is for solving it to say.
+    with contextlib.suppress(ConvergenceError):
+        case.solve("slices")
+    kind, count = document["bearing"]["kind"], sum(row.bearing.rollers for row in case.bearing.rows)
+    return f"{case.title!r}, a {kind} bearing of {count} rollers, {_listed(case.prescribed) or 'no load'}"
+
+
+def _listed(prescribed: dict[str, Any]) -> str:
+    found = []
+    for name, value in prescribed.items():
+        numbers = value if isinstance(value, tuple) else (value,)
+        found.append(f"{name} = {', '.join(f'{each:g}' for each in numbers)} {_UNITS[name]}")
+    return ", ".join(found)

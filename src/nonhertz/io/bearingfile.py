@@ -1,0 +1,385 @@
+"""Bearing files: from TOML to a bearing and what loads it.
+
+All mistakes in a file are found at once and raised together, in the wording of the Python classes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from importlib import resources
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.spectrum import LoadCase
+from nonhertz.errors import CaseError, InputError
+from nonhertz.inputs.checks import one_line
+from nonhertz.inputs.files import legible
+from nonhertz.io.casefile import OF_BEARINGS, as_toml, case_text, parsed, write_document
+from nonhertz.io.fits import FIT, mounted, operating
+
+if TYPE_CHECKING:
+    from nonhertz.bearing.assessed import BearingLife
+    from nonhertz.bearing.clearance import OperatingClearance
+    from nonhertz.bearing.solution import BearingSolution
+    from nonhertz.io.mistakes import Mistake
+    from nonhertz.io.origin import Origin
+
+_SECTIONS: dict[str, tuple[str, ...]] = {
+    "fit": FIT,
+    "load": ("radial", "axial", "moment", "radial_displacement", "axial_displacement", "tilt", "speed"),
+    "solver": ("method", "laminae"),
+    "life": (
+        *("viscosity", "contamination", "cleanliness", "reliability", "edge_stress", "laminae", "turning"),
+        *("dynamic", "static"),
+        # Beside a viscosity; in a file it is that of the load.
+        "speed",
+    ),
+}
+
+
+@dataclass(frozen=True)
+class BearingCase:
+    """A bearing, what loads it, how that is solved, and how its life is assessed.
+
+    Attributes
+    ----------
+    bearing : RollerBearing or Paired
+        The bearing.
+    prescribed : dict
+        Forces or displacements, moment or tilt, and speed: keywords for `nonhertz.bearing.solve`.
+    solver : dict
+        Method and number of slices: keywords for `nonhertz.bearing.solve`; strips where left out.
+    life : dict
+        Viscosity, contamination, reliability and so on: keywords for `nonhertz.bearing.assess`.
+    spectrum : tuple of LoadCase
+        The loads under which life is assessed, in place of what is prescribed; empty if there are none.
+    title : str
+        What the bearing is called; the file's name if the file has none.
+    path : Path
+        The file it was read from; other file names are relative to it.
+    fit : dict
+        Seats and temperatures: keywords for `nonhertz.bearing.operating_clearance` but for the speed, which is that of
+        ``prescribed``. The clearance of ``bearing`` is then the one before it is mounted.
+    origin : Origin or None
+        What the file held; None for a case made in Python, and for a changed copy made with ``dataclasses.replace``.
+
+    Raises
+    ------
+    InputError
+        If a part is of the wrong kind.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder, "nu206.toml")
+    ...     _ = path.write_text(starting_bearing())
+    ...     case = read_bearing(path)
+    >>> case.bearing.rollers, case.prescribed["radial"]
+    (13, 10000.0)
+    >>> case.solve().load[0].round(-1)
+    array([3810., 3810.])
+    """
+
+    bearing: RollerBearing | Paired
+    prescribed: dict[str, Any] = field(default_factory=dict)
+    solver: dict[str, Any] = field(default_factory=dict)
+    life: dict[str, Any] = field(default_factory=dict)
+    title: str = ""
+    path: Path = field(default=Path("bearing.toml"), compare=False)
+    spectrum: tuple[LoadCase, ...] = ()
+    fit: dict[str, Any] = field(default_factory=dict)
+    # No argument, so that a changed copy does not carry the text of the case it was made from.
+    origin: Origin | None = field(default=None, init=False, compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.bearing, RollerBearing | Paired):
+            remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing"
+            raise InputError("bearing", self.bearing, "be a bearing", remedy)
+        for name, value, kind in (("title", self.title, str), ("path", self.path, Path)):
+            if not isinstance(value, kind):
+                raise InputError(name, value, f"be a {kind.__name__}", "make the case with one")
+        if not (isinstance(self.spectrum, tuple) and all(isinstance(each, LoadCase) for each in self.spectrum)):
+            remedy = "make them with nonhertz.bearing.LoadCase, and leave the tuple empty for one load"
+            raise InputError("spectrum", self.spectrum, "be a tuple of load cases", remedy)
+        one_line("title", self.title, "give a short name")
+        for name, given, section in (
+            ("prescribed", self.prescribed, "load"),
+            ("solver", self.solver, "solver"),
+            ("life", self.life, "life"),
+            ("fit", self.fit, "fit"),
+        ):
+            known = _SECTIONS[section]
+            if not isinstance(given, dict) or not set(given) <= set(known):
+                raise InputError(name, given, f"be a dictionary of {', '.join(known)}", "give no other names")
+        if self.fit and not {"shaft", "housing"} <= set(self.fit):
+            remedy = "make them with nonhertz.bearing.Shaft and Housing"
+            raise InputError("fit", self.fit, "hold shaft and housing", remedy)
+
+    @property
+    def file_name(self) -> str:
+        """The name of its file, without the directory."""
+        return legible(self.path.name)
+
+    @property
+    def document(self) -> dict[str, Any]:
+        """What its file holds, or would hold.
+
+        Raises
+        ------
+        InputError
+            If no bearing file can hold it; see `write`.
+        """
+        from nonhertz.io.bearing_written import document
+
+        return document(self) if self.origin is None else self.origin.document
+
+    @property
+    def text(self) -> str:
+        """The text of its file, or what `write` would write.
+
+        Raises
+        ------
+        InputError
+            If no bearing file can hold it; see `write`.
+        """
+        text = None if self.origin is None else self.origin.text
+        return as_toml(self.document) if text is None else text
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Warnings raised when its file was read, such as gaps in a measured profile."""
+        return () if self.origin is None else self.origin.notes
+
+    @property
+    def attachments(self) -> Mapping[str, bytes]:
+        """Contents of the files that its file names, by name; missing and too large ones are left out."""
+        return {} if self.origin is None else self.origin.attachments
+
+    @property
+    def operating_clearance(self) -> OperatingClearance | None:
+        """What fits, temperatures and speed leave of the clearance of a row, and what each takes; None without fits.
+
+        Raises
+        ------
+        CaseError
+            If such a bearing has no fits, or a seat does not fit its rings.
+        """
+        if not self.fit:
+            return None
+        try:
+            return operating(self.bearing.rows[0].bearing, self.fit, self.prescribed.get("speed"))
+        except InputError as error:
+            raise placed(error, "fit") from None
+
+    @property
+    def mounted(self) -> RollerBearing | Paired:
+        """The bearing with the clearance that it is solved with.
+
+        Raises
+        ------
+        CaseError
+            As `nonhertz.bearing.operating_clearance` does, or if what is left is not a clearance that a bearing can have.
+        """
+        if not self.fit:
+            return self.bearing
+        try:
+            return mounted(self.bearing, self.fit, self.prescribed.get("speed"))
+        except InputError as error:
+            raise placed(error, "fit") from None
+
+    def solve(self, method: str | None = None) -> BearingSolution:
+        """Return the loaded bearing, as `nonhertz.bearing.solve` does.
+
+        Parameters
+        ----------
+        method : {"strips", "slices"}, optional
+            In place of that of the file.
+
+        Raises
+        ------
+        CaseError
+            If the bearing or its loads are refused; the sentence names the key in the file.
+        ConvergenceError
+            If no balance is found.
+        """
+        from nonhertz.bearing.verb import solve
+
+        chosen: dict[str, Any] = {} if method is None else {"method": method}
+        bearing = self.mounted
+        try:
+            return solve(bearing, **self.prescribed, **self.solver | chosen)
+        except InputError as error:
+            raise placed(error) from None
+
+    def assess(self, solution: BearingSolution) -> BearingLife:
+        """Return how long the bearing lasts, as `nonhertz.bearing.assess` does, under the spectrum if there is one.
+
+        Raises
+        ------
+        CaseError
+            If something that the file says about life is refused; the sentence names its key.
+        ConvergenceError
+            If no balance is found under a load of the spectrum.
+        InputError
+            If such a bearing has no rating.
+        """
+        from nonhertz.bearing.assessed import assess
+        from nonhertz.bearing.spectrum import solve_spectrum
+
+        try:
+            if not self.spectrum:
+                return assess(solution, **self.life)
+            speeds = {"speed": [case.speed for case in self.spectrum]} if "viscosity" in self.life else {}
+            return assess(solve_spectrum(self.mounted, self.spectrum, **self.solver), **self.life | speeds)
+        except InputError as error:
+            if error.field in {*_SECTIONS["life"], "viscosity_ratio"}:
+                raise placed(error, "life") from None
+            raise
+
+    def write(self, path: str | Path) -> None:
+        """Write the bearing to a file that `read_bearing` reads back as the same.
+
+        Values are in mm, N, MPa, rad and 1/min. The points of measured and tabulated profiles are written into the
+        file, so it needs no other file. An existing file is overwritten.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be written, or the bearing has something no file can hold: a profile, a diameter or
+            the shape of a raceway of a user-defined class, or rows that are not two equal ones.
+        """
+        from nonhertz.io.bearing_written import document
+
+        write_document(lambda: document(self), path)
+
+
+def read_bearing(path: str | Path) -> BearingCase:
+    """Return the bearing in a file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file; see docs/reference/bearing-file.md.
+
+    Returns
+    -------
+    BearingCase
+        The bearing and what loads it.
+
+    Raises
+    ------
+    CaseError
+        With every mistake in the file, one sentence each.
+    InputError
+        If ``path`` is not the name of a file.
+    """
+    if not isinstance(path, str | Path):
+        raise InputError("path", path, "be the name of a bearing file", "give a string or a Path")
+    path = Path(path)
+    text = case_text(path, "bearing file", "nonhertz new --bearing")
+    document = parsed(text, str(path))
+    if "body" in document and "bearing" not in document:
+        raise CaseError([f"{path} must hold a bearing, not a single contact: use 'nonhertz solve {path}'."])
+    return bearing_in(document, path, text)
+
+
+def bearing_in(document: dict[str, Any], path: Path, text: str | None = None, *, files: bool = True) -> BearingCase:
+    """Return the bearing in a document that has already been parsed.
+
+    Parameters
+    ----------
+    document : dict
+        What a TOML file holds.
+    path : Path
+        Where it came from; the names of other files are relative to it.
+    text : str, optional
+        What it was parsed from.
+    files : bool
+        Whether it may name files; False for an untrusted document, which must not make us read any.
+
+    Raises
+    ------
+    CaseError
+        With every mistake in the document, one sentence each.
+    """
+    # Imported here: pydantic and its schemas take a tenth of a second.
+    from pydantic import ValidationError
+
+    from nonhertz.io.bearing_document import BearingFileTable, radius_across
+    from nonhertz.io.mistakes import case_error, in_order, mistakes_in
+    from nonhertz.io.origin import Origin, with_notes
+
+    folder = path.parent if files else None
+    context = {"folder": folder, "radius": radius_across(document)}
+    try:
+        table, notes = with_notes(lambda: BearingFileTable.model_validate(document, context=context))
+    except ValidationError as error:
+        mistakes = mistakes_in(error, BearingFileTable)
+        mistakes += _of_parts(document, context, mistakes)
+        raise case_error(in_order(mistakes, document)) from None
+    case = BearingCase(
+        title=table.title or legible(path.stem),
+        bearing=table.made(),
+        prescribed=table.load.prescribed(),
+        solver=dict(table.solver),
+        life=table.life.keywords(table.load.speed),
+        fit={} if table.fit is None else table.fit.keywords(),
+        path=path,
+        spectrum=tuple(case.case(table.load.speed) for case in table.life.spectrum),
+    )
+    object.__setattr__(case, "origin", Origin(document, text, notes, folder))
+    return case
+
+
+def _of_parts(document: dict[str, Any], context: dict[str, Any], known: list[Mistake]) -> list[Mistake]:
+    """Return what is wrong with the bearing as a whole where the mistakes that are known are elsewhere."""
+    from pydantic import ValidationError
+
+    from nonhertz.io.bearing_document import PartsTable
+    from nonhertz.io.mistakes import mistakes_in
+
+    if any(mistake.place[:1] == (name,) for mistake in known for name in OF_BEARINGS):
+        return []
+    parts = {name: document[name] for name in OF_BEARINGS if name in document}
+    if len(parts) < len(OF_BEARINGS):
+        return []  # one of them is misspelled
+    try:
+        PartsTable.model_validate(parts, context=context)
+    except ValidationError as error:
+        return mistakes_in(error, PartsTable)
+    return []
+
+
+def bearing_schema() -> dict[str, Any]:
+    """Return the JSON schema of a bearing file, with the meaning and the unit of every key."""
+    from nonhertz.io.bearing_document import BearingFileTable
+
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | BearingFileTable.model_json_schema()
+
+
+def starting_bearing() -> str:
+    """Return a commented bearing file to start from."""
+    return resources.files("nonhertz.io").joinpath("starting_bearing.toml").read_text(encoding="utf-8")
+
+
+def placed(error: InputError, *sections: str) -> CaseError:
+    """Return an error of `nonhertz.bearing` as one about the bearing file, with the field named as in the file.
+
+    An error about something that is in no file, such as the approach of a contact, comes from the loads.
+    """
+    from nonhertz.io.bearing_document import BearingTable, fit_mistake, part_mistake
+    from nonhertz.io.mistakes import Mistake, case_error
+
+    if sections == ("fit",):
+        return case_error([fit_mistake(error).within(("fit",))])
+    for section in sections or ("load", "solver"):
+        if error.field in _SECTIONS[section]:
+            return case_error([Mistake((section, error.field), error)])
+        if error.field == "viscosity_ratio":
+            return case_error([Mistake(("life", "viscosity"), error)])
+    if error.field.partition(".")[0] in {*OF_BEARINGS, *BearingTable.model_fields}:
+        return case_error([part_mistake(error)])
+    return CaseError([f"load must leave every contact of the rollers within the model: {error}"], ["load"])

@@ -1,0 +1,412 @@
+"""A loaded bearing in rows: what it is, loads and motions, its rollers, life, and two methods side by side."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import Counter
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.bearing.assessed import BearingLife
+from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
+from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.solution import BearingSolution, in_words
+from nonhertz.errors import InputError
+from nonhertz.io.bearingfile import BearingCase, placed
+from nonhertz.result.numerals import digits, given
+from nonhertz.show.summary import Row
+
+ROLLER_COLUMNS = (
+    *("roller", "row", "angle [deg]", "load inner [N]", "outer [N]", "tilt inner [mrad]", "outer [mrad]"),
+    *("max p inner [MPa]", "outer [MPa]", "rib load [N]"),
+)
+COMPARED_COLUMNS = (
+    *("roller", "row", "angle [deg]", "inner: strips [N]", "slices [N]", "difference"),
+    *("outer: strips [N]", "slices [N]", "difference"),
+)
+OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
+_NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+_UNRATED = ("bearing", "solution")
+MOST_PRESSURE = 4000.0  # MPa, the pressure by which ISO 76 defines C0
+
+
+def rated(case: BearingCase, solution: BearingSolution) -> tuple[BearingLife | None, str]:
+    """Return how long a bearing lasts, or None and the reason why such a bearing is not rated.
+
+    Raises
+    ------
+    CaseError
+        If something that the file says about life is refused.
+    """
+    try:
+        return case.assess(solution), ""
+    except InputError as error:
+        if error.field in _UNRATED:
+            return None, f"the bearing must {error.condition}"
+        raise placed(error, "life") from None
+
+
+def spectrum_rows(case: BearingCase) -> list[Row]:
+    """Return under which loads life is assessed, if not under those that are shown."""
+    if not case.spectrum:
+        return []
+    total = sum(each.share for each in case.spectrum)
+    return [("life under", f"{len(case.spectrum)} loads of a spectrum", f"{given(100.0 * total, 4)} % of revolutions")]
+
+
+def summary_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
+    """Return name, value and remark of what loads a bearing, how it moves, and its most loaded roller."""
+    speed = case.prescribed.get("speed")
+    return [
+        *_bearing_rows(solution.bearing, fitted=bool(case.fit)),
+        *_fit_rows(case),
+        *_load_rows(solution),
+        *([("speed", f"{given(float(speed))} 1/min", "")] if speed else []),
+        *_most_loaded_rows(solution),
+        *_pressure_rows(solution),
+        *_rib_rows(solution),
+        *_stiffness_rows(solution),
+        *_method_rows(solution),
+    ]
+
+
+def life_rows(found: BearingLife | None, reason: str, speed: float | None = None) -> list[Row]:
+    """Return name, value and remark of ratings, safety and lives; why there are none, if there are none."""
+    if found is None:
+        return [("life", "none", reason)]
+    rating = found.rating
+    return [
+        (
+            "load ratings",
+            f"C = {_kilo(rating.dynamic)} kN, C0 = {_kilo(rating.static)} kN",
+            _limit(rating.fatigue_limit),
+        ),
+        ("equivalent load", f"P = {_kilo(found.equivalent_load)} kN, P0 = {_kilo(found.static_load)} kN", ""),
+        ("static safety", _safety(found.static_safety), ""),
+        ("life L10", _revolutions(found.basic), "ISO 281"),
+        ("L10r", _revolutions(found.reference), "laminae of ISO/TS 16281"),
+        ("modified life", _revolutions(found.modified), _hours(found.modified, speed)),
+        _factors_row(found),
+    ]
+
+
+def roller_rows(solution: BearingSolution) -> list[tuple[str, ...]]:
+    """Return the cells of `ROLLER_COLUMNS` of every roller; blank where there is nothing of the sort."""
+    pressed = solution.method == "strips"
+    pressures = solution.max_pressure if pressed else np.zeros(solution.load.shape)
+    ribbed, ribs = solution.rib_loads.size > 0, solution.rib_load.max(axis=1, initial=0.0)
+    found = []
+    for j, row in enumerate(_row_numbers(solution.bearing)):
+        loads, carries = solution.load[j], carrying(solution)[j]
+        tilts = 1e3 * _tilts(solution)[j]
+        found.append(
+            (
+                str(j), row, _degrees(solution.angle[j]), *(digits(load) for load in loads),
+                *(digits(tilt, 4) if carries else "" for tilt in tilts),
+                *(digits(p, 4) if p > 0.0 else "" for p in pressures[j]),
+                digits(ribs[j], 4) if ribbed else "",
+            )
+        )  # fmt: skip
+    return found
+
+
+def bearing_warnings(solution: BearingSolution) -> list[str]:
+    """Return what strains the model in the contacts: of sentences that differ in numbers only, the first, with a count.
+
+    The rollers are gone through from the most loaded one down.
+    """
+    if solution.method != "strips":
+        return list(solution.warnings)
+    first: dict[str, str] = {}
+    times: Counter[str] = Counter()
+    for j in np.argsort(-solution.load.max(axis=1), kind="stable").tolist():
+        for ring in RINGS:
+            contact = solution.contact(j, ring)
+            for sentence in contact.warnings if contact is not None else ():
+                kind = _NUMBER.sub("#", sentence)
+                first.setdefault(kind, f"{place_of(solution, j)}, {ring} ring: {sentence}")
+                times[kind] += 1
+    said = [
+        sentence + (f" (And {times[kind] - 1} more that differ in numbers.)" if times[kind] > 1 else "")
+        for kind, sentence in first.items()
+    ]
+    return [*said, *solution.warnings]
+
+
+def compared_rows(strips: BearingSolution, slices: BearingSolution) -> list[tuple[str, str, str, str]]:
+    """Return name, value by strips, value by slices and difference of what describes the whole bearing."""
+    rows = []
+    pitch = strips.bearing.rows[0].bearing.pitch
+    for name, values, lever in (
+        ("displacement", [1e3 * each.displacement[:3] for each in (strips, slices)], 1.0),
+        ("tilt", [1e3 * each.displacement[3:] for each in (strips, slices)], pitch),
+        ("force", [each.force[:3] for each in (strips, slices)], 1.0),
+        ("moment", [each.force[3:] for each in (strips, slices)], 1.0 / pitch),
+    ):
+        size = max(_size(each, name) for each in (strips, slices))
+        unit = {"displacement": "um", "tilt": "mrad", "force": "N", "moment": "N mm"}[name]
+        for axis, one, other in zip("xyz" if len(values[0]) == 3 else "yz", *values, strict=True):
+            if max(abs(one), abs(other)) * lever > 1e-8 * size:
+                rows.append((f"{name} {axis}", f"{digits(one)} {unit}", f"{digits(other)} {unit}", _change(one, other)))
+    loads = [float(each.load.max()) for each in (strips, slices)]
+    rows.append(("largest load", *(f"{digits(load)} N" for load in loads), _change(*loads)))  # type: ignore[arg-type]
+    counts = [int(np.count_nonzero(carrying(each))) for each in (strips, slices)]
+    rows.append(("loaded rollers", str(counts[0]), str(counts[1]), ""))
+    return rows
+
+
+def compared_roller_rows(strips: BearingSolution, slices: BearingSolution) -> list[tuple[str, ...]]:
+    """Return the cells of `COMPARED_COLUMNS` of every roller."""
+    most = float(strips.load.max())
+    found = []
+    for j, row in enumerate(_row_numbers(strips.bearing)):
+        cells = [str(j), row, _degrees(strips.angle[j])]
+        for one, other in zip(strips.load[j], slices.load[j], strict=True):
+            cells += [digits(one), digits(other), _percent((other - one) / most) if most > 0.0 and one != other else ""]
+        found.append(tuple(cells))
+    return found
+
+
+def load_zones(solution: BearingSolution) -> list[list[tuple[float, float]]]:
+    """Return for every row from which to which roller loaded ones follow each other [rad], from low to high."""
+    found: list[list[tuple[float, float]]] = []
+    first = 0
+    for row in solution.bearing.rows:
+        count = row.bearing.rollers
+        loaded = carrying(solution)[first : first + count]
+        angle = solution.angle[first : first + count]
+        first += count
+        zones = [(float(angle[0]), float(angle[-1]))] if loaded.all() else []
+        for begin in np.flatnonzero(loaded & ~np.roll(loaded, 1)):
+            length = int(np.argmin(np.roll(loaded, -begin)))
+            end = angle[(begin + length - 1) % count]
+            start = angle[begin] - 2.0 * math.pi if angle[begin] > end else angle[begin]
+            zones.append((float(start), float(end)))
+        found.append(sorted(zones))
+    return found
+
+
+def carrying(solution: BearingSolution) -> NDArray[np.bool_]:
+    """Return which rollers are pressed by both rings, shape (rollers,); speed presses others against the outer one."""
+    return np.asarray(solution.load.min(axis=1) > 0.0)
+
+
+def most_loaded(solution: BearingSolution) -> int:
+    """Return the number of the roller with the largest load, counted from 0."""
+    return int(np.argmax(solution.load.max(axis=1)))
+
+
+def _bearing_rows(bearing: RollerBearing | Paired, *, fitted: bool) -> list[Row]:
+    row = bearing.rows[0].bearing
+    kind = kind_of(row)
+    rows = len(bearing.rows)
+    size = f"{row.rollers}, {given(row.roller_diameter)} x {given(row.roller_length)} mm"
+    found = [
+        ("bearing", f"{kind}{f', {rows} rows' if rows > 1 else ''}", ""),
+        ("rollers", size, f"{'in each row, ' if rows > 1 else ''}pitch circle {given(row.pitch)} mm"),
+    ]
+    clearance = getattr(row, "clearance", None)
+    if clearance is not None:
+        way = "axial" if isinstance(row, TaperedRollerBearing) else "radial"
+        when, shown = (", in operation", digits(1e3 * clearance, 4)) if fitted else ("", given(1e3 * clearance))
+        found.append(("clearance", f"{shown} um", f"{way}{when}{', of each row' if rows > 1 else ''}"))
+    if row.nominal_angle > 0.0 and not isinstance(row, CylindricalThrustBearing):
+        found.append(("contact angle", f"{given(math.degrees(row.nominal_angle), 5)} degrees", ""))
+    if isinstance(bearing, Paired):
+        found.append(("clearance of the rows", f"{given(1e3 * bearing.clearance)} um", "axial"))
+    return found
+
+
+def _fit_rows(case: BearingCase) -> list[Row]:
+    """Return what is left of the clearance before mounting, and what takes it; axial ones of tapered rows."""
+    found = case.operating_clearance
+    if found is None:
+        return []
+    row = case.bearing.rows[0].bearing
+    # Radial and axial clearances of a tapered row are proportional.
+    factor, way = 1.0, "radial"
+    if isinstance(row, TaperedRollerBearing):
+        factor, way = 0.5 / math.tan(row.nominal_angle), "axial"
+    taken = (
+        (found.inner_fit, "taken by the fit of the inner ring"),
+        (found.outer_fit, "taken by the fit of the outer ring"),
+        (found.temperatures, "taken by temperatures"),
+        (found.speed, "taken by speed"),
+    )
+    rows = [("before mounting", f"{given(1e3 * factor * found.unmounted)} um", way)]
+    rows += [("", f"{digits(1e3 * factor * value, 4)} um", words) for value, words in taken]
+    for ring, fit in (("inner", found.inner), ("outer", found.outer)):
+        loose = ", loosened" if fit.loosened else ""
+        value = f"{digits(fit.pressure, 4)} MPa{loose}"
+        rows.append((f"{ring} fit", value, f"{digits(fit.mounted_pressure, 4)} MPa when mounted"))
+    return rows
+
+
+def kind_of(row: RollerBearing) -> str:
+    """Return a class's name as words: CylindricalRollerBearing is a cylindrical roller bearing."""
+    name = type(row).__name__
+    return "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in name).strip()
+
+
+def _load_rows(solution: BearingSolution) -> list[Row]:
+    pitch = solution.bearing.rows[0].bearing.pitch
+    lever = np.array([1.0, 1.0, 1.0, pitch, pitch])
+    force, moved = in_words(solution.force, 1.0 / lever), in_words(1e3 * solution.displacement, lever)
+    return [
+        ("force", f"{', '.join(force[:3])} N", "on the inner ring, along x, y, z"),
+        ("moment", f"{', '.join(force[3:])} N mm", "about y, z"),
+        ("displacement", f"{', '.join(moved[:3])} um", "along x, y, z"),
+        ("tilt", f"{', '.join(moved[3:])} mrad", "about y, z"),
+    ]
+
+
+def _most_loaded_rows(solution: BearingSolution) -> list[Row]:
+    loaded = int(np.count_nonzero(carrying(solution)))
+    if not loaded:
+        return [("loaded rollers", f"none of {solution.angle.size}", "")]
+    j = most_loaded(solution)
+    loads, tilts = (digits(load) for load in solution.load[j]), _tilts(solution)[j]
+    rows = [
+        ("loaded rollers", f"{loaded} of {solution.angle.size}", _zones(solution)),
+        ("most loaded roller", place_of(solution, j), ""),
+        ("", f"{' and '.join(loads)} N", "at inner and outer ring"),
+    ]
+    if np.any(tilts != 0.0):
+        words = " and ".join(digits(1e3 * tilt, 4) for tilt in tilts)
+        rows.append(("", f"tilted by {words} mrad", "against inner and outer ring"))
+    return rows
+
+
+def _zones(solution: BearingSolution) -> str:
+    """Return the load zone of every row in words."""
+    said = []
+    for number, (row, zones) in enumerate(zip(solution.bearing.rows, load_zones(solution), strict=True), start=1):
+        words = [f"{_degrees(low)} to {_degrees(high)}" if low != high else _degrees(low) for low, high in zones]
+        here = f"{' and '.join(words)} degrees" if words else "none"
+        if np.ptp(zones or [(0.0, 0.0)]) == row.bearing.angles[-1] > 0.0:
+            here = "all round"
+        said.append(f"row {number}: {here}" if len(solution.bearing.rows) > 1 else here)
+    return "; ".join(said)
+
+
+def _tilts(solution: BearingSolution) -> NDArray[np.float64]:
+    """Return the tilts of all contacts [rad], without those that are rounding beside the approach."""
+    half = 0.5 * max(row.bearing.roller_length for row in solution.bearing.rows)
+    floor = 1e-9 * float(np.max(np.abs(solution.approach), initial=0.0))
+    return np.where(half * np.abs(solution.tilt) > floor, solution.tilt, 0.0)
+
+
+def _pressure_rows(solution: BearingSolution) -> list[Row]:
+    if solution.method != "strips":
+        return [("maximum pressure", "none", "slices have loads alone; solve by strips for pressures")]
+    pressure, where = solution.max_pressure, solution.max_pressure_y
+    if not pressure.max() > 0.0:
+        return []
+    rows = []
+    for k, ring in enumerate(RINGS):
+        j = int(np.argmax(pressure[:, k]))
+        beyond = f", above the {MOST_PRESSURE:g} MPa of C0" if pressure[j, k] > MOST_PRESSURE else ""
+        name = "maximum pressure" if k == 0 else ""
+        value = f"{digits(pressure[j, k])} MPa at y = {digits(where[j, k], 4)} mm"
+        rows.append((name, value, f"{ring} ring, {place_of(solution, j)}{beyond}"))
+    return rows
+
+
+def _rib_rows(solution: BearingSolution) -> list[Row]:
+    if not solution.rib_load.max(initial=0.0) > 0.0:
+        return []
+    j, k = np.unravel_index(int(np.argmax(solution.rib_load)), solution.rib_load.shape)
+    where = f"at most, {RINGS[k]} ring, {place_of(solution, int(j))}"
+    ellipse = solution.rib_contact(int(j), RINGS[k])
+    pressure = "" if ellipse is None else f", {digits(ellipse.max_pressure, 4)} MPa"
+    return [("rib load", f"{digits(solution.rib_load[j, k])} N{pressure}", where)]
+
+
+def _stiffness_rows(solution: BearingSolution) -> list[Row]:
+    diagonal = np.diag(solution.stiffness)
+    pitch = solution.bearing.rows[0].bearing.pitch
+    shown = in_words(diagonal * [1e-3, 1e-3, 1e-3, 1e-6, 1e-6], np.array([1e3, 1e3, 1e3, *[1e6 / pitch**2] * 2]))
+    return [
+        ("stiffness", f"{', '.join(shown[:3])} N/um", "along x, y, z"),
+        ("", f"{', '.join(shown[3:])} N m/mrad", "about y, z"),
+    ]
+
+
+def _method_rows(solution: BearingSolution) -> list[Row]:
+    if solution.method != "strips":
+        return [("method", "slices", "independent ones of ISO/TS 16281, two equal contacts in series")]
+    bearing = solution.bearing.rows[0].bearing
+    rows = [("method", "strips", "semi-elliptic, on automatic grids")]
+    return [*rows, *((f"  {name}", getattr(bearing, name).model, "") for name in ("roller", *RINGS))]
+
+
+def place_of(solution: BearingSolution, j: int) -> str:
+    """Return which roller it is, in words."""
+    rows = _row_numbers(solution.bearing)
+    among = f", row {next(row for k, row in enumerate(rows) if k == j)}" if len(solution.bearing.rows) > 1 else ""
+    return f"roller {j} at {_degrees(solution.angle[j])} degrees{among}"
+
+
+def _row_numbers(bearing: RollerBearing | Paired) -> Iterator[str]:
+    """Yield for every roller the number of its row, counted from 1; blank where there is only one."""
+    for number, row in enumerate(bearing.rows, start=1):
+        yield from [str(number) if len(bearing.rows) > 1 else ""] * row.bearing.rollers
+
+
+def _degrees(angle: float) -> str:
+    return f"{math.degrees(angle):.1f}"
+
+
+def _kilo(value: float) -> str:
+    return digits(1e-3 * value, 4)
+
+
+def _limit(fatigue: float) -> str:
+    return f"fatigue load limit Cu = {_kilo(fatigue)} kN"
+
+
+def _safety(value: float) -> str:
+    return f"S0 = {digits(value, 3)}" if math.isfinite(value) else "no load"
+
+
+def _revolutions(value: float) -> str:
+    return f"{digits(value, 4)} million revolutions" if math.isfinite(value) else "no damage"
+
+
+def _hours(millions: float, speed: float | None) -> str:
+    if not speed or not math.isfinite(millions):
+        return ""
+    return f"{digits(millions * 1e6 / (60.0 * speed), 4)} hours at {given(float(speed))} 1/min"
+
+
+def _factors_row(found: BearingLife) -> Row:
+    """Return by what the life is modified."""
+    factors = f"a1 = {digits(found.reliability_factor, 3)}"
+    if found.life_factor is None or found.viscosity_ratio is None or found.contamination is None:
+        return "", f"{factors}, without lubrication", ""
+    of_oil = f"kappa = {digits(found.viscosity_ratio, 3)}, e_C = {digits(found.contamination, 3)}"
+    return "", f"{factors}, a_ISO = {digits(found.life_factor, 4)}", of_oil
+
+
+def _size(solution: BearingSolution, name: str) -> float:
+    """Return what is large among forces [N], or among displacements [um]; moments and tilts are taken at the pitch."""
+    pitch = solution.bearing.rows[0].bearing.pitch
+    values: NDArray[np.float64]
+    if name in {"force", "moment"}:
+        values = solution.force * [1.0, 1.0, 1.0, 1.0 / pitch, 1.0 / pitch]
+    else:
+        values = 1e3 * solution.displacement * [1.0, 1.0, 1.0, pitch, pitch]
+    return float(np.max(np.abs(values)))
+
+
+def _change(one: float, other: float) -> str:
+    return _percent(other / one - 1.0) if one not in {0.0, other} else ""
+
+
+def _percent(relative: float) -> str:
+    percent = 100.0 * relative
+    # What is given is met to rounding.
+    return "" if abs(percent) < 1e-6 else f"{percent:+.0f} %" if abs(percent) >= 10.0 else f"{percent:+.2g} %"

@@ -1,0 +1,515 @@
+"""`nonhertz bearing`, and what `new`, `check` and `solve` make of bearing files."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+import nonhertz as nh
+import nonhertz.cli.bearing
+import nonhertz.io.bearing_results
+from nonhertz.bearing import BearingSolution
+from nonhertz.cli import main
+from nonhertz.io.bearing_results import UNITS
+from nonhertz.io.bearingfile import BearingCase, read_bearing, starting_bearing
+from nonhertz.show.bearing import bearing_warnings, load_zones, roller_rows, summary_rows
+
+# Half of the rollers, without corners: as few contacts as make a bearing.
+FEW = """
+title = "six"
+[bearing]
+kind = "cylindrical"
+rollers = 6
+[roller]
+diameter = 9.0
+length = 10.0
+profile = { kind = "crown", radius = 1200 }
+side_faces = "none"
+depth = "none"
+[inner]
+diameter = 37.5
+[outer]
+diameter = -55.5
+[load]
+radial = "5 kN"
+tilt = "0.2 mrad"
+"""
+PAIR = """
+title = "pair"
+[bearing]
+kind = "tapered"
+rollers = 6
+contact_angle = "12 deg"
+pair = { arrangement = "O", distance = 20, clearance = "-40 um" }
+[roller]
+diameter = { y = [-5.8, 5.8], diameter = [10.94, 10.12] }
+length = 11.6
+profile = { kind = "crown", radius = 4000 }
+side_faces = "none"
+depth = "none"
+[inner]
+diameter = 40.8
+[outer]
+diameter = -62.32
+[load]
+radial = "8 kN"
+axial = "3 kN"
+"""
+SLICES = '[solver]\nmethod = "slices"\n'
+
+
+def parsed(text: str) -> dict[str, Any]:
+    def refuse(word: str) -> None:
+        raise AssertionError(f"{word} is not JSON")
+
+    value = json.loads(text, parse_constant=refuse)
+    assert isinstance(value, dict)
+    return value
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    for name, text in (("few", FEW), ("pair", PAIR), ("sliced", FEW + SLICES)):
+        Path(f"{name}.toml").write_text(text, encoding="utf-8")
+    return tmp_path
+
+
+@pytest.fixture(scope="module")
+def few(tmp_path_factory: pytest.TempPathFactory) -> tuple[BearingCase, BearingSolution]:
+    path = tmp_path_factory.mktemp("few") / "few.toml"
+    path.write_text(FEW, encoding="utf-8")
+    case = read_bearing(path)
+    return case, case.solve()
+
+
+@pytest.fixture(scope="module")
+def pair(tmp_path_factory: pytest.TempPathFactory) -> tuple[BearingCase, BearingSolution]:
+    path = tmp_path_factory.mktemp("pair") / "pair.toml"
+    path.write_text(PAIR, encoding="utf-8")
+    case = read_bearing(path)
+    return case, case.solve()
+
+
+# What is printed
+
+
+def test_the_summary_says_what_an_engineer_asks_for(folder, capsys, few):
+    assert main(["bearing", "few.toml"]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    _, found = few
+    head, _, table = printed.out.partition("\n\n")
+    rows = {line[:20].strip(): line[20:].strip() for line in head.splitlines()}
+    assert printed.out.startswith("six\n")
+    assert rows["bearing"] == "cylindrical roller bearing"
+    assert re.fullmatch(r"6, 9 x 10 mm +pitch circle 46.5 mm", rows["rollers"])
+    assert rows["force"].startswith("0, 5000.0, 0 N")
+    um = float(rows["displacement"].split(", ")[1])
+    assert_allclose(um, 1e3 * found.displacement[1], rtol=1e-4)
+    assert rows["tilt"].startswith("0, 0.20000 mrad")
+    assert re.fullmatch(r"3 of 6 +-60.0 to 60.0 degrees", rows["loaded rollers"])
+    assert rows["most loaded roller"] == "roller 0 at 0.0 degrees"
+    pressure = float(rows["maximum pressure"].split()[0])
+    assert_allclose(pressure, found.max_pressure[0, 0], rtol=1e-4)
+    stiffness = float(rows["stiffness"].split(", ")[1])
+    assert_allclose(stiffness, 1e-3 * found.stiffness[1, 1], rtol=1e-4)
+    life = nh.bearing.assess(found)
+    assert rows["load ratings"].startswith(f"C = {1e-3 * life.rating.dynamic:.2f} kN")
+    assert_allclose(float(rows["L10r"].split()[0]), life.reference, rtol=1e-3)
+    lines = table.splitlines()
+    loads = [float(line.split()[2]) for line in lines[1:7]]
+    assert_allclose(loads, found.load[:, 0], rtol=1e-4)
+    assert "rib load" not in printed.out
+
+
+def test_a_pair_is_shown_with_its_rows_ribs_and_life(folder, capsys, pair):
+    assert main(["bearing", "pair.toml"]) == 0
+    out = capsys.readouterr().out
+    _, found = pair
+    assert "tapered roller bearing, 2 rows" in out
+    assert re.search(r"loaded rollers +7 of 12 +row 1: all round; row 2: 0\.0 degrees", out)
+    life = re.search(r"life L10 +([\d.]+)", out)
+    assert life is not None
+    assert_allclose(float(life[1]), nh.bearing.assess(found).basic, rtol=1e-3)
+    rib = re.search(r"rib load +([\d.]+) N", out)
+    assert rib is not None
+    assert_allclose(float(rib[1]), found.rib_load.max(), rtol=1e-4)
+
+
+def test_slices_have_no_pressure_and_say_so(folder, capsys):
+    assert main(["bearing", "sliced.toml"]) == 0
+    out = capsys.readouterr().out
+    assert re.search(r"maximum pressure +none +slices have loads alone", out)
+    assert "max p" not in out
+    assert "L10r" in out
+
+
+def test_an_unloaded_bearing_is_no_failure(folder, capsys):
+    Path("idle.toml").write_text(FEW.partition("[load]")[0] + "[load]\n", encoding="utf-8")
+    assert main(["bearing", "idle.toml"]) == 0
+    out = capsys.readouterr().out
+    assert re.search(r"loaded rollers +none of 6", out)
+    assert re.search(r"static safety +no load", out)
+    assert re.search(r"modified life +no damage", out)
+
+
+def test_rollers_that_speed_presses_outwards_bear_nothing(few):
+    case, _ = few
+    found = nh.bearing.solve(case.bearing, radial=5e3, speed=5000, method="slices")
+    assert np.all(found.load[:, 1] > 0.0)
+    rows = {name: (value, remark) for name, value, remark in summary_rows(case, found)}
+    assert rows["loaded rollers"] == ("3 of 6", "-60.0 to 60.0 degrees")
+
+
+@pytest.mark.parametrize(
+    ("shape", "zones"),
+    [
+        (lambda angle: 0.0 * angle - 0.05, [[]]),
+        (lambda angle: 0.0 * angle + 0.01, [[(0.0, 330.0)]]),
+        (lambda angle: 0.02 * np.cos(2.0 * angle), [[(-30.0, 30.0), (150.0, 210.0)]]),
+        (lambda angle: 0.05 * np.cos(angle - np.pi) - 0.045, [[(180.0, 180.0)]]),
+    ],
+)
+def test_load_zones_are_where_rollers_follow_each_other(shape, zones):
+    row = nh.bearing.CylindricalRollerBearing(
+        roller=nh.Roller(diameter=9, length=10), inner=nh.Ring(diameter=37.5), outer=nh.Ring(diameter=-55.5),
+        rollers=12, outer_shape=shape,
+    )  # fmt: skip
+    found = nh.bearing.solve(row, radial_displacement=0.0, method="slices")
+    degrees = [[(np.degrees(low), np.degrees(high)) for low, high in each] for each in load_zones(found)]
+    for each, expected in zip(degrees, zones, strict=True):
+        assert_allclose(np.reshape(each, (-1, 2)), np.reshape(expected, (-1, 2)), atol=1e-9)
+
+
+def test_warnings_that_differ_in_numbers_are_said_once(pair):
+    _, found = pair
+    contacts = [found.contact(j, ring) for j in range(12) for ring in ("inner", "outer")]
+    whole = sum(len(contact.warnings) for contact in contacts if contact is not None)
+    said = bearing_warnings(found)
+    assert 0 < len(said) < whole
+    more = sum(int(n) for n in re.findall(r"And (\d+) more", " ".join(said)))
+    assert more + len(said) == whole
+    assert said[0].startswith("roller 0 at 0.0 degrees, row 1, inner ring: ")
+
+
+def test_the_table_of_rollers_is_blank_where_there_is_nothing(few):
+    rows = roller_rows(few[1])
+    assert [row[0] for row in rows] == list("012345")
+    assert all(row[1] == row[9] == "" for row in rows)
+    assert rows[3][3:] == ("0", "0", "", "", "", "", "")
+
+
+# JSON and files
+
+
+def test_json_is_one_strict_object_with_all_numbers(folder, capsys, few):
+    assert main(["bearing", "few.toml", "--json"]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    result, (case, found) = parsed(printed.out), few
+    for name in ("angle", "load", "moment", "approach", "tilt", "contact_angle", "rib_load", "displacement", "force"):
+        assert_array_equal(result[name], getattr(found, name), err_msg=name)
+    assert_array_equal(result["stiffness"], found.stiffness)
+    assert_array_equal(result["max_pressure"], found.max_pressure)
+    # Where there is no load there is no place of the largest pressure.
+    assert result["max_pressure_y"][3] == [None, None]
+    life = case.assess(found)
+    assert result["life"]["rating"]["dynamic"] == life.rating.dynamic
+    assert result["life"]["modified"] == life.modified
+    assert result["life"]["life_factor"] is None
+    assert result["units"] == UNITS
+    assert UNITS.keys() <= result.keys()
+    assert UNITS["life"].keys() <= result["life"].keys()
+    Path("again.toml").write_text(nonhertz.io.casefile.as_toml(result["case"]), encoding="utf-8")
+    assert read_bearing("again.toml").bearing == case.bearing
+
+
+def test_json_says_why_there_is_no_life(folder, capsys):
+    ceramic = FEW.replace("[roller]\n", "[roller]\nmaterial = { modulus = 310000, poisson = 0.27 }\n") + SLICES
+    Path("ceramic.toml").write_text(ceramic, encoding="utf-8")
+    assert main(["bearing", "ceramic.toml", "--json"]) == 0
+    result = parsed(capsys.readouterr().out)
+    assert result["life"] is None
+    assert result["life_reason"] == "the bearing must be of bearing steel"
+
+
+def test_json_of_a_pair_has_its_life_and_says_where_rows_are(folder, capsys):
+    Path("sliced.toml").write_text(PAIR + SLICES, encoding="utf-8")
+    assert main(["bearing", "sliced.toml", "--json"]) == 0
+    result = parsed(capsys.readouterr().out)
+    assert result["life"]["rating"]["rows"] == 2
+    assert result["life_reason"] == ""
+    assert result["row"] == [1] * 6 + [2] * 6
+    assert result["x"] == [-10.0] * 6 + [10.0] * 6
+    assert result["max_pressure"] is None
+
+
+def test_json_of_an_unloaded_bearing_is_json(folder, capsys):
+    Path("idle.toml").write_text(FEW.partition("[load]")[0] + "[load]\n" + SLICES, encoding="utf-8")
+    assert main(["bearing", "idle.toml", "--json"]) == 0
+    assert parsed(capsys.readouterr().out)["life"]["basic"] is None
+
+
+def table(path: Path) -> list[dict[str, str]]:
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_out_writes_result_rollers_and_lines(folder, capsys, few):
+    assert main(["bearing", "few.toml", "--out", "new/results"]) == 0
+    out = Path("new/results")
+    written = {line.removeprefix("wrote ") for line in capsys.readouterr().out.splitlines() if line.startswith("wrote")}
+    assert (
+        written
+        == {str(path) for path in out.iterdir()}
+        >= {str(out / name) for name in ("result.json", "rollers.csv", "lines.csv")}
+    )
+    _, found = few
+    assert parsed((out / "result.json").read_text(encoding="utf-8"))["title"] == "six"
+    rollers = table(out / "rollers.csv")
+    assert_array_equal([float(row["load_inner [N]"]) for row in rollers], found.load[:, 0])
+    assert_array_equal([float(row["max_pressure_outer [MPa]"]) for row in rollers], found.max_pressure[:, 1])
+    assert rollers[3]["max_pressure_y_inner [mm]"] == ""
+    lines = table(out / "lines.csv")
+    assert {(row["roller"], row["ring"]) for row in lines} == {(j, ring) for j in "015" for ring in ("inner", "outer")}
+    for j in (0, 1, 5):
+        # Line loads over the widths of their strips add up to the loads of the rollers, and to moments about y = 0.
+        own = [row for row in lines if row["roller"] == str(j) and row["ring"] == "outer"]
+        load, width, y = (
+            np.array([float(row[name]) for row in own]) for name in ("line_load [N/mm]", "strip_width [mm]", "y [mm]")
+        )
+        assert_allclose(load @ width, found.load[j, 1], rtol=1e-6)
+        assert_allclose((load * y) @ width, found.moment[j, 1], rtol=1e-2)
+        assert (
+            max(float(row["centre_pressure [MPa]"]) for row in own) == found.contact(j, "outer").centre_pressure.max()
+        )
+
+
+def test_lines_of_slices_add_up_to_the_loads(folder, capsys):
+    assert main(["bearing", "sliced.toml", "--out", "results"]) == 0
+    capsys.readouterr()
+    lines, rollers = table(Path("results/lines.csv")), table(Path("results/rollers.csv"))
+    assert "centre_pressure [MPa]" not in lines[0]
+    own = [float(row["line_load [N/mm]"]) for row in lines if (row["roller"], row["ring"]) == ("0", "inner")]
+    assert len(own) == 41
+    width = float(lines[0]["strip_width [mm]"])
+    assert_allclose(width * 41, 10.0, rtol=1e-12)
+    assert_allclose(sum(own) * width, float(rollers[0]["load_inner [N]"]), rtol=1e-9)
+
+
+def test_figures_come_out_with_the_tables(folder, capsys, monkeypatch):
+    """Whatever `nonhertz.plot.bearing_figures` draws is saved."""
+    from matplotlib.figure import Figure
+
+    monkeypatch.setattr(nh.plot, "bearing_figures", lambda solution, title: {"loads": Figure()})
+    assert main(["bearing", "sliced.toml", "--out", "results"]) == 0
+    capsys.readouterr()
+    assert {"loads.svg", "loads.png"} <= {path.name for path in Path("results").iterdir()}
+
+
+def test_nothing_is_left_behind_when_writing_fails(
+    folder: Path, leaves_nothing_behind: Callable[[object, str, list[str]], None]
+) -> None:
+    leaves_nothing_behind(nonhertz.cli.bearing, "_draw", ["bearing", "sliced.toml"])
+    leaves_nothing_behind(nonhertz.io.bearing_results, "rollers_table", ["bearing", "sliced.toml"])
+
+
+def test_an_out_that_is_a_file_is_refused_before_anything_is_solved(folder, capsys, monkeypatch):
+    monkeypatch.setattr(BearingCase, "solve", lambda self: pytest.fail("solved"))
+    assert main(["bearing", "few.toml", "--out", "pair.toml"]) == 2
+    assert "--out = 'pair.toml' must be a directory, not a file" in capsys.readouterr().err
+
+
+# Both methods
+
+
+def test_compare_sets_strips_beside_slices(folder, capsys, few):
+    assert main(["bearing", "few.toml", "--compare"]) == 0
+    out = capsys.readouterr().out
+    case, strips = few
+    slices = case.solve("slices")
+    row = next(line for line in out.splitlines() if line.startswith("displacement y"))
+    one, other, percent = re.findall(r"[-+\d.]+(?= um| %)", row)
+    assert_allclose([float(one), float(other)], [1e3 * strips.displacement[1], 1e3 * slices.displacement[1]], rtol=1e-4)
+    assert_allclose(float(percent), 100 * (slices.displacement[1] / strips.displacement[1] - 1), rtol=0.06)
+    (first,) = [line for line in out.splitlines() if re.match(r" +0 +0\.0 ", line)]
+    cells = re.findall(r"[-+\d.]+", first)
+    assert_allclose([float(cells[2]), float(cells[3])], [strips.load[0, 0], slices.load[0, 0]], rtol=1e-4)
+    change = (slices.load[0, 0] - strips.load[0, 0]) / strips.load.max()
+    assert_allclose(float(cells[4]), 100 * change, rtol=0.06)
+
+
+def test_compare_writes_and_prints_json(folder, capsys, few):
+    assert main(["bearing", "few.toml", "--compare", "--json", "--out", "both"]) == 0
+    result = parsed(capsys.readouterr().out)
+    case, strips = few
+    slices = case.solve("slices")
+    assert_array_equal(result["strips"]["load"], strips.load)
+    assert_array_equal(result["slices"]["load"], slices.load)
+    assert_array_equal(result["differences"]["displacement"], slices.displacement - strips.displacement)
+    assert parsed(Path("both/comparison.json").read_text(encoding="utf-8")) == result
+    rows = table(Path("both/comparison.csv"))
+    assert_array_equal([float(row["load_outer_slices [N]"]) for row in rows], slices.load[:, 1])
+    assert {path.name for path in Path("both").iterdir()} == {"comparison.json", "comparison.csv"}
+
+
+# Other commands
+
+
+def test_new_prints_a_bearing_that_solves(folder, capsys):
+    assert main(["new", "--bearing"]) == 0
+    printed = capsys.readouterr().out
+    assert printed == starting_bearing()
+    assert main(["new", "--bearing", "nu206.toml"]) == 0
+    assert capsys.readouterr().out == "wrote nu206.toml; solve it with: nonhertz bearing nu206.toml\n"
+    assert Path("nu206.toml").read_text(encoding="utf-8") == printed
+    assert main(["new", "nu206.toml", "--bearing"]) == 2
+    assert "must not exist yet" in capsys.readouterr().err
+    assert main(["check", "nu206.toml"]) == 0
+
+
+def test_check_says_in_one_line_that_all_is_well(folder, capsys):
+    assert main(["check", "pair.toml"]) == 0
+    assert capsys.readouterr().out == (
+        "pair.toml is fine: 'pair', a tapered bearing of 12 rollers, radial = 8000 N, axial = 3000 N.\n"
+    )
+    Path("both.toml").write_text(FEW.replace('"5 kN"', "[3e3, 4e3]"), encoding="utf-8")
+    assert main(["check", "both.toml"]) == 0
+    assert "radial = 3000, 4000 N, tilt = 0.0002 rad." in capsys.readouterr().out
+
+
+def test_check_numbers_all_mistakes(folder, capsys):
+    Path("bad.toml").write_text(FEW.replace("rollers = 6", "rollers = 60").replace("0.2 mrad", "2 m"), encoding="utf-8")
+    assert main(["check", "bad.toml"]) == 2
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    first, second = printed.out.splitlines()
+    assert first.startswith("1. bearing.rollers = 60 must fit on a pitch circle")
+    assert second.startswith("2. load.tilt = '2 m' must have a unit of angle")
+    assert main(["bearing", "bad.toml"]) == 2
+    assert capsys.readouterr().err == printed.out
+
+
+def test_check_knows_a_bearing_file_without_its_bearing(folder, capsys):
+    Path("bad.toml").write_text(FEW.replace("[bearing]", "[baering]"), encoding="utf-8")
+    assert main(["check", "bad.toml"]) == 2
+    assert "the nearest is 'bearing'" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("command", ["solve", "compare", "stress", "life", "map"])
+def test_commands_for_a_contact_say_what_a_bearing_needs(folder, capsys, command):
+    words = ["--load", "0:1kN"] if command == "map" else []
+    assert main([command, "few.toml", *words]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.endswith("few.toml must hold a single contact, not a bearing: use 'nonhertz bearing few.toml'.")
+
+
+def test_the_command_for_bearings_says_what_a_contact_needs(folder, capsys):
+    main(["new", "case.toml"])
+    assert main(["bearing", "case.toml"]) == 2
+    assert capsys.readouterr().err == (
+        "case.toml must hold a bearing, not a single contact: use 'nonhertz solve case.toml'.\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "begins"),
+    [
+        ("nowhere.toml", None, "nowhere.toml must exist: give the path of a bearing file, or begin with one from"),
+        ("broken.toml", "[bearing\n", "broken.toml must be valid TOML: "),
+        ("empty.toml", "", "1. bearing must be given: write it under a heading [bearing]."),
+    ],
+)
+def test_files_that_hold_no_bearing(folder, capsys, name, text, begins):
+    if text is not None:
+        Path(name).write_text(text, encoding="utf-8")
+    assert main(["bearing", name]) == 2
+    assert capsys.readouterr().err.startswith(begins)
+
+
+def test_a_load_beyond_the_model_is_one_sentence(folder, capsys):
+    Path("over.toml").write_text(FEW.replace("5 kN", "50 MN"), encoding="utf-8")
+    assert main(["check", "over.toml"]) == 0
+    capsys.readouterr()
+    assert main(["bearing", "over.toml", "--out", "results"]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith("load must leave every contact of the rollers within the model: load = ")
+    assert not Path("results").exists()
+
+
+@pytest.mark.parametrize("words", [[], ["--json"], ["--compare"]])
+def test_a_balance_that_is_not_found_is_one_sentence(folder, capsys, monkeypatch, words):
+    def solve(*_: object) -> None:
+        raise nh.ConvergenceError("Rollers and rings found no balance.", None)
+
+    monkeypatch.setattr(BearingCase, "solve", solve)
+    assert main(["check", "few.toml"]) == 0
+    capsys.readouterr()
+    assert main(["bearing", "few.toml", "--out", "results", *words]) == 1
+    printed = capsys.readouterr()
+    assert (printed.out, printed.err) == ("", "Rollers and rings found no balance.\n")
+    assert not Path("results").exists()
+
+
+def test_help_imports_nothing_heavy() -> None:
+    program = (
+        "import sys\n"
+        "from nonhertz.cli import main\n"
+        "main(['bearing', '--help'])\n"
+        "heavy = {'numpy', 'scipy', 'numba', 'pydantic', 'pint', 'matplotlib'} & set(sys.modules)\n"
+        "sys.exit(', '.join(sorted(heavy)) or 0)\n"
+    )
+    environment = os.environ | {"PYTHONPATH": str(Path(nh.__file__).parents[1])}
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, env=environment)
+    assert (run.returncode, run.stderr) == (0, "")
+    assert "--compare" in run.stdout
+
+
+# Fits
+
+
+FIT = """
+[fit]
+inner_temperature = 40
+[fit.shaft]
+diameter = 30
+interference = "12 um"
+temperature = 40
+[fit.housing]
+diameter = 62
+"""
+
+
+def test_the_summary_and_the_file_say_what_takes_the_clearance(folder, capsys):
+    text = (FEW + SLICES).replace("rollers = 6", 'rollers = 6\nclearance = "40 um"')
+    Path("fit.toml").write_text(text + FIT, encoding="utf-8")
+    assert main(["bearing", "fit.toml"]) == 0
+    printed = capsys.readouterr().out
+    taken = {remark: float(value) for value, remark in re.findall(r"([-\d.]+) um +(taken by .*?) *\n", printed)}
+    # NSK's formula, and 12.5e-6 a kelvin.
+    assert taken["taken by the fit of the inner ring"] == pytest.approx(12.0 * 30.0 / 37.5, rel=1e-3)
+    assert taken["taken by temperatures"] == pytest.approx(1e3 * 12.5e-6 * 20.0 * 37.5, rel=1e-3)
+    (left,) = re.findall(r"clearance +([-\d.]+) um +radial, in operation", printed)
+    (before,) = re.findall(r"before mounting +([-\d.]+) um +radial", printed)
+    assert float(left) == pytest.approx(float(before) - sum(taken.values()), abs=0.01)
+    assert main(["bearing", "fit.toml", "--json"]) == 0
+    found = parsed(capsys.readouterr().out)
+    clearance = found["operating_clearance"]
+    assert clearance["clearance"] == pytest.approx(1e-3 * float(left), rel=1e-3)
+    assert clearance["inner"]["mounted_pressure"] > 0.0
+    assert set(clearance) - {"axial"} == set(found["units"]["operating_clearance"]) - {"axial"}
+    assert found["case"]["fit"]["shaft"]["interference"] == 0.012
+    assert main(["bearing", "sliced.toml", "--json"]) == 0
+    assert parsed(capsys.readouterr().out)["operating_clearance"] is None

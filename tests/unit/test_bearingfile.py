@@ -1,0 +1,901 @@
+"""Bearing files: what is read, how it is written, and every mistake in a sentence."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import re
+import tomllib
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_array_equal
+
+import nonhertz as nh
+from nonhertz.io.bearing_document import KINDS
+from nonhertz.io.bearingfile import BearingCase, bearing_in, bearing_schema, read_bearing, starting_bearing
+from nonhertz.io.casefile import parsed, read_case
+
+ROLLER = nh.Roller(diameter=9, length=10, corner_radius=0.3, profile=nh.profile.crown(radius=1200))
+NU206 = nh.bearing.CylindricalRollerBearing(
+    roller=ROLLER,
+    inner=nh.Ring(diameter=37.5, depth=3.75),
+    outer=nh.Ring(diameter=-55.5, depth=3.25),
+    rollers=13,
+    clearance=0.0184,
+)
+RING = "[inner]\ndiameter = 37.5\n"
+PLAIN = f"""
+[bearing]
+kind = "cylindrical"
+rollers = 13
+[roller]
+diameter = 9.0
+length = 10.0
+profile = {{ kind = "crown", radius = 1200 }}
+{RING}[outer]
+diameter = -55.5
+[load]
+radial = "10 kN"
+"""
+TAPERED = """
+[bearing]
+kind = "tapered"
+rollers = 14
+contact_angle = "11.859 deg"
+[roller]
+diameter = { y = [-5.825, 5.825], diameter = [10.94, 10.12] }
+length = 11.65
+profile = { kind = "crown", radius = 8000 }
+[inner]
+diameter = 40.8
+[outer]
+diameter = -62.32
+[load]
+radial = "30 kN"
+axial = "9 kN"
+"""
+THRUST = """
+[bearing]
+kind = "thrust"
+rollers = 20
+pitch_diameter = 60
+[roller]
+diameter = 8
+length = 8
+[inner]
+[outer]
+[load]
+axial = "20 kN"
+"""
+SPHERICAL = """
+[bearing]
+kind = "spherical"
+rollers = 17
+contact_angle = "10 deg"
+profile_radius = 60
+inner_groove = 61.5
+outer_groove = 61.5
+pair = { arrangement = "X", distance = 20 }
+[roller]
+diameter = 12
+length = 14
+[inner]
+diameter = 60
+[outer]
+diameter = -84.35
+[load]
+radial = ["20 kN", "5 kN"]
+"""
+
+
+def read(text: str) -> BearingCase:
+    return bearing_in(parsed(text, "bearing.toml"), Path("bearing.toml"))
+
+
+def changed(text: str, *changes: tuple[str, str]) -> str:
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    return text
+
+
+def mistakes(text: str) -> list[str]:
+    with pytest.raises(nh.CaseError) as caught:
+        read(text)
+    return list(caught.value.mistakes)
+
+
+# What is read
+
+
+def test_the_starting_file_is_the_bearing_of_the_how_to():
+    case = read(starting_bearing())
+    assert case.bearing == NU206
+    assert case.prescribed == {"radial": 10e3, "tilt": 3e-4, "speed": 3000.0}
+    assert case.solver["method"] == "strips"
+    assert case.life["viscosity"] == 20.0
+    assert case.life["speed"] == 3000.0
+    assert case.title == "NU 206"
+
+
+def test_the_file_of_the_reference_is_the_same_bearing():
+    page = Path(__file__).parents[2] / "docs" / "reference" / "bearing-file.md"
+    whole, spectrum = re.findall(r"```toml\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    assert read(whole).bearing == NU206
+    assert [case.share for case in read(whole + spectrum).spectrum] == [0.1, 0.9]
+
+
+def test_what_is_commented_out_in_the_starting_file_is_as_good():
+    """Every key that a comment offers is a known one, with a value that is taken in a bearing of its kind."""
+    offered = dict(re.findall(r"^# (\w+) = (.*?)(?:  .*)?$", starting_bearing(), re.MULTILINE))
+    tables = bearing_schema()["$defs"]
+    spectrum = tables["BearingLifeTable"]["properties"]["spectrum"]["items"]
+    known = {name for table in (*tables.values(), spectrum) for name in table["properties"]}
+    assert len(offered) > 8
+    assert set(offered) <= known
+    for value in offered.values():
+        tomllib.loads(f"key = {value.partition('   #')[0]}")
+
+
+def test_a_tapered_pair_with_a_rib_and_a_preload():
+    text = changed(
+        TAPERED,
+        ("rollers = 14", 'rollers = 14\npair = { arrangement = "O", distance = "2 cm", clearance = "-10 um" }'),
+        ('kind = "tapered"', 'kind = "tapered"\nclearance = 0.02\nrib = { end_radius = 100, height = 4.9 }'),
+    )
+    case = read(text)
+    row = nh.bearing.TaperedRollerBearing(
+        roller=nh.Roller(
+            diameter=nh.TabulatedDiameter((-5.825, 5.825), (10.94, 10.12)),
+            length=11.65,
+            profile=nh.profile.crown(radius=8000),
+        ),
+        inner=nh.Ring(diameter=40.8),
+        outer=nh.Ring(diameter=-62.32),
+        rollers=14,
+        contact_angle=math.radians(11.859),
+        clearance=0.02,
+        rib=nh.bearing.Rib(100.0, 4.9),
+    )
+    assert case.bearing == nh.bearing.paired(row, "O", 20.0, clearance=-0.01)
+
+
+def test_washers_are_plates_and_rows_of_barrels_are_paired():
+    thrust, spherical = read(THRUST).bearing, read(SPHERICAL)
+    assert isinstance(thrust, nh.bearing.CylindricalThrustBearing)
+    assert isinstance(thrust.inner, nh.Plate)
+    assert isinstance(spherical.bearing, nh.bearing.Paired)
+    assert spherical.bearing.turned == (True, False)
+    assert spherical.prescribed["radial"] == (20e3, 5e3)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_of_bearing_has_a_word(kind):
+    assert KINDS[kind].__name__ in nh.bearing.__all__
+    assert set(KINDS.values()) == set(nh.bearing.RollerBearing.__subclasses__()) | {nh.bearing.NeedleRollerBearing}
+
+
+def test_the_same_numbers_as_from_python():
+    case = read(changed(PLAIN, ('radial = "10 kN"', 'radial = "10 kN"\ntilt = "0.3 mrad"\nspeed = "6000 rpm"')))
+    row = nh.bearing.CylindricalRollerBearing(
+        roller=nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=1200)),
+        inner=nh.Ring(diameter=37.5),
+        outer=nh.Ring(diameter=-55.5),
+        rollers=13,
+    )
+    for method in ("slices", "strips"):
+        found = case.solve(method)
+        direct = nh.bearing.solve(row, radial=10e3, tilt=3e-4, speed=6000, method=method)
+        assert found.method == method
+        assert_array_equal(found.load, direct.load)
+        assert_array_equal(found.displacement, direct.displacement)
+
+
+def test_the_file_says_how_it_is_solved_and_assessed():
+    text = (
+        PLAIN
+        + 'speed = 1000\n[solver]\nmethod = "slices"\nlaminae = 35\n[life]\nviscosity = "20 cSt"\nstatic = "30 kN"\n'
+    )
+    case = read(text)
+    found = case.solve()
+    direct = nh.bearing.solve(case.bearing, radial=10e3, speed=1000, method="slices", laminae=35)
+    assert_array_equal(found.load, direct.load)
+    assert case.assess(found) == nh.bearing.assess(direct, speed=1000, viscosity=case.life["viscosity"], static=30e3)
+    assert case.assess(found).static_safety == pytest.approx(3.0, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("written", "speed"),
+    [("3000", 3000.0), ('"3000 rpm"', 3000.0), ('"3000 r/min"', 3000.0), ('"50 Hz"', 3000.0), ('"50 1/s"', 3000.0)],
+)
+def test_speeds(written, speed):
+    assert read(f"{PLAIN}speed = {written}\n").prescribed["speed"] == pytest.approx(speed, rel=1e-15)
+
+
+def test_an_angular_speed_is_one_of_turns():
+    assert read(f'{PLAIN}speed = "100 rad/s"\n').prescribed["speed"] == pytest.approx(3000.0 / math.pi, rel=1e-12)
+
+
+def test_densities():
+    case = read(changed(PLAIN, ("rollers = 13", 'rollers = 13\ndensity = "3.2 g/cm^3"')))
+    assert case.bearing.density == pytest.approx(3.2e-9, rel=1e-12)
+
+
+def test_profiles_know_their_body_and_for_a_design_load_the_inner_ring():
+    lundberg = changed(PLAIN, ('kind = "crown", radius = 1200', 'kind = "lundberg", load = 3000'))
+    radius = 1.0 / (2.0 / 9.0 + 2.0 / 37.5)
+    expected = nh.profile.lundberg(load=3000, length=10, radius=radius)
+    y = np.array([-4.5, 0.0, 2.0])
+    np.testing.assert_allclose(read(lundberg).bearing.roller.profile.relief(y), expected.relief(y), rtol=1e-12)
+
+
+def test_the_radius_of_cones_is_not_guessed():
+    lundberg = changed(TAPERED, ('kind = "crown", radius = 8000', 'kind = "lundberg", load = 3000'))
+    (mistake,) = mistakes(lundberg)
+    assert mistake.startswith("roller.profile.radius must be given")
+
+
+def test_a_profile_in_a_file_beside_it_is_attached(tmp_path):
+    (tmp_path / "points.csv").write_text("-5, 0.01\n0, 0\n5, 0.01\n", encoding="utf-8")
+    text = changed(PLAIN, ('kind = "crown", radius = 1200', 'kind = "tabulated", file = "points.csv"'))
+    (tmp_path / "bearing.toml").write_text(text, encoding="utf-8")
+    case = read_bearing(tmp_path / "bearing.toml")
+    assert case.attachments == {"points.csv": b"-5, 0.01\n0, 0\n5, 0.01\n"}
+    assert case.text == text
+    assert case.title == "bearing"
+
+
+def test_a_document_from_elsewhere_cannot_have_files_read(tmp_path):
+    (tmp_path / "points.csv").write_text("-5, 0.01\n0, 0\n5, 0.01\n", encoding="utf-8")
+    text = changed(PLAIN, ('kind = "crown", radius = 1200', 'kind = "tabulated", file = "points.csv"'))
+    with pytest.raises(nh.CaseError, match=r"roller\.profile\.file"):
+        bearing_in(tomllib.loads(text), tmp_path / "bearing.toml", files=False)
+
+
+def test_every_key_has_a_meaning():
+    for name, table in bearing_schema()["$defs"].items():
+        assert table["description"], name
+        for key, value in table["properties"].items():
+            assert value.get("description"), f"{name}.{key}"
+
+
+# What is written
+
+
+@pytest.mark.parametrize("text", [starting_bearing(), PLAIN, TAPERED, THRUST, SPHERICAL], ids=range(5))
+def test_what_is_written_is_read_back(text, tmp_path):
+    case = read(text)
+    case.write(tmp_path / "again.toml")
+    again = read_bearing(tmp_path / "again.toml")
+    assert again == dataclasses.replace(case, title=again.title)
+    assert read(dataclasses.replace(case).text) == again
+
+
+def test_a_preloaded_pair_with_ribs_is_read_back(tmp_path):
+    row = read(TAPERED).bearing
+    row = dataclasses.replace(row, rib=nh.bearing.Rib(100.0, 4.0), clearance=0.01, density=7e-9, pitch_diameter=51.5)
+    case = BearingCase(nh.bearing.paired(row, "tandem", 20.0, clearance=-0.02), {"axial": 3e3}, title="t")
+    case.write(tmp_path / "pair.toml")
+    assert read_bearing(tmp_path / "pair.toml").bearing == case.bearing
+
+
+@pytest.mark.parametrize(
+    ("bearing", "field"),
+    [
+        (dataclasses.replace(NU206, outer_shape=lambda angle: 0.0 * angle), "outer_shape"),
+        (nh.bearing.Paired(bearings=(NU206,) * 3, x=(-20, 0, 20), turned=(False,) * 3), "bearings"),
+        (nh.bearing.Paired(bearings=(NU206,) * 2, x=(0, 20), turned=(False,) * 2), "bearings"),
+        (dataclasses.replace(NU206, roller=nh.Roller(diameter=lambda y: 9.0 + 0.0 * y, length=10)), "roller.diameter"),
+        (nh.bearing.RollerBearing(roller=ROLLER, inner=NU206.inner, outer=NU206.outer, rollers=3), "bearing"),
+    ],
+)
+def test_what_no_file_can_hold_is_refused_and_nothing_is_written(bearing, field, tmp_path):
+    with pytest.raises(nh.InputError) as caught:
+        BearingCase(bearing).write(tmp_path / "no.toml")
+    assert caught.value.field == field
+    assert list(tmp_path.iterdir()) == []
+
+
+# Mistakes
+
+ANGLE = (
+    "the angle between the normal of the outer raceway and the radial plane [rad], of tapered and spherical bearings"
+)
+MISTAKES = {
+    "no rollers": (
+        changed(PLAIN, ("rollers = 13", "rollers = 0")),
+        ["bearing.rollers = 0 must be a whole number from 1 to 1000: give the number of rollers of the row."],
+    ),
+    "too many rollers": (
+        changed(PLAIN, ("rollers = 13", "rollers = 30")),
+        [
+            "bearing.rollers = 30 must fit on a pitch circle of 46.5 mm with a diameter of 9 mm: 16 fit side by side: "
+            "give fewer or thinner ones."
+        ],
+    ),
+    "preload beyond any": (
+        changed(PLAIN, ("rollers = 13", 'rollers = 13\nclearance = "-5 mm"')),
+        [
+            "bearing.clearance = -5.0 must be less than 2 % of the roller's diameter of 9 mm: give it in mm: 20 um are "
+            "0.02."
+        ],
+    ),
+    "a rib that is not there": (
+        changed(PLAIN, ("rollers = 13", "rollers = 13\nrib = { end_radius = 100, height = 3 }")),
+        [
+            "bearing.design = 'NU' must have ribs that bear loads, since a rib is given: use NJ, NF or NUP, or leave "
+            "out the rib."
+        ],
+    ),
+    "half a rib": (
+        changed(TAPERED, ("rollers = 14", "rollers = 14\nrib = { end_radius = 100 }")),
+        ["bearing.rib.height must be given: give the distance of the contact from the roller's axis [mm]."],
+    ),
+    "a rib beside its end": (
+        changed(TAPERED, ("rollers = 14", "rollers = 14\nrib = { end_radius = 10, height = 20 }")),
+        [
+            "bearing.rib.height = 20.0 must be less than the radius of the end, 10 mm: give how far from the roller's "
+            "axis the rib touches."
+        ],
+    ),
+    "a thrust load on an NU bearing": (
+        f"{PLAIN}axial = 500\n",
+        [
+            "load.axial = 500.0 must be zero for a bearing whose inner ring is free to move along the axis: use one "
+            "that bears axial loads."
+        ],
+    ),
+    "a radial load on a thrust bearing": (
+        f"{THRUST}radial = 500\n",
+        [
+            "load.radial = 500.0 must be zero for a bearing whose inner ring is free to move across the axis: use one "
+            "that bears radial loads."
+        ],
+    ),
+    "a tapered row without enough axial load": (
+        changed(TAPERED, ("9 kN", "500 N")),
+        [
+            "load.axial = 500.0 must exceed 6300 N along +x, the tangent of the contact angle times the radial force: "
+            "without that rows that bear it one way alone fall apart; or give axial_displacement."
+        ],
+    ),
+    "an unknown kind": (
+        changed(PLAIN, ('"cylindrical"', '"cylindric"')),
+        ["bearing.kind = 'cylindric' must be a known kind of bearing: the nearest is 'cylindrical'."],
+    ),
+    "a kind that is none": (
+        changed(PLAIN, ('"cylindrical"', '"NU"')),
+        [
+            "bearing.kind = 'NU' must be a known kind of bearing: choose from 'cylindrical', 'needle', 'tapered', "
+            "'spherical', 'thrust'."
+        ],
+    ),
+    "a kind that is a list": (
+        changed(PLAIN, ('"cylindrical"', "[]")),
+        [
+            "bearing.kind = [] must be a known kind of bearing: choose from 'cylindrical', 'needle', 'tapered', "
+            "'spherical', 'thrust'."
+        ],
+    ),
+    "a misspelled key": (
+        changed(PLAIN, ("rollers = 13", "rolers = 13")),
+        ["bearing.rolers = 13 must be a known key: the nearest is 'rollers'."],
+    ),
+    "a misspelled table": (
+        changed(PLAIN, ("[outer]", "[outr]")),
+        ["outr = {'diameter': -55.5} must be a known key: the nearest is 'outer'."],
+    ),
+    "a wrong unit": (
+        changed(PLAIN, ("10 kN", "10 mm")),
+        [
+            "load.radial = '10 mm' must have a unit of force: write a number in N, or text with a unit of force such "
+            "as '20 kN'."
+        ],
+    ),
+    "a wrong unit of speed": (
+        f'{PLAIN}speed = "3000 m/s"\n',
+        [
+            "load.speed = '3000 m/s' must have a unit of speed: write a number in 1/min, or text with a unit of speed "
+            "such as '1500 1/min' or '1500 rpm'."
+        ],
+    ),
+    "speed backwards": (
+        f"{PLAIN}speed = -1\n",
+        ["load.speed = -1.0 must not be negative: give the speed of the inner ring in 1/min."],
+    ),
+    "three components": (
+        changed(PLAIN, ('"10 kN"', "[1, 2, 3]")),
+        ["load.radial = [1, 2, 3] must be a number or a list of two: write [..., ...], in N."],
+    ),
+    "not a number": (
+        changed(PLAIN, ('"10 kN"', "nan")),
+        ["load.radial = nan must be a finite number: write a number, or text with a unit."],
+    ),
+    "force and displacement": (
+        f"{PLAIN}radial_displacement = 0.01\n",
+        ["load.radial_displacement = 0.01 must not be given together with radial: leave one out."],
+    ),
+    "tilted by degrees": (
+        f"{PLAIN}tilt = 3\n",
+        [
+            "load.tilt = 3.0 must be a small angle, of at most 0.3 rad: give it in rad: 1 mrad is 0.001, 1 degree "
+            "0.01745."
+        ],
+    ),
+    "a convex outer ring": (
+        changed(PLAIN, ("-55.5", "55.5")),
+        ["outer.diameter = 55.5 must be negative: it is concave: give that of the raceway in mm."],
+    ),
+    "a raceway without a diameter": (
+        changed(PLAIN, (RING, "[inner]\n")),
+        ["inner.diameter must be given: give that of the raceway in mm."],
+    ),
+    "a washer with one": (
+        changed(THRUST, ("[inner]", "[inner]\ndiameter = 40")),
+        ["inner.diameter = 40.0 must be left out: washers are flat: leave out the key."],
+    ),
+    "rollers too thick": (
+        changed(PLAIN, ("diameter = 9.0", "diameter = 9.5")),
+        [
+            "roller.diameter = 9.5 must fill the 9 mm between raceways of 37.5 and 55.5 mm to within 2 %: give the "
+            "diameters of raceways and rollers in mm."
+        ],
+    ),
+    "rollers without a length": (
+        changed(PLAIN, ("length = 10.0", "")),
+        ["roller.length must be given: give the roller's length in mm."],
+    ),
+    "cylinders in a tapered bearing": (
+        changed(TAPERED, ("{ y = [-5.825, 5.825], diameter = [10.94, 10.12] }", "10.5")),
+        [
+            "roller.diameter = 10.5 must be a table that is larger at negative y: write { y = [-5, 5], diameter = "
+            "[11, 10] }, say: the large ends are at low x."
+        ],
+    ),
+    "cones the wrong way round": (
+        changed(TAPERED, ("[10.94, 10.12]", "[10.12, 10.94]")),
+        [
+            "roller.diameter = {'y': [-5.825, 5.825], 'diameter': [10.12, 10.94]} must be a table that is larger at "
+            "negative y: write { y = [-5, 5], diameter = [11, 10] }, say: the large ends are at low x."
+        ],
+    ),
+    "no contact angle": (
+        changed(TAPERED, ('contact_angle = "11.859 deg"', "")),
+        [f"bearing.contact_angle must be given: give {ANGLE}."],
+    ),
+    "a misspelled contact angle": (
+        changed(TAPERED, ("contact_angle", "contact_angel")),
+        ["bearing.contact_angel = '11.859 deg' must be a known key: the nearest is 'contact_angle'."],
+    ),
+    "an angle too steep": (
+        changed(TAPERED, ("11.859 deg", "60 deg")),
+        [
+            "bearing.contact_angle = '60 deg' must not exceed 0.7854 rad, 45 degrees: give it in rad: 12 degrees are "
+            "0.21."
+        ],
+    ),
+    "a groove tighter than the barrel": (
+        changed(SPHERICAL, ("inner_groove = 61.5", "inner_groove = 59")),
+        [
+            "bearing.inner_groove = 59.0 must exceed the radius of the barrels, 60 mm: give that of the groove along "
+            "the rollers in mm."
+        ],
+    ),
+    "an arrangement that is none": (
+        changed(SPHERICAL, ('"X"', '"Y"')),
+        ["bearing.pair.arrangement = 'Y' must be one of 'X', 'O', 'tandem': write 'X', 'O' or 'tandem'."],
+    ),
+    "a pair that is a word": (
+        changed(SPHERICAL, ('{ arrangement = "X", distance = 20 }', '"X"')),
+        ["bearing.pair = 'X' must be a section: write it under a heading [bearing.pair]."],
+    ),
+    "an unknown method": (
+        f'{PLAIN}[solver]\nmethod = "maps"\n',
+        ["solver.method = 'maps' must be one of 'strips', 'slices': use 'strips', or 'slices' for comparison."],
+    ),
+    "few slices": (
+        f"{PLAIN}[solver]\nlaminae = 3\n",
+        ["solver.laminae = 3 must be a whole number from 30 to 2000: give the number of slices, 41 say."],
+    ),
+    "oil without speed": (
+        f"{PLAIN}[life]\nviscosity = 20\n",
+        ["life.viscosity = 20.0 must be given with a speed above zero: give load.speed too, in 1/min."],
+    ),
+    "water": (
+        f"{PLAIN}speed = 3000\n[life]\nviscosity = 1\n",
+        [
+            "life.viscosity = 1.0 must be at least 1.2 mm^2/s at this speed, below which ISO 281 has no factor: use a "
+            "thicker oil, or leave it out."
+        ],
+    ),
+    "dirt without oil": (
+        f"{PLAIN}[life]\ncontamination = 0.5\n",
+        ["life.contamination = 0.5 must be given with a viscosity: give the viscosity too, or leave it out."],
+    ),
+    "cleaner than clean": (
+        f"{PLAIN}speed = 3000\n[life]\nviscosity = 20\ncontamination = 1.5\n",
+        ["life.contamination = 1.5 must not exceed 1: give e_C, above 0 and at most 1."],
+    ),
+    "unreliable": (
+        f"{PLAIN}[life]\nreliability = 0.5\n",
+        ["life.reliability = 0.5 must lie between 0.9 and 0.9995: give 0.95 for 95 %."],
+    ),
+    "pressures of slices": (
+        f'{PLAIN}[solver]\nmethod = "slices"\n[life]\nedge_stress = "pressure"\n',
+        ["life.edge_stress = 'pressure' must be 'standard' or 'none' for slices: solve by strips for pressures."],
+    ),
+    "several lines in the title": (
+        'title = "a\\nb"\n' + PLAIN,
+        ["title = 'a\\nb' must be one line of text without control characters: write a short name."],
+    ),
+    "a later format": (
+        "format = 7\n" + PLAIN,
+        [
+            "format = 7 must be 1, the newest format this release reads: use the release of nonhertz that wrote it, or "
+            "a later one."
+        ],
+    ),
+    "a heading alone": (
+        "[bearing]\nkind = 'thrust'\n",
+        [
+            "bearing.rollers must be given: give the number of rollers in a row.",
+            "bearing.pitch_diameter must be given: give the diameter of the circle of the rollers' middles [mm].",
+            *(
+                f"{name} must be given: write it under a heading [{name}]."
+                for name in ("roller", "inner", "outer", "load")
+            ),
+        ],
+    ),
+    "no tables": (
+        "bearing = 3\nroller = 'x'\n[inner]\n[outer]\n[load]\n",
+        [
+            "bearing = 3 must be a section: write it under a heading [bearing].",
+            "roller = 'x' must be a section: write it under a heading [roller].",
+        ],
+    ),
+    "mistakes everywhere": (
+        changed(
+            PLAIN,
+            ("rollers = 13", "rollers = 0\nclearance = '1 N'\nbore = 3"),
+            ("length = 10.0", "length = -1"),
+            ("-55.5", "nan"),
+            ("10 kN", "10"),
+        )
+        + "[solver]\nmethod = 3\n[life]\nspeed = 3\n",
+        [
+            "bearing.rollers = 0 must be a whole number from 1 to 1000: give the number of rollers of the row.",
+            "bearing.clearance = '1 N' must have a unit of length: write a number in mm, or text with a unit of length "
+            "such as '20 mm'.",
+            "bearing.bore = 3 must be a known key: choose from 'kind', 'rollers', 'pitch_diameter', 'contact_angle', "
+            "'profile_radius', 'inner_groove', 'outer_groove', 'clearance', 'design', 'axial_clearance', 'rib', "
+            "'inner_shape', 'outer_shape', 'density', 'pair'.",
+            "roller.length = -1.0 must be positive: give the distance between the side faces in mm, or leave it out "
+            "for an unbounded body.",
+            "outer.diameter = nan must be a finite number: give the diameter in mm, negative for a concave surface, or "
+            "leave it out for a flat one.",
+            "load.radial = '10' must have a unit: write 10 without quotes if it is in N.",
+            "solver.method = 3 must be one of 'strips', 'slices': use 'strips', or 'slices' for comparison.",
+            "life.speed = 3 must be a known key: choose from 'viscosity', 'contamination', 'cleanliness', "
+            "'reliability', 'edge_stress', 'laminae', 'turning', 'dynamic', 'static', 'spectrum'.",
+        ],
+    ),
+    "the whole beside a detail": (
+        changed(PLAIN, ("rollers = 13", "rollers = 30")) + "tilt = '1 m'\n",
+        [
+            "bearing.rollers = 30 must fit on a pitch circle of 46.5 mm with a diameter of 9 mm: 16 fit side by side: "
+            "give fewer or thinner ones.",
+            "load.tilt = '1 m' must have a unit of angle: write a number in rad, or text with a unit of angle such as "
+            "'0.5 mrad' or '8 um/25 mm'.",
+        ],
+    ),
+    "the load beside life": (
+        f"{PLAIN}axial = 500\n[life]\nreliability = 2\n",
+        [
+            "load.axial = 500.0 must be zero for a bearing whose inner ring is free to move along the axis: use one "
+            "that bears axial loads.",
+            "life.reliability = 2.0 must lie between 0.9 and 0.9995: give 0.95 for 95 %.",
+        ],
+    ),
+    "bodies side by side": (
+        changed(PLAIN, (RING, RING + "length = 5\nposition = 100\n")),
+        ["inner.position = 100.0 must let the bodies overlap along y: move one body or lengthen it."],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_every_mistake_is_one_sentence_at_its_key(name):
+    text, sentences = MISTAKES[name]
+    assert mistakes(text) == sentences
+
+
+@pytest.mark.parametrize("name", [n for n in MISTAKES if "no tables" not in n])
+def test_every_mistake_names_a_place(name):
+    with pytest.raises(nh.CaseError) as caught:
+        read(MISTAKES[name][0])
+    for sentence, place in zip(caught.value.mistakes, caught.value.places, strict=True):
+        assert sentence.startswith(place)
+        assert place.partition(".")[0] in {*bearing_schema()["properties"], "outr"}
+
+
+def test_a_case_file_and_a_bearing_file_are_told_apart(tmp_path):
+    (tmp_path / "bearing.toml").write_text(PLAIN, encoding="utf-8")
+    (tmp_path / "case.toml").write_text("[body.a]\n[body.b]\n[load]\nload = 1.0\n", encoding="utf-8")
+    with pytest.raises(nh.CaseError, match="single contact, not a bearing: use 'nonhertz bearing"):
+        read_case(tmp_path / "bearing.toml")
+    with pytest.raises(nh.CaseError, match="a bearing, not a single contact: use 'nonhertz solve"):
+        read_bearing(tmp_path / "case.toml")
+
+
+def test_what_the_solver_refuses_names_the_key():
+    case = read(PLAIN)
+    with pytest.raises(nh.CaseError, match=r"^load\.axial = 5\.0 must be zero"):
+        dataclasses.replace(case, prescribed={"radial": 1e3, "axial": 5}).solve()
+    with pytest.raises(nh.CaseError, match=r"^solver\.method = 'maps' must be one of"):
+        case.solve("maps")
+    with pytest.raises(nh.CaseError, match=r"^life\.viscosity = 0\.0\d+ must be at least 0\.1"):
+        dataclasses.replace(case, life={"viscosity": 0.1, "speed": 1e3}).assess(case.solve("slices"))
+
+
+def test_a_pair_is_assessed_as_its_file_says():
+    text = changed(TAPERED, ("rollers = 14", 'rollers = 14\npair = { arrangement = "O", distance = 20 }'))
+    case = read(f"{text}[life]\nreliability = 0.95\n")
+    solution = case.solve("slices")
+    assert case.assess(solution) == nh.bearing.assess(solution, reliability=0.95)
+
+
+SPECTRUM = """
+[[life.spectrum]]
+share = 0.1
+radial = "20 kN"
+speed = 500
+[[life.spectrum]]
+share = 0.6
+radial = 6e3
+tilt = "0.2 mrad"
+"""
+
+
+def test_a_spectrum_is_assessed_in_place_of_the_load(tmp_path):
+    text = f'{PLAIN}speed = 1000\n[solver]\nmethod = "slices"\n[life]\nviscosity = 60\nturning = "outer"\n{SPECTRUM}'
+    case = read(text)
+    cases = [
+        nh.bearing.LoadCase(share=0.1, radial=20e3, speed=500.0),
+        nh.bearing.LoadCase(share=0.6, radial=6e3, tilt=2e-4, speed=1000.0),
+    ]
+    pairs = nh.bearing.solve_spectrum(case.bearing, cases, method="slices")
+    expected = nh.bearing.assess(pairs, viscosity=60.0, speed=[500.0, 1000.0], turning="outer")
+    assert case.assess(case.solve()) == expected
+    case.write(tmp_path / "again.toml")
+    again = read_bearing(tmp_path / "again.toml")
+    assert again.spectrum == case.spectrum
+    assert again.life == case.life
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (("share = 0.6", "share = 0.95"), "life.spectrum.share = 1.05 must add up to 1 at most"),
+        (("share = 0.1", "share = 0"), r"life.spectrum\[1\].share = 0.0 must be positive"),
+        (("radial = 6e3", "axial = 6e3"), r"life.spectrum\[2\].axial = 6000.0 must be zero for a bearing whose inner"),
+        (("radial = 6e3", "radal = 6e3"), r"life.spectrum\[2\].radal = 6000.0 must be a known key: .*'radial'"),
+    ],
+)
+def test_a_spectrum_is_refused_at_its_keys(change, said):
+    (found,) = mistakes(changed(PLAIN + SPECTRUM, change))
+    assert re.match(said, found)
+
+
+def test_gaps_in_a_measured_profile_are_noted(tmp_path):
+    y = np.concatenate([np.linspace(-5, -1, 801), np.linspace(1, 5, 801)])
+    lines = "\n".join(f"{a:.5f} {-(a**2) / 2400.0:.7f}" for a in y)
+    (tmp_path / "trace.txt").write_text(lines, encoding="utf-8")
+    text = changed(PLAIN, ('{ kind = "crown", radius = 1200 }', '{ kind = "measured", file = "trace.txt" }'))
+    (tmp_path / "bearing.toml").write_text(text, encoding="utf-8")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        case = read_bearing(tmp_path / "bearing.toml")
+    assert case.notes == ("Nothing was measured between y = -1 and 1 mm; the profile bridges it with a curve.",)
+
+
+# Rings that are not round
+
+
+def shaped(value: str, text: str = PLAIN) -> BearingCase:
+    return read(changed(text, ("rollers = 13", f"rollers = 13\nouter_shape = {value}")))
+
+
+def test_waves_deviations_and_sums_are_shapes():
+    oval = shaped('{ terms = [{ waves = 2, amplitude = "5 um", phase = "90 deg" }] }').bearing.outer_shape
+    # A crest at 90 degrees leaves 5 um less room there, and 5 um more a quarter of a turn on.
+    assert oval([0.0, 0.5 * math.pi]).tolist() == pytest.approx([-0.005, 0.005])
+    row = '{ angle = ["0 deg", "90 deg", "180 deg"], deviation = ["1 um", 0, "2 um"], curve = "linear" }'
+    assert shaped(row).bearing.outer_shape([0.25 * math.pi]).tolist() == pytest.approx([0.0005])
+    both = shaped(f'[{{ terms = [{{ waves = 0, amplitude = "5 um" }}] }}, {row}]').bearing.outer_shape
+    assert both([0.0, math.pi]).tolist() == pytest.approx([0.006, 0.007])
+
+
+def test_a_file_of_a_shape_is_read_beside_the_bearing_file(tmp_path):
+    (tmp_path / "oval.txt").write_text("0 4\n90 -4\n180 4\n270 -4\n", encoding="utf-8")
+    value = '{ file = "oval.txt", angle_unit = "deg", deviation_unit = "um", curve = "linear" }'
+    text = changed(PLAIN, ("rollers = 13", f"rollers = 13\ninner_shape = {value}"))
+    path = tmp_path / "bearing.toml"
+    path.write_text(text, encoding="utf-8")
+    case = read_bearing(path)
+    assert case.bearing.inner_shape([0.0, 0.25 * math.pi]).tolist() == pytest.approx([0.004, 0.0])
+    assert set(case.attachments) == {"oval.txt"}
+    with pytest.raises(nh.CaseError) as caught:
+        bearing_in(parsed(text, "bearing.toml"), path, files=False)
+    assert caught.value.mistakes == (
+        "bearing.inner_shape.file = 'oval.txt' must not be read here: write the angles and deviations into the file.",
+    )
+
+
+def test_shapes_are_written_and_read_back(tmp_path):
+    waves = nh.bearing.fourier_shape({2: (0.005, 0.3), 3: 0.001})
+    numbers = nh.bearing.tabulated_shape([0.0, 1.0, 2.5, 5.0], [0.0, 0.002, 0.0, -0.001])
+    bearing = dataclasses.replace(NU206, inner_shape=waves + numbers, outer_shape=numbers)
+    BearingCase(bearing, {"radial": 1e3}).write(tmp_path / "shaped.toml")
+    assert read_bearing(tmp_path / "shaped.toml").bearing == bearing
+    turned = dataclasses.replace(NU206, outer_shape=numbers.turned(0.7))
+    BearingCase(turned, {"radial": 1e3}).write(tmp_path / "turned.toml")
+    at = np.linspace(0.0, 6.0, 30)
+    back = read_bearing(tmp_path / "turned.toml").bearing.outer_shape(at)
+    np.testing.assert_allclose(back, turned.outer_shape(at), atol=1e-15)
+    function = dataclasses.replace(NU206, outer_shape=np.cos)
+    with pytest.raises(nh.InputError, match="must be made by fourier_shape or tabulated_shape"):
+        BearingCase(function, {"radial": 1e3}).write(tmp_path / "function.toml")
+
+
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [
+        ("3", "bearing.outer_shape = 3 must be a table: "),
+        ("{}", "bearing.outer_shape.terms must be given: "),
+        ("[]", "bearing.outer_shape = [] must hold 1 to 100 shapes: "),
+        ("{ waves = 2 }", "bearing.outer_shape = {'waves': 2} must have terms, or angle and deviation, or a file: "),
+        ("{ terms = [] }", "bearing.outer_shape.terms = [] must be a list of waves: "),
+        ("{ terms = [{ waves = 2 }] }", "bearing.outer_shape.terms[1].amplitude must be given: "),
+        (
+            "{ terms = [{ waves = -1, amplitude = 0 }] }",
+            "bearing.outer_shape.terms[1].waves = -1 must be a whole number",
+        ),
+        (
+            '{ terms = [{ waves = 2, amplitude = "5 N" }] }',
+            "bearing.outer_shape.terms[1].amplitude = '5 N' must have a",
+        ),
+        (
+            "{ terms = [{ waves = 2, amplitude = inf }] }",
+            "bearing.outer_shape.terms[1].amplitude = inf must be a finite",
+        ),
+        (
+            "{ terms = [{ waves = 2, amplitude = 0 }, { waves = 2, amplitude = 0 }] }",
+            "bearing.outer_shape.terms[2].waves = 2 must occur once: ",
+        ),
+        ("{ angle = [0, 1] }", "bearing.outer_shape.deviation must be given: "),
+        ("{ angle = [0, 9], deviation = [0, 0] }", "bearing.outer_shape.angle = 9.0 must span no more than one turn"),
+        ("{ angle = [0, 1], deviation = [0] }", "bearing.outer_shape.deviation = (1,) must be a row of 2 lengths"),
+        (
+            "{ angle = [0, 1], deviation = [0, 0], curve = 'round' }",
+            "bearing.outer_shape.curve = 'round' must be one of",
+        ),
+        ("{ file = 3 }", "bearing.outer_shape.file = 3 must be the name of a file: "),
+        ("{ file = 'no.txt' }", "bearing.outer_shape.file = 'no.txt' must be a file that can be read"),
+        ("{ file = 'no.txt', colour = 1 }", "bearing.outer_shape.colour = 1 must be a known key: "),
+        ("[{ terms = 1 }, 2]", "bearing.outer_shape[1].terms = 1 must be a list of waves: "),
+    ],
+)
+def test_every_mistake_of_a_shape_is_at_its_key(value, said):
+    text = changed(PLAIN, ("rollers = 13", f"rollers = 13\nouter_shape = {value}"))
+    first, *others = mistakes(text)
+    assert first.startswith(said)
+    assert len(others) == (value == "[{ terms = 1 }, 2]")
+
+
+# Fits
+
+FIT = """
+[fit.shaft]
+diameter = 30
+interference = "12 um"
+[fit.housing]
+diameter = 62
+"""
+LOOSE = PLAIN.replace("rollers = 13", 'rollers = 13\nclearance = "32.5 um"')
+
+
+def test_a_fit_leaves_less_clearance():
+    case = read(LOOSE + FIT)
+    # On a solid shaft of the same steel a raceway grows by d / F of the interference (NSK).
+    left = 0.0325 - 30.0 / 37.5 * 0.012
+    assert case.bearing.clearance == 0.0325
+    assert case.mounted.clearance == pytest.approx(left)
+    assert case.operating_clearance.inner_fit == pytest.approx(30.0 / 37.5 * 0.012)
+    by_hand = nh.bearing.solve(dataclasses.replace(case.bearing, clearance=left), radial=10e3, method="slices")
+    np.testing.assert_allclose(case.solve("slices").load, by_hand.load, rtol=1e-9)
+    assert case.solve("slices").bearing == case.mounted
+    assert read(LOOSE).mounted.clearance == 0.0325
+    assert read(LOOSE).operating_clearance is None
+
+
+def test_temperatures_and_speed_take_their_share():
+    text = changed(LOOSE + FIT, ("[fit.shaft]", "[fit]\ninner_temperature = 50\n[fit.shaft]\ntemperature = 50"))
+    found = read(changed(text, ('radial = "10 kN"', 'radial = "10 kN"\nspeed = "12000 rpm"'))).operating_clearance
+    # Shaft and ring grow together, by 12.5e-6 a kelvin of the raceway.
+    assert found.temperatures == pytest.approx(12.5e-6 * 30.0 * 37.5)
+    assert found.speed > 0.0
+    left = found.unmounted - found.inner_fit - found.outer_fit - found.temperatures - found.speed
+    assert found.clearance == pytest.approx(left)
+
+
+def test_tapered_rows_lose_axial_clearance():
+    fit = FIT.replace("62", "72")
+    text = changed(
+        TAPERED,
+        ('kind = "tapered"', 'kind = "tapered"\nclearance = "100 um"'),
+        ("rollers = 14", 'rollers = 14\npair = { arrangement = "O", distance = 20 }'),
+    )
+    case = read(text + fit)
+    radial = 30.0 / 40.8 * 0.012
+    left = 0.1 - radial / (2.0 * math.tan(math.radians(11.859)))
+    assert [row.clearance for row in case.mounted.bearings] == pytest.approx([left, left])
+    assert case.mounted.clearance == case.bearing.clearance
+
+
+def test_fits_are_written_and_read_back(tmp_path):
+    shaft = nh.bearing.Shaft(diameter=30, interference=0.012, bore=10, material=nh.Material(2e5, 0.29), temperature=60)
+    housing = nh.bearing.Housing(diameter=62, outside_diameter=90, expansion=2.3e-5)
+    fit = {"shaft": shaft, "housing": housing, "inner_temperature": 70.0}
+    case = BearingCase(NU206, {"radial": 1e3}, fit=fit)
+    case.write(tmp_path / "fit.toml")
+    back = read_bearing(tmp_path / "fit.toml")
+    assert back.fit == fit
+    assert back.mounted == case.mounted
+
+
+def test_a_case_with_half_a_fit_is_refused():
+    with pytest.raises(nh.InputError, match="must hold shaft and housing"):
+        BearingCase(NU206, fit={"shaft": nh.bearing.Shaft(diameter=30)})
+    with pytest.raises(nh.InputError, match="must be a dictionary of shaft, housing"):
+        BearingCase(NU206, fit={"axle": 1})
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("[fit.housing]\ndiameter = 62\n", "", "fit.housing must be given: "),
+        ("diameter = 30", "", "fit.shaft.diameter must be given: "),
+        ("diameter = 30", "diameter = 40", "fit.shaft.diameter = 40.0 must be less than that of the inner raceway"),
+        ("diameter = 62", "diameter = 50", "fit.housing.diameter = 50.0 must exceed that of the outer raceway"),
+        ("diameter = 30", "diameter = 30\nbore = 31", "fit.shaft.bore = 31.0 must be less than the diameter"),
+        ('"12 um"', '"1 mm"', "fit.shaft.interference = '1 mm' must not exceed 1 % of the diameter of 30 mm"),
+        ("diameter = 62", "diameter = 62\noutside_diameter = 60", "fit.housing.outside_diameter = 60.0 must exceed"),
+        ("diameter = 62", "diameter = 62\nbore = 60", "fit.housing.bore = 60 must be a known key: "),
+        ("diameter = 62", "diameter = 62\nmaterial = 'cheese'", "fit.housing.material = 'cheese' must be a known mat"),
+        (
+            "diameter = 30",
+            'diameter = 30\ntemperature = "70 degC"',
+            "fit.shaft.temperature = '70 degC' must be a plain",
+        ),
+        ("[fit.shaft]", "[fit]\ninner_temperature = 2000\n[fit.shaft]", "fit.inner_temperature = 2000.0 must lie betw"),
+        ("[fit.shaft]", "[fit]\nring_expansion = 1\n[fit.shaft]", "fit.ring_expansion = 1.0 must not exceed 0.001"),
+        ("[fit.shaft]", "[fit]\nring_density = 0\n[fit.shaft]", "fit.ring_density = 0.0 must be positive"),
+        ("[fit.shaft]", "[fit]\nspeed = 1\n[fit.shaft]", "fit.speed = 1 must be a known key: "),
+        (
+            "[fit.shaft]",
+            "[fit]\nroller_temperature = 1000\n[fit.shaft]",
+            "fit must leave a clearance that can be, but -197.6 um must be less than 2 % of",
+        ),
+    ],
+)
+def test_every_mistake_of_a_fit_is_at_its_key(old, new, said):
+    (first,) = mistakes(LOOSE + changed(FIT, (old, new)))
+    assert first.startswith(said)
+
+
+def test_thrust_bearings_have_no_fits():
+    (said,) = mistakes(THRUST + FIT)
+    assert said.startswith("fit must be left out: fits are those of cylindrical, needle, tapered and spherical")
