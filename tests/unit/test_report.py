@@ -23,10 +23,10 @@ from nonhertz.report.differences import differing_inputs, lives, results
 from nonhertz.report.downloads import downloads
 from nonhertz.report.drawing import inline_svg
 from nonhertz.report.inputs import inputs
+from nonhertz.report.layout import linked
 from nonhertz.report.measurements import measurements
 from nonhertz.report.method import formula, references, source
 from nonhertz.report.overview import ends_in_words, keys, opening
-from nonhertz.report.page import _linked
 from nonhertz.result.solution import Status
 from nonhertz.show.analysis import solved
 
@@ -337,7 +337,7 @@ def test_formula_and_source_come_from_a_docstring() -> None:
 
 
 def test_references_become_links_and_stay_escaped() -> None:
-    told = str(_linked("A & B, doi:10.1000/1.2; https://example.org/a.html, <i>."))
+    told = str(linked("A & B, doi:10.1000/1.2; https://example.org/a.html, <i>."))
     assert '<a href="https://doi.org/10.1000/1.2" rel="noreferrer">doi:10.1000/1.2</a>;' in told
     assert '<a href="https://example.org/a.html" rel="noreferrer">https://example.org/a.html</a>,' in told
     assert told.startswith("A &amp; B")
@@ -362,7 +362,9 @@ def test_two_cases_are_compared_by_what_differs() -> None:
     other = PLAIN.replace("4 kN", "8 kN").replace("diameter = 60", "diameter = 60\nposition = 0")
     pair = [case_of(PLAIN, "first.toml"), case_of(other, "second.toml")]
     # A default that is written down is no difference.
-    assert [(row.name, row.values) for row in differing_inputs(pair)] == [("load.load", ("4000 N", "8000 N"))]
+    assert [(row.name, row.values) for row in differing_inputs([inputs(each) for each in pair])] == [
+        ("load.load", ("4000 N", "8000 N"))
+    ]
     found = settled(pair)
     rows = {row.name: row for row in results(found)}
     assert rows["load [N]"].remarks == ("", "+100 %")

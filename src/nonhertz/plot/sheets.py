@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from nonhertz.plot.axial import axial_range, conditions
 from nonhertz.plot.centre_line import pressure
@@ -71,6 +72,14 @@ def save(figure: Figure, stem: str | Path) -> tuple[Path, Path]:
         figure.savefig(svg, dpi=PNG_DPI, metadata={"Date": None})
         figure.savefig(png, dpi=PNG_DPI)
     return svg, png
+
+
+def image(figure: Figure, kind: Literal["svg", "png"]) -> bytes:
+    """Return what `save` writes as one of its two files."""
+    written = io.BytesIO()
+    with sheet_style():
+        figure.savefig(written, format=kind, dpi=PNG_DPI, metadata={"Date": None} if kind == "svg" else None)
+    return written.getvalue()
 
 
 def _sheet(solution: Solution, title: str, draw: Callable[[Solution, Axes], Axes]) -> Figure:

@@ -4,12 +4,18 @@
 `rendered` writes the page. The file loads nothing from elsewhere and contains no script and no date: the same cases on
 the same machine give the same bytes.
 
+Whole bearings have reports of the same kind, made in `nonhertz.report.bearing`: `compose` takes either, and in steps
+these are `settled_bearings` and `rendered_bearings`.
+
 How it is made: modules here turn results into rows and sentences (`inputs`, `assumptions`, `method`, `differences`),
 figures into inline SVG (`drawing`), and files into links that contain them (`downloads`). The templates and their style
 sheet only lay them out.
 """
 
-from nonhertz.report.page import MARK as MARK
+from nonhertz.report.bearing.page import rendered_bearings as rendered_bearings
+from nonhertz.report.bearing.results import BearingResults as BearingResults
+from nonhertz.report.bearing.results import settled_bearings as settled_bearings
+from nonhertz.report.layout import MARK as MARK
 from nonhertz.report.page import compose as compose
 from nonhertz.report.page import rendered as rendered
 from nonhertz.report.results import CaseResults as CaseResults

@@ -64,6 +64,11 @@ class Assumption:
     remark: str = ""
 
 
+SURFACES = Assumption(
+    "Surfaces", "dry, smooth, without friction", "not an input", Verdict.OPEN, "Roughness is neglected."
+)
+
+
 def assumptions(found: CaseResults) -> list[Assumption]:
     """Return the assumptions behind a result and whether they hold."""
     solution = found.solution
@@ -71,9 +76,7 @@ def assumptions(found: CaseResults) -> list[Assumption]:
     if solution.contact_y and solution.status is Status.CONVERGED:
         rows += [*_valid(solution), *_ends(solution)]
         rows += [_smooth(solution), *_fine(solution), _shape(solution), *_elastic(found)]
-    rows.append(
-        Assumption("Surfaces", "dry, smooth, without friction", "not an input", Verdict.OPEN, "Roughness is neglected.")
-    )
+    rows.append(SURFACES)
     return rows
 
 
@@ -93,7 +96,7 @@ def _valid(solution: Solution) -> Iterator[Assumption]:
     """Yield the checks behind the solver's warnings, and a note for each body without a depth."""
     for check in checks(solution, ends(solution.contact)):
         number = digits(check.value, 3)
-        yield Assumption(check.assumption, check.criterion, number, _strained_if(not check.holds), check.remark)
+        yield Assumption(check.assumption, check.criterion, number, strained_if(not check.holds), check.remark)
     for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
         if body.behind.below(body, solution.element) is None:
             remark = "A half-space of infinite depth: the approach is measured against a distant point."
@@ -101,7 +104,8 @@ def _valid(solution: Solution) -> Iterator[Assumption]:
             yield Assumption(f"Body {name} is thick", criterion, "no depth given", Verdict.OPEN, remark)
 
 
-_ENDS = {
+#: The verdict on each kind of end, and its consequence.
+ENDS = {
     EdgeKind.RUN_OUT: (Verdict.HOLDS, ""),
     EdgeKind.FINITE: (Verdict.HOLDS, "Both bodies end there with free faces: the pressure is finite."),
     EdgeKind.SINGULAR: (
@@ -121,7 +125,7 @@ _LEAVES_STRESS = (
 
 def _ends(solution: Solution) -> Iterator[Assumption]:
     for edge, name in zip(solution.edge_pressure, ("low", "high"), strict=True):
-        verdict, remark = _ENDS[edge.kind]
+        verdict, remark = ENDS[edge.kind]
         if edge.kind is EdgeKind.FINITE and leaves_stress(solution.contact, edge):
             verdict, remark = _LEAVES_STRESS
         what = f"Contact ends inside the bodies at {name} y"
@@ -148,11 +152,11 @@ def _fine(solution: Solution) -> Iterator[Assumption]:
     criterion = f"the solver's own error estimate is at most {100.0 * NOTABLE:g} %"
     # The prescribed one of the two has no error.
     name, error = max((("approach", estimate.approach), ("load", estimate.load)), key=lambda each: each[1])
-    yield Assumption(f"Grid fine enough for the {name}", criterion, _percent(error), _known(error))
+    yield Assumption(f"Grid fine enough for the {name}", criterion, percent(error), known(error))
     corner = solution.peaks_at_corner
-    verdict = Verdict.NOT_MET if corner else _known(estimate.max_pressure)
+    verdict = Verdict.NOT_MET if corner else known(estimate.max_pressure)
     remark = "The largest pressure rises with every refinement." if corner else ""
-    number = "no limit" if corner else _percent(estimate.max_pressure)
+    number = "no limit" if corner else percent(estimate.max_pressure)
     yield Assumption("Grid fine enough for the largest pressure", criterion, number, verdict, remark)
 
 
@@ -167,15 +171,8 @@ def _shape(solution: Solution) -> Assumption:
 
 def _elastic(found: CaseResults) -> Iterator[Assumption]:
     solution = found.solution
-    pressure = solution.max_pressure
     where = " away from singular ends" if solution.singular_ends else ""
-    yield Assumption(
-        "Linear elastic bodies",
-        f"p0 below {FLOW_BEGINS:g} times the yield strength (line contact, Tresca; Johnson 1985, section 6.1)",
-        f"p0 = {digits(pressure)} MPa{where}",
-        Verdict.OPEN,
-        f"The yield strength is not an input: it must be above {digits(pressure / FLOW_BEGINS, 4)} MPa.",
-    )
+    yield elastic_below_yield(solution.max_pressure, where)
     if found.stress:
         largest = found.stress[0]
         yield Assumption(
@@ -186,15 +183,29 @@ def _elastic(found: CaseResults) -> Iterator[Assumption]:
         )
 
 
-def _strained_if(strained: bool) -> Verdict:
+def elastic_below_yield(pressure: float, where: str = "") -> Assumption:
+    """Return the assumption that no body yields under a maximum pressure [MPa]; ``where`` it is, after a blank."""
+    return Assumption(
+        "Linear elastic bodies",
+        f"p0 below {FLOW_BEGINS:g} times the yield strength (line contact, Tresca; Johnson 1985, section 6.1)",
+        f"p0 = {digits(pressure)} MPa{where}",
+        Verdict.OPEN,
+        f"The yield strength is not an input: it must be above {digits(pressure / FLOW_BEGINS, 4)} MPa.",
+    )
+
+
+def strained_if(strained: bool) -> Verdict:
+    """Return the verdict on a number that is within its limit or not."""
     return Verdict.STRAINED if strained else Verdict.HOLDS
 
 
-def _known(error: float) -> Verdict:
-    return _strained_if(error > NOTABLE) if math.isfinite(error) else Verdict.OPEN
+def known(error: float) -> Verdict:
+    """Return the verdict on an estimated error."""
+    return strained_if(error > NOTABLE) if math.isfinite(error) else Verdict.OPEN
 
 
-def _percent(error: float) -> str:
+def percent(error: float) -> str:
+    """Return an estimated error as text."""
     if not math.isfinite(error):
         return "unknown"
     return f"about {given(100.0 * error, 1)} %" if error > 1e-12 else "none"

@@ -6,9 +6,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from nonhertz.io.casefile import Case
 from nonhertz.model.body import BODIES
-from nonhertz.report.inputs import Entry, inputs
+from nonhertz.report.inputs import Entry, InputGroup
 from nonhertz.report.results import CaseResults
 from nonhertz.result.numerals import digits
 from nonhertz.result.quantities import QUANTITIES, Quantity
@@ -37,9 +36,9 @@ class Row:
     remarks: tuple[str, ...] = ()
 
 
-def differing_inputs(cases: Sequence[Case]) -> list[Row]:
-    """Return the inputs in which cases differ, by key."""
-    tables = [_by_place(case) for case in cases]
+def differing_inputs(cases: Sequence[Sequence[InputGroup]]) -> list[Row]:
+    """Return the inputs in which cases differ, by key; each case is given by its inputs."""
+    tables = [_by_place(groups) for groups in cases]
     places = dict.fromkeys(place for table in tables for place in table)
     rows = []
     for place in places:
@@ -57,7 +56,7 @@ def results(found: Sequence[CaseResults]) -> list[Row]:
     if all(each.stress for each in found):
         for name, key in _STRESSES.items():
             largest = [getattr(each.stress[0], key).max for each in found if each.stress]
-            rows.append(_row(f"largest {name} in body a [MPa]", largest))
+            rows.append(compared(f"largest {name} in body a [MPa]", largest))
     return rows
 
 
@@ -86,8 +85,7 @@ def remarks_on_lives(found: Sequence[CaseResults]) -> list[str]:
     return list(dict.fromkeys(words for each in remarks for words in each))
 
 
-def _by_place(case: Case) -> dict[str, str]:
-    groups = inputs(case)
+def _by_place(groups: Sequence[InputGroup]) -> dict[str, str]:
     entries = [entry for group in groups for entry in group.entries]
     entries += [entry for group in groups for profile in group.profiles for entry in profile.entries]
     return {entry.place: _in_words(entry) for entry in entries}
@@ -120,10 +118,11 @@ _STRESSES = {"von Mises stress": "von_mises", "shear stress": "shear", "orthogon
 
 def _compared(quantity: Quantity, solutions: Sequence[Solution]) -> Row:
     unit = quantity.shown_unit.replace("um", "µm")
-    return _row(f"{quantity.label} [{unit}]", [quantity.shown(each) for each in solutions])
+    return compared(f"{quantity.label} [{unit}]", [quantity.shown(each) for each in solutions])
 
 
-def _row(name: str, values: Sequence[float]) -> Row:
+def compared(name: str, values: Sequence[float]) -> Row:
+    """Return a row of numbers, with differences from the first in per cent; NaN is absent."""
     return Row(name, tuple(map(_number, values)), ("", *(_change(value, values[0]) for value in values[1:])))
 
 

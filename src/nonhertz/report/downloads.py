@@ -6,6 +6,8 @@ import base64
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
+from nonhertz.io.bearingfile import BearingCase
+from nonhertz.io.casefile import Case
 from nonhertz.io.lives import as_json as lives_as_json
 from nonhertz.io.results import as_json, as_table
 from nonhertz.io.stresses import as_json as stresses_as_json
@@ -39,23 +41,38 @@ class Download:
 def downloads(found: CaseResults) -> list[Download]:
     """Return the case file, the files that it names, and all results."""
     case, title = found.case, found.case.title
-    files = [_download(case.file_name, "the case file, as it was solved", case.text.encode())]
-    files += [
-        _download(name, f"named by the case file; put it where {name} is from there", content)
-        for name, content in case.attachments.items()
-    ]
+    files = given_files(case, "case file")
     stem = PurePosixPath(case.file_name).stem
-    files.append(_text(f"{stem}-table.csv", "the strips", as_table(found.solution)))
-    files.append(_text(f"{stem}-result.json", "all numbers of the solution", as_json(found.solution, case) + "\n"))
+    files.append(text_download(f"{stem}-table.csv", "the strips", as_table(found.solution)))
+    files.append(
+        text_download(f"{stem}-result.json", "all numbers of the solution", as_json(found.solution, case) + "\n")
+    )
     if found.stress:
         text = stresses_as_json(found.solution, *found.stress, title)
-        files.append(_text(f"{stem}-stress.json", "the largest stresses", text + "\n"))
+        files.append(text_download(f"{stem}-stress.json", "the largest stresses", text + "\n"))
     if found.lives:
-        files.append(_text(f"{stem}-life.json", "the lives", lives_as_json(found.lives) + "\n"))
+        files.append(text_download(f"{stem}-life.json", "the lives", lives_as_json(found.lives) + "\n"))
     return files
 
 
-def _text(name: str, what: str, text: str) -> Download:
+def given_files(case: Case | BearingCase, what: str) -> list[Download]:
+    """Return the file of a case and the files that it names."""
+    return [
+        _download(case.file_name, f"the {what}, as it was solved", case.text.encode()),
+        *(
+            _download(name, f"named by the {what}; put it where {name} is from there", content)
+            for name, content in case.attachments.items()
+        ),
+    ]
+
+
+def left_out(case: Case | BearingCase) -> list[str]:
+    """Return the files that a case names but the page does not include."""
+    return [] if case.origin is None else [name for name in case.origin.files if name not in case.attachments]
+
+
+def text_download(name: str, what: str, text: str) -> Download:
+    """Return a text as a file."""
     return _download(name, what, text.encode())
 
 

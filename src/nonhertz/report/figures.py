@@ -57,7 +57,7 @@ class Gallery:
         }
         summary = "; ".join(f"{key.name} {key.value} {key.unit} {key.remark}".strip() for key in keys(found))
         return {
-            name: self._picture(drawn, captions[name], f"{found.case.title}: {summary}")
+            name: self.picture(drawn, captions[name], f"{found.case.title}: {summary}")
             for name, drawn in figures(solution).items()
         }
 
@@ -76,7 +76,7 @@ class Gallery:
             f"The largest is {largest.max:.5g} MPa at x = {largest.x:.3g}, y = {largest.y:.3g}, z = {largest.z:.3g} mm."
         )
         return {
-            name: self._picture(drawn, captions[name], summary)
+            name: self.picture(drawn, captions[name], summary)
             for name, drawn in stress_figures(found.solution, overall, section).items()
         }
 
@@ -90,21 +90,22 @@ class Gallery:
         )
         lives = [life for body in found.lives.lives.values() for life in body]
         summary = "; ".join(f"{life.model.name} in body {life.body}: life {life.relative:.3g}" for life in lives)
-        return self._picture(drawn, caption, summary)
+        return self.picture(drawn, caption, summary)
 
     def of_measurement(self, measurement: Measurement) -> ReportFigure:
         """Return the steps from measured points to a profile."""
         caption = f"From the measured points of {measurement.file} to the profile, step by step."
-        return self._picture(measured_figure(measurement.measured), caption, " ".join(dict(measurement.rows).values()))
+        return self.picture(measured_figure(measurement.measured), caption, " ".join(dict(measurement.rows).values()))
 
     def of_all(self, found: Sequence[CaseResults]) -> Iterator[ReportFigure]:
         """Yield pressures with half-widths, and separations, for all cases."""
         names = ", ".join(each.label for each in found)
-        yield self._picture(pressures(found), "Pressure on the centre line and half-width of all cases.", names)
+        yield self.picture(pressures(found), "Pressure on the centre line and half-width of all cases.", names)
         caption = "Separation of the bodies before loading (the reliefs of both) of all cases, as far as they touch."
-        yield self._picture(reliefs(found), caption, names)
+        yield self.picture(reliefs(found), caption, names)
 
-    def _picture(self, figure: Figure, caption: str, description: str) -> ReportFigure:
+    def picture(self, figure: Figure, caption: str, description: str) -> ReportFigure:
+        """Return a figure with the next number."""
         number = next(self._numbers)
         return ReportFigure(number, inline_svg(figure, f"figure-{number}", caption, description), caption)
 

@@ -90,7 +90,7 @@ def inputs(case: Case) -> list[InputGroup]:
     """Return all inputs of a case, grouped by the headings of its file."""
     document, contact = case.document, case.contact
     groups = [
-        _body_group(f"Body {name}", f"body.{name}", document["body"][name], body)
+        body_group(f"Body {name}", f"body.{name}", document["body"][name], body)
         for name, body in (("a", contact.a), ("b", contact.b))
     ]
     groups.append(InputGroup("Load", tuple(_load_entries(case, document.get("load", {})))))
@@ -100,18 +100,19 @@ def inputs(case: Case) -> list[InputGroup]:
     return groups
 
 
-def _body_group(title: str, place: str, table: Mapping[str, Any], body: Body) -> InputGroup:
+def body_group(title: str, place: str, table: Mapping[str, Any], body: Body) -> InputGroup:
+    """Return the inputs of a body, from its table and from what was made of that."""
     entries = [Entry(f"{place}.kind", *_kind(table, body), "kind" not in table)]
     for name, property_ in _properties("BodyTable").items():
         if name not in {"kind", "profile"}:
             value = getattr(body, name)
             if name == "depth" and value is None:
                 value = body.behind.shown
-            shown = _ABSENT[name] if value is None else _shown(value)
-            unit = _unit(property_) if isinstance(value, float | int | TabulatedDiameter) else ""
+            text = _ABSENT[name] if value is None else shown(value)
+            unit = unit_of(property_) if isinstance(value, float | int | TabulatedDiameter) else ""
             entries.append(
                 Entry(
-                    f"{place}.{name}", shown, unit, property_["description"], name not in table, _written(table, name)
+                    f"{place}.{name}", text, unit, property_["description"], name not in table, as_written(table, name)
                 )
             )
     tables = profile_tables(table)
@@ -136,7 +137,9 @@ def _load_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
     for name, property_ in _properties("LoadTable").items():
         if name in prescribed:
             value = given(prescribed[name])
-            yield Entry(f"load.{name}", value, _unit(property_), property_["description"], False, _written(table, name))
+            yield Entry(
+                f"load.{name}", value, unit_of(property_), property_["description"], False, as_written(table, name)
+            )
     if not {"tilt", "moment"} & set(prescribed):
         yield Entry("load.tilt", "0", "rad", _properties("LoadTable")["tilt"]["description"], True)
 
@@ -154,10 +157,10 @@ def _life_entries(table: Mapping[str, Any]) -> Iterator[Entry]:
     for name, property_ in _properties("LifeTable").items():
         if name == "spectrum" and table.get(name):
             for number, case in enumerate(table[name], start=1):
-                text = ", ".join(f"{key} {_shown(value)}" for key, value in case.items())
+                text = ", ".join(f"{key} {shown(value)}" for key, value in case.items())
                 yield Entry(f"life.spectrum[{number}]", text, "", property_["description"], False)
         elif name in table:
-            yield Entry(f"life.{name}", _shown(table[name]), _unit(property_), property_["description"], False)
+            yield Entry(f"life.{name}", shown(table[name]), unit_of(property_), property_["description"], False)
 
 
 def _profile_input(
@@ -171,10 +174,10 @@ def _profile_input(
         value, is_default = _parameter(name, table, function)
         meaning = property_.get("description", "").replace("`", "").rstrip(".")
         if "drop" in table and name == determined(kind, table):
-            value, is_default, meaning = _shown(made[name]), False, f"{meaning}; from the drop"
+            value, is_default, meaning = shown(made[name]), False, f"{meaning}; from the drop"
         if name != "kind" and value is not None:
             # Text includes its unit, and a word such as "auto" has none.
-            unit = _unit(property_) if _has_digit(value) and not isinstance(table.get(name), str) else ""
+            unit = unit_of(property_) if _has_digit(value) and not isinstance(table.get(name), str) else ""
             entries.append(Entry(f"{place}.{name}", value, unit, meaning, is_default))
     what = described.get("description", kind).rstrip(".")
     return ProfileInput(what[:1].upper() + what[1:], formula(function), source(function), tuple(entries))
@@ -183,7 +186,7 @@ def _profile_input(
 def _parameter(name: str, table: Mapping[str, Any], function: Callable[..., Any] | None) -> tuple[str | None, bool]:
     """Return the value of a profile's parameter as text, None if it has none, and whether it is a default."""
     if name in table:
-        return _shown(table[name]), False
+        return shown(table[name]), False
     if name == "at" and "drop" in table:
         return _AT_THE_END, True
     known = inspect.signature(function).parameters.get(name) if function else None
@@ -191,10 +194,10 @@ def _parameter(name: str, table: Mapping[str, Any], function: Callable[..., Any]
         return None, True
     if known.default is known.empty:
         return _OF_BOTH if name == "radius" else _OF_THE_BODY, True
-    return (None if known.default is None else _shown(known.default)), True
+    return (None if known.default is None else shown(known.default)), True
 
 
-def _shown(value: Any) -> str:
+def shown(value: Any) -> str:
     """Return a value as readable text."""
     if isinstance(value, bool):
         return "yes" if value else "no"
@@ -207,23 +210,23 @@ def _shown(value: Any) -> str:
     if isinstance(value, Chamfer):
         value = asdict(value)
     if isinstance(value, dict):
-        return ", ".join(f"{key} = {_shown(entry)}" for key, entry in value.items())
+        return ", ".join(f"{key} = {shown(entry)}" for key, entry in value.items())
     return _sequence(value) if isinstance(value, list | tuple) else str(value)
 
 
 def _sequence(values: Sequence[Any]) -> str:
     if len(values) > LONGEST_LIST:
-        return f"{len(values)} values, {_shown(values[0])} to {_shown(values[-1])}"
-    return ", ".join(map(_shown, values))
+        return f"{len(values)} values, {shown(values[0])} to {shown(values[-1])}"
+    return ", ".join(map(shown, values))
 
 
 def _material(material: Material) -> str:
     name = next((name for name, known in MATERIALS.items() if known == material), "")
-    constants = f"E = {_shown(material.modulus)} MPa, ν = {_shown(material.poisson)}"
+    constants = f"E = {shown(material.modulus)} MPa, ν = {shown(material.poisson)}"
     return f"{name} ({constants})" if name else constants
 
 
-def _written(table: Mapping[str, Any], name: str) -> str:
+def as_written(table: Mapping[str, Any], name: str) -> str:
     """Return a quantity as written in the case file if it is text with a unit, recognised by its digits."""
     value = table.get(name)
     return value if isinstance(value, str) and _has_digit(value) else ""
@@ -233,7 +236,7 @@ def _has_digit(text: str) -> bool:
     return any(letter.isdigit() for letter in text)
 
 
-def _unit(property_: Mapping[str, Any]) -> str:
+def unit_of(property_: Mapping[str, Any]) -> str:
     """Return the unit in a key's schema, wherever it is given."""
     choices = [property_, *property_.get("anyOf", ()), property_.get("items", {})]
     return next((str(each["unit"]) for each in choices if each.get("unit")), "")

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.casefile import Case
 from nonhertz.io.measured import KIND, checked, measured_from, trace_from
+from nonhertz.io.origin import body_tables
 from nonhertz.io.profiles import profile_tables
 from nonhertz.measured import Measured
 
@@ -35,12 +37,12 @@ class Measurement:
         return [(state.name, state.words) for state in self.measured.states]
 
 
-def measurements(case: Case) -> Iterator[Measurement]:
+def measurements(case: Case | BearingCase) -> Iterator[Measurement]:
     """Yield the measured profiles of a case whose files are available."""
-    for name, body in case.document["body"].items():
+    for place, body in body_tables(case.document):
         for number, table in enumerate(profile_tables(body), start=1):
             content = case.attachments.get(str(table.get("file")))
             if table.get("kind") == KIND and content is not None:
                 values = {key: checked(key, value) for key, value in table.items() if key != "kind"}
                 trace = trace_from(content, values, table["file"])
-                yield Measurement(f"body.{name}.profile[{number}]", table["file"], measured_from(trace, values))
+                yield Measurement(f"{place}.profile[{number}]", table["file"], measured_from(trace, values))

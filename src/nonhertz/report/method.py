@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
+from nonhertz.io.origin import body_tables
 from nonhertz.io.profiles import profile_tables
 from nonhertz.life import MODELS
 from nonhertz.model.body import Body
@@ -29,7 +30,9 @@ _SHARP_ENDS = (
 def formula(function: Callable[..., Any] | None) -> str:
     """Return the text of a profile's docstring between its first line and its parameters."""
     words = (inspect.getdoc(function) or "") if function else ""
-    body = words.partition("\n\n")[2].partition("Parameters\n")[0].partition("Returns\n")[0]
+    body = words.partition("\n\n")[2]
+    for section in ("Parameters\n", "Returns\n", "Examples\n"):
+        body = body.partition(section)[0]
     return _flowing(body)
 
 
@@ -50,7 +53,7 @@ def paragraphs(found: CaseResults) -> list[str]:
         "line of every strip that bears load, to second order across, and no strip pulls. Bodies are linear elastic "
         "half-spaces (Boussinesq), without friction, and the separation across the contact is parabolic.",
     ]
-    parts += [" ".join(_body_words(name, body)) for name, body in (("a", contact.a), ("b", contact.b))]
+    parts += [" ".join(body_words(name, body)) for name, body in (("body a", contact.a), ("body b", contact.b))]
     if found.stress:
         parts.append(
             "Stress below the surface is integrated from the pressure of the strips, which follows it between their "
@@ -70,7 +73,7 @@ def references(found: CaseResults) -> list[str]:
     parts = [
         source(Element),
         "J. Boussinesq, Application des potentiels, Gauthier-Villars, Paris 1885.",
-        *_of_profiles(found),
+        *profile_sources(found.case.document),
     ]
     bodies = found.solution.contact.a, found.solution.contact.b
     parts += [source(type(body.behind)) for body in bodies]
@@ -83,29 +86,31 @@ def references(found: CaseResults) -> list[str]:
     return list(dict.fromkeys(each for each in parts if each))
 
 
-def _of_profiles(found: CaseResults) -> Iterator[str]:
-    for body in found.case.document["body"].values():
+def profile_sources(document: Mapping[str, Any]) -> Iterator[str]:
+    """Yield the publications behind the profiles in a document."""
+    for _, body in body_tables(document):
         for table in profile_tables(body):
             words = source(CATALOGUE.get(table["kind"]))
             if not _NO_SOURCE.match(words):
                 yield words
 
 
-def _body_words(name: str, body: Body) -> Iterator[str]:
+def body_words(name: str, body: Body) -> Iterator[str]:
+    """Yield how side faces and depth of a body are modelled; ``name`` is what the sentences call it."""
     sides = zip(body.face_weights, body.free_faces, strict=True)
     if any(body.free_faces):
         yield (
-            f"Side faces of body {name} are free of shear and of normal stress, as those of an elastic quarter-space. "
+            f"Side faces of {name} are free of shear and of normal stress, as those of an elastic quarter-space. "
             "Stress below the surface is that of mirrored pressure, which leaves a normal stress on them."
         )
     weights = [weight for weight, free in sides if weight > 0.0 and not free]
     if weights:
         parts = " and ".join(f"{weight:.3g}" for weight in dict.fromkeys(weights))
         yield (
-            f"Side faces of body {name} are freed of shear by mirror images of the pressure with the weight {parts}. A "
+            f"Side faces of {name} are freed of shear by mirror images of the pressure with the weight {parts}. A "
             "normal stress remains on them, so the true pressure at an end is lower."
         )
-    yield f"Displacement of body {name} is measured against {body.behind.place}."
+    yield f"Displacement of {name} is measured against {body.behind.place}."
 
 
 def _flowing(text: str) -> str:

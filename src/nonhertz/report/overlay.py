@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -26,14 +26,22 @@ ROOM, BEYOND = 1.08, 1.6  # axis limit over the largest value: usually, and wher
 MICROMETRES = 1e3
 
 
+class Labelled(Protocol):
+    """Results with a short name."""
+
+    @property
+    def label(self) -> str:
+        """What they are called in legends."""
+
+
 def pressures(found: Sequence[CaseResults]) -> Figure:
     """Return a sheet with the pressure of all cases and, below, their half-widths."""
     with sheet_style():
-        key = _key_height(found)
+        key = key_height(found)
         figure = blank(key + HIGH + BETWEEN + LOW + BOTTOM)
         upper = panel(figure, LEFT, BOTTOM + LOW + BETWEEN, WIDTH - LEFT - MARGIN, HIGH)
         lower = panel(figure, LEFT, BOTTOM, WIDTH - LEFT - MARGIN, LOW)
-        for each, (colour, dashes) in zip(found, _lines(found), strict=True):
+        for each, (colour, dashes) in zip(found, lines_of(found), strict=True):
             solution = each.solution
             drawn: dict[str, Any] = {"color": colour, "linestyle": dashes, "linewidth": LINE}
             upper.plot(solution.y, solution.centre_pressure, **drawn)
@@ -47,18 +55,18 @@ def pressures(found: Sequence[CaseResults]) -> Figure:
         _along(lower, found)
         upper.set_xlabel("")
         upper.tick_params(labelbottom=False)
-        _key(upper, found)
+        legend(upper, upper.lines[: len(found)], found)
         return figure
 
 
 def reliefs(found: Sequence[CaseResults]) -> Figure:
     """Return a sheet with the separation before loading (the sum of both reliefs) of all cases."""
     with sheet_style():
-        key = _key_height(found)
+        key = key_height(found)
         figure = blank(key + HIGH + BOTTOM)
         axes = panel(figure, LEFT, BOTTOM, WIDTH - LEFT - MARGIN, HIGH)
         tops = []
-        for each, (colour, dashes) in zip(found, _lines(found), strict=True):
+        for each, (colour, dashes) in zip(found, lines_of(found), strict=True):
             solution = each.solution
             separation = MICROMETRES * solution.contact.separation(solution.y)
             separation = np.where(np.isfinite(separation), separation, np.nan)
@@ -71,11 +79,12 @@ def reliefs(found: Sequence[CaseResults]) -> Figure:
         axes.set_ylabel("Separation before loading [µm]")
         axes.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
         _along(axes, found)
-        _key(axes, found)
+        legend(axes, axes.lines[: len(found)], found)
         return figure
 
 
-def _lines(found: Sequence[CaseResults]) -> list[tuple[str, Any]]:
+def lines_of(found: Sequence[Labelled]) -> list[tuple[str, Any]]:
+    """Return the colour and the dashes of each case."""
     return [LINES[number % len(LINES)] for number in range(len(found))]
 
 
@@ -88,18 +97,19 @@ def _along(axes: Axes, found: Sequence[CaseResults]) -> None:
     axes.set_xlabel(AXIAL_LABEL)
 
 
-def _key_height(found: Sequence[CaseResults]) -> float:
+def key_height(found: Sequence[Labelled]) -> float:
+    """Return the height of the legend above a panel [inch]."""
     return 0.12 + ROW * len(found)
 
 
-def _key(axes: Axes, found: Sequence[CaseResults]) -> None:
+def legend(axes: Axes, handles: Sequence[Any], found: Sequence[Labelled]) -> None:
     """Put the legend above the axes, one line per case: it must not cover a curve, and names may be long."""
     numbers = [str(number) for number in range(1, len(found) + 1)]
-    legend = axes.legend(
-        axes.lines[: len(found)], numbers, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=1, borderaxespad=0.2,
+    drawn = axes.legend(
+        handles, numbers, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=1, borderaxespad=0.2,
         borderpad=0.2, labelspacing=0.25, handlelength=3.2, frameon=False, fontsize=SMALL_SIZE,
     )  # fmt: skip
-    for text, number, each in zip(legend.get_texts(), numbers, found, strict=True):
+    for text, number, each in zip(drawn.get_texts(), numbers, found, strict=True):
         # A file's name: a dollar sign must not start mathtext, nor a leading underscore hide the entry.
         text.set_parse_math(False)
         text.set_text(f"{number}  {each.label}")

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from nonhertz.errors import CaseError, ConvergenceError
 from nonhertz.inputs.files import legible
+from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.casefile import Case, LifeCase, named
 from nonhertz.io.lives import Assessment
 from nonhertz.io.stresses import all_warnings
@@ -147,7 +148,7 @@ def _assessed(found: Sequence[CaseResults], announce: Announce) -> list[CaseResu
     return results
 
 
-def labels(cases: Sequence[Case]) -> list[str]:
+def labels(cases: Sequence[Case | BearingCase]) -> list[str]:
     """Return the label of each case in tables and legends: its file's name, with its path or a number if ambiguous."""
     names = [Path(case.file_name).stem for case in cases]
     if len(set(names)) < len(names):

@@ -1,0 +1,1 @@
+"""Drawings of whole bearings: functions (solution, ax) -> ax, and finished sheets."""

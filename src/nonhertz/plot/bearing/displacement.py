@@ -1,0 +1,175 @@
+"""How far the inner ring moves under more and less than a bearing's load."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
+from nonhertz.plot.axial import number
+from nonhertz.plot.style import FIRST, LINE, SECOND, SMALL_SIZE, THIN
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from nonhertz.bearing import BearingMaps, BearingSolution
+
+Array = NDArray[np.float64]
+
+MICROMETRES = 1e3
+# Multiples of the load: close together where clearance makes the curve steep.
+MULTIPLES = 1.5 * (np.arange(1, 7) / 6.0) ** 2
+POINTS = 201
+NO_FORCE = 1e-9  # of the sum of the rollers' loads
+NO_TILT = 1e-12  # rad
+TANGENT = 0.25  # of the load, to both sides
+
+
+def displacement_against_load(solution: BearingSolution, ax: Axes, *, maps: BearingMaps | None = None) -> Axes:
+    """Draw the displacement of the inner ring under up to 1.5 times its forces.
+
+    All forces grow in proportion; the ring's rotation and speed stay as they are. Radial displacement is that in
+    the direction of the radial force. The curve goes through the state itself and six others, marked by dots, with the
+    slopes that their exact stiffness gives; they are solved as the state was, or by maps. States that have no solution
+    are left out. The state itself is marked as it was solved, with its tangent.
+
+    Parameters
+    ----------
+    solution : BearingSolution
+        A loaded bearing.
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    maps : BearingMaps, optional
+        Of this bearing, from `nonhertz.bearing.maps`, up to 1.5 times the loads. With them the six states take
+        milliseconds; by strips they take about a second.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        ``ax``.
+
+    Raises
+    ------
+    InputError
+        If no force acts on the ring, or the maps are not for these states.
+    """
+    ways = directions(solution)
+    if not ways:
+        raise InputError("solution", "without force", "have a force on the inner ring", "give a radial or an axial one")
+    size = float(np.linalg.norm(solution.force[:3]))
+    unit, name = (1e-3, "kN") if size >= 1e3 else (1.0, "N")
+    multiples, curve = _curve(solution, maps)
+    by = "maps" if maps is not None else solution.method
+    slope = _slope(solution.stiffness, solution.force)
+    for (label, way), (colour, dashes) in zip(ways.items(), ((FIRST, "-"), (SECOND, "--")), strict=False):
+        at = MICROMETRES * float(solution.displacement[:3] @ way)
+        _draw_curve(ax, unit * size, multiples, curve @ way, {"color": colour, "linestyle": dashes}, f"{label} by {by}")
+        rise = MICROMETRES * TANGENT * float(slope @ way)
+        ends = unit * size * np.array([1.0 - TANGENT, 1.0 + TANGENT])
+        ax.plot(ends, [at - rise, at + rise], color=colour, linewidth=THIN)
+        words = f"{label}, {number(at)} µm by {solution.method}, with tangent"
+        ax.plot([unit * size], [at], "o", markersize=5.0, color=colour, markerfacecolor="white", label=words)
+    ax.set_xlim(0.0, 1.04 * MULTIPLES[-1] * unit * size)
+    ax.margins(y=0.08)
+    low, high = ax.get_ylim()
+    ax.set_ylim(min(low, 0.0), max(high, 0.0))
+    ax.set_xlabel(f"Force on the inner ring [{name}]")
+    ax.set_ylabel("Displacement of\nthe inner ring [µm]")
+    for side in ("top", "right"):
+        ax.spines[side].set_visible(False)
+    ax.legend(
+        loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=1 if len(ways) == 1 else 2, borderaxespad=0.2,
+        borderpad=0.2, handlelength=2.6, columnspacing=1.6, frameon=False, fontsize=SMALL_SIZE,
+    )  # fmt: skip
+    return ax
+
+
+def directions(solution: BearingSolution) -> dict[str, Array]:
+    """Return the unit vectors of the radial and of the axial force on the ring, of those that act."""
+    force = solution.force[:3]
+    least = NO_FORCE * float(solution.load.sum())
+    found = {}
+    radial = math.hypot(force[1], force[2])
+    if radial > least:
+        found["radial"] = np.array([0.0, force[1] / radial, force[2] / radial])
+    if abs(force[0]) > least:
+        found["axial"] = np.array([math.copysign(1.0, force[0]), 0.0, 0.0])
+    return found
+
+
+def _curve(solution: BearingSolution, maps: BearingMaps | None) -> tuple[Array, Array]:
+    """Return multiples of the forces, and displacements and their derivatives by the multiple, (2, multiples, 3) [mm].
+
+    They are NaN where no solution was found.
+    """
+    given: dict[str, Any] = {}
+    rows = [row.bearing for row in solution.bearing.rows]
+    least = NO_FORCE * float(solution.load.sum())
+    force = np.where(np.abs(solution.force[:3]) > least, solution.force[:3], 0.0)
+    if any(any(row.bears_axially) for row in rows):
+        given["axial"] = force[0]
+    if any(row.bears_radially for row in rows):
+        given["radial"] = force[1:]
+    rotation = np.where(np.abs(solution.displacement[3:]) > NO_TILT, solution.displacement[3:], 0.0)
+    how: dict[str, Any] = {"maps": maps} if maps is not None else {"method": solution.method}
+    how |= {"speed": _speed(solution), "tilt": tuple(rotation.tolist())}
+    states = {multiple: _one(solution, {k: multiple * v for k, v in given.items()}, how) for multiple in MULTIPLES}
+    if maps is None:
+        states[1.0] = solution
+    multiples = np.array(sorted(states))
+    nowhere = np.full(3, np.nan)
+    moved = [[nowhere, nowhere] if (each := states[m]) is None else _moved(each, m) for m in multiples]
+    return multiples, np.array(moved).transpose(1, 0, 2)
+
+
+def _speed(solution: BearingSolution) -> float:
+    """Return the speed of the inner ring [1/min] from what it loads a roller with, which grows with its square."""
+    at_one = solution.bearing.rows[0].bearing.load_by_speed(1.0)[1]
+    return 30.0 / math.pi * math.sqrt(float(solution.roller_load[0, 1]) / at_one) if at_one > 0.0 else 0.0
+
+
+def _moved(found: BearingSolution, multiple: float) -> list[Array]:
+    """Return the displacement [mm] and its derivative by the multiple of the forces."""
+    return [found.displacement[:3], _slope(found.stiffness, found.force) / multiple]
+
+
+def _one(solution: BearingSolution, given: dict[str, Any], how: dict[str, Any]) -> BearingSolution | None:
+    # Other figures must not wait for all that solves bearings.
+    from nonhertz.bearing import solve
+
+    with without_accuracy_warnings():
+        try:
+            return solve(solution.bearing, **given, **how)
+        except ConvergenceError:
+            return None
+        except InputError:
+            if "maps" in how:
+                raise
+            return None  # half as much load more may be beyond the model
+
+
+def _slope(stiffness: Array, force: Array) -> Array:
+    """Return how far the ring would move under its forces along its tangent [mm], with its rotation held."""
+    stiffness, force = stiffness[:3, :3], force[:3]
+    held = np.diag(stiffness) > 1e-12 * float(np.max(np.diag(stiffness)))
+    slope = np.zeros(3)
+    slope[held] = np.linalg.lstsq(stiffness[np.ix_(held, held)], force[held], rcond=1e-12)[0]
+    return slope
+
+
+def _draw_curve(ax: Axes, load: float, multiples: Array, along: Array, style: dict[str, Any], label: str) -> None:
+    """Draw a smooth line with given slopes through states that were found."""
+    from scipy.interpolate import CubicHermiteSpline
+
+    moved, slope = MICROMETRES * along
+    found = np.isfinite(moved)
+    if np.count_nonzero(found) < 2:
+        return
+    fine = np.linspace(multiples[found][0], multiples[found][-1], POINTS)
+    line = CubicHermiteSpline(multiples[found], moved[found], slope[found])(fine)
+    ax.plot(load * fine, line, linewidth=LINE, label=label, **style)
+    others = found & (multiples != 1.0)
+    ax.plot(load * multiples[others], moved[others], ".", markersize=4.0, color=style["color"])

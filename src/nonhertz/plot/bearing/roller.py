@@ -1,0 +1,177 @@
+"""The most loaded roller of a bearing: its pressure at both rings, and the profile that it has there."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from nonhertz.errors import InputError
+from nonhertz.plot.axial import AXIAL_LABEL, number
+from nonhertz.plot.bearing.pressure import RINGS
+from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, SECOND, SMALL_SIZE, THIN
+from nonhertz.result.maximum import places_of_largest
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from nonhertz.bearing import BearingSolution
+
+COLOURS = {"inner": (FIRST, "-"), "outer": (SECOND, "--")}
+MICROMETRES = 1e3
+POINTS = 801
+ROOM = 1.12
+NO_TILT = 1e-9  # rad
+MARGIN = 0.02  # of a roller's length beyond its ends
+# The relief is drawn up to this multiple of what it is at the ends of the contact, at least up to this of the deepest
+# penetration: that of a straight roller is zero.
+AT_ENDS, DEEP = 1.3, 0.2
+
+
+def most_loaded(solution: BearingSolution) -> tuple[int, int, int]:
+    """Return the most loaded roller: its number among all, its row and its number in the row."""
+    roller = int(solution.load.max(axis=1).argmax())
+    for row in range(len(solution.bearing.rows)):
+        these = solution.rollers_of(row)
+        if roller < these.stop:
+            return roller, row, roller - these.start
+    raise AssertionError("a roller is in a row")
+
+
+def most_loaded_roller(solution: BearingSolution, ax: Axes) -> Axes:
+    """Draw the centre-line pressure of the most loaded roller at both rings against y.
+
+    Lines run through the centres of the strips; the maximum pressures are marked. The pressure at a sharp end, which
+    has no limit, may leave the axes.
+
+    Parameters
+    ----------
+    solution : BearingSolution
+        A loaded bearing, solved by strips.
+    ax : matplotlib.axes.Axes
+        Where to draw.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        ``ax``.
+
+    Raises
+    ------
+    InputError
+        If no roller is loaded, or the bearing was solved by slices.
+    """
+    roller, row, within = most_loaded(solution)
+    largest = 0.0
+    for ring in RINGS:
+        contact = solution.contact(roller, ring)
+        if contact is None:
+            continue
+        colour, dashes = COLOURS[ring]
+        largest = max(largest, contact.max_pressure)
+        words = f"{ring} ring, {_force(contact.load)}: largest {number(contact.max_pressure)} MPa"
+        # To where the contact ends, not to the next strip beyond.
+        y = np.unique(np.concatenate([contact.y, np.ravel(contact.contact_y)]))
+        ax.plot(y, contact.pressure(0.0, y), color=colour, linestyle=dashes, linewidth=LINE, label=words)
+        places = places_of_largest(contact)
+        ax.plot(
+            places, [contact.max_pressure] * len(places), "o", markersize=4.0, color=colour, markerfacecolor="white"
+        )
+    if not largest:
+        raise InputError("solution", "without load", "have a loaded roller", "load the bearing")
+    _lay(solution, ax, row)
+    ax.set_ylim(0.0, ROOM * largest)
+    ax.set_ylabel("Centre-line\npressure $p_0$ [MPa]")
+    several = f"row {row + 1}, " if len(solution.bearing.rows) > 1 else ""
+    where = number(math.degrees(solution.angle[roller]), 4)
+    words = f"Most loaded roller: {several}number {within} at {where}°"
+    if any(
+        contact is not None and contact.singular_ends for contact in (solution.contact(roller, ring) for ring in RINGS)
+    ):
+        words += "; pressure has no limit at sharp ends"
+    ax.set_title(words, loc="left", fontsize=SMALL_SIZE, pad=18.0)
+    _key(ax)
+    return ax
+
+
+def roller_relief(solution: BearingSolution, ax: Axes) -> Axes:
+    """Draw the relief of the most loaded roller and each ring together against y, and where they are in contact.
+
+    That is the separation of the undeformed, untilted bodies: profiles and corners of both. The axis is cut where the
+    relief is far larger than what the load presses flat. Bars at the bottom are the contacts.
+
+    Parameters
+    ----------
+    solution : BearingSolution
+        A loaded bearing, solved by strips.
+    ax : matplotlib.axes.Axes
+        Where to draw.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        ``ax``.
+
+    Raises
+    ------
+    InputError
+        If no roller is loaded, or the bearing was solved by slices.
+    """
+    roller, row, _ = most_loaded(solution)
+    half = 0.5 * solution.bearing.rows[row].bearing.roller_length
+    shown = 0.0
+    for count, ring in enumerate(RINGS):
+        contact = solution.contact(roller, ring)
+        if contact is None:
+            continue
+        colour, dashes = COLOURS[ring]
+        low, high = max(-half, contact.contact.interval[0]), min(half, contact.contact.interval[1])
+        # Strictly inside: a profile may be infinite at its very end.
+        y = np.linspace(low, high, POINTS)[1:-1]
+        relief = MICROMETRES * contact.contact.separation_at(y)
+        relief[~np.isfinite(relief)] = np.nan
+        words = f"{ring} ring, tilt {_tilt(contact.tilt)} mrad"
+        ax.plot(y, relief, color=colour, linestyle=dashes, linewidth=LINE, label=words)
+        touching = [end for pair in contact.contact_y for end in pair]
+        at_ends = np.nanmax(np.interp(touching, y, relief))
+        shown = max(shown, DEEP * MICROMETRES * contact.penetration, AT_ENDS * float(at_ends))
+        for pair in contact.contact_y:
+            at = 0.03 + 0.05 * count
+            ax.plot(pair, [at, at], transform=ax.get_xaxis_transform(), color=colour, linewidth=2.0 * LINE,
+                    solid_capstyle="butt")  # fmt: skip
+    if not shown:
+        raise InputError("solution", "without load", "have a loaded roller", "load the bearing")
+    _lay(solution, ax, row)
+    # Downwards, as material is taken away; room for the bars below the deepest that is drawn.
+    ax.set_ylim(1.15 * shown, -0.08 * shown)
+    ax.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
+    ax.set_ylabel("Relief of roller\nand ring [µm]")
+    ax.set_xlabel(AXIAL_LABEL)
+    _key(ax)
+    return ax
+
+
+def _lay(solution: BearingSolution, ax: Axes, row: int) -> None:
+    half = 0.5 * solution.bearing.rows[row].bearing.roller_length
+    for end in (-half, half):
+        ax.axvline(end, color=FAINT_INK, linewidth=THIN, linestyle=":", zorder=1.0)
+    ax.set_xlim(-half * (1.0 + 2.0 * MARGIN), half * (1.0 + 2.0 * MARGIN))
+    ax.locator_params(axis="x", steps=[1, 2, 5, 10])
+    for side in ("top", "right"):
+        ax.spines[side].set_visible(False)
+
+
+def _key(ax: Axes) -> None:
+    ax.legend(
+        loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2, borderaxespad=0.2, borderpad=0.2, handlelength=2.6,
+        columnspacing=1.6, frameon=False, fontsize=SMALL_SIZE,
+    )  # fmt: skip
+
+
+def _force(load: float) -> str:
+    return f"{number(load)} N" if load < 1e3 else f"{number(1e-3 * load)} kN"
+
+
+def _tilt(tilt: float) -> str:
+    return number(1e3 * tilt, 3) if abs(tilt) > NO_TILT else "0"

@@ -1,0 +1,166 @@
+"""Finished figures of a bearing, laid out for the width of a page."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from typing import TYPE_CHECKING, cast
+
+from nonhertz.plot.axial import number
+from nonhertz.plot.bearing.displacement import directions, displacement_against_load
+from nonhertz.plot.bearing.loads import bearing_loads
+from nonhertz.plot.bearing.pressure import RINGS, bearing_pressure, draw_colour_bar
+from nonhertz.plot.bearing.roller import most_loaded_roller, roller_relief
+from nonhertz.plot.sheets import BAR, BAR_GAP, BAR_ROOM, BOTTOM, LEFT, WIDTH, blank, panel
+from nonhertz.plot.style import SMALL_SIZE, TITLE_SIZE, sheet_style
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.figure import Figure
+    from matplotlib.projections.polar import PolarAxes
+
+    from nonhertz.bearing import BearingMaps, BearingSolution
+
+# Inches. Of the sheet's head: a line of the title, the line of conditions.
+TITLE_LINE, CONDITIONS, MARGIN = 0.19, 0.24, 0.15
+TITLE_LETTERS, CONDITION_LETTERS = 78, 104  # that fit in a line
+# The polar picture of one row and of several side by side, what is written around it, the key below.
+ALONE, BESIDE, AROUND, HEAD_OF_POLAR, KEY = 3.9, 2.5, 0.3, 0.4, 0.3
+PER_LINE = 2
+PANEL, PANEL_HEAD = 1.25, 0.3
+ROLLER_PANEL, RELIEF_PANEL, ROLLER_HEAD, BETWEEN = 2.2, 1.4, 0.5, 0.45
+CURVE, CURVE_HEAD = 2.6, 0.45
+LEFT_OF_TWO = 0.85  # beside a label of two lines
+
+
+def bearing_figures(
+    solution: BearingSolution, title: str = "", *, maps: BearingMaps | None = None
+) -> dict[str, Figure]:
+    """Return one finished figure each of loads, pressure, most loaded roller and displacement.
+
+    Parameters
+    ----------
+    solution : BearingSolution
+        A loaded bearing. If it was solved by slices there are no pressures, and so neither ``"pressure"`` nor
+        ``"roller"``.
+    title : str
+        Heading of every figure; none if empty.
+    maps : BearingMaps, optional
+        For the displacement, in place of slices; see `displacement_against_load`.
+
+    Returns
+    -------
+    dict of str to matplotlib.figure.Figure
+        Keys ``"loads"``, ``"pressure"`` and ``"roller"`` (by strips, if any roller is loaded), and ``"displacement"``
+        (if a force acts on the inner ring); `save` writes them.
+    """
+    with sheet_style():
+        found = {"loads": _loads(solution, title)}
+        if solution.method == "strips" and solution.load.any():
+            found["pressure"] = _pressure(solution, title)
+            found["roller"] = _roller(solution, title)
+        if directions(solution):
+            found["displacement"] = _displacement(solution, title, maps)
+        return found
+
+
+def _loads(solution: BearingSolution, title: str) -> Figure:
+    rows = len(solution.bearing.rows)
+    size, across = (ALONE, 1) if rows == 1 else (BESIDE, PER_LINE)
+    lines = math.ceil(rows / across)
+    block = HEAD_OF_POLAR + size + 2.0 * AROUND
+    figure, bottom = _sheet(solution, title, lines * block + KEY)
+    entries: dict[str, Artist] = {}
+    for row in range(rows):
+        line, column = divmod(row, across)
+        left = WIDTH * (column + 0.5) / across - 0.5 * size
+        place = bottom - line * block - HEAD_OF_POLAR - AROUND - size
+        whole = figure.get_figheight()
+        rectangle = (left / WIDTH, place / whole, size / WIDTH, size / whole)
+        axes = cast("PolarAxes", figure.add_axes(rectangle, projection="polar"))
+        bearing_loads(solution, axes, row=row)
+        entries |= dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
+    handles, labels = list(entries.values()), list(entries)
+    figure.legend(handles, labels, loc="lower center", ncols=len(labels), frameon=False, fontsize=SMALL_SIZE)
+    return figure
+
+
+def _pressure(solution: BearingSolution, title: str) -> Figure:
+    panels = [(row, ring) for row in range(len(solution.bearing.rows)) for ring in RINGS]
+    height = len(panels) * (PANEL_HEAD + PANEL)
+    figure, bottom = _sheet(solution, title, height + BOTTOM)
+    width = WIDTH - LEFT - BAR_ROOM
+    for count, (row, ring) in enumerate(panels):
+        bottom -= PANEL_HEAD + PANEL
+        axes = panel(figure, LEFT, bottom, width, PANEL)
+        bearing_pressure(solution, axes, ring=ring, row=row, colour_bar=False)
+        if count < len(panels) - 1:
+            axes.set_xlabel("")
+            axes.tick_params(axis="x", labelbottom=False)
+    # Of the height of two panels, however many there are.
+    high = min(height - PANEL_HEAD, 2.0 * PANEL + PANEL_HEAD)
+    bar = panel(figure, LEFT + width + BAR_GAP, bottom + 0.5 * (height - PANEL_HEAD - high), BAR, high)
+    draw_colour_bar(solution, axes, cax=bar)
+    return figure
+
+
+def _roller(solution: BearingSolution, title: str) -> Figure:
+    figure, bottom = _sheet(solution, title, ROLLER_HEAD + ROLLER_PANEL + BETWEEN + RELIEF_PANEL + BOTTOM)
+    width = WIDTH - LEFT_OF_TWO - MARGIN
+    bottom -= ROLLER_HEAD + ROLLER_PANEL
+    most_loaded_roller(solution, panel(figure, LEFT_OF_TWO, bottom, width, ROLLER_PANEL)).tick_params(labelbottom=False)
+    roller_relief(solution, panel(figure, LEFT_OF_TWO, bottom - BETWEEN - RELIEF_PANEL, width, RELIEF_PANEL))
+    return figure
+
+
+def _displacement(solution: BearingSolution, title: str, maps: BearingMaps | None) -> Figure:
+    figure, bottom = _sheet(solution, title, CURVE_HEAD + CURVE + BOTTOM)
+    axes = panel(figure, LEFT_OF_TWO, bottom - CURVE_HEAD - CURVE, WIDTH - LEFT_OF_TWO - MARGIN, CURVE)
+    displacement_against_load(solution, axes, maps=maps)
+    return figure
+
+
+def _sheet(solution: BearingSolution, title: str, height: float) -> tuple[Figure, float]:
+    """Return a sheet with its head, below which there is room of a height [inch], and where that begins."""
+    titles = textwrap.wrap(title, TITLE_LETTERS)
+    lines = textwrap.wrap(conditions(solution), CONDITION_LETTERS)
+    head = 0.08 + TITLE_LINE * len(titles) + CONDITIONS + 0.14 * (len(lines) - 1)
+    figure = blank(head + height)
+    place, line = MARGIN / WIDTH, head + height - 0.08
+    if titles:
+        # User text: a dollar sign must not start mathtext.
+        figure.text(
+            place, line / (head + height), "\n".join(titles), va="top", weight="bold", fontsize=TITLE_SIZE,
+            parse_math=False,
+        )  # fmt: skip
+    line -= TITLE_LINE * len(titles)
+    figure.text(place, line / (head + height), "\n".join(lines), va="top", parse_math=False)
+    return figure, height
+
+
+def conditions(solution: BearingSolution) -> str:
+    """Return the line that says what was solved: the bearing, what acts on its inner ring, and by which method."""
+    rows = [row.bearing for row in solution.bearing.rows]
+    same = len({(type(each), each.rollers) for each in rows}) == 1
+    kinds = [f"{_name(type(each).__name__)}, {each.rollers} rollers" for each in (rows[:1] if same else rows)]
+    words = [f"{len(rows)} rows: {kinds[0]} each" if same and len(rows) > 1 else "; ".join(kinds)]
+    ways = directions(solution)
+    for name, way in ways.items():
+        words.append(
+            f"{name} {_force(float(solution.force[:3] @ abs(way) if name == 'axial' else solution.force[:3] @ way))}"
+        )
+    tilt = 1e3 * math.hypot(*solution.displacement[3:])
+    words.append(f"tilt {number(tilt, 3) if tilt > 1e-6 else '0'} mrad")
+    words.append(f"by {solution.method}")
+    return "; ".join([words[0], ", ".join(words[1:])])
+
+
+def _name(kind: str) -> str:
+    """Return a class's name as words: CylindricalRollerBearing is "Cylindrical roller bearing"."""
+    spaced = "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in kind).strip()
+    return spaced[:1].upper() + spaced[1:]
+
+
+def _force(load: float) -> str:
+    # Balanced to 1e-8: 999.9999 N are one kN.
+    return f"{number(load)} N" if abs(load) < (1.0 - 1e-6) * 1e3 else f"{number(1e-3 * load)} kN"

@@ -1,0 +1,108 @@
+"""Every input of a bearing with value, unit and meaning, grouped by the headings of its file."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.ribs import Rib
+from nonhertz.io.bearingfile import BearingCase, bearing_schema
+from nonhertz.report.inputs import Entry, InputGroup, as_written, body_group, shown, unit_of
+
+_BODIES = {"roller": "Rollers", "inner": "Inner ring", "outer": "Outer ring"}
+#: Lengths that people read in um.
+_SMALL = {"interference", "smoothing", "clearance", "axial_clearance", "radial_displacement", "axial_displacement"}
+
+
+def bearing_inputs(case: BearingCase) -> list[InputGroup]:
+    """Return all inputs of a bearing, grouped by the headings of its file."""
+    document = case.document
+    row = case.bearing.rows[0].bearing
+    groups = [InputGroup("Bearing", tuple(_bearing_entries(case, document["bearing"])))]
+    groups += [body_group(title, name, document.get(name, {}), getattr(row, name)) for name, title in _BODIES.items()]
+    groups.append(InputGroup("Load", tuple(_given_entries("load", document.get("load", {}), case.prescribed))))
+    if case.fit:
+        groups.append(InputGroup("Fits and temperatures", tuple(_fit_entries(case, document["fit"]))))
+    groups.append(InputGroup("Solver", tuple(_all_entries("solver", document.get("solver", {}), case.solver))))
+    if document.get("life"):
+        groups.append(InputGroup("Life", tuple(_given_entries("life", document["life"], case.life))))
+    return groups
+
+
+def _bearing_entries(case: BearingCase, table: Mapping[str, Any]) -> Iterator[Entry]:
+    row = case.bearing.rows[0].bearing
+    for name, property_ in _properties("BearingTable").items():
+        if name == "kind":
+            yield Entry("bearing.kind", shown(table["kind"]), "", "what it is", False)
+        elif name == "pair" and name in table:
+            yield from _pair_entries(case.bearing, table["pair"])
+        elif hasattr(row, name):
+            value = table.get(name) if name.endswith("_shape") else getattr(row, name)
+            if value is None and name not in table:
+                guessed = name == "rib" and bool(row.rib_contacts)
+                value = {"pitch_diameter": row.pitch}.get(name, "a guess" if guessed else "none")
+            yield _entry(f"bearing.{name}", value, property_, table)
+
+
+def _fit_entries(case: BearingCase, table: Mapping[str, Any]) -> Iterator[Entry]:
+    for name, schema in (("shaft", "ShaftTable"), ("housing", "HousingTable")):
+        yield from _given_entries(f"fit.{name}", table[name], vars(case.fit[name]), schema)
+    rest = {name: value for name, value in table.items() if name not in {"shaft", "housing"}}
+    yield from _given_entries("fit", rest, case.fit)
+
+
+def _pair_entries(rows: RollerBearing | Paired, table: Mapping[str, Any]) -> Iterator[Entry]:
+    values: dict[str, Any] = {}
+    if isinstance(rows, Paired):
+        values = {"distance": rows.x[-1] - rows.x[0], "clearance": rows.clearance}
+    return _given_entries("bearing.pair", table, values, "PairTable")
+
+
+def _given_entries(
+    place: str, table: Mapping[str, Any], values: Mapping[str, Any], schema: str = ""
+) -> Iterator[Entry]:
+    """Yield the keys that a table has, with the values that were made of them."""
+    for name, property_ in _properties(schema or _TABLES[place]).items():
+        if name in table:
+            yield _entry(f"{place}.{name}", values.get(name, table[name]), property_, table)
+
+
+def _all_entries(place: str, table: Mapping[str, Any], values: Mapping[str, Any]) -> Iterator[Entry]:
+    """Yield all keys of a table, defaults too."""
+    for name, property_ in _properties(_TABLES[place]).items():
+        yield _entry(f"{place}.{name}", values.get(name, property_.get("default")), property_, table)
+
+
+def _entry(place: str, value: Any, property_: Mapping[str, Any], table: Mapping[str, Any]) -> Entry:
+    name = place.rpartition(".")[2]
+    unit = "" if isinstance(value, str) else unit_of(property_)
+    if name in _SMALL and unit == "mm":
+        value = [1e3 * each for each in value] if isinstance(value, list | tuple) else 1e3 * value
+        unit = "µm"
+    text = _rib(value) if isinstance(value, Rib) else shown(value)
+    written = as_written(table, name)
+    return Entry(place, text, unit, property_.get("description", ""), name not in table, _unlike(written, text, unit))
+
+
+def _unlike(written: str, text: str, unit: str) -> str:
+    """Return what a file says unless that is what is shown."""
+    return "" if written.replace("um", "µm") == f"{text} {unit}" else written
+
+
+def _rib(rib: Rib) -> str:
+    return shown({name: value for name, value in vars(rib).items() if value is not None}) + " mm"
+
+
+_TABLES = {"load": "BearingLoadTable", "solver": "BearingSolverTable", "life": "BearingLifeTable", "fit": "FitTable"}
+
+
+@functools.cache
+def _schema() -> dict[str, Any]:
+    return bearing_schema()
+
+
+def _properties(table: str) -> dict[str, dict[str, Any]]:
+    found: dict[str, dict[str, Any]] = _schema()["$defs"][table]["properties"]
+    return found

@@ -1,0 +1,121 @@
+"""Results of the bearings in a report: motions and loads, life, and the same by slices."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nonhertz.bearing.assessed import BearingLife
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.errors import CaseError, ConvergenceError, InputError, without_accuracy_warnings
+from nonhertz.io.bearingfile import BearingCase, placed
+from nonhertz.io.casefile import named
+from nonhertz.report.results import labels
+from nonhertz.show.analysis import Announce, in_silence
+from nonhertz.show.bearing import bearing_warnings, rated
+
+
+@dataclass(frozen=True, eq=False)
+class BearingResults:
+    """The results of one bearing.
+
+    Attributes
+    ----------
+    case : BearingCase
+        The bearing and its loads.
+    label : str
+        Short name that distinguishes it from other bearings.
+    solution : BearingSolution or None
+        The loaded bearing; None if no balance was found.
+    complaint : str
+        Why there is no solution; empty if there is one.
+    life : BearingLife or None
+        How long it lasts; None if it is not rated, or if nobody asked.
+    reason : str
+        Why it is not rated.
+    of_contacts : tuple of str
+        What strains the model.
+    slices : BearingSolution or None
+        The same by slices, if a comparison was asked for.
+    """
+
+    case: BearingCase
+    label: str
+    solution: BearingSolution | None
+    complaint: str = ""
+    life: BearingLife | None = None
+    reason: str = ""
+    of_contacts: tuple[str, ...] = ()
+    slices: BearingSolution | None = None
+
+    @property
+    def speed(self) -> float | None:
+        """The speed that turns life into hours [1/min]; None without one, and of a spectrum."""
+        return None if self.case.spectrum else self.case.prescribed.get("speed")
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """All warnings, without repeats."""
+        return tuple(dict.fromkeys((*self.case.notes, *self.of_contacts)))
+
+
+def settled_bearings(
+    cases: Sequence[BearingCase],
+    *,
+    life: bool | None = None,
+    compare: bool = False,
+    announce: Announce = in_silence,
+) -> tuple[BearingResults, ...]:
+    """Return the results of all bearings.
+
+    Parameters
+    ----------
+    cases : sequence of BearingCase
+        The bearings.
+    life : bool or None
+        Whether to rate them, which costs nothing; only False leaves it out.
+    compare : bool
+        Whether to solve them by slices as well.
+    announce : callable
+        Called with the label of each bearing as it begins.
+
+    Raises
+    ------
+    CaseError
+        If any bearing or its loads are refused, with every mistake; with several bearings each is prefixed by its
+        file's name.
+    InputError
+        If a bearing made in Python has something no bearing file can hold, which a report shows; before anything is
+        solved.
+    """
+    for case in cases:
+        _ = case.document
+    found: list[BearingResults] = []
+    mistakes: list[str] = []
+    places: list[str] = []
+    for case, label in zip(cases, labels(cases), strict=True):
+        announce(label)
+        try:
+            with named(case.file_name) if len(cases) > 1 else contextlib.nullcontext():
+                found.append(_settled(case, label, life is not False, compare))
+        except CaseError as error:
+            mistakes += error.mistakes
+            places += error.places
+    if mistakes:
+        raise CaseError(mistakes, places)
+    return tuple(found)
+
+
+def _settled(case: BearingCase, label: str, life: bool, compare: bool) -> BearingResults:
+    with without_accuracy_warnings():
+        try:
+            solution = case.solve()
+            slices = case.solve("slices") if compare and solution.method == "strips" else None
+            rating, reason = rated(case, solution) if life else (None, "")
+            strained = bearing_warnings(solution)
+        except ConvergenceError as error:
+            return BearingResults(case, label, None, str(error))
+        except InputError as error:  # of a contact, when its pressure is solved
+            raise placed(error) from None
+    return BearingResults(case, label, solution, "", rating, reason, tuple(strained), slices)

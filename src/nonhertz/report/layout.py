@@ -1,0 +1,134 @@
+"""The page around all reports: templates, style sheet, links, and what identifies a report."""
+
+from __future__ import annotations
+
+import functools
+import platform
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib import metadata, resources
+from typing import TYPE_CHECKING, Any
+
+from nonhertz import __version__
+from nonhertz.report.figures import ReportFigure
+from nonhertz.report.measurements import Measurement
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+    from markupsafe import Markup
+
+#: Identifies a report; it is near the beginning of the file.
+MARK = '<meta name="generator" content="nonhertz report">'
+
+_PACKAGES = ("numpy", "scipy", "numba", "matplotlib")
+_ADDRESS = re.compile(r"doi:(10\.\S+?)(?=[.,;:]?(?:\s|$))|(https?://\S+?)(?=[.,;:]?(?:\s|$))")
+
+
+@dataclass(frozen=True)
+class Words:
+    """What a page says of all cases in it.
+
+    Attributes
+    ----------
+    kind : str
+        The line above the title.
+    what : str
+        What it reports on, in the plural.
+    conventions : str
+        Units and axes.
+    """
+
+    kind: str
+    what: str
+    conventions: str
+
+
+def laid_out(title: str, words: Words, comparison: dict[str, Any] | None, parts: Sequence[dict[str, Any]]) -> str:
+    """Return the text of a page; comparison and parts name the templates that lay them out."""
+    page = (
+        _environment()
+        .get_template("report.html")
+        .render(
+            title=title,
+            mark=_safe(MARK),
+            style=_safe(_resource("style.css")),
+            kind=words.kind,
+            what=words.what,
+            conventions=words.conventions,
+            comparison=comparison,
+            parts=parts,
+            versions=_versions(),
+        )
+    )
+    return page.strip() + "\n"
+
+
+def marked(picture: ReportFigure) -> dict[str, Any]:
+    """Return a figure as templates show it."""
+    return {"number": picture.number, "svg": _safe(picture.svg), "caption": picture.caption}
+
+
+def merged(rows: Sequence[tuple[str, str, str]]) -> list[tuple[str, list[tuple[str, str]]]]:
+    """Return names with their values and remarks; a row without a name continues the one before."""
+    found: list[tuple[str, list[tuple[str, str]]]] = []
+    for name, value, remark in rows:
+        if name or not found:
+            found.append((name.strip(), []))
+        found[-1][1].append((in_letters(value), in_letters(remark)))
+    return found
+
+
+def in_letters(text: str) -> str:
+    """Return text with units as they are printed."""
+    return text.replace(" um", " µm").replace("/um", "/µm")
+
+
+def measured(measurement: Measurement, picture: ReportFigure) -> dict[str, Any]:
+    """Return a measured profile and its figure as templates show them."""
+    rows = [(name, in_letters(words)) for name, words in measurement.rows]
+    return {"place": measurement.place, "file": measurement.file, "rows": rows, "figure": marked(picture)}
+
+
+def linked(text: str) -> Markup:
+    """Return a reference with its DOIs and URLs as links."""
+    from markupsafe import Markup, escape
+
+    shown, at = Markup(), 0
+    for found in _ADDRESS.finditer(text):
+        address = found[2] or f"https://doi.org/{found[1]}"
+        shown += escape(text[at : found.start()])
+        shown += Markup('<a href="{}" rel="noreferrer">{}</a>').format(address, found[0])
+        at = found.end()
+    return shown + escape(text[at:])
+
+
+@functools.cache
+def _environment() -> Environment:
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    environment = Environment(
+        loader=PackageLoader("nonhertz.report"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters["linked"] = linked
+    return environment
+
+
+def _versions() -> list[tuple[str, str]]:
+    packages = [(name, metadata.version(name)) for name in _PACKAGES]
+    return [("nonhertz", __version__), ("Python", platform.python_version()), *packages]
+
+
+def _safe(text: str) -> Markup:
+    """Return trusted text as HTML that is not escaped."""
+    from markupsafe import Markup
+
+    return Markup(text)
+
+
+def _resource(name: str) -> str:
+    return resources.files("nonhertz.report").joinpath("templates", name).read_text(encoding="utf-8")

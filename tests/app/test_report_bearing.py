@@ -1,0 +1,424 @@
+"""``nonhertz report`` of whole bearings: what the page says, what is in it, and what is refused."""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+import nonhertz.report.figures
+from nonhertz.cli import main
+from nonhertz.io.bearingfile import BearingCase, bearing_in, read_bearing
+from nonhertz.io.casefile import parsed
+from nonhertz.report import MARK, BearingResults, compose, rendered_bearings, settled_bearings
+from nonhertz.report.assumptions import Verdict
+from nonhertz.report.bearing.assumptions import bearing_assumptions
+from nonhertz.report.bearing.differences import bearing_differences
+from nonhertz.report.bearing.inputs import bearing_inputs
+from nonhertz.report.bearing.overview import bearing_geometry, bearing_keys, bearing_opening, part_rows
+
+# Few rollers, of bodies without ends: as little as makes a bearing.
+FEW = """
+title = "Six & <b>few</b>"
+[bearing]
+kind = "cylindrical"
+rollers = 6
+clearance = "12 um"
+[roller]
+diameter = 9.0
+length = 10.0
+profile = { kind = "tabulated", file = "points/crown.csv" }
+side_faces = "none"
+depth = "none"
+[inner]
+diameter = 37.5
+[outer]
+diameter = -55.5
+[load]
+radial = "5 kN"
+tilt = "0.2 mrad"
+speed = "1500 rpm"
+"""
+POINTS = "y, relief\n" + "".join(f"{y}, {y**2 / 2400.0}\n" for y in range(-5, 6))
+CROWN = '{ kind = "crown", radius = 1200 }'
+PLAIN = FEW.replace('{ kind = "tabulated", file = "points/crown.csv" }', CROWN)
+SLICES = '[solver]\nmethod = "slices"\n'
+CASE = """
+[body.a]
+kind = "roller"
+diameter = 20
+length = 20
+[body.b]
+kind = "plate"
+[load]
+load = "6 kN"
+"""
+TAPERED = """
+title = "Pair"
+[bearing]
+kind = "tapered"
+rollers = 6
+contact_angle = "12 deg"
+rib = { end_radius = 140, height = 4.8 }
+pair = { arrangement = "O", distance = 20, clearance = "-40 um" }
+[roller]
+diameter = { y = [-5.8, 5.8], diameter = [10.94, 10.12] }
+length = 11.6
+profile = { kind = "crown", radius = 4000 }
+side_faces = "none"
+depth = "none"
+[inner]
+diameter = 40.8
+[outer]
+diameter = -62.32
+[load]
+radial = "8 kN"
+axial = "3 kN"
+"""
+
+
+class Page(HTMLParser):
+    """What stands in a page."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(convert_charrefs=True)
+        self.elements: list[tuple[str, dict[str, str]]] = []
+        self.words: list[str] = []
+        self.inside = ""
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.elements.append((tag, {name: value or "" for name, value in attrs}))
+        self.inside = tag
+
+    def handle_data(self, data: str) -> None:
+        if self.inside != "style":
+            self.words.append(data)
+
+    @property
+    def text(self) -> str:
+        return " ".join(" ".join(self.words).split())
+
+    def files(self) -> dict[str, bytes]:
+        links = [attributes for tag, attributes in self.elements if tag == "a" and "download" in attributes]
+        return {link["download"]: base64.b64decode(link["href"].partition("base64,")[2]) for link in links}
+
+
+def case_of(text: str, name: str = "bearing.toml") -> BearingCase:
+    return bearing_in(parsed(text, name), Path(name), text, files=False)
+
+
+def found_in(text: str, *, compare: bool = False) -> BearingResults:
+    (found,) = settled_bearings([case_of(text)], compare=compare)
+    return found
+
+
+@pytest.fixture(scope="module")
+def few() -> BearingResults:
+    return found_in(PLAIN)
+
+
+@pytest.fixture(scope="module")
+def pair() -> BearingResults:
+    return found_in(TAPERED)
+
+
+@pytest.fixture
+def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(nonhertz.report.figures, "inline_svg", lambda _, prefix, *__: f'<svg id="{prefix}"></svg>')
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, undrawn: None) -> Path:
+    monkeypatch.chdir(tmp_path)
+    Path("points").mkdir()
+    Path("points/crown.csv").write_text(POINTS, encoding="utf-8")
+    for name, text in (("few", FEW), ("sliced", PLAIN + SLICES), ("case", CASE)):
+        Path(f"{name}.toml").write_text(text, encoding="utf-8")
+    return tmp_path
+
+
+def refused(words: list[str], capsys: pytest.CaptureFixture[str]) -> str:
+    assert main(["report", *words]) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert not list(Path().glob("*.html"))
+    (line,) = printed.err.splitlines()
+    return line
+
+
+# The file
+
+
+def test_a_bearing_file_becomes_one_page_with_its_files(folder, capsys):
+    assert main(["report", "few.toml"]) == 0
+    assert capsys.readouterr().out == "wrote few-report.html\n"
+    text = Path("few-report.html").read_text(encoding="utf-8")
+    assert MARK in text[:500]
+    page = Page(text)
+    assert "<b>few</b>" not in text
+    assert not re.search(r"<script|<link|<img|url\((?!#)", text)
+    assert set(page.files()) == {"few.toml", "crown.csv", "few-rollers.csv", "few-result.json"}
+    headings = re.findall(r"<h[23][^>]*>([^<]*)<", text)
+    assert headings == [
+        "Results", "Ratings and life", "All rollers", "Assumptions and whether they hold", "Inputs", "Method",
+        "References", "Files",
+    ]  # fmt: skip
+    identifiers = [attributes["id"] for _, attributes in page.elements if "id" in attributes]
+    assert len(identifiers) == len(set(identifiers)) > 4
+
+
+def test_the_files_inside_solve_to_the_same_numbers(folder, tmp_path):
+    assert main(["report", "few.toml"]) == 0
+    files = Page(Path("few-report.html").read_text(encoding="utf-8")).files()
+    (tmp_path / "again" / "points").mkdir(parents=True)
+    (tmp_path / "again" / "few.toml").write_bytes(files["few.toml"])
+    (tmp_path / "again" / "points" / "crown.csv").write_bytes(files["crown.csv"])
+    solved = read_bearing(tmp_path / "again" / "few.toml").solve()
+    assert json.loads(files["few-result.json"])["load"] == solved.load.tolist()
+    assert len(files["few-rollers.csv"].splitlines()) == 1 + solved.angle.size
+
+
+def test_it_is_the_same_file_every_time(few, undrawn):
+    text = rendered_bearings([few])
+    assert text == compose([case_of(PLAIN)])
+    assert "2026" not in text.replace("2026-", "")
+
+
+def test_mixed_lists_are_refused_in_a_sentence(folder, capsys):
+    line = refused(["case.toml", "few.toml"], capsys)
+    assert line == (
+        "CASE = 'case.toml and few.toml' must be all case files or all bearing files: make a report of each kind, with "
+        "'nonhertz report' twice."
+    )
+    with pytest.raises(nh.InputError, match="must be all single contacts or all bearings"):
+        compose([nh.read_case("case.toml"), read_bearing("few.toml")])
+
+
+def test_strips_are_compared_with_slices_for_bearings_alone(folder, capsys):
+    line = refused(["case.toml", "--compare"], capsys)
+    assert line.startswith("--compare = 'case.toml' must be used with bearing files: use 'nonhertz compare case.toml'")
+    assert main(["report", "few.toml", "--compare"]) == 0
+    text = Path("few-report.html").read_text(encoding="utf-8")
+    assert "Strips beside slices" in text
+    assert {"few-comparison.json", "few-comparison.csv"} <= set(Page(text).files())
+
+
+def test_all_mistakes_of_all_files_are_named(folder, capsys):
+    Path("wrong.toml").write_text(PLAIN.replace("rollers = 6", "rollers = 0"), encoding="utf-8")
+    assert main(["report", "few.toml", "wrong.toml", "nothing.toml"]) == 2
+    lines = capsys.readouterr().err.splitlines()
+    assert [line.split(" ")[1] for line in lines] == ["wrong.toml:", "nothing.toml"]
+    assert "bearing.rollers = 0" in lines[0]
+
+
+def test_a_bearing_without_balance_is_reported_as_such(folder, capsys, monkeypatch):
+    def stop(*_: object, **__: object) -> None:
+        raise nh.ConvergenceError("No balance.", None)
+
+    monkeypatch.setattr("nonhertz.bearing.verb.solve", stop)
+    assert main(["report", "few.toml"]) == 1
+    printed = capsys.readouterr()
+    assert (printed.out, printed.err) == ("wrote few-report.html\n", "few: No balance.\n")
+    text = Path("few-report.html").read_text(encoding="utf-8")
+    assert "No balance." in text
+    assert "not met" in text
+    assert set(Page(text).files()) == {"few.toml", "crown.csv"}
+    assert main(["report", "few.toml", "sliced.toml", "--out", "two.html"]) == 1
+
+
+# What it says
+
+
+def test_key_numbers_are_those_of_the_solution(few):
+    keys = {key.name: key for key in bearing_keys(few)}
+    solution = few.solution
+    assert float(keys["maximum pressure"].value) == pytest.approx(solution.max_pressure.max(), rel=1e-4)
+    assert float(keys["largest load"].value) == pytest.approx(solution.load.max(), rel=1e-4)
+    # One of them bears what a force towards it alone leaves to the neighbours, which are 60 degrees off.
+    loaded = np.flatnonzero(solution.load[:, 0])
+    assert keys["loaded rollers"].value == f"{loaded.size} of 6"
+    assert float(keys["radial displacement"].value) == pytest.approx(1e3 * solution.displacement[1], rel=1e-4)
+    hours = few.life.modified * 1e6 / (60.0 * 1500.0)
+    assert float(keys["modified life"].remark.split()[0]) == pytest.approx(hours, rel=1e-3)
+
+
+def test_the_opening_says_what_loads_what(few, pair):
+    assert bearing_opening(few.case) == (
+        "Cylindrical roller bearing, 6 rollers of 9 x 10 mm on a pitch circle of 46.5 mm, under a radial force of "
+        "5000 N and a tilt of 0.2 mrad at 1500 1/min."
+    )
+    assert bearing_opening(pair.case).startswith("Tapered roller bearing of 2 rows, 6 rollers of ")
+
+
+def test_parts_are_those_of_a_drawing(few):
+    rows = {row[0]: row[1:] for row in part_rows(few.case)}
+    assert rows["diameter [mm]"] == ("9", "37.5", "-55.5")
+    # 4.5^2 / 2400 mm
+    assert rows["relief at y = -4.5 and 4.5 mm [µm]"] == ("8.44 and 8.44", "–", "–")
+    assert rows["material"] == ("steel",) * 3
+
+
+def test_geometry_follows_from_the_dimensions(few, pair):
+    rows = {name: value for name, value, _ in bearing_geometry(few.case)}
+    # Six on a circle: neighbours are half a pitch diameter apart.
+    assert float(rows["room between neighbouring rollers"]) == pytest.approx(46.5 / 2.0 - 9.0, rel=1e-3)
+    assert float(rows["combined radius across, inner ring"]) == pytest.approx(1.0 / (2 / 9 + 2 / 37.5), rel=1e-4)
+    assert float(rows["combined radius across, outer ring"]) == pytest.approx(1.0 / (2 / 9 - 2 / 55.5), rel=1e-4)
+    # Steel of 7.85 g/cm3.
+    assert float(rows["mass of a roller"]) == pytest.approx(np.pi / 4 * 0.9**2 * 1.0 * 7.85, rel=1e-3)
+    rows = {name: value for name, value, _ in bearing_geometry(pair.case)}
+    inner, outer = map(float, rows["contact angles at inner and outer ring"].split(" and "))
+    cone = 2.0 * np.degrees(np.arctan(0.5 * 0.82 / 11.6))
+    assert (outer, inner) == pytest.approx((12.0, 12.0 - cone), abs=1e-3)
+    assert rows["rows at x ="] == "-10 and 10"
+
+
+def test_inputs_have_value_unit_and_say_what_is_a_default(few, pair):
+    entries = {entry.place: entry for group in bearing_inputs(few.case) for entry in group.entries}
+    clearance = entries["bearing.clearance"]
+    assert (clearance.value, clearance.unit, clearance.default, clearance.written) == ("12", "µm", False, "")
+    assert (entries["load.radial"].value, entries["load.radial"].unit) == ("5000", "N")
+    assert entries["load.radial"].written == "5 kN"
+    assert entries["bearing.pitch_diameter"].value == "46.5"
+    assert entries["bearing.pitch_diameter"].default
+    assert entries["solver.method"].value == "strips"
+    assert "bearing.contact_angle" not in entries
+    entries = {entry.place: entry for group in bearing_inputs(pair.case) for entry in group.entries}
+    assert (entries["bearing.pair.clearance"].value, entries["bearing.pair.clearance"].unit) == ("-40", "µm")
+    assert entries["bearing.rib"].value == "end_radius = 140, height = 4.8 mm"
+    assert entries["roller.length"].value == "11.6"
+
+
+def test_a_fit_and_a_shape_are_among_the_inputs_and_the_clearance_is_told(undrawn):
+    fit = '[fit.shaft]\ndiameter = 30\ninterference = "10 um"\n[fit.housing]\ndiameter = 62\n'
+    shape = '\nouter_shape = { terms = [{ waves = 2, amplitude = "4 um" }] }'
+    found = found_in(PLAIN.replace("rollers = 6", f"rollers = 6{shape}") + fit)
+    entries = {entry.place: entry for group in bearing_inputs(found.case) for entry in group.entries}
+    assert (entries["fit.shaft.interference"].value, entries["fit.shaft.interference"].unit) == ("10", "µm")
+    assert "waves = 2" in entries["bearing.outer_shape"].value
+    # NSK: a raceway grows by d / F of the interference on a solid shaft.
+    (left,) = re.findall(r"([\d.]+) µm radial, in operation", Page(rendered_bearings([found])).text)
+    assert float(left) == pytest.approx(12.0 - 10.0 * 30.0 / 37.5, abs=0.005)  # the speed takes little
+    rows = {row.name: row for row in bearing_assumptions(found)}
+    assert rows["Rings keep their shape"].number == "outer ring with a shape"
+
+
+# Assumptions
+
+
+def test_what_is_neglected_is_named_and_not_judged(few):
+    rows = {row.name: row for row in bearing_assumptions(few)}
+    neglected = {"Rollers do not skew", "No friction, no film", "Rings keep their shape", "Even cage", "Surfaces"}
+    assert neglected <= set(rows)
+    assert {rows[name].verdict for name in neglected} == {Verdict.OPEN}
+    assert rows["Rollers and rings in balance"].verdict is Verdict.HOLDS
+    assert rows["Contact angles stay as they are"].number == "0.2000 mrad"
+    # 1.67 p0 of Johnson.
+    assert f"{few.solution.max_pressure.max() / 1.67:.0f}" in rows["Linear elastic bodies"].remark
+
+
+def test_a_strained_contact_is_found_wherever_it_is():
+    """Crowns as sharp as the rollers are round make contacts that are wider than long, at the outer ring first."""
+    found = found_in(PLAIN.replace("radius = 1200", "radius = 4.3").replace("5 kN", "100 N"))
+    rows = {row.name: row for row in bearing_assumptions(found)}
+    wide = rows["Strips across a contact that is long"]
+    assert wide.verdict is Verdict.STRAINED
+    inner, outer = map(float, re.findall(r"([\d.]+) at the", wide.number))
+    for ratio, across in ((inner, 1.0 / (2 / 9 + 2 / 37.5)), (outer, 1.0 / (2 / 9 - 2 / 55.5))):
+        ellipse = nh.hertz.point_contact(load=1.0, radius_x=across, radius_y=4.3, compliance=1e-5)
+        # Strips are not made for round contacts.
+        assert ratio == pytest.approx(ellipse.half_width / ellipse.half_length, rel=0.05)
+    assert any("wider than long" in warning and "outer ring" in warning for warning in found.warnings)
+
+
+def test_too_high_a_pressure_and_too_large_a_tilt_are_strained(few):
+    found = found_in(PLAIN.replace("5 kN", "60 kN").replace("0.2 mrad", "0 mrad"))
+    assert found.solution.max_pressure.max() > 4000.0
+    rows = {row.name: row for row in bearing_assumptions(found)}
+    assert rows["No lasting indentation that matters"].verdict is Verdict.STRAINED
+    assert rows["Contact angles stay as they are"].verdict is Verdict.HOLDS
+    rows = {row.name: row for row in bearing_assumptions(few)}
+    assert rows["No lasting indentation that matters"].verdict is Verdict.HOLDS
+    tilted = found_in(PLAIN.replace("0.2 mrad", "11 mrad") + SLICES)
+    rows = {row.name: row for row in bearing_assumptions(tilted)}
+    assert rows["Contact angles stay as they are"].verdict is Verdict.STRAINED
+
+
+def test_ribs_are_judged_by_the_edge_that_the_ellipse_reaches(pair):
+    (rib,) = [row for row in bearing_assumptions(pair) if row.name.startswith("Ellipse on the ribs")]
+    ellipse = max(
+        (pair.solution.rib_contact(j) for j in range(12)), key=lambda each: 0.0 if each is None else each.load
+    )
+    assert float(rib.number.split(" mm")[0]) == pytest.approx(ellipse.half_length, rel=5e-3)
+    edge = float(re.search(r"([\d.]+) mm away", rib.criterion)[1])
+    assert rib.verdict is (Verdict.STRAINED if ellipse.half_length > edge else Verdict.HOLDS)
+    assert "bearing.rib.edge" in rib.remark
+    guessed = found_in(TAPERED.replace("rib = { end_radius = 140, height = 4.8 }\n", ""))
+    (rib,) = [row for row in bearing_assumptions(guessed) if row.name.startswith("Ellipse on the ribs")]
+    assert "is a guess" in rib.remark
+
+
+def test_slices_have_no_pressures_and_say_so(undrawn):
+    found = found_in(PLAIN + SLICES)
+    assert "maximum pressure" not in {key.name for key in bearing_keys(found)}
+    assert "Independent slices" in {row.name for row in bearing_assumptions(found)}
+    text = Page(rendered_bearings([found])).text
+    assert "slices have loads alone" in text
+    assert "Grid fine enough" not in text
+
+
+def test_why_a_bearing_is_not_rated_is_said(undrawn):
+    found = found_in(PLAIN.replace("length = 10.0", 'length = 10.0\nmaterial = "silicon-nitride"') + SLICES)
+    assert "the bearing must be of bearing steel" in Page(rendered_bearings([found])).text
+    (unrated,) = settled_bearings([found.case], life=False)
+    assert "Ratings and life" not in Page(rendered_bearings([unrated])).text
+
+
+def test_a_life_under_a_spectrum_has_no_hours(undrawn):
+    spectrum = '[[life.spectrum]]\nradial = "4 kN"\nshare = 0.5\n[[life.spectrum]]\nradial = "6 kN"\nshare = 0.5\n'
+    found = found_in(PLAIN + SLICES + spectrum)
+    text = Page(rendered_bearings([found])).text
+    assert "life under 2 loads of a spectrum" in text
+    assert " hours" not in text
+    page = Page(rendered_bearings([found]))
+    life = json.loads(page.files()["bearing-result.json"])["life"]
+    # Miner: the reciprocal of the life is the mean of those of its parts.
+    assert [part["share"] for part in life["parts"]] == [0.5, 0.5]
+    assert 1.0 / life["reference"] == pytest.approx(sum(0.5 / part["reference"] for part in life["parts"]))
+
+
+# Several
+
+
+def test_several_bearings_are_compared_with_the_first(few, undrawn):
+    other = PLAIN.replace("12 um", "30 um").replace("five", "six")
+    found = settled_bearings([case_of(PLAIN, "tight.toml"), case_of(other, "loose.toml")])
+    rows = {row.name: row for row in bearing_differences(found)}
+    loads = [each.solution.load.max() for each in found]
+    assert loads[1] > loads[0]
+    change = float(rows["largest load [N]"].remarks[1].rstrip(" %"))
+    assert change == pytest.approx(100.0 * (loads[1] / loads[0] - 1.0), rel=5e-3)  # three digits are shown
+    assert rows["loaded rollers"].remarks == ()
+    assert "displacement along x [µm]" not in rows
+    page = Page(rendered_bearings(found))
+    assert "2 bearings compared" in page.text
+    assert "bearing.clearance 12 µm 30 µm" in page.text
+    assert "roller.diameter" not in page.text
+    assert {"tight.toml", "loose.toml", "loose-result.json"} <= set(page.files())
+
+
+@pytest.mark.slow
+def test_figures_are_drawn_and_share_no_identifier(few, pair):
+    text = rendered_bearings([few, pair])
+    figures = re.findall(r"<b>Figure (\d+)\.</b>", text)
+    assert figures == [str(number) for number in range(1, 10)]  # one of both, and four of each
+    identifiers = re.findall(r'\bid="([^"]+)"', text)
+    assert len(identifiers) == len(set(identifiers))
+    assert set(re.findall(r'(?:href="#|url\(#)([^")]+)', text)) <= set(identifiers)

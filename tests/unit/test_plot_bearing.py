@@ -1,0 +1,331 @@
+"""Figures of bearings: what is drawn are the solution's numbers, and every figure says what it is of."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from matplotlib.collections import QuadMesh
+from matplotlib.container import BarContainer
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+from numpy.testing import assert_allclose, assert_array_equal
+
+import nonhertz as nh
+from nonhertz import plot
+from nonhertz.plot.bearing.displacement import MULTIPLES
+from nonhertz.plot.bearing.sheets import conditions
+
+B = nh.bearing
+# Bodies without ends cost little, and ends are not the subject.
+PLAIN = {"side_faces": "none", "depth": "none"}
+RINGS = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+
+
+def row(clearance=0.0184, rollers=13):
+    roller = nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(600.0), **PLAIN)
+    return B.CylindricalRollerBearing(roller=roller, **RINGS, rollers=rollers, clearance=clearance)
+
+
+def pair():
+    cone = nh.Roller(
+        diameter=nh.TabulatedDiameter((-5.0, 5.0), (9.4, 8.6)), length=10.0, profile=nh.profile.crown(600.0), **PLAIN
+    )
+    single = B.TaperedRollerBearing(roller=cone, **RINGS, rollers=12, contact_angle=0.2)
+    return B.paired(single, "O", 20.0, clearance=-0.005)
+
+
+@pytest.fixture(scope="module")
+def tilted():
+    return B.solve(row(), radial=5e3, tilt=5e-4)
+
+
+@pytest.fixture(scope="module")
+def both():
+    return B.solve(pair(), radial=4e3, axial=1e3)
+
+
+@pytest.fixture(scope="module")
+def sideways():
+    return B.solve(row(), radial=(0.0, 5e3))
+
+
+def polar():
+    return Figure().add_subplot(projection="polar")
+
+
+def flat():
+    return Figure().add_subplot()
+
+
+def texts(figure):
+    return [text.get_text() for text in figure.findobj(Text) if text.get_text()]
+
+
+def drawn_texts(figure):
+    """Return the texts that show ink; labels of ticks beyond the axes' limits do not."""
+    hidden = set()
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            low, high = sorted(axis.get_view_interval())
+            for tick in axis.get_major_ticks():
+                if not low <= tick.get_loc() <= high:
+                    hidden |= {tick.label1, tick.label2}
+    return [text for text in figure.findobj(Text) if text.get_text() and text.get_visible() and text not in hidden]
+
+
+def labelled(axes, start):
+    return next(line for line in axes.lines if str(line.get_label()).startswith(start))
+
+
+class TestLoads:
+    @pytest.mark.parametrize("number", [0, 1])
+    def test_bars_are_the_loads_at_both_rings(self, both, number):
+        axes = plot.bearing_loads(both, polar(), row=number)
+        bars = [each for each in axes.containers if isinstance(each, BarContainer)]
+        load = both.load[12 * number : 12 * number + 12]
+        for column, (container, ring) in enumerate(zip(bars, ("inner", "outer"), strict=True)):
+            assert container.get_label() == f"load at the {ring} ring"
+            loaded = load[:, column] > 0.0
+            assert_allclose([bar.get_height() for bar in container], 1e-3 * load[loaded, column], rtol=1e-12)
+            middles = np.array([bar.get_x() + 0.5 * bar.get_width() for bar in container])
+            off = middles - both.angle[:12][loaded]
+            assert np.all(np.abs(off) < math.pi / 12.0)  # within the roller's pitch
+            assert np.all(np.sign(off) == (-1.0 if column == 0 else 1.0))
+
+    def test_rows_have_one_scale(self, both):
+        limits = [plot.bearing_loads(both, polar(), row=k).get_ylim() for k in (0, 1)]
+        assert limits[0] == limits[1]
+        assert limits[0][1] > 1e-3 * both.load.max()
+
+    def test_rollers_without_load_are_open_circles_at_their_places(self, tilted):
+        axes = plot.bearing_loads(tilted, polar())
+        line = labelled(axes, "roller without load")
+        assert_array_equal(line.get_xdata(), tilted.angle[tilted.load[:, 0] == 0.0])
+        assert line.get_markerfacecolor() == "white"
+
+    def test_y_points_down_and_z_right(self, tilted):
+        axes = plot.bearing_loads(tilted, polar())
+        axes.figure.draw_without_rendering()
+        centre = axes.transAxes.transform((0.5, 0.5))
+        along_y, along_z = (axes.transData.transform((angle, 1.0)) - centre for angle in (0.0, 0.5 * math.pi))
+        assert along_y[1] < -10.0 < abs(along_y[0])
+        assert along_z[0] > 10.0 > abs(along_z[1])
+
+    def test_the_arrow_points_where_the_force_does(self, sideways):
+        axes = plot.bearing_loads(sideways, polar())
+        axes.figure.draw_without_rendering()
+        (arrow,) = (text for text in axes.texts if getattr(text, "arrow_patch", None))
+        start, end = axes.transData.transform([arrow.xyann, arrow.xy])
+        way = (end - start) / np.linalg.norm(end - start)
+        assert_allclose(way, [1.0, 0.0], atol=1e-6)
+        assert "5 kN" in texts(axes.figure)
+
+    def test_the_heading_counts_rollers(self, tilted):
+        loaded = np.count_nonzero(tilted.load[:, 0])
+        heading = plot.bearing_loads(tilted, polar()).get_title()
+        zone = math.degrees(tilted.load_zone[0])
+        assert heading.startswith(f"{loaded} of 13 rollers loaded, load zone {zone:.3g}°")
+        assert f"largest {1e-3 * tilted.load.max():.3f} kN at 0°" in heading
+
+    def test_a_bearing_without_load_is_drawn(self):
+        axes = plot.bearing_loads(B.solve(row(), radial=0.0, method="slices"), polar())
+        assert "no radial\nforce" in texts(axes.figure)
+        assert axes.get_title().startswith("0 of 13")
+
+    def test_other_axes_and_rows_are_refused(self, tilted):
+        with pytest.raises(nh.InputError, match=r'ax = .* must be polar axes: make them with projection="polar"'):
+            plot.bearing_loads(tilted, flat())
+        with pytest.raises(nh.InputError, match="row = 1 must be"):
+            plot.bearing_loads(tilted, polar(), row=1)
+
+
+class TestPressure:
+    @pytest.mark.parametrize("ring", ["inner", "outer"])
+    def test_cells_are_the_pressures_of_rollers(self, sideways, ring):
+        axes = plot.bearing_pressure(sideways, flat(), ring=ring)
+        (mesh,) = axes.findobj(QuadMesh)
+        corners, drawn = mesh.get_coordinates(), mesh.get_array()
+        found = sideways.unrolled_pressure(ring)
+        middles = 0.5 * (corners[0, 1:, 0] + corners[0, :-1, 0])
+        assert_allclose(np.diff(corners[0, :, 0]), 360.0 / 13.0, rtol=1e-9)
+        for j, angle in enumerate(np.degrees(found.angle)):
+            away = np.mod(middles - angle + 180.0, 360.0) - 180.0
+            at = int(np.abs(away).argmin())
+            assert abs(away[at]) < 1e-6
+            assert_array_equal(np.ma.filled(drawn[:, at], 0.0), found.pressure[j])
+        # Half a turn to both sides of z, along which the load points; the roller that is cut there is drawn twice.
+        assert axes.get_xlim() == (-90.0, 270.0)
+        assert drawn.shape[1] == 15
+        assert corners[0, 0, 0] <= -90.0
+        assert corners[0, -1, 0] >= 270.0
+        assert_array_equal(np.ma.filled(drawn[:, 0], 0.0), np.ma.filled(drawn[:, 13], 0.0))
+
+    def test_the_largest_is_marked_and_colours_reach_to_it(self, tilted):
+        figure = Figure()
+        axes = [plot.bearing_pressure(tilted, figure.add_subplot(2, 1, k + 1), ring=r) for k, r in enumerate(RINGS)]
+        for column, each in enumerate(axes):
+            (mesh,) = each.findobj(QuadMesh)
+            assert mesh.get_clim() == (0.0, tilted.max_pressure.max())
+            most = tilted.max_pressure[:, column].argmax()
+            marker = next(line for line in each.lines if line.get_marker() == "o")
+            assert_allclose(marker.get_xydata(), [[0.0, tilted.max_pressure_y[most, column]]], atol=1e-9)
+            assert f"largest {tilted.max_pressure[most, column]:.4g} MPa at 0°" in each.get_title(loc="right")
+
+    def test_rows_are_drawn_one_at_a_time(self, both):
+        axes = plot.bearing_pressure(both, flat(), row=1, ring="outer")
+        assert axes.get_title(loc="left") == "Row 2, outer ring"
+        assert f"largest {both.max_pressure[12:, 1].max():.4g} MPa" in axes.get_title(loc="right")
+
+
+class TestRoller:
+    def test_lines_are_the_pressures_of_the_most_loaded(self, tilted):
+        axes = plot.most_loaded_roller(tilted, flat())
+        assert "number 0 at 0°" in axes.get_title(loc="left")
+        for ring in RINGS:
+            contact, line = tilted.contact(0, ring), labelled(axes, ring)
+            at_strips = np.isin(line.get_xdata(), contact.y)
+            assert_array_equal(line.get_xdata()[at_strips], contact.y)
+            assert_allclose(line.get_ydata()[at_strips], contact.centre_pressure, rtol=1e-12, atol=1e-9)
+            # The line falls to zero where the contact ends, not at the next strip.
+            low, high = contact.contact_y[0][0], contact.contact_y[-1][1]
+            beyond = (line.get_xdata() <= low) | (line.get_xdata() >= high)
+            assert_allclose(line.get_ydata()[beyond], 0.0)
+
+    def test_the_relief_is_in_micrometres(self, tilted):
+        axes = plot.roller_relief(tilted, flat())
+        for ring in RINGS:
+            y, relief = labelled(axes, ring).get_xydata().T
+            # Of a crown: y^2 / (2 R), and the rings are straight.
+            assert_allclose(relief, 1e3 * y**2 / 1200.0, rtol=1e-3, atol=1e-6)
+        low, high = axes.get_ylim()
+        assert low > high  # downwards
+        assert "µm" in axes.get_ylabel()
+
+    def test_contacts_are_bars_at_the_bottom(self, tilted):
+        axes = plot.roller_relief(tilted, flat())
+        bars = [line for line in axes.lines if len(line.get_xdata()) == 2 and line.get_solid_capstyle() == "butt"]
+        assert_allclose(bars[0].get_xdata(), tilted.contact(0, "inner").contact_y[0])
+        assert_allclose(bars[1].get_xdata(), tilted.contact(0, "outer").contact_y[0])
+
+    def test_without_load_or_pressures_there_is_nothing_to_draw(self):
+        with pytest.raises(nh.InputError, match="solution = 'without load' must have a loaded roller"):
+            plot.most_loaded_roller(B.solve(row(), radial=0.0), flat())
+        with pytest.raises(nh.InputError, match="be 'strips' for pressures"):
+            plot.roller_relief(B.solve(row(), radial=1e3, method="slices"), flat())
+
+
+class TestDisplacement:
+    def test_the_state_is_marked_with_its_tangent(self, tilted):
+        axes = plot.displacement_against_load(tilted, flat())
+        marker = labelled(axes, f"radial, {1e3 * tilted.displacement[1]:.4g} µm by strips, with tangent")
+        assert_allclose(marker.get_xydata(), [[5.0, 1e3 * tilted.displacement[1]]], rtol=1e-6)
+        tangent = next(line for line in axes.lines if len(line.get_xdata()) == 2)
+        slope = np.ptp(tangent.get_ydata()) / np.ptp(tangent.get_xdata())  # um/kN
+        more = B.solve(row(), radial=5.05e3, tilt=5e-4)
+        assert_allclose(slope, 1e3 * (more.displacement[1] - tilted.displacement[1]) / 0.05, rtol=1e-2)
+
+    @pytest.mark.parametrize("radial", [5e3, (3e3, 4e3)])
+    def test_the_curve_goes_through_states_by_slices(self, radial):
+        found = B.solve(row(), radial=radial, method="slices")
+        axes = plot.displacement_against_load(found, flat())
+        dots = next(line for line in axes.lines if line.get_marker() == ".")
+        assert_allclose(dots.get_xdata(), 5.0 * MULTIPLES, rtol=1e-8)
+        way = np.atleast_1d(radial) / 5e3
+        for load, moved in dots.get_xydata()[[0, 3]]:
+            alone = (
+                B.solve(row(), radial=tuple(np.resize(1e3 * load * way, way.size)), method="slices")
+                if way.size == 2
+                else B.solve(row(), radial=1e3 * load, method="slices")
+            )
+            assert_allclose(moved, 1e3 * alone.displacement[1:3][: way.size] @ way, rtol=1e-6)
+        # The line between states: exact slopes leave it little room.
+        line = labelled(axes, "radial by slices")
+        between = B.solve(row(), radial=tuple(3.0e3 * way) if way.size == 2 else 3.0e3, method="slices")
+        drawn = np.interp(3.0, *line.get_xydata().T)
+        assert_allclose(drawn, 1e3 * between.displacement[1:3][: way.size] @ way, rtol=5e-3)
+
+    @pytest.mark.parametrize("speed", [0.0, 2e4])
+    def test_a_state_by_slices_is_on_the_curve(self, speed):
+        # At 20,000 1/min the rollers' own load moves the ring by 2.6 %: without it the test fails.
+        found = B.solve(row(), radial=2e3, speed=speed, tilt=5e-4, method="slices", laminae=30)
+        axes = plot.displacement_against_load(found, flat())
+        line = labelled(axes, "radial by slices")
+        assert_allclose(np.interp(2.0, *line.get_xydata().T), 1e3 * found.displacement[1], rtol=1e-3)
+
+    def test_radial_and_axial_displacement_are_two_lines(self, both):
+        axes = plot.displacement_against_load(both, flat())
+        for name, at in (("radial", 1), ("axial", 0)):
+            line = labelled(axes, f"{name} by strips")
+            load = 1e-3 * np.linalg.norm(both.force[:3])
+            assert_allclose(np.interp(load, *line.get_xydata().T), 1e3 * both.displacement[at], rtol=1e-3)
+
+    def test_strips_draw_the_curve_of_strips(self, tilted):
+        axes = plot.displacement_against_load(tilted, flat())
+        line = labelled(axes, "radial by strips")
+        for radial in (3e3, 5e3, 6.4e3):
+            found = B.solve(row(), radial=radial, tilt=5e-4)
+            assert_allclose(np.interp(1e-3 * radial, *line.get_xydata().T), 1e3 * found.displacement[1], rtol=2e-3)
+
+    @pytest.mark.parametrize(
+        "error", [nh.InputError("load", 1.0, "be less", "reduce it"), nh.ConvergenceError("", None)]
+    )
+    def test_loads_without_a_solution_are_left_out(self, tilted, error, monkeypatch):
+        def solve(bearing, *, radial, **given):
+            if radial[0] > 5.1e3:
+                raise error
+            return whole(bearing, radial=radial, **given)
+
+        whole = B.solve
+        monkeypatch.setattr(B, "solve", solve)
+        line = labelled(plot.displacement_against_load(tilted, flat()), "radial by strips")
+        assert_allclose(line.get_xdata()[[0, -1]], [5.0 * MULTIPLES[0], 5.0], rtol=1e-6)
+
+    @pytest.mark.slow
+    def test_maps_take_the_place_of_strips(self, tilted):
+        maps = B.maps(row(), load=4e3, tilt=6e-4, accuracy=1e-2)
+        axes = plot.displacement_against_load(tilted, flat(), maps=maps)
+        line = labelled(axes, "radial by maps")
+        # The curve of the same contacts goes through the state.
+        assert_allclose(np.interp(5.0, *line.get_xydata().T), 1e3 * tilted.displacement[1], rtol=1e-2)
+
+    def test_without_a_force_there_is_no_curve(self):
+        with pytest.raises(nh.InputError, match="must have a force on the inner ring"):
+            plot.displacement_against_load(B.solve(row(clearance=-0.01), radial=0.0, method="slices"), flat())
+
+
+class TestFigures:
+    def test_all_four_and_fewer_where_there_is_less(self, tilted):
+        assert list(plot.bearing_figures(tilted)) == ["loads", "pressure", "roller", "displacement"]
+        assert list(plot.bearing_figures(B.solve(row(), radial=5e3, method="slices"))) == ["loads", "displacement"]
+        assert list(plot.bearing_figures(B.solve(row(), radial=0.0))) == ["loads"]
+
+    def test_conditions_say_what_acts(self, tilted, both):
+        assert conditions(tilted) == "Cylindrical roller bearing, 13 rollers; radial 5 kN, tilt 0.5 mrad, by strips"
+        head = "2 rows: Tapered roller bearing, 12 rollers each; radial 4 kN, axial 1 kN, tilt 0 mrad, by strips"
+        assert conditions(both) == head
+
+    @pytest.mark.parametrize("name", ["tilted", "both"])
+    def test_no_word_leaves_the_sheet(self, name, request):
+        title = (
+            "A long title with a $ in it that goes on and on, and which is longer than what fits in a line of a page"
+        )
+        for figure in plot.bearing_figures(request.getfixturevalue(name), title).values():
+            assert " ".join(texts(figure)).replace("\n", " ").count(title) == 1
+            figure.draw_without_rendering()
+            sheet = figure.bbox
+            for text in drawn_texts(figure):
+                box = Text.get_window_extent(text)
+                assert sheet.x0 <= box.x0 <= box.x1 <= sheet.x1, text
+                assert sheet.y0 <= box.y0 <= box.y1 <= sheet.y1, text
+
+    def test_a_row_for_every_ring_and_axes_for_every_row(self, both):
+        drawn = plot.bearing_figures(both)
+        assert [axes.name for axes in drawn["loads"].axes] == ["polar", "polar"]
+        titles = [axes.get_title(loc="left") for axes in drawn["pressure"].axes]
+        assert titles == ["Row 1, inner ring", "Row 1, outer ring", "Row 2, inner ring", "Row 2, outer ring", ""]
+
+    def test_files_are_the_same_every_time(self, tilted, tmp_path):
+        first, second = (plot.save(plot.bearing_figures(tilted)["loads"], tmp_path / name) for name in "ab")
+        assert first[0].read_bytes() == second[0].read_bytes()
