@@ -14,11 +14,11 @@ from nonhertz.web.server.serving import HOST, listening, server_of
 
 
 @contextmanager
-def running(document: dict[str, Any], workers: int = 1) -> Iterator[int]:
+def running(document: dict[str, Any], workers: int = 1, text: str = "") -> Iterator[int]:
     """Serve a page and yield its port."""
     with listening(0) as bound:
         port = bound.getsockname()[1]
-        server = server_of(application(document, port, workers))
+        server = server_of(application(document, port, workers, text))
         thread = threading.Thread(target=server.run, args=([bound],))
         thread.start()
         try:

@@ -37,11 +37,11 @@ def case(tmp_path):
 
 
 def test_without_a_file_it_begins_with_that_of_new():
-    assert starting_document(None) == (tomllib.loads(starting_case()), ())
+    assert starting_document(None) == (tomllib.loads(starting_case()), (), "")
 
 
 def test_files_that_a_case_names_become_points(case):
-    document, notes = starting_document(case)
+    document, notes, _ = starting_document(case)
     assert document["title"] == "my case"
     assert notes == (
         "body.a.profile[2]: the page holds the 3 points of points.csv itself.",
@@ -58,7 +58,7 @@ def test_of_many_points_some_are_kept(case):
     y = np.linspace(-12.0, 12.0, 5001)
     text = "\n".join(f"{a}, {b}" for a, b in zip(y, 1e-5 * y**2, strict=True))
     (case.parent / "points.csv").write_text(text)
-    document, notes = starting_document(case)
+    document, notes, _ = starting_document(case)
     kept = document["body"]["b"]["profile"][0]["y"]
     assert len(kept) <= limits.POINTS
     assert (kept[0], kept[-1]) == (-12.0, 12.0)

@@ -54,7 +54,12 @@ def browser() -> Iterator[Any]:
 @pytest.fixture(scope="session")
 def address() -> Iterator[str]:
     """The address of a page that the command line serves."""
-    command = [sys.executable, "-m", "nonhertz", "serve", "--port", "0", "--no-browser"]
+    yield from served()
+
+
+def served(*arguments: str) -> Iterator[str]:
+    """Serve a page as the command line does, and yield its address."""
+    command = [sys.executable, "-m", "nonhertz", "serve", *arguments, "--port", "0", "--no-browser"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     assert process.stdout is not None
     guard = threading.Timer(STARTING, process.kill)
@@ -95,6 +100,11 @@ def usual(browser: Any) -> Iterator[Any]:
 @pytest.fixture
 def open_desk(browser: Any, usual: Any, address: str) -> Iterator[Any]:
     """Open pages that must make no complaint in the console and ask no other machine for anything."""
+    yield from desks(browser, usual, address)
+
+
+def desks(browser: Any, usual: Any, address: str) -> Iterator[Any]:
+    """Yield what opens pages of an address, and look at their complaints when all is done."""
     opened: list[tuple[Any, Desk]] = []
 
     def opening(fragment: str = "", **options: Any) -> Desk:

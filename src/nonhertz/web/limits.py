@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
 from nonhertz.errors import InputError
+from nonhertz.io.casefile import OF_BEARINGS
 from nonhertz.io.mistakes import Mistake, Place
 
 DOCUMENT_BYTES: Final = 256 * 1024
@@ -22,6 +23,10 @@ SPECTRUM: Final = 30
 POINTS: Final = 2000
 KEYS: Final = 40
 
+ROLLERS: Final = 100
+"""In a row of a bearing."""
+LAMINAE: Final = 200
+
 LIVE_SECONDS: Final = 1.3
 """Time limit of a case."""
 UPLOAD_SECONDS: Final = 1.5
@@ -29,6 +34,8 @@ HEAD_SECONDS: Final = 20.0
 """Time limit for the headers of a request to arrive."""
 BODY_SECONDS: Final = 10.0
 PATIENT_SECONDS: Final = 120.0
+STRIPS_SECONDS: Final = 60.0
+"""Time limit of a bearing by strips, which are asked for when a slider rests."""
 WAITING_SECONDS: Final = 0.5
 WAITING_REQUESTS: Final = 8
 
@@ -42,7 +49,22 @@ def unfit(document: dict[str, Any]) -> list[Mistake]:
 
 def slow(document: dict[str, Any]) -> list[Mistake]:
     """Return where a valid document asks for more work than the page does while the user waits."""
-    bounds = {("solver", "strips"): STRIPS, ("body", "a", "images"): IMAGES, ("body", "b", "images"): IMAGES}
+    bounds: dict[tuple[str, ...], int] = {
+        ("solver", "strips"): STRIPS,
+        ("body", "a", "images"): IMAGES,
+        ("body", "b", "images"): IMAGES,
+    }
+    return _above(document, bounds)
+
+
+def slow_bearing(document: dict[str, Any]) -> list[Mistake]:
+    """Return the same of a valid bearing file."""
+    bounds: dict[tuple[str, ...], int] = {(name, "images"): IMAGES for name in OF_BEARINGS[1:]}
+    bounds |= {("bearing", "rollers"): ROLLERS, ("solver", "laminae"): LAMINAE, ("life", "laminae"): LAMINAE}
+    return _above(document, bounds)
+
+
+def _above(document: dict[str, Any], bounds: Mapping[tuple[str, ...], int]) -> list[Mistake]:
     found = []
     for place, most in bounds.items():
         value = _at(document, *place)
@@ -54,7 +76,8 @@ def slow(document: dict[str, Any]) -> list[Mistake]:
 def oversizes(document: dict[str, Any]) -> list[Mistake]:
     """Return where a document has more entries than a form can show."""
     found = [*_long_tables(document, ())]
-    lists = {("body", body, "profile"): (PROFILES, "profiles") for body in ("a", "b")}
+    bodies = [("body", "a"), ("body", "b"), *((name,) for name in OF_BEARINGS[1:])]
+    lists = {(*body, "profile"): (PROFILES, "profiles") for body in bodies}
     lists["life", "spectrum", ""] = (SPECTRUM, "rows")
     for names, (most, what) in lists.items():
         place = tuple(filter(None, names))

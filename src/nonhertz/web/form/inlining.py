@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from nonhertz.io.casefile import OF_BEARINGS
 from nonhertz.io.mistakes import path_of
 from nonhertz.io.profiles import COMMON, profile_tables, read_profile
 from nonhertz.model.profile import Tabulated
@@ -29,14 +30,27 @@ def inlined(document: dict[str, Any], folder: Path) -> tuple[dict[str, Any], tup
         A sentence for each file.
     """
     notes: list[str] = []
-    bodies = {}
-    for name, body in document["body"].items():
-        made = [
-            _points(table, folder, path_of(("body", name, "profile", number)), notes) if "file" in table else table
-            for number, table in enumerate(profile_tables(body), start=1)
-        ]
-        bodies[name] = body | ({"profile": made} if "profile" in body else {})
+    bodies = {name: _of_body(body, folder, ("body", name), notes) for name, body in document["body"].items()}
     return document | {"body": bodies}, tuple(notes)
+
+
+def inlined_bearing(document: dict[str, Any], folder: Path) -> tuple[dict[str, Any], tuple[str, ...]]:
+    """Return the same of a bearing file; bodies without files stay as they are."""
+    notes: list[str] = []
+    bodies = {
+        name: _of_body(document[name], folder, (name,), notes)
+        for name in OF_BEARINGS[1:]
+        if any("file" in table for table in profile_tables(document[name]))
+    }
+    return document | bodies, tuple(notes)
+
+
+def _of_body(body: dict[str, Any], folder: Path, place: tuple[str, ...], notes: list[str]) -> dict[str, Any]:
+    made = [
+        _points(table, folder, path_of((*place, "profile", number)), notes) if "file" in table else table
+        for number, table in enumerate(profile_tables(body), start=1)
+    ]
+    return body | ({"profile": made} if "profile" in body else {})
 
 
 def _points(table: dict[str, Any], folder: Path, path: str, notes: list[str]) -> dict[str, Any]:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import contextlib
-import json
 from collections.abc import AsyncIterator
 from importlib import resources
 from typing import Any, Final
 
 import anyio
 import jinja2
+from anyio.abc import TaskGroup
 from markupsafe import Markup
 from starlette.applications import Starlette
 from starlette.exceptions import HTTPException
@@ -18,6 +18,7 @@ from starlette.responses import HTMLResponse, Response
 from starlette.routing import Route
 
 from nonhertz import __version__
+from nonhertz.io.casefile import parsed, starting_case
 from nonhertz.web.form.form import form
 from nonhertz.web.limits import (
     DOCUMENT_BYTES,
@@ -28,6 +29,8 @@ from nonhertz.web.limits import (
     UPLOAD_SECONDS,
     oversizes,
 )
+from nonhertz.web.server.bearings import BearingPage
+from nonhertz.web.server.documents import as_attachment, document_in, in_script
 from nonhertz.web.server.guard import Guard
 from nonhertz.web.server.intake import RefusedError, content, json_object
 from nonhertz.web.server.workers import EndedError, FailedError, TooSlowError, Workers
@@ -55,26 +58,42 @@ class Page:
     ----------
     document : dict
         The case to start with.
-    workers : Workers
-        The processes that compute.
+    workers : int
+        Number of processes that solve.
+    text : str
+        The bearing file that the page of bearings starts with; that of 'nonhertz new --bearing' if empty.
     """
 
-    def __init__(self, document: dict[str, Any], workers: Workers) -> None:
-        self.document = document
-        self.workers = workers
+    def __init__(self, document: dict[str, Any], workers: int, text: str = "") -> None:
+        # Beside a bearing, the page of a single contact starts with the contact of 'nonhertz new'.
+        self.begins_with_bearing = bool(text)
+        self.document = parsed(starting_case(), "case.toml") if self.begins_with_bearing else document
+        self.workers = Workers(workers, jobs.warm_up)
         loader = jinja2.PackageLoader("nonhertz.web")
         self.templates = jinja2.Environment(loader=loader, autoescape=True, undefined=jinja2.StrictUndefined)
         self.files = _static_files()
+        self.bearings = BearingPage(text, workers, self.templates)
+
+    def start(self, tasks: TaskGroup) -> None:
+        """Start the processes: now those of what the page begins with, others when their page is opened."""
+        self.workers.start(tasks, at_once=not self.begins_with_bearing)
+        self.bearings.start(tasks, at_once=self.begins_with_bearing)
+
+    def end(self) -> None:
+        """Kill all processes."""
+        self.workers.end()
+        self.bearings.end()
 
     async def page(self, request: Request) -> Response:
         """Answer with the page."""
+        self.workers.wake()
         start = {
             "document": self.document,
             "version": __version__,
             "limits": {"upload_bytes": UPLOAD_BYTES, "document_bytes": DOCUMENT_BYTES, "strips": STRIPS},
         }
         text = self.templates.get_template("page.html").render(
-            start=Markup(_in_script(start)),
+            start=Markup(in_script(start)),
             version=__version__,
             title=str(self.document.get("title", "")),
             form=Markup(self._form_text(self.document)),
@@ -83,7 +102,7 @@ class Page:
 
     async def form(self, request: Request) -> Response:
         """Answer with the form of a document."""
-        document = _document(await self._asked(request))
+        document = document_in(await self._asked(request))
         too_large = oversizes(document)
         if too_large:
             return reply(excess(too_large), 422)
@@ -96,7 +115,7 @@ class Page:
     async def solve(self, request: Request) -> Response:
         """Answer with the solution of a document, or with what is wrong with it."""
         asked = await self._asked(request)
-        document, stress, body = _document(asked), asked.get("stress", False), asked.get("body", "a")
+        document, stress, body = document_in(asked), asked.get("stress", False), asked.get("body", "a")
         if not isinstance(stress, bool) or body not in ("a", "b"):
             raise RefusedError(400, "stress must be true or false, and body 'a' or 'b'.")
         if await request.is_disconnected():
@@ -115,7 +134,7 @@ class Page:
         name = request.path_params["name"]
         if name not in _DOWNLOADS:
             raise HTTPException(404)
-        document = _document(await self._asked(request))
+        document = document_in(await self._asked(request))
         if name == "report.html":
             made = await self.workers.run_apart(jobs.report, document, seconds=PATIENT_SECONDS)
         elif name == "case.toml":
@@ -126,7 +145,7 @@ class Page:
             )
         if isinstance(made, dict):
             return reply(made, 422)
-        return Response(made, headers=_as_attachment(name, document), media_type=_DOWNLOADS[name])
+        return Response(made, headers=as_attachment(name, document), media_type=_DOWNLOADS[name])
 
     async def upload(self, request: Request) -> Response:
         """Answer with the profile prepared from a measured file."""
@@ -157,7 +176,8 @@ class Page:
     def routes(self) -> list[Route]:
         """Return all routes."""
         return [
-            Route("/", self.page),
+            Route("/", self.bearings.page if self.begins_with_bearing else self.page),
+            Route("/contact", self.page),
             Route("/status", self.status),
             Route("/static/{name:path}", self.static),
             Route("/form", self.form, methods=["POST"]),
@@ -165,10 +185,11 @@ class Page:
             Route("/open", self.open, methods=["POST"]),
             Route("/upload", self.upload, methods=["POST"]),
             Route("/download/{name}", self.download, methods=["POST"]),
+            *self.bearings.routes(),
         ]
 
 
-def application(document: dict[str, Any], port: int, workers: int = 2) -> Guard:
+def application(document: dict[str, Any], port: int, workers: int = 2, text: str = "") -> Guard:
     """Return the page as an ASGI application.
 
     Parameters
@@ -179,21 +200,23 @@ def application(document: dict[str, Any], port: int, workers: int = 2) -> Guard:
         The port it is served on; requests for another address are refused.
     workers : int
         Number of processes that solve.
+    text : str
+        The bearing file that it starts with, if that is what the document was read from.
     """
-    crew = Workers(workers, jobs.warm_up)
+    page = Page(document, workers, text)
 
     @contextlib.asynccontextmanager
     async def lifespan(app: Starlette) -> AsyncIterator[None]:
         async with anyio.create_task_group() as tasks:
-            crew.start(tasks)
+            page.start(tasks)
             try:
                 yield
             finally:
                 tasks.cancel_scope.cancel()
-                crew.end()
+                page.end()
 
     app = Starlette(
-        routes=Page(document, crew).routes(),
+        routes=page.routes(),
         lifespan=lifespan,
         exception_handlers={
             RefusedError: _refused,
@@ -207,30 +230,6 @@ def application(document: dict[str, Any], port: int, workers: int = 2) -> Guard:
     app.router.redirect_slashes = False
     # Wraps everything, including the handler of our own errors.
     return Guard(app, port)
-
-
-def _document(asked: dict[str, Any]) -> dict[str, Any]:
-    document = asked.get("document")
-    if not isinstance(document, dict):
-        raise RefusedError(400, "The request must have a document, structured like a case file.")
-    return document
-
-
-def _in_script(value: Any) -> str:
-    """Return JSON that is safe inside a script element: nothing in it can end the element."""
-    text = json.dumps(value, allow_nan=False)
-    for character in "<>&\u2028\u2029":
-        text = text.replace(character, f"\\u{ord(character):04x}")
-    return text
-
-
-def _as_attachment(name: str, document: dict[str, Any]) -> dict[str, str]:
-    """Return the header that makes a browser save a file, named after the ASCII letters and digits of the title."""
-    title = str(document.get("title", ""))[:200].lower()
-    words = "".join(c if c.isascii() and c.isalnum() else " " for c in title).split()
-    stem, _, ending = name.partition(".")
-    stem = "-".join(words)[:60].strip("-") or stem
-    return {"Content-Disposition": f'attachment; filename="{stem}.{ending}"'}
 
 
 def _static_files() -> dict[str, tuple[bytes, str]]:

@@ -52,7 +52,9 @@ def listening(port: int) -> socket.socket:
     return made
 
 
-def serve(document: dict[str, Any], port: int, *, browser: bool, announce: Callable[[str], None]) -> NoReturn:
+def serve(
+    document: dict[str, Any], port: int, *, browser: bool, announce: Callable[[str], None], text: str = ""
+) -> NoReturn:
     """Serve the page until it is interrupted.
 
     Parameters
@@ -65,6 +67,8 @@ def serve(document: dict[str, Any], port: int, *, browser: bool, announce: Calla
         Whether to open the page in a browser.
     announce : callable
         Called with the address.
+    text : str
+        The bearing file to start with; empty for a single contact.
 
     Raises
     ------
@@ -75,7 +79,7 @@ def serve(document: dict[str, Any], port: int, *, browser: bool, announce: Calla
     """
     with listening(port) as bound:
         number = bound.getsockname()[1]
-        server = server_of(application(document, number))
+        server = server_of(application(document, number, text=text))
         address = f"http://{HOST}:{number}/"
         announce(address)
         if browser:

@@ -114,10 +114,13 @@ class Workers:
         Number of processes for short jobs.
     warm_up : callable or None
         What each does before it is used.
+    waiting : float
+        How long a job waits for an idle process [s].
     """
 
-    def __init__(self, count: int = 2, warm_up: Job | None = None) -> None:
+    def __init__(self, count: int = 2, warm_up: Job | None = None, waiting: float = WAITING_SECONDS) -> None:
         self.ready = anyio.Event()
+        self._patience = waiting
         self._count, self._warm_up = count, warm_up
         self._idle: deque[Worker] = deque()
         self._count_idle = anyio.Semaphore(0)
@@ -126,11 +129,19 @@ class Workers:
         self._living: set[Worker] = set()
         self._waiting = 0
         self._tasks: TaskGroup | None = None
+        self._awake = False
 
-    def start(self, tasks: TaskGroup) -> None:
-        """Start the processes one after the other, since the first one compiles for all."""
+    def start(self, tasks: TaskGroup, *, at_once: bool = True) -> None:
+        """Start the processes, at once or when `wake` is called or there is a first job."""
         self._tasks = tasks
-        tasks.start_soon(self._add, self._count)
+        if at_once:
+            self.wake()
+
+    def wake(self) -> None:
+        """Start the processes one after the other, since the first one compiles for all; do nothing the next time."""
+        if self._tasks is not None and not self._awake:
+            self._awake = True
+            self._tasks.start_soon(self._add, self._count)
 
     def end(self) -> None:
         """Kill all processes."""
@@ -164,7 +175,7 @@ class Workers:
         try:
             self._long.acquire_on_behalf_of_nowait(job)
         except (anyio.WouldBlock, RuntimeError):
-            raise RefusedError(503, "Another report is being made: try again when it is done.") from None
+            raise RefusedError(503, "Another report or picture is being made: try again when it is done.") from None
         try:
             worker = await self._in_thread(Worker)
             self._living.add(worker)
@@ -177,6 +188,7 @@ class Workers:
 
     async def _free(self) -> Worker:
         """Return an idle process."""
+        self.wake()
         if self._waiting >= WAITING_REQUESTS:
             raise RefusedError(503, _BUSY)
         self._waiting += 1
@@ -184,7 +196,7 @@ class Workers:
             if not self.ready.is_set():
                 with anyio.fail_after(WARM_UP_SECONDS):
                     await self.ready.wait()
-            with anyio.fail_after(WAITING_SECONDS):
+            with anyio.fail_after(self._patience):
                 while True:
                     await self._count_idle.acquire()
                     worker = self._idle.popleft()

@@ -38,6 +38,6 @@ export async function saved(name, document) {
 }
 
 /** @param {string | null} disposition */
-function nameIn(disposition) {
+export function nameIn(disposition) {
   return disposition?.match(/filename="([^"]+)"/)?.[1];
 }

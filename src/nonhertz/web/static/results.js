@@ -101,10 +101,19 @@ function pinnedNumber(each, before) {
  * @param {Answer} answer
  */
 export function writeWords(answer) {
-  const warnings = [...(answer.complaint ? [answer.complaint] : []), ...answer.warnings];
+  writeRows(answer.summary, [...(answer.complaint ? [answer.complaint] : []), ...answer.warnings]);
+  sayLater(spoken(answer));
+}
+
+/**
+ * Write warnings and the summary.
+ * @param {[string, string, string][]} summary
+ * @param {string[]} warnings
+ */
+export function writeRows(summary, warnings) {
   byId("warnings").hidden = warnings.length === 0;
   byId("warnings").replaceChildren(...warnings.map((sentence) => element("li", {}, [sentence])));
-  const rows = answer.summary.map(([name, value, remark]) =>
+  const rows = summary.map(([name, value, remark]) =>
     element("tr", {}, [
       name ? element("th", { scope: "row" }, [name]) : element("td", {}),
       element("td", {}, [value]),
@@ -112,7 +121,6 @@ export function writeWords(answer) {
     ]),
   );
   /** @type {HTMLElement} */ (byId("summary").querySelector("tbody")).replaceChildren(...rows);
-  sayLater(spoken(answer));
 }
 
 function spoken({ key, warnings }) {

@@ -16,10 +16,14 @@ export function notice(reason, sentence) {
 // The first start on a machine compiles the solver.
 const AGAIN = 1000; // ms
 
-/** Show a notice while the solver is being compiled. @param {(sentence: string) => void} tell */
-export async function watchProgram(tell) {
+/**
+ * Show a notice while the solver is being compiled.
+ * @param {(sentence: string) => void} tell
+ * @param {string} [place] where to ask
+ */
+export async function watchProgram(tell, place = "status") {
   for (let said = false; ; said = true) {
-    const ready = await isReady();
+    const ready = await isReady(place);
     if (ready) {
       if (said) tell("");
       return;
@@ -29,9 +33,9 @@ export async function watchProgram(tell) {
   }
 }
 
-async function isReady() {
+async function isReady(place) {
   try {
-    const response = await fetch("status");
+    const response = await fetch(place);
     return !response.ok || (await response.json()).ready !== false;
   } catch {
     return true; // no answer at all: the requests for solutions report that
@@ -48,6 +52,20 @@ let answers = 0;
  * @param {import("./types.js").Answer | import("./types.js").Refusal} answer
  */
 export function roundTrip(since, begun, answer) {
+  timed(since, begun, (took) => {
+    if (!answer.ok) return;
+    byId("state").textContent = answer.complaint ? answer.status : "solved";
+    byId("round-trip").textContent = `in ${Math.round(took)} ms, ${Math.round(answer.ms)} ms of it in the solver`;
+  });
+}
+
+/**
+ * Count an answer and measure it, once it is on the screen.
+ * @param {number} since when the edit began, by performance.now()
+ * @param {number} begun when the drawing of the answer began
+ * @param {(took: number) => void} say called with the milliseconds from edit to drawn answer
+ */
+export function timed(since, begun, say) {
   answers += 1;
   performance.measure("nonhertz drawing", { start: begun });
   const root = document.documentElement;
@@ -56,9 +74,6 @@ export function roundTrip(since, begun, answer) {
     const end = performance.now();
     performance.measure("nonhertz round trip", { start: since, end });
     root.dataset.roundTrip = (end - since).toFixed(1);
-    if (!answer.ok) return;
-    byId("state").textContent = answer.complaint ? answer.status : "solved";
-    byId("round-trip").textContent =
-      `in ${Math.round(end - since)} ms, ${Math.round(answer.ms)} ms of it in the solver`;
+    say(end - since);
   });
 }

@@ -41,7 +41,7 @@ def solve(document: dict[str, Any], stress: bool, body: BodyName) -> bytes:
         In which body.
     """
     begun = time.perf_counter()
-    with _calmly():
+    with calmly():
         try:
             case, solution, complaint = worked_out(document)
         except CaseError as error:
@@ -111,7 +111,7 @@ def result(document: dict[str, Any]) -> bytes | dict[str, Any]:
 
 
 def _made(document: dict[str, Any], make: Callable[[Case, Solution], str]) -> bytes | dict[str, Any]:
-    with _calmly():
+    with calmly():
         try:
             case, solution, _ = worked_out(document)
         except CaseError as error:
@@ -123,7 +123,7 @@ def report(document: dict[str, Any]) -> bytes | dict[str, Any]:
     """Return the report on a document, or what is wrong with it."""
     from nonhertz.report import compose
 
-    with _calmly():
+    with calmly():
         try:
             return compose([sound(document)]).encode()
         except CaseError as error:
@@ -132,7 +132,7 @@ def report(document: dict[str, Any]) -> bytes | dict[str, Any]:
 
 def upload(content: bytes, name: str, options: dict[str, str]) -> bytes:
     """Return the answer to a measured file; see `nonhertz.web.view.uploads.answer_to_file`."""
-    with _calmly():
+    with calmly():
         return answer_to_file(content, name, options)
 
 
@@ -167,7 +167,7 @@ def warm_up() -> None:
 
 
 @contextmanager
-def _calmly() -> Iterator[None]:
+def calmly() -> Iterator[None]:
     """Keep warnings, such as those about overflow, off the terminal: the answer shows their effect."""
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")

@@ -1,0 +1,151 @@
+"""HTTP routes of the bearing page.
+
+A bearing is solved by slices while a slider is dragged, and by strips when it rests. Strips take seconds: they have a
+process of their own, which is killed and replaced when the browser no longer waits for its answer.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import anyio
+import jinja2
+from anyio.abc import TaskGroup
+from markupsafe import Markup
+from starlette.exceptions import HTTPException
+from starlette.requests import Request
+from starlette.responses import HTMLResponse, Response
+from starlette.routing import Route
+
+from nonhertz import __version__
+from nonhertz.io.bearingfile import starting_bearing
+from nonhertz.web.limits import DOCUMENT_BYTES, LIVE_SECONDS, PATIENT_SECONDS, STRIPS_SECONDS
+from nonhertz.web.server.documents import as_attachment, document_in, in_script
+from nonhertz.web.server.intake import RefusedError, content, json_object
+from nonhertz.web.server.workers import TooSlowError, Workers
+from nonhertz.web.view import bearing_jobs
+from nonhertz.web.view.replies import broken, reply
+
+TABLES: Final = {"result.json": "application/json", "rollers.csv": "text/csv", "lines.csv": "text/csv"}
+FIGURES: Final = ("loads", "pressure", "roller", "displacement")
+KINDS: Final = {"svg": "image/svg+xml", "png": "image/png"}
+_LISTENING = 0.1  # s between looks whether the browser still waits
+_TOO_LONG = "By strips this bearing takes longer than the page waits: use 'nonhertz bearing' on the command line."
+
+
+class BearingPage:
+    """The routes of bearings.
+
+    Parameters
+    ----------
+    text : str
+        The bearing file to start with; that of 'nonhertz new --bearing' if empty.
+    workers : int
+        Number of processes that solve by slices.
+    templates : jinja2.Environment
+        Those of the page.
+    """
+
+    def __init__(self, text: str, workers: int, templates: jinja2.Environment) -> None:
+        self.text = text or starting_bearing()
+        self.workers = Workers(workers, bearing_jobs.warm_up)
+        self.patient = Workers(min(workers, 1), bearing_jobs.warm_up, waiting=STRIPS_SECONDS)
+        self.templates = templates
+
+    def start(self, tasks: TaskGroup, *, at_once: bool) -> None:
+        """Start the processes, at once or when the page is opened."""
+        self.workers.start(tasks, at_once=at_once)
+        self.patient.start(tasks, at_once=at_once)
+
+    def end(self) -> None:
+        """Kill all processes."""
+        self.workers.end()
+        self.patient.end()
+
+    async def page(self, request: Request) -> Response:
+        """Answer with the page."""
+        self.workers.wake()
+        self.patient.wake()
+        start = {"text": self.text, "version": __version__, "limits": {"document_bytes": DOCUMENT_BYTES}}
+        text = self.templates.get_template("bearing.html").render(start=Markup(in_script(start)), version=__version__)
+        return HTMLResponse(text)
+
+    async def solve(self, request: Request) -> Response:
+        """Answer with a loaded bearing, or with what is wrong with it."""
+        asked = json_object(await content(request, "application/json", DOCUMENT_BYTES))
+        method = asked.get("method")
+        if not (method is None or method == "slices" or method == "strips"):  # noqa: PLR1714  (a list is in no set)
+            raise RefusedError(400, "method must be 'slices' or 'strips', or be left out.")
+        given: dict[str, Any] | str = _text(asked) if "text" in asked else document_in(asked)
+        if await request.is_disconnected():
+            return Response(status_code=204)
+        if method == "slices":
+            text = await self.workers.run(bearing_jobs.solve, given, method, seconds=LIVE_SECONDS)
+            return Response(text, media_type="application/json")
+        return await self._while_awaited(request, given, method)
+
+    async def _while_awaited(self, request: Request, given: dict[str, Any] | str, method: str | None) -> Response:
+        """Answer with what a slow job returns, and kill it when the browser goes away."""
+        outcome: list[Response | Exception] = []
+        async with anyio.create_task_group() as tasks:
+
+            async def work() -> None:
+                try:
+                    text = await self.patient.run(bearing_jobs.solve, given, method, seconds=STRIPS_SECONDS)
+                    outcome.append(Response(text, media_type="application/json"))
+                except TooSlowError:
+                    outcome.append(reply(broken([("", _TOO_LONG)])))
+                except Exception as error:  # noqa: BLE001  (raised below, not as one of a group)
+                    outcome.append(error)
+                tasks.cancel_scope.cancel()
+
+            tasks.start_soon(work)
+            while not await request.is_disconnected():
+                await anyio.sleep(_LISTENING)
+            tasks.cancel_scope.cancel()
+        if not outcome:
+            return Response(status_code=204)
+        if isinstance(outcome[0], Exception):
+            raise outcome[0]
+        return outcome[0]
+
+    async def download(self, request: Request) -> Response:
+        """Answer with a file made from a document."""
+        name = request.path_params["name"]
+        stem, _, ending = name.partition(".")
+        drawn = stem in FIGURES and ending in KINDS
+        if name != "bearing.toml" and name not in TABLES and not drawn:
+            raise HTTPException(404)
+        document = document_in(json_object(await content(request, "application/json", DOCUMENT_BYTES)))
+        if name == "bearing.toml":
+            kind, suffix = "application/toml", ""
+            made = await self.workers.run(bearing_jobs.bearing_file, document, seconds=LIVE_SECONDS)
+        elif drawn:
+            kind, suffix = KINDS[ending], f"-{stem}"
+            made = await self.workers.run_apart(bearing_jobs.drawn, document, stem, ending, seconds=PATIENT_SECONDS)
+        else:
+            kind, suffix = TABLES[name], f"-{stem}"
+            made = await self.workers.run_apart(bearing_jobs.table, document, name, seconds=PATIENT_SECONDS)
+        if isinstance(made, dict):
+            return reply(made, 422)
+        return Response(made, headers=as_attachment(name, document, suffix), media_type=kind)
+
+    async def status(self, request: Request) -> Response:
+        """Answer whether the solver is ready or still being compiled."""
+        return reply({"ready": self.workers.ready.is_set()})
+
+    def routes(self) -> list[Route]:
+        """Return the routes of bearings."""
+        return [
+            Route("/bearing", self.page),
+            Route("/bearing/status", self.status),
+            Route("/bearing/solve", self.solve, methods=["POST"]),
+            Route("/bearing/download/{name}", self.download, methods=["POST"]),
+        ]
+
+
+def _text(asked: dict[str, Any]) -> str:
+    text = asked["text"]
+    if not isinstance(text, str):
+        raise RefusedError(400, "The text must be that of a bearing file.")
+    return text

@@ -1,0 +1,151 @@
+"""The workers' jobs for bearings: a document or the text of a bearing file in, an answer out, ready to send."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import asdict, replace
+from pathlib import Path
+from typing import Any, Final, Literal
+
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.errors import CaseError, ConvergenceError, InputError
+from nonhertz.io.bearing_results import files
+from nonhertz.io.bearingfile import BearingCase, bearing_in, placed, starting_bearing
+from nonhertz.io.casefile import as_toml, parsed
+from nonhertz.io.mistakes import case_error
+from nonhertz.show.bearing import bearing_warnings, rated
+from nonhertz.web.form.sliders import sliders
+from nonhertz.web.limits import oversizes, slow_bearing, unfit
+from nonhertz.web.view.bearings import bearing_answer, nothing_drawn
+from nonhertz.web.view.jobs import as_json_has_it, calmly
+from nonhertz.web.view.replies import as_bytes, broken, misfit
+
+Method = Literal["strips", "slices"]
+
+PATH: Final = Path("bearing.toml")
+_TEXT: Final = "The bearing file"
+
+
+def solve(given: dict[str, Any] | str, method: Method | None) -> bytes:
+    """Return the answer to a bearing as JSON: what the page shows of it, or its mistakes with their places.
+
+    Parameters
+    ----------
+    given : dict or str
+        The document, or the text of a bearing file.
+    method : {"strips", "slices"} or None
+        In place of that of the file.
+    """
+    begun = time.perf_counter()
+    with calmly():
+        found: dict[str, Any] = {}
+        try:
+            document = _document(given)
+            # What the page has of both is sent back as the other.
+            found |= {"document": document} if isinstance(given, str) else {"text": as_toml(document)}
+            case = sound(document)
+            found["sliders"] = [asdict(each) for each in sliders(case, document)]
+            found["file_method"] = case.solver.get("method", "strips")
+            found |= bearing_answer(*_solved(case, method))
+        except CaseError as error:
+            return as_bytes(found | misfit(error))
+        except ConvergenceError as error:
+            return as_bytes(found | broken([("load", str(error))]))
+    found["ms"] = round(1e3 * (time.perf_counter() - begun), 1)
+    return as_bytes(found)
+
+
+def _document(given: dict[str, Any] | str) -> dict[str, Any]:
+    if isinstance(given, str):
+        document: dict[str, Any] = as_json_has_it(parsed(given, _TEXT))
+        _refuse(oversizes(document))
+        return document
+    _refuse(unfit(given))
+    return given
+
+
+def sound(document: dict[str, Any]) -> BearingCase:
+    """Return the bearing in a document; no file that it names is read.
+
+    Raises
+    ------
+    CaseError
+        If it is not a valid bearing file, or exceeds the limits of the page.
+    """
+    _refuse(unfit(document))
+    case = bearing_in(document, PATH, files=False)
+    _refuse(slow_bearing(document))
+    return case
+
+
+def _solved(case: BearingCase, method: Method | None) -> tuple[BearingCase, BearingSolution]:
+    """Return a bearing, loaded, and the case to assess it with.
+
+    Raises
+    ------
+    CaseError, ConvergenceError
+    """
+    try:
+        solution = case.solve(method)
+        if solution.method == "strips":
+            solution.max_pressure  # noqa: B018  (solves the contacts, each of which may be refused)
+    except InputError as error:
+        raise placed(error) from None
+    if solution.method == "slices" and case.life.get("edge_stress") == "pressure":
+        # They have no pressures: without the word, life is that of the standard's edges.
+        case = replace(case, life={name: each for name, each in case.life.items() if name != "edge_stress"})
+    return case, solution
+
+
+def _refuse(mistakes: list[Any]) -> None:
+    if mistakes:
+        raise case_error(mistakes)
+
+
+def bearing_file(document: dict[str, Any]) -> bytes | dict[str, Any]:
+    """Return a document as the text of a bearing file, or what is wrong with it; it need not be solvable."""
+    try:
+        _refuse(unfit(document))
+    except CaseError as error:
+        return misfit(error)
+    return as_toml(document).encode()
+
+
+def table(document: dict[str, Any], name: str) -> bytes | dict[str, Any]:
+    """Return one of the files that `nonhertz bearing` writes, or what is wrong with a document."""
+
+    def make(case: BearingCase, solution: BearingSolution) -> bytes:
+        life, reason = rated(case, solution)
+        return files(solution, case, life, reason, bearing_warnings(solution))[name].encode()
+
+    return _made(document, make)
+
+
+def drawn(document: dict[str, Any], name: str, kind: Literal["svg", "png"]) -> bytes | dict[str, Any]:
+    """Return a figure of a bearing as a file, or what is wrong with a document."""
+    from nonhertz.plot.bearing.sheets import bearing_figures
+    from nonhertz.plot.sheets import image
+
+    def make(case: BearingCase, solution: BearingSolution) -> bytes | dict[str, Any]:
+        figures = bearing_figures(solution, case.title)
+        return image(figures[name], kind) if name in figures else broken([("", nothing_drawn(name, solution))])
+
+    return _made(document, make)
+
+
+def _made(
+    document: dict[str, Any], make: Callable[[BearingCase, BearingSolution], bytes | dict[str, Any]]
+) -> bytes | dict[str, Any]:
+    with calmly():
+        try:
+            return make(*_solved(sound(document), None))
+        except CaseError as error:
+            return misfit(error)
+        except ConvergenceError as error:
+            return broken([("load", str(error))])
+
+
+def warm_up() -> None:
+    """Solve the starting bearing by slices, so that everything is loaded."""
+    solve(starting_bearing(), "slices")

@@ -1,0 +1,174 @@
+"""A loaded bearing as the plain numbers that its page draws."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.bearing.assessed import BearingLife
+from nonhertz.bearing.bearings import RollerBearing
+from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.standard import LAMINAE, standard_slices
+from nonhertz.io.bearingfile import BearingCase
+from nonhertz.io.results import plain
+from nonhertz.result.solution import Solution
+from nonhertz.show.bearing import (
+    ROLLER_COLUMNS,
+    bearing_warnings,
+    life_rows,
+    most_loaded,
+    rated,
+    roller_rows,
+    summary_rows,
+)
+from nonhertz.web.view.replies import numbers
+
+Array = NDArray[np.float64]
+
+RELIEF_POINTS: Final = 201
+
+
+def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, Any]:
+    """Return what the page shows of a loaded bearing.
+
+    Parameters
+    ----------
+    case : BearingCase
+        What was solved.
+    solution : BearingSolution
+        By slices or by strips; only strips have pressures.
+
+    Raises
+    ------
+    CaseError
+        If something that the case says about life is refused.
+    """
+    life, reason = rated(case, solution)
+    pressed = solution.method == "strips"
+    rows = [*summary_rows(case, solution), *life_rows(life, reason, case.prescribed.get("speed"))]
+    return {
+        "ok": True,
+        "title": case.title,
+        "method": solution.method,
+        "key": _key_numbers(solution, life),
+        "rows": _rows(solution),
+        "angle": numbers(solution.angle),
+        "load": numbers(solution.load),
+        "rib_load": numbers(solution.rib_load),
+        "force": numbers(solution.force),
+        "most": most_loaded(solution),
+        "contacts": _by_strips(solution) if pressed else _by_slices(solution, case.solver.get("laminae", LAMINAE)),
+        "summary": [list(row) for row in rows],
+        "columns": list(ROLLER_COLUMNS),
+        "rollers": [list(row) for row in roller_rows(solution)],
+        "warnings": bearing_warnings(solution),
+    }
+
+
+def _key_numbers(solution: BearingSolution, life: BearingLife | None) -> dict[str, Any]:
+    """Return the numbers on top of the page, unrounded."""
+    most = most_loaded(solution)
+    found: dict[str, Any] = {
+        "load": float(solution.load[most].max()),
+        "displacement": plain(solution.displacement),
+        "loaded": int(np.count_nonzero(solution.load.min(axis=1) > 0.0)),
+        "rollers": int(solution.angle.size),
+        "stiffness": plain(solution.stiffness[1, 1]),
+        "max_pressure": None,
+        "life": None if life is None else plain(life.modified),
+    }
+    if solution.method == "strips" and solution.load.any():
+        roller, ring = np.unravel_index(int(np.argmax(solution.max_pressure)), solution.load.shape)
+        found["max_pressure"] = plain(solution.max_pressure[roller, ring])
+        found["at"] = [int(roller), RINGS[ring]]
+    return found
+
+
+def _rows(solution: BearingSolution) -> list[dict[str, Any]]:
+    """Return for every row which rollers are its own, how long they are, and the relief that they have with a ring."""
+    found = []
+    for number, row in enumerate(solution.bearing.rows):
+        these = solution.rollers_of(number)
+        relief = {ring: _relief(row.bearing, ring) for ring in RINGS}
+        length = row.bearing.roller_length
+        found.append({"first": these.start, "count": these.stop - these.start, "length": length, "relief": relief})
+    return found
+
+
+def _relief(row: RollerBearing, ring: str) -> dict[str, Any]:
+    contact = row.contacts[RINGS.index(ring)]
+    half = 0.5 * row.roller_length
+    low, high = max(-half, contact.interval[0]), min(half, contact.interval[1])
+    # Denser at the ends; strictly inside, since a profile may be infinite at its very end.
+    spread = np.sin(np.linspace(-0.5 * np.pi, 0.5 * np.pi, RELIEF_POINTS + 2)[1:-1])
+    y = 0.5 * (low + high) + 0.5 * (high - low) * spread
+    return {"y": numbers(y), "um": numbers(1e3 * contact.separation_at(y))}
+
+
+def _by_strips(solution: BearingSolution) -> list[list[dict[str, Any] | None]]:
+    """Return for every roller and ring the lines along the contact; None where there is no load."""
+    return [[_lines(solution.contact(j, ring)) for ring in RINGS] for j in range(solution.angle.size)]
+
+
+def _lines(contact: Solution | None) -> dict[str, Any] | None:
+    if contact is None:
+        return None
+    pieces = [_piece(contact, low, high) for low, high in contact.contact_y]
+    y, line_load, pressure = (
+        [value for k, piece in enumerate(pieces) for value in ([None] if k else []) + piece[column]]
+        for column in range(3)
+    )
+    return {
+        "y": y,
+        "line_load": line_load,
+        "pressure": pressure,
+        "max_pressure": plain(contact.max_pressure),
+        "max_pressure_y": plain(contact.max_pressure_y),
+        "touching": [list(pair) for pair in contact.contact_y],
+        "penetration_um": 1e3 * contact.penetration,
+        "unlimited": bool(contact.singular_ends),
+    }
+
+
+def _piece(contact: Solution, low: float, high: float) -> tuple[list[Any], list[Any], list[Any]]:
+    """Return the lines of one piece of a contact through the centres of its strips, with zeros at both of its ends."""
+    inside = (contact.y >= low) & (contact.y <= high) & (contact.line_load > 0.0)
+    columns = (contact.y, contact.line_load, contact.centre_pressure)
+    y, line_load, pressure = (plain(column[inside]) for column in columns)
+    return [low, *y, high], [0.0, *line_load, 0.0], [0.0, *pressure, 0.0]
+
+
+def _by_slices(solution: BearingSolution, laminae: int) -> list[list[dict[str, Any] | None]]:
+    """Return the same of slices: steps of line load, without pressure."""
+    found: list[list[dict[str, Any] | None]] = []
+    for row in solution.bearing.rows:
+        slices = standard_slices(row.bearing, laminae)
+        width = float(slices.y[1] - slices.y[0])
+        edges = np.append(slices.y - 0.5 * width, slices.y[-1] + 0.5 * width)
+        for j in range(len(found), len(found) + row.bearing.rollers):
+            loads = slices.loads(solution.approach[j], solution.tilt[j]) / width
+            found.append([_steps(edges, loads[k]) if solution.load[j, k] > 0.0 else None for k in range(len(RINGS))])
+    return found
+
+
+def _steps(edges: Array, loads: Array) -> dict[str, Any]:
+    pressed = np.concatenate([[False], loads > 0.0, [False]])
+    starts, stops = (np.flatnonzero(found) for found in (pressed[1:] & ~pressed[:-1], pressed[:-1] & ~pressed[1:]))
+    return {
+        "y": numbers(np.repeat(edges, 2)),
+        "line_load": [0.0, *numbers(np.repeat(loads, 2)), 0.0],
+        "touching": [[float(edges[low]), float(edges[high])] for low, high in zip(starts, stops, strict=True)],
+    }
+
+
+def nothing_drawn(name: str, solution: BearingSolution) -> str:
+    """Return why a bearing has no figure of a name."""
+    if not math.isfinite(float(solution.load.max())) or not solution.load.any():
+        return "This picture needs a loaded roller: load the bearing."
+    if name == "displacement":
+        return "This picture needs a force on the inner ring: give load.radial or load.axial."
+    return "This picture needs pressures, which slices do not have: solve by strips."

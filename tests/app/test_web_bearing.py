@@ -1,0 +1,556 @@
+"""The bearing page: its numbers are those of the solver, its mistakes those of the command line, its limits hold."""
+
+from __future__ import annotations
+
+import copy
+import json
+import random
+import re
+import time
+import tomllib
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from serving import raw, running
+
+import nonhertz as nh
+from nonhertz.cli import main
+from nonhertz.cli.serve import starting_document
+from nonhertz.io.bearingfile import bearing_in, starting_bearing
+from nonhertz.io.casefile import starting_case
+from nonhertz.web import limits
+from nonhertz.web.form.sliders import sliders
+from nonhertz.web.server import app, bearings, workers
+from nonhertz.web.view import bearing_jobs
+
+STARTING = tomllib.loads(starting_bearing())
+# Few rollers without corners, sides and depth: strips are solved in a blink.
+FEW_TEXT = """
+title = "six & <seven>"
+[bearing]
+kind = "cylindrical"
+rollers = 6
+clearance = "12 um"
+[roller]
+diameter = 9.0
+length = 10.0
+profile = { kind = "crown", radius = 1200 }
+side_faces = "none"
+depth = "none"
+[inner]
+diameter = 37.5
+[outer]
+diameter = -55.5
+[load]
+radial = "5 kN"
+tilt = "0.2 mrad"
+"""
+FEW = tomllib.loads(FEW_TEXT)
+PAIR = tomllib.loads("""
+[bearing]
+kind = "tapered"
+rollers = 6
+contact_angle = "12 deg"
+pair = { arrangement = "O", distance = 20, clearance = "-40 um" }
+[roller]
+diameter = { y = [-5.8, 5.8], diameter = [10.94, 10.12] }
+length = 11.6
+profile = [{ kind = "crown", drop = 0.02 }]
+side_faces = "none"
+depth = "none"
+[inner]
+diameter = 40.8
+[outer]
+diameter = -62.32
+[load]
+radial = ["8 kN", "1 kN"]
+axial = "3 kN"
+""")
+THRUST = tomllib.loads("""
+[bearing]
+kind = "thrust"
+rollers = 8
+pitch_diameter = 60
+[roller]
+diameter = 8
+length = 8
+profile = { kind = "crown", radius = 1000 }
+[inner]
+[outer]
+[load]
+axial_displacement = "5 um"
+moment = "10 N m"
+""")
+JSON = {"content-type": "application/json"}
+PATIENCE = 20.0
+"""How many times as long as its users the page waits here: the machine may be busy with other tests."""
+
+
+def answer(given: Any, method: Any = "slices") -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(bearing_jobs.solve(given, method))
+    return found
+
+
+def changed(document: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
+    made = copy.deepcopy(document)
+    *way, last = path.split(".")
+    table = made
+    for name in way:
+        table = table.setdefault(name, {})
+    table[last] = value
+    return made
+
+
+def solved(document: dict[str, Any], method: str) -> nh.bearing.BearingSolution:
+    case = bearing_in(document, Path("b.toml"))
+    return nh.bearing.solve(case.bearing, **case.prescribed, method=method)
+
+
+# Answers
+
+
+@pytest.mark.parametrize("method", ["slices", "strips"])
+def test_numbers_are_those_of_the_solver(method):
+    found, solution = answer(FEW, method), solved(FEW, method)
+    assert found["ok"]
+    assert found["method"] == method
+    # The same solver on the same machine: all digits.
+    assert found["load"] == solution.load.tolist()
+    assert found["angle"] == solution.angle.tolist()
+    assert found["force"] == solution.force.tolist()
+    assert found["key"]["displacement"] == solution.displacement.tolist()
+    assert found["key"]["load"] == solution.load.max()
+    assert found["most"] == int(solution.load.max(axis=1).argmax())
+    assert found["key"]["loaded"] == np.count_nonzero(solution.load.min(axis=1))
+    if method == "strips":
+        assert found["key"]["max_pressure"] == solution.max_pressure.max()
+        roller, ring = found["key"]["at"]
+        assert solution.max_pressure[roller, ["inner", "outer"].index(ring)] == solution.max_pressure.max()
+    else:
+        assert found["key"]["max_pressure"] is None
+        assert "pressure" not in found["contacts"][0][0]
+
+
+@pytest.mark.parametrize("method", ["slices", "strips"])
+@pytest.mark.parametrize("document", [FEW, PAIR], ids=["few", "pair"])
+def test_line_loads_add_up_to_the_loads(document, method):
+    found = answer(document, method)
+    for loads, pair in zip(found["load"], found["contacts"], strict=True):
+        for load, lines in zip(loads, pair, strict=True):
+            if load == 0.0:
+                assert lines is None
+                continue
+            y, q = (np.array(lines[name], float) for name in ("y", "line_load"))
+            total = float(np.sum(0.5 * (q[1:] + q[:-1]) * np.diff(y)))
+            # Steps are integrated exactly; through the centres of strips, to the curvature over a strip.
+            assert_allclose(total, load, rtol=1e-9 if method == "slices" else 0.02)
+
+
+def test_lines_end_where_the_contact_ends():
+    # So much of a crown that the ends of the rollers do not touch, where the pressure would have no limit.
+    crowned = changed(FEW, "roller.profile", {"kind": "crown", "drop": "80 um"})
+    for pair in answer(crowned, "strips")["contacts"]:
+        for lines in filter(None, pair):
+            assert [lines["y"][0], lines["y"][-1]] == [lines["touching"][0][0], lines["touching"][-1][1]]
+            assert [lines["pressure"][0], lines["pressure"][-1]] == [0.0, 0.0]
+            assert max(filter(None, lines["pressure"])) == pytest.approx(lines["max_pressure"], rel=0.02)
+
+
+def test_relief_is_in_um():
+    (row,) = answer(FEW)["rows"]
+    for ring in ("inner", "outer"):
+        y, um = (np.array(row["relief"][ring][name]) for name in ("y", "um"))
+        assert_allclose(
+            um, 1e3 * y**2 / 2400.0, rtol=1e-5, atol=1e-12
+        )  # a circle of 1200 mm: y^2 / 2 R to (y / R)^2 / 4
+
+
+def test_text_and_document_answer_each_other():
+    by_text, by_document = answer(FEW_TEXT), answer(FEW)
+    assert by_text["document"] == FEW
+    assert tomllib.loads(by_document["text"]) == FEW
+    assert by_text["load"] == by_document["load"]
+
+
+def test_the_file_says_the_method():
+    assert answer(FEW)["file_method"] == "strips"
+    sliced = changed(FEW, "solver.method", "slices")
+    found = answer(sliced, None)
+    assert (found["file_method"], found["method"]) == ("slices", "slices")
+
+
+def test_pressures_for_the_life_do_not_stop_slices():
+    document = changed(FEW, "life.edge_stress", "pressure")
+    standard = changed(FEW, "life.edge_stress", "standard")
+    assert answer(document)["key"]["life"] == answer(standard)["key"]["life"]
+
+
+def test_a_bearing_without_load_is_drawn():
+    found = answer(changed(FEW, "load", {"radial": 0.0}), "strips")
+    assert found["ok"]
+    assert found["contacts"] == [[None, None]] * 6
+    assert found["key"]["max_pressure"] is None
+
+
+# Sliders
+
+
+def slider_values(document: dict[str, Any]) -> dict[str, tuple[str, str]]:
+    return {each.path: (each.value, each.unit) for each in sliders(bearing_in(document, Path("b.toml")), document)}
+
+
+def test_sliders_have_the_units_that_people_read():
+    assert slider_values(FEW) == {
+        "load.radial": ("5", "kN"),
+        "load.tilt": ("0.2", "mrad"),
+        "bearing.clearance": ("12", "um"),
+        "roller.profile.drop": ("10.42", "um"),  # 5^2 / 2400 mm at the end
+    }
+    assert slider_values(PAIR) == {
+        "load.radial[1]": ("8", "kN"),
+        "load.radial[2]": ("1", "kN"),
+        "load.axial": ("3", "kN"),
+        "load.tilt": ("0", "mrad"),
+        "bearing.clearance": ("0", "um"),
+        "bearing.pair.clearance": ("-40", "um"),
+        "roller.profile[1].drop": ("20", "um"),
+    }
+    assert slider_values(THRUST) == {
+        "load.axial_displacement": ("5", "um"),
+        "load.moment": ("10", "N m"),
+        "roller.profile.drop": ("8", "um"),
+    }
+
+
+def test_a_drop_takes_the_place_of_a_radius():
+    slider = next(each for each in answer(FEW)["sliders"] if each["path"].endswith("drop"))
+    assert slider["without"] == ["roller.profile.radius"]
+    document = changed(FEW, "roller.profile", {"kind": "crown", "drop": "20 um"})
+    found = answer(document)
+    assert found["ok"]
+    assert slider_values(document)["roller.profile.drop"] == ("20", "um")
+    slider = next(each for each in found["sliders"] if each["path"].endswith("drop"))
+    assert slider["without"] == []
+
+
+@pytest.mark.parametrize("document", [STARTING, FEW, PAIR, THRUST])
+def test_every_place_of_a_slider_can_be_solved(document):
+    for slider in answer(document)["sliders"]:
+        keys = [int(key) - 1 if key.isdigit() else key for key in re.findall(r"\w+", slider["path"])]
+        for value in (slider["low"], slider["high"]):
+            made = copy.deepcopy(document)
+            table: Any = made
+            for key in keys[:-1]:
+                table = table[key]
+            for other in slider["without"]:
+                del table[other.rpartition(".")[2]]
+            table[keys[-1]] = f"{value} {slider['unit']}"
+            found = answer(made)
+            assert found["ok"], (slider["path"], value, found["mistakes"])
+            again = next(each for each in found["sliders"] if each["path"] == slider["path"])
+            assert float(again["value"]) == pytest.approx(value, rel=1e-5)
+            assert (again["low"], again["high"]) == (slider["low"], slider["high"]), "it would run away from the hand"
+
+
+# Mistakes
+
+
+def test_all_mistakes_are_listed_at_their_keys():
+    document = changed(changed(FEW, "bearing.clearance", "12 kg"), "load.radial", "5 mm")
+    found = answer(document)
+    assert not found["ok"]
+    assert [mistake["path"] for mistake in found["mistakes"]] == ["bearing.clearance", "load.radial"]
+    assert "must have a unit of length" in found["mistakes"][0]["sentence"]
+
+
+def test_text_that_is_not_toml():
+    assert answer("[bearing\n")["mistakes"][0]["sentence"].startswith("The bearing file must be valid TOML: ")
+
+
+def test_a_bearing_that_the_loads_leave_unheld():
+    preloaded = answer(changed(changed(FEW, "load", {"axial": 100.0}), "bearing.design", "NU"))
+    assert [mistake["path"] for mistake in preloaded["mistakes"]] == ["load.axial"]
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "words"),
+    [
+        ("bearing.rollers", 101, "must be at most 100 on the page"),
+        ("solver.laminae", 201, "must be at most 200 on the page"),
+        ("life.laminae", 201, "must be at most 200 on the page"),
+        ("roller.images", 11, "must be at most 10 on the page"),
+    ],
+)
+def test_limits(path, value, words):
+    document = changed(FEW, path, value)
+    if path == "bearing.rollers":
+        document = changed(changed(document, "inner.diameter", 391.0), "outer.diameter", -409.0)
+    if path == "roller.images":
+        document = changed(changed(document, "roller.side_faces", "calibrated"), "roller.depth", "diameter")
+    (mistake,) = answer(document)["mistakes"]
+    assert mistake["path"] == path
+    assert words in mistake["sentence"]
+
+
+def test_no_file_is_read(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("points.csv").write_text("-5, 0.01\n0, 0\n5, 0.01\n")
+    for kind in ("tabulated", "measured"):
+        for part in ("roller", "inner", "outer"):
+            document = changed(FEW, f"{part}.profile", {"kind": kind, "file": "points.csv"})
+            for given in (document, answer(document)["text"]):
+                (mistake,) = answer(given)["mistakes"]
+                assert mistake["path"] == f"{part}.profile.file"
+                assert "not be read here" in mistake["sentence"]
+            assert b"must not be read here" in json.dumps(bearing_jobs.table(document, "rollers.csv")).encode()
+            assert b"must not be read here" in json.dumps(bearing_jobs.drawn(document, "loads", "svg")).encode()
+
+
+# The server
+
+
+@pytest.fixture(scope="module")
+def page() -> Iterator[httpx.Client]:
+    with pytest.MonkeyPatch.context() as patience:
+        patience.setattr(bearings, "LIVE_SECONDS", PATIENCE * limits.LIVE_SECONDS)
+        patience.setattr(app, "LIVE_SECONDS", PATIENCE * limits.LIVE_SECONDS)
+        with (
+            running(FEW, text=FEW_TEXT) as port,
+            httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=workers.WARM_UP_SECONDS) as made,
+        ):
+            yield made
+
+
+def post(client: httpx.Client, path: str, **request: Any) -> httpx.Response:
+    """Send a request until the page is not busy, as its script does."""
+    for _ in range(600):
+        response = client.post(path, **request)
+        if response.status_code != 503:
+            return response
+        time.sleep(0.1)
+    raise AssertionError(f"{path} is still answered by {response.text}")
+
+
+def test_a_bearing_is_what_the_page_begins_with(page):
+    text = page.get("/").text
+    start = json.loads(re.search(r'<script type="application/json" id="start">(.*?)</script>', text, re.S)[1])
+    assert start["text"] == FEW_TEXT
+    assert "<seven>" not in text
+    assert text == page.get("/bearing").text
+    assert 'name="body.a.diameter"' in page.get("/contact").text
+    assert 'href="contact"' in text
+    assert 'href="bearing"' in page.get("/contact").text
+
+
+def test_processes_start_when_their_page_is_opened(page):
+    assert post(page, "/bearing/solve", json={"document": FEW, "method": "slices"}).json()["ok"]
+    assert page.get("/bearing/status").json() == {"ready": True}
+    with running(tomllib.loads(starting_case()), workers=1) as port:
+        client = httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=60.0)
+        assert client.get("/bearing/status").json() == {"ready": False}
+        assert client.post("/bearing/solve", json={"document": FEW, "method": "slices"}).json()["ok"]
+        assert client.get("/bearing/status").json() == {"ready": True}
+        client.close()
+
+
+def test_without_a_file_there_is_a_bearing_beside_the_contact():
+    with running(tomllib.loads(starting_case()), workers=0) as port:
+        client = httpx.Client(base_url=f"http://127.0.0.1:{port}")
+        assert client.get("/").text == client.get("/contact").text
+        assert "NU 206" in client.get("/bearing").text
+        client.close()
+
+
+@pytest.mark.parametrize("method", ["slices", "strips"])
+def test_the_server_solves(page, method):
+    response = post(page, "/bearing/solve", json={"document": FEW, "method": method})
+    assert response.status_code == 200
+    found, alone = response.json(), answer(FEW, method)
+    assert found.pop("ms") > 0.0
+    del alone["ms"]
+    # Another process, but the same machine and the same compiled code.
+    assert found == alone
+
+
+@pytest.mark.parametrize(
+    ("asked", "words"),
+    [
+        ({"document": FEW, "method": "magic"}, "method must be 'slices' or 'strips'"),
+        ({"document": FEW, "method": ["slices"]}, "method must be 'slices' or 'strips'"),
+        ({"document": [FEW]}, "must have a document"),
+        ({"text": 3}, "must be that of a bearing file"),
+        ({}, "must have a document"),
+    ],
+)
+def test_requests_that_are_none(page, asked, words):
+    response = page.post("/bearing/solve", json=asked)
+    assert response.status_code == 400
+    assert words in response.json()["mistakes"][0]["sentence"]
+
+
+def test_other_pages_are_refused(page):
+    own, body = f"127.0.0.1:{page.base_url.port}", json.dumps({"document": FEW, "method": "slices"}).encode()
+    for headers in ({"host": "evil.example"}, {"host": own, "origin": "http://evil.example"}):
+        status, _ = raw(page.base_url.port, "POST", "/bearing/solve", headers | JSON, body)
+        assert status == 403
+
+
+@pytest.mark.slow
+def test_what_takes_too_long_is_ended(page, monkeypatch):
+    monkeypatch.setattr(bearings, "STRIPS_SECONDS", 0.0)
+    response = post(page, "/bearing/solve", json={"document": STARTING, "method": "strips"})
+    assert "takes longer than the page waits" in response.json()["mistakes"][0]["sentence"]
+    monkeypatch.undo()
+    assert post(page, "/bearing/solve", json={"document": FEW, "method": "strips"}).json()["ok"]
+
+
+@pytest.mark.slow
+def test_nobody_computes_for_one_who_has_gone(page):
+    with pytest.raises(httpx.ReadTimeout):
+        page.post("/bearing/solve", json={"document": STARTING, "method": "strips"}, timeout=0.3)
+    begun = time.monotonic()
+    assert post(page, "/bearing/solve", json={"document": FEW, "method": "strips"}).json()["ok"]
+    assert time.monotonic() - begun < limits.STRIPS_SECONDS
+
+
+@pytest.mark.slow
+def test_the_bearing_file_and_a_table_are_downloaded(page):
+    made = post(page, "/bearing/download/bearing.toml", json={"document": FEW})
+    assert tomllib.loads(made.text) == FEW
+    assert made.headers["content-disposition"] == 'attachment; filename="six-seven.toml"'
+    table = post(page, "/bearing/download/rollers.csv", json={"document": FEW})
+    assert table.headers["content-disposition"] == 'attachment; filename="six-seven-rollers.csv"'
+    lines = table.text.splitlines()
+    assert len(lines) == 1 + 6
+    load = float(lines[1].split(",")[lines[0].split(",").index("load_inner [N]")])
+    assert load == solved(FEW, "strips").load[0, 0]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "begin"), [("loads.svg", b"<?xml"), ("roller.png", b"\x89PNG")])
+def test_figures_are_downloaded(name, begin):
+    stem, _, ending = name.partition(".")
+    made = bearing_jobs.drawn(FEW, stem, ending)
+    assert isinstance(made, bytes)
+    assert made.startswith(begin)
+
+
+def test_a_figure_that_there_is_none_of():
+    sliced = changed(FEW, "solver.method", "slices")
+    assert "solve by strips" in bearing_jobs.drawn(sliced, "pressure", "svg")["mistakes"][0]["sentence"]
+    idle = changed(FEW, "load", {"radial_displacement": 0.0})
+    assert "load the bearing" in bearing_jobs.drawn(idle, "roller", "svg")["mistakes"][0]["sentence"]
+
+
+def test_no_other_file_is_made(page):
+    for name in ("passwd", "loads.pdf", "x.svg", "..%2fbearing.toml", "result.json.svg"):
+        assert page.post(f"/bearing/download/{name}", json={"document": FEW}).status_code == 404
+
+
+BARE = [None, True, 0, -1, 1e300, 1e-300, 2**70, "", [], {}, [[]], [None], "x" * 5000, [0.5] * 2001, "\u0000", "5 kg"]
+
+
+def shaken(picked: random.Random) -> dict[str, Any]:
+    """Return a bearing file with some entries replaced, renamed, scaled or removed; now and then a sound one."""
+    document = copy.deepcopy(picked.choice([STARTING, FEW, PAIR, THRUST]))
+    if picked.random() < 0.2:
+        return changed(
+            document, "load.tilt" if "moment" not in document["load"] else "load.moment", picked.uniform(-5e-3, 5e-3)
+        )
+    for _ in range(picked.choice([1, 1, 2, 4])):
+        table, key = picked.choice(list(places(document)))
+        match picked.randrange(9):
+            case 0:
+                del table[key]
+            case 1 if isinstance(table, dict):
+                table[picked.choice([f"{key}x", "", "axial", "speed", "method"])] = table.pop(key)
+            case 2 | 3:
+                table[key] = picked.choice([-1, 1]) * 10 ** picked.uniform(-9, 9)
+            case 4 | 5 | 6 | 7 if isinstance(table[key], int | float):
+                table[key] *= picked.uniform(-2.0, 3.0)
+            case _:
+                table[key] = copy.deepcopy(picked.choice(BARE))
+    return document
+
+
+def places(table: Any) -> Iterator[tuple[Any, Any]]:
+    for key in list(table) if isinstance(table, dict) else range(len(table)):
+        yield table, key
+        if isinstance(table[key], dict | list):
+            yield from places(table[key])
+
+
+@pytest.mark.slow
+def test_random_edits_and_hostile_requests_have_answers(page):
+    picked, outcomes = random.Random(206), Counter[str]()
+    for number in range(250):
+        text = json.dumps({"document": shaken(picked), "method": "slices"})
+        path = "/bearing/download/bearing.toml" if number % 25 == 24 else "/bearing/solve"
+        if number % 10 == 9:
+            text = picked.choice(
+                [text[: picked.randrange(len(text))], text.replace(":", "", 1), "[" * 50_000, "\ud800"]
+            )
+        if number % 10 == 8:
+            words = [starting_bearing()[: picked.randrange(1500)], "a = " + "[" * 3000, ".".join("a" * 5000) + " = 1"]
+            text = json.dumps({"text": picked.choice(words), "method": "slices"})
+        response = post(page, path, content=text.encode("utf-8", "surrogatepass"), headers=JSON)
+        assert response.status_code in {200, 400, 422}, (number, response.text[:300], text[:2000])
+        if response.headers["content-type"] != "application/json":
+            outcomes["file"] += 1
+            continue
+        found = response.json()
+        outcomes["solved" if found["ok"] else str(response.status_code)] += 1
+        if not found["ok"]:
+            assert found["mistakes"]
+            assert all(each["sentence"].endswith((".", "!")) for each in found["mistakes"]), found["mistakes"]
+            assert not found.get("internal"), (number, found, text[:2000])
+    assert outcomes["solved"] > 25
+    assert outcomes["200"] > 25
+    assert outcomes["400"] > 10
+
+
+# The command
+
+
+def test_a_bearing_file_is_recognised(tmp_path):
+    path = tmp_path / "six.toml"
+    path.write_text(FEW_TEXT)
+    assert starting_document(path) == (FEW, (), FEW_TEXT)
+
+
+def test_files_that_a_bearing_names_become_points(tmp_path):
+    (tmp_path / "points.csv").write_text("-5, 0.01\n0, 0\n5, 0.01\n")
+    path = tmp_path / "my bearing.toml"
+    text = FEW_TEXT.replace('title = "six & <seven>"', "")
+    path.write_text(text.replace('"crown", radius = 1200', '"tabulated", file = "points.csv"'))
+    start = starting_document(path)
+    assert start.document["title"] == "my bearing"
+    assert start.notes == ("roller.profile[1]: the page holds the 3 points of points.csv itself.",)
+    assert tomllib.loads(start.text) == start.document
+    assert start.document["roller"]["profile"][0]["relief"] == [0.01, 0.0, 0.01]
+    assert answer(start.text)["load"] == solved_file(path)
+
+
+def solved_file(path: Path) -> list[list[float]]:
+    found: list[list[float]] = nh.read_bearing(path).solve("slices").load.tolist()
+    return found
+
+
+def test_a_bearing_that_the_page_does_not_take_is_refused(tmp_path, capsys):
+    path = tmp_path / "six.toml"
+    path.write_text(FEW_TEXT + "[solver]\nlaminae = 300\n")
+    assert main(["serve", str(path), "--no-browser"]) == 2
+    assert "solver.laminae = 300 must be at most 200 on the page: use the command line" in capsys.readouterr().err
+
+
+def test_a_mistaken_bearing_is_refused_as_by_the_other_commands(tmp_path, capsys):
+    path = tmp_path / "six.toml"
+    path.write_text(FEW_TEXT.replace("12 um", "12 kg"))
+    assert main(["serve", str(path), "--no-browser"]) == 2
+    assert "bearing.clearance = '12 kg' must have a unit of length" in capsys.readouterr().err

@@ -1,0 +1,215 @@
+"""The bearing page at work: dragged, clicked and typed into."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from conftest import desks, served
+from desk import Desk
+from numpy.testing import assert_allclose
+
+pytestmark = pytest.mark.browser
+
+# Few rollers without corners, sides and depth: strips are solved in a blink.
+FEW = """
+# Six rollers.
+title = "six"
+[bearing]
+kind = "cylindrical"
+rollers = 6
+clearance = "12 um"
+[roller]
+diameter = 9.0
+length = 10.0
+profile = { kind = "crown", drop = "30 um" }
+side_faces = "none"
+depth = "none"
+[inner]
+diameter = 37.5
+[outer]
+diameter = -55.5
+[load]
+radial = "5 kN"
+tilt = "0.2 mrad"
+"""
+SAME = 1e-9  # the same solve of the same numbers, through JSON or TOML, which keep all digits
+
+
+@pytest.fixture(scope="module")
+def bearing_address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    path = tmp_path_factory.mktemp("bearing") / "six.toml"
+    path.write_text(FEW, encoding="utf-8")
+    yield from served(str(path))
+
+
+@pytest.fixture
+def open_bearing(browser: Any, usual: Any, bearing_address: str) -> Iterator[Any]:
+    yield from desks(browser, usual, bearing_address)
+
+
+@pytest.fixture
+def bearing(open_bearing: Any) -> Desk:
+    return open_bearing()
+
+
+def by_command(text: str, tmp_path: Path) -> dict[str, Any]:
+    path = tmp_path / "bearing.toml"
+    path.write_text(text, encoding="utf-8")
+    command = [sys.executable, "-m", "nonhertz", "bearing", str(path), "--json"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120.0)
+    found: dict[str, Any] = json.loads(done.stdout)
+    return found
+
+
+def text_of(desk: Desk) -> str:
+    text: str = desk.page.locator("#text").input_value()
+    return text
+
+
+def method_of(desk: Desk) -> str:
+    words: str = desk.page.locator('[data-figure="polar"] .remark').inner_text()
+    return words
+
+
+def bar(desk: Desk, roller: int, ring: str) -> str:
+    shape: str = desk.page.locator(f'[data-roller="{roller}"] .{ring}-load').get_attribute("d")
+    return shape
+
+
+def test_it_shows_what_the_command_line_says(bearing: Desk, tmp_path: Path) -> None:
+    found, shown = by_command(FEW, tmp_path), bearing.numbers
+    assert method_of(bearing) == "by strips"
+    assert_allclose(shown["Largest load of a roller"], max(map(max, found["load"])), rtol=SAME)
+    assert_allclose(shown["Largest pressure"], max(map(max, found["max_pressure"])), rtol=SAME)
+    assert_allclose(shown["Displacement"], abs(found["displacement"][1]), rtol=1e-6)  # along y but for rounding
+    assert text_of(bearing) == FEW
+    assert bearing.page.locator("#rollers tbody tr").count() == 6
+    bearing.photograph("bearing")
+
+
+def test_dragging_redraws_by_slices_and_strips_follow(bearing: Desk) -> None:
+    slider = bearing.slider("load.radial")
+    box = slider.bounding_box()
+    across = lambda share: box["x"] + (0.05 + 0.9 * share) * box["width"]  # noqa: E731
+    before, answers = bar(bearing, 0, "inner"), bearing.answers
+    mouse, middle = bearing.page.mouse, box["y"] + 0.5 * box["height"]
+    mouse.move(across(0.2), middle)
+    mouse.down()
+    for step in range(1, 9):
+        mouse.move(across(0.2 + 0.05 * step), middle)
+        bearing.page.wait_for_timeout(60)
+    bearing.page.locator(f'html:not([data-answers="{answers}"])').wait_for(state="attached")
+    bearing.page.locator('[data-figure="polar"] .remark', has_text="by slices").wait_for()
+    assert "stale" in bearing.page.locator('[data-figure="pressure"]').get_attribute("class")
+    assert "strips follow" in bearing.page.locator(".state").inner_text()
+    bearing.page.wait_for_timeout(800)
+    assert method_of(bearing) == "by slices", "strips wait until the slider is let go"
+    mouse.up()
+    bearing.settle()
+    assert bar(bearing, 0, "inner") != before
+    bearing.page.locator('[data-figure="polar"] .remark', has_text="by strips").wait_for()
+    assert bearing.answers - answers >= 2, "the picture was drawn again while the slider moved"
+    load = float(bearing.field("load.radial").input_value())
+    assert tomllib.loads(text_of(bearing))["load"]["radial"] == f"{load:g} kN"
+    assert bearing.round_trips()
+
+
+def test_um_are_typed_and_read(bearing: Desk, tmp_path: Path) -> None:
+    assert bearing.field("bearing.clearance").input_value() == "12"
+    assert bearing.page.locator('[data-path="bearing.clearance"] .unit').inner_text() == "µm"
+    bearing.write("bearing.clearance", "30")
+    bearing.field("bearing.clearance").blur()
+    bearing.page.locator('[data-figure="polar"] .remark', has_text="by strips").wait_for()
+    assert tomllib.loads(text_of(bearing))["bearing"]["clearance"] == "30 um"
+    found = by_command(FEW.replace("12 um", "30 um"), tmp_path)
+    assert_allclose(bearing.numbers["Largest load of a roller"], max(map(max, found["load"])), rtol=SAME)
+    bearing.write("bearing.clearance", "0.02 mm")
+    assert tomllib.loads(text_of(bearing))["bearing"]["clearance"] == "0.02 mm"
+    bearing.page.locator("#undo").click()
+    bearing.page.locator("#undo").click()
+    bearing.page.wait_for_function("() => document.getElementById('text').value.includes('12 um')")
+
+
+def test_a_clicked_roller_is_drawn(bearing: Desk) -> None:
+    name = bearing.page.locator("#roller-name")
+    assert name.inner_text() == "Roller 0 at 0.0°, the most loaded"
+    pressure = bearing.page.locator('[data-figure="pressure"] svg').first
+    before = pressure.get_attribute("aria-label")
+    bearing.page.locator('[data-roller="1"] .mark').click()
+    assert name.inner_text() == "Roller 1 at 60.0°"
+    assert pressure.get_attribute("aria-label") != before
+    assert bearing.page.locator("#rollers tr.chosen td").first.inner_text() == "1"
+    bearing.page.keyboard.press("ArrowRight")
+    assert name.inner_text() == "Roller 2 at 120.0°"
+    assert "no load" in bearing.page.locator('[data-figure="pressure"] .drawing').inner_text()
+    bearing.page.locator('[data-roller-row="5"]').click()
+    assert name.inner_text() == "Roller 5 at 300.0°"
+    bearing.page.locator("#most").click()
+    assert name.inner_text() == "Roller 0 at 0.0°, the most loaded"
+
+
+def test_mistakes_are_at_their_fields_and_in_the_list(bearing: Desk) -> None:
+    bearing.write("bearing.clearance", "12 kg")
+    (sentence,) = bearing.mistakes
+    assert "must have a unit of length" in sentence
+    assert sentence.endswith("In this field a number alone is in µm.")
+    assert "must have a unit" in bearing.page.locator('[data-path="bearing.clearance"] .mistake').inner_text()
+    assert bearing.page.locator("#results.outdated").count() == 1
+    bearing.photograph("bearing-mistake")
+    bearing.write("bearing.clearance", "12")
+    assert bearing.mistakes == []
+
+
+def test_the_text_is_read_with_all_its_mistakes(bearing: Desk) -> None:
+    before = bearing.answers
+    bearing.page.locator("#text").fill(FEW.replace("rollers = 6", "rollers = 0").replace("37.5", '"x"'))
+    bearing.wait_for_answer(before)
+    assert len(bearing.mistakes) == 2
+    before = bearing.answers
+    bearing.page.locator("#text").fill(FEW.replace("rollers = 6", "rollers = 8").replace("tilt =", "# tilt ="))
+    bearing.wait_for_answer(before)
+    assert bearing.mistakes == []
+    assert bearing.page.locator("#rollers tbody tr").count() == 8
+    assert bearing.field("load.tilt").input_value() == "0"
+    assert "# tilt" in text_of(bearing), "what is being written is left alone"
+
+
+def test_the_downloaded_file_is_the_bearing_as_changed(bearing: Desk) -> None:
+    bearing.write("roller.profile.drop", "45")
+    document = tomllib.loads(bearing.download("bearing.toml").decode())
+    assert document["roller"]["profile"] == {"kind": "crown", "drop": "45 um"}
+    assert document["load"] == {"radial": "5 kN", "tilt": "0.2 mrad"}
+    assert bearing.download("loads.svg").startswith(b"<?xml")
+
+
+def test_a_reload_loses_no_work(bearing: Desk) -> None:
+    bearing.write("load.radial", "7")
+    bearing.page.wait_for_url(lambda url: "#c=" in url)
+    before = bearing.numbers
+    bearing.page.reload()
+    bearing.settle()
+    assert bearing.numbers == before
+    assert bearing.field("load.radial").input_value() == "7"
+
+
+def test_it_can_be_reached_from_the_contact_and_back(bearing: Desk) -> None:
+    bearing.page.get_by_role("link", name="Single contact").click()
+    bearing.page.locator('[name="body.a.diameter"]').wait_for()
+    bearing.settle()
+    bearing.page.get_by_role("link", name="Whole bearing").click()
+    bearing.page.locator("#polar .roller").first.wait_for()
+    bearing.settle()
+
+
+@pytest.mark.parametrize(("theme", "width"), [("dark", 1400), ("light", 390)])
+def test_nothing_hangs_over_the_edge(open_bearing: Any, theme: str, width: int) -> None:
+    desk = open_bearing(color_scheme=theme, viewport={"width": width, "height": 844})
+    assert desk.page.evaluate("() => document.documentElement.scrollWidth") <= width
+    desk.photograph(f"bearing-{theme}-{width}", whole=True)
