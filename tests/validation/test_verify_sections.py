@@ -7,23 +7,27 @@ import pytest
 from matplotlib.figure import Figure
 
 import nonhertz as nh
+from nonhertz.bearing import bearings as rows
+from nonhertz.bearing import standard, verb
+from nonhertz.bearing.strips import StripLaw
 from nonhertz.bodies import images, whole_roller
 from nonhertz.bodies.depths import plane_strain
 from nonhertz.patch import convolution, free_faces, inverse, kernel
 from nonhertz.solver import one
-from nonhertz.verify import plane_grid
+from nonhertz.verify import bearings, plane_grid
 
 PAPER = ("hertz_ellipse", "line_limits", "profiled_roller", "load_compression")
 BODIES = ("half_space", "plane_strain", "finite_bodies", "edge_exponents", "quarter_space", "whole_roller")
 GRID = ("plane_grid", "free_ends")
 BELOW = ("subsurface_stress", "fatigue_life")
-MODULES = PAPER + BODIES + GRID + BELOW
+MODULES = (*PAPER, *BODIES, *GRID, *BELOW, "bearings")
 # CI runs `nonhertz verify` as well: half a minute that a developer need not wait for all day.
 # The paper's single strip is among the sections, whose error nothing tells.
 pytestmark = [
     pytest.mark.campaign,
     pytest.mark.filterwarnings("ignore:The discretisation error of:nonhertz.AccuracyWarning"),
     pytest.mark.filterwarnings("ignore:The maximum pressure is uncertain:nonhertz.AccuracyWarning"),
+    pytest.mark.filterwarnings("ignore:The contact of roller .* with a rib:nonhertz.AccuracyWarning"),
 ]
 over_modules = pytest.mark.parametrize("module", MODULES)
 
@@ -146,3 +150,42 @@ def test_a_kernel_of_cells_that_is_five_per_cent_off_is_noticed_by_the_last_chec
     too_soft_cells(monkeypatch)
     with pytest.raises(nh.ConvergenceError, match="a separate check of their solution failed"):
         nh.compare(tilted_crown().contact, **tilted_crown().given)
+
+
+def claims_that_fail(checks):
+    return [check.claim for check in checks if check.passed is False]
+
+
+def test_slices_that_are_five_per_cent_too_stiff_are_noticed(monkeypatch):
+    monkeypatch.setattr(standard, "STIFFNESS", 1.05 * standard.STIFFNESS)
+    failed = claims_that_fail(bearings._laminae())
+    assert sum(claim.endswith("displacement") for claim in failed) == 3
+
+
+def test_normals_of_raceways_that_are_two_milliradians_off_are_noticed(monkeypatch):
+    # Slices take theirs elsewhere, where the rollers' own loads have to be along them.
+    right = rows.raceway_motion
+    monkeypatch.setattr(rows, "raceway_motion", lambda angle, **more: right(angle + 2e-3, **more))
+    failed = claims_that_fail(bearings._in_space())
+    assert [claim.partition(":")[0] for claim in failed] == ["two HR30306J, strips"] * 2
+
+
+def test_contacts_of_bearings_that_are_a_per_cent_too_stiff_are_noticed(monkeypatch):
+    right = StripLaw.pressed
+    monkeypatch.setattr(
+        StripLaw, "pressed", lambda *args: type(found := right(*args))(*(1.01 * each for each in found))
+    )
+    failed = claims_that_fail(bearings._by_hand(bearings._Nu206.solved()))
+    assert "NU 206: displacement" in failed
+
+
+def test_a_stiffness_that_is_a_hundredth_of_a_per_cent_off_is_noticed(monkeypatch):
+    right = bearings.balanced
+
+    def off(*args, **more):
+        found = right(*args, **more)
+        return found._replace(stiffness=1.0001 * found.stiffness)
+
+    monkeypatch.setattr(bearings, "balanced", off)
+    monkeypatch.setattr(verb, "balanced", off)
+    assert len(claims_that_fail(bearings._derivatives())) == 2

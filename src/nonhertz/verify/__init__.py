@@ -11,8 +11,7 @@ import importlib
 from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from nonhertz.errors import InputError, NonhertzError
-from nonhertz.verify.claim import without_accuracy_warnings
+from nonhertz.errors import InputError, NonhertzError, without_accuracy_warnings
 
 if TYPE_CHECKING:
     from nonhertz.verify.claim import Section
@@ -33,6 +32,7 @@ CATALOGUE = {
     "free-ends": "nonhertz.verify.free_ends",
     "subsurface": "nonhertz.verify.subsurface_stress",
     "fatigue-life": "nonhertz.verify.fatigue_life",
+    "bearings": "nonhertz.verify.bearings",
     "cost": "nonhertz.verify.cost",
 }
 

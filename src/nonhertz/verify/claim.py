@@ -3,24 +3,12 @@
 from __future__ import annotations
 
 import math
-import warnings
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from nonhertz.errors import AccuracyWarning
-
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-
-@contextmanager
-def without_accuracy_warnings() -> Iterator[None]:
-    """Suppress accuracy warnings: a section's text says itself where a model is strained."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", AccuracyWarning)
-        yield
 
 
 @dataclass(frozen=True)

@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.model.body import Plate, Roller
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
 from nonhertz.plot.style import COLOUR_MAP, INK
 from nonhertz.solver.one import solve
-from nonhertz.verify.claim import Check, Picture, Section, without_accuracy_warnings
+from nonhertz.verify.claim import Check, Picture, Section
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.hertz import LineContact, line_contact, plane_strain_cylinder_compression
 from nonhertz.model.body import Body, Plate, Roller
 from nonhertz.model.contact import Contact
@@ -16,7 +17,7 @@ from nonhertz.plot.style import FIRST, INK, SECOND
 from nonhertz.result.solution import EdgeKind, Solution
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
-from nonhertz.verify.claim import Check, Picture, Section, without_accuracy_warnings
+from nonhertz.verify.claim import Check, Picture, Section
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.model.body import Body, Ring, Roller
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
@@ -18,7 +19,7 @@ from nonhertz.patch.solver import solve as solve_patch
 from nonhertz.plot.style import FIRST, INK, SECOND, SMALL_SIZE
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
-from nonhertz.verify.claim import Check, Picture, Section, without_accuracy_warnings
+from nonhertz.verify.claim import Check, Picture, Section
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

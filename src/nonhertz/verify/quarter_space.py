@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
@@ -15,7 +16,7 @@ from nonhertz.model.profile import Profile, tabulated
 from nonhertz.plot.style import FAINT_INK, FIRST, INK, SECOND
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
-from nonhertz.verify.claim import Check, Picture, Section, without_accuracy_warnings
+from nonhertz.verify.claim import Check, Picture, Section
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

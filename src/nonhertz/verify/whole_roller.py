@@ -13,6 +13,7 @@ from nonhertz import life
 from nonhertz.bodies.depths import DepthRule
 from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
 from nonhertz.bodies.sides import FaceRule
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.hertz import line_contact
 from nonhertz.model.body import Plate, Ring, Roller
 from nonhertz.model.contact import Contact
@@ -21,7 +22,7 @@ from nonhertz.plot.style import END_DASHES, FAINT_INK, FIRST, INK, SECOND
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import SEMI_ELLIPTIC
 from nonhertz.strip.influence import displacements
-from nonhertz.verify.claim import Check, Picture, Section, without_accuracy_warnings
+from nonhertz.verify.claim import Check, Picture, Section
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
