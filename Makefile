@@ -40,7 +40,8 @@ mutants: $(READY)
 	$(BIN)/python tests/mutation/run.py $(MUTANTS) --out out/mutants
 
 campaign: $(READY)
-	$(BIN)/python -m pytest -m campaign -s tests
+	$(BIN)/python -m pytest -m campaign -s tests/campaign
+	$(BIN)/python -m pytest -n auto -m campaign tests --ignore=tests/campaign
 
 # Many hours of one core: the campaigns whole, 100,000 contacts with mirror images, scaled twins and batches among them.
 campaign-all: $(READY)
@@ -75,6 +76,7 @@ bench: $(READY)
 	$(BIN)/python benchmarks/race.py
 	$(BIN)/python benchmarks/page.py
 	$(BIN)/python benchmarks/stopwatch.py
+	$(BIN)/python benchmarks/bearings.py
 
 docs-numbers: $(READY)
 	$(BIN)/python docs/figures.py

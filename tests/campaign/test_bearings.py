@@ -10,11 +10,12 @@ import pytest
 from extent import extent
 
 import nonhertz as nh
+from nonhertz.verify.bearing_sums import sums_in_space
 
 CASES, SOME = 5_000, {"strips": 12, "slices": 60}
 SEED = 20261124
 BALANCE = 1e-8  # of the loads
-KINDS = ("cylindrical", "needle", "tapered", "spherical", "thrust", "X", "O", "tandem")
+KINDS = ("cylindrical", "needle", "ribbed", "tapered", "spherical", "thrust", "X", "O", "tandem")
 B = nh.bearing
 
 
@@ -40,9 +41,16 @@ def random_row(rng, kind):
     clearance = diameter * rng.choice([0.0, 1.0, -0.2]) * 10.0 ** rng.uniform(-4.0, -2.5)
     roller = {"length": length, "profile": profile, **corner}
     depth = {"depth": diameter * rng.uniform(0.3, 1.0)} if rng.random() < 0.5 else {}
-    if kind in ("cylindrical", "needle"):
-        cls = B.CylindricalRollerBearing if kind == "cylindrical" else B.NeedleRollerBearing
+    if kind in ("cylindrical", "needle", "ribbed"):
+        cls = B.NeedleRollerBearing if kind == "needle" else B.CylindricalRollerBearing
         inner, outer = nh.Ring(diameter=pitch - diameter, **depth), nh.Ring(diameter=-(pitch + diameter), **depth)
+        if kind == "ribbed":
+            end_radius, height = diameter * 10.0 ** rng.uniform(0.5, 2.0), 0.5 * diameter * rng.uniform(0.5, 0.85)
+            given |= {
+                "design": str(rng.choice(["NJ", "NF", "NUP"])),
+                "rib": B.Rib(end_radius, height, 10.0 * diameter if rng.random() < 0.5 else None),
+                "axial_clearance": diameter * rng.choice([0.0, 1.0]) * 10.0 ** rng.uniform(-4.0, -2.5),
+            }
         return cls(
             roller=nh.Roller(diameter=diameter, **roller), inner=inner, outer=outer, clearance=clearance, **given
         )
@@ -65,8 +73,12 @@ def random_row(rng, kind):
             **rings,
             **given,
         )
-    half = 0.5 * length * np.tan(rng.uniform(0.1, 0.25) * angle) * 2.0
+    tip = rng.uniform(0.1, 0.25) * angle
+    half = length * np.tan(tip)
     cone = nh.TabulatedDiameter((-0.5 * length, 0.5 * length), (diameter + half, diameter - half))
+    # Where cones that meet in one point leave room for the roller between them.
+    across = diameter * np.cos(angle - tip) * np.cos(tip) ** 2 / (np.cos(angle) * np.cos(angle - 2.0 * tip))
+    rings = {"inner": nh.Ring(diameter=pitch - across, **depth), "outer": nh.Ring(diameter=-(pitch + across), **depth)}
     return B.TaperedRollerBearing(
         roller=nh.Roller(diameter=cone, **roller), contact_angle=angle, clearance=clearance, **rings, **given
     )
@@ -100,10 +112,12 @@ def random_bearing(number):
     direction = rng.uniform(0.0, 2.0 * np.pi)
     given["radial"] = (size * np.cos(direction), size * np.sin(direction))
     given["tilt"] = tuple(1e-3 * rng.uniform(-1.0, 1.0, 2))
-    if row.holds_axially:
-        mass, _ = row.inertia()
+    if row.nominal_angle:
+        mass = row.inertia.mass
         pushed = row.rollers * (row.load_by_speed(given["speed"] * np.pi / 30.0)[1] + 1e3 * mass)
         given["axial"] = np.tan(row.nominal_angle) * (1.3 * size + pushed) * rng.uniform(1.0, 3.0)
+    if kind == "ribbed":
+        given["axial"] = 0.1 * size * rng.uniform(0.0, 1.0) * (rng.choice([-1, 1]) if row.design == "NUP" else 1)
     if kind in ("X", "O", "tandem"):
         pair = B.paired(row, kind, 2.5 * row.roller_length, clearance=rng.choice([0.0, -1e-3]) * row.roller_diameter)
         if kind != "tandem":
@@ -129,53 +143,15 @@ def faults(task):
 
 def out_of_balance(found, given):
     """What forces and moments on ring and rollers, as vectors in space, do not add up to."""
-    loads = np.abs(found.load).sum() + np.abs(found.roller_load[:, :2]).sum()
-    total, moment, worst, first = np.zeros(3), np.zeros(3), 0.0, 0
-    reach = 0.0
-    for row in found.bearing.rows:
-        bearing, way = row.bearing, -1.0 if row.turned else 1.0
-        reach = max(reach, abs(row.x) + 0.5 * bearing.pitch)
-        angles = bearing.contact_angles if found.method == "strips" else (bearing.nominal_angle,) * 2
-        barrel = getattr(bearing, "profile_radius", np.inf) if found.method == "strips" else np.inf
-        for j in range(first, first + bearing.rollers):
-            radial = np.array([0.0, np.cos(found.angle[j]), np.sin(found.angle[j])])
-            axis = np.array([way, 0.0, 0.0])
-            middle = row.x * np.array([1.0, 0.0, 0.0]) + 0.5 * bearing.pitch * radial
-            on_roller = found.roller_load[j, 1] * radial
-            turning = np.zeros(3)
-            if found.method == "strips":
-                turning += found.roller_load[j, 2] * np.cross(axis, radial)
-            for k, sign in enumerate((1.0, -1.0)):
-                normal = sign * (np.sin(angles[k]) * axis + np.cos(angles[k]) * radial)
-                along = np.cos(angles[k]) * axis - np.sin(angles[k]) * radial
-                place = -0.5 * bearing.roller_diameter * normal
-                force = found.load[j, k] * normal - found.moment[j, k] / barrel * along
-                couple = found.moment[j, k] * np.cross(along, normal)
-                on_roller, turning = on_roller + force, turning + np.cross(place, force) + couple
-                if k == 0:
-                    total += force
-                    moment += np.cross(middle + place, force) + couple
-            if found.method == "strips" and isinstance(bearing, B.TaperedRollerBearing):
-                (normal_x, normal_r, arm), _ = bearing.end_contact()[0]
-                force = found.rib_load[j] * (normal_x * axis + normal_r * radial)
-                # The arm of the force about the roller's middle.
-                couple = found.rib_load[j] * arm * np.cross(axis, radial)
-                on_roller, turning = on_roller + force, turning + couple
-                total += force
-                moment += np.cross(middle, force) + couple
-            # Slices hold no roller along its axis.
-            held = np.sin(angles[1]) * axis + np.cos(angles[1]) * radial
-            left = on_roller if found.method == "strips" else (on_roller @ held) * held
-            worst = max(worst, np.linalg.norm(left), np.linalg.norm(turning) / bearing.roller_length)
-        first += bearing.rollers
+    sums = sums_in_space(found)
     wrong = []
-    if worst > BALANCE * loads:
-        wrong.append(f"rollers {worst / loads:.1e}")
-    off = np.abs(np.concatenate([(total - found.force[:3]) / loads, (moment[1:] - found.force[3:]) / loads / reach]))
-    if off.max() > BALANCE:
+    if sums.rollers_left > BALANCE:
+        wrong.append(f"rollers {sums.rollers_left:.1e}")
+    off = sums.off(found.force)
+    if np.abs(off).max() > BALANCE:
         wrong.append(f"sums {off.round(12).tolist()}")
     asked = np.array([given.get("axial", np.nan), *given.get("radial", (np.nan, np.nan))])
-    missed = np.abs(asked - found.force[:3])[np.isfinite(asked)] / loads
+    missed = np.abs(asked - found.force[:3])[np.isfinite(asked)] / sums.loads
     if missed.max() > BALANCE:
         wrong.append(f"forces {missed.tolist()}")
     return wrong

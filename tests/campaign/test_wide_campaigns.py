@@ -12,7 +12,7 @@ from extent import extent
 
 import nonhertz as nh
 
-CASES, SOME = 50_000, 500
+CASES, SOME = 50_000, 200
 MOST_UNCONVERGED = 1e-3  # of cases near practice
 
 
