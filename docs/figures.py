@@ -1,15 +1,17 @@
-"""Make the pictures in docs/figures and the terminal output in the tutorial.
+"""Make the pictures in docs/figures and the terminal output in the tutorials.
 
     python docs/figures.py
 
 Pictures of examples are those that `nonhertz solve --out` writes; those of finite bodies are drawn here. In the
-tutorial every line that begins with `$ nonhertz` is run and what it prints put below it; a comment `<!-- edit: `old`
-to `new` -->` edits the case file in between. The tutorial's pictures are of its own case, as edited by then.
+tutorials every line that begins with `$ nonhertz` is run and what it prints put below it; a comment `<!-- edit: `old`
+to `new` -->` edits the case file in between. The pictures of the first solve are of its own case, as edited by then,
+and those of the bearing of the bearing's tutorial, which its lines of Python make.
 """
 
 from __future__ import annotations
 
 import contextlib
+import doctest
 import importlib.util
 import io
 import os
@@ -18,6 +20,7 @@ import shlex
 import tempfile
 import warnings
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -29,7 +32,7 @@ import nonhertz as nh
 from nonhertz.cli import main as nonhertz
 from nonhertz.io.casefile import Case, read_case
 from nonhertz.io.traces import read_trace
-from nonhertz.plot import figures, life_figure, measured_figure, save, stress_figures
+from nonhertz.plot import bearing_figures, figures, life_figure, measured_figure, save, stress_figures
 from nonhertz.plot.sheets import WIDTH
 from nonhertz.plot.style import (
     END_DASHES,
@@ -47,6 +50,7 @@ from nonhertz.plot.style import (
 ROOT = Path(__file__).parents[1]
 FIGURES = ROOT / "docs" / "figures"
 TUTORIAL = ROOT / "docs" / "tutorials" / "first-solve.md"
+BEARING_TUTORIAL = ROOT / "docs" / "tutorials" / "bearing-life.md"
 # Picture's name to the example it is of, and which of its figures the documents show.
 EXAMPLES = {
     "bearing": ("cylindrical-roller-bearing", ("pressure", "footprint", "profile")),
@@ -60,6 +64,7 @@ SLENDERNESS = np.geomspace(0.5, 50.0, 13)  # length / diameter
 # Of the sketch of images, in lengths of the body: where the strip is and how wide, how far the sketch goes.
 STRIP_AT, STRIP_WIDTH, SKETCHED = 0.18, 0.12, 2.55
 
+PYCON = re.compile(r"^```pycon\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 STEP = re.compile(r"<!-- edit: `(?P<old>.*?)` to `(?P<new>.*?)` -->|```console\n(?P<lines>.*?)```", re.DOTALL)
 
 
@@ -78,8 +83,11 @@ def main() -> None:
     draw_below("bearing", read_case(ROOT / "examples" / f"{EXAMPLES['bearing'][0]}.toml"))
     draw_four_profiles()
     draw_measured("measured-roller")
-    TUTORIAL.write_text(with_output(TUTORIAL.read_text(encoding="utf-8")), encoding="utf-8")
-    print(f"wrote {TUTORIAL.relative_to(ROOT)}")
+    draw_bearing("whole-bearing")
+    draw_bearing_tutorial("bearing-life")
+    for page in (TUTORIAL, BEARING_TUTORIAL):
+        page.write_text(with_output(page.read_text(encoding="utf-8")), encoding="utf-8")
+        print(f"wrote {page.relative_to(ROOT)}")
 
 
 def edit_as_before(picture: str, case: Path) -> None:
@@ -146,6 +154,35 @@ def draw_measured(stem: str) -> None:
     trace = read_trace(ROOT / "examples" / f"{stem}.txt")
     measured = nh.measured.prepare(trace)
     write(measured_figure(measured, trace.name, measured.fit_best()[0]), stem)
+
+
+def draw_bearing(stem: str) -> None:
+    """Write the pictures of the bearing of the how-to page."""
+    roller = nh.Roller(diameter=9, length=10, corner_radius=0.3, profile=nh.profile.crown(radius=1200))
+    nu206 = nh.bearing.CylindricalRollerBearing(
+        roller=roller,
+        inner=nh.Ring(diameter=37.5, depth=3.75),
+        outer=nh.Ring(diameter=-55.5, depth=3.25),
+        rollers=13,
+        clearance=0.0184,
+    )
+    drawn = bearing_figures(nh.bearing.solve(nu206, radial=10e3, tilt=3e-4), "NU 206, misaligned")
+    for name in ("loads", "pressure"):
+        write(drawn[name], f"{stem}-{name}")
+
+
+def draw_bearing_tutorial(stem: str) -> None:
+    """Write the pictures of the bearing's tutorial, from its own lines of Python up to them."""
+    before, found, _ = BEARING_TUTORIAL.read_text(encoding="utf-8").partition("## 5 Look at the figures")
+    if not found:
+        raise ValueError(f"{BEARING_TUTORIAL} has no step for figures")
+    names: dict[str, Any] = {}
+    for block in PYCON.findall(before):
+        for example in doctest.DocTestParser().get_examples(block):
+            exec(compile(example.source, BEARING_TUTORIAL.name, "exec"), names)
+    drawn = bearing_figures(names["first"], "NU 206 in first gear")
+    for name in ("loads", "pressure", "roller"):
+        write(drawn[name], f"{stem}-{name}")
 
 
 def draw_finite_bodies() -> None:

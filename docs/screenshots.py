@@ -61,6 +61,14 @@ def settle(page: Any) -> None:
     page.locator("html[data-state=settled]").wait_for(state="attached")
 
 
+def photograph_bearing(browser: Any, address: str) -> None:
+    """Take the picture of the page of bearings, with the bearing of 'nonhertz new --bearing'."""
+    page = browser.new_page(viewport=WIDE, color_scheme="light")
+    page.goto(f"{address}bearing")
+    page.locator("html[data-state=settled]").wait_for(state="attached", timeout=120_000)  # strips take seconds
+    page.screenshot(path=FIGURES / "page-bearing.png")
+
+
 def main() -> None:
     """Take all pictures."""
     with page_served() as address, browser_started() as browser:
@@ -78,6 +86,7 @@ def main() -> None:
 
         opened(browser, address, WIDE, "dark").screenshot(path=FIGURES / "page-dark.png")
         opened(browser, address, NARROW).screenshot(path=FIGURES / "page-narrow.png")
+        photograph_bearing(browser, address)
 
 
 if __name__ == "__main__":

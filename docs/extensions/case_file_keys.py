@@ -1,4 +1,4 @@
-"""Every key of a case file in tables, from the schema that the program itself checks files with."""
+"""Every key of a case file or a bearing file in tables, from the schema that the program itself checks files with."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from docutils.statemachine import StringList
 from sphinx.util.docutils import SphinxDirective
 
+from nonhertz.io.bearingfile import bearing_schema
 from nonhertz.io.casefile import schema
 from nonhertz.io.profiles import COMMON, required_keys
 
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
 Schema = dict[str, Any]
 
 NAMES = {"number": "number", "integer": "whole number", "string": "text", "array": "list", "object": "table"}
+# Tables that are alike stand once.
+_OF_BOTH = {"body.a": "[body.a] and [body.b]", "inner": "[inner] and [outer]"}
 EVERY_PROFILE = ("kind", *COMMON)
 
 
@@ -27,10 +30,15 @@ class CaseFileKeys(SphinxDirective):
     def run(self) -> list[nodes.Node]:
         """Return the sections."""
         whole = schema()
-        lines: list[str] = []
-        for heading, table in tables(whole):
-            lines += [heading, "-" * len(heading), "", sentence(table.get("description", "")), "", *_keys(table), ""]
-        lines += [
+        return self.parsed([*_sections(whole), *self._of_profiles(whole)])
+
+    def parsed(self, lines: list[str]) -> list[nodes.Node]:
+        """Return the sections in lines of reST."""
+        source = StringList(lines, source=self.get_source_info()[0])
+        return self.parse_text_to_nodes(source, allow_section_headings=True)
+
+    def _of_profiles(self, whole: Schema) -> list[str]:
+        head = [
             "Profiles",
             "--------",
             "",
@@ -39,10 +47,22 @@ class CaseFileKeys(SphinxDirective):
             + " too.",
             "",
         ]
-        lines += _profiles(whole["$defs"]["BodyTable"]["properties"]["profile"])
-        return self.parse_text_to_nodes(
-            StringList(lines, source=self.get_source_info()[0]), allow_section_headings=True
-        )
+        return head + _profiles(whole["$defs"]["BodyTable"]["properties"]["profile"])
+
+
+class BearingFileKeys(CaseFileKeys):
+    """``.. bearing-file-keys::``: the same of a bearing file, whose profiles are those of case files."""
+
+    def run(self) -> list[nodes.Node]:
+        """Return the sections."""
+        return self.parsed(_sections(bearing_schema()))
+
+
+def _sections(whole: Schema) -> list[str]:
+    lines: list[str] = []
+    for heading, table in tables(whole):
+        lines += [heading, "-" * len(heading), "", sentence(table.get("description", "")), "", *_keys(table), ""]
+    return lines
 
 
 def tables(whole: Schema) -> Iterator[tuple[str, Schema]]:
@@ -65,7 +85,7 @@ def tables(whole: Schema) -> Iterator[tuple[str, Schema]]:
 def _heading(place: str) -> str:
     if not place:
         return "The file"
-    return "[body.a] and [body.b]" if place == "body.a" else f"[{place}]"
+    return _OF_BOTH.get(place, f"[{place}]")
 
 
 def _tables_in(value: Any) -> Iterator[str]:
@@ -106,8 +126,9 @@ def kind(value: Schema) -> str:
     """Return in words what may stand for a key."""
     if "anyOf" in value:
         alternatives = [each for each in value["anyOf"] if each.get("type") != "null"]
-        if unit(value) and {each.get("type") for each in alternatives} == {"number", "string"}:
-            return "quantity"
+        types = {each.get("type") for each in alternatives}
+        if unit(value) and types >= {"number", "string"}:
+            return "quantity or list of two" if "array" in types else "quantity"
         return " or ".join(dict.fromkeys(kind(each) for each in alternatives))
     if "const" in value:
         return f'``"{value["const"]}"``'
@@ -147,4 +168,5 @@ def list_table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
 def setup(app: Sphinx) -> dict[str, bool]:
     """Add the directive."""
     app.add_directive("case-file-keys", CaseFileKeys)
+    app.add_directive("bearing-file-keys", BearingFileKeys)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

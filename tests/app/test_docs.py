@@ -23,7 +23,7 @@ API = DOCS / "reference" / "api"
 SHOWN_ELSEWHERE = [ROOT / name for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "examples/README.md")]
 PAGES = sorted(path for path in DOCS.rglob("*") if path.suffix in {".md", ".rst"} and GENERATED not in path.parents)
 MARKDOWN = [path for path in (*PAGES, *SHOWN_ELSEWHERE) if path.suffix == ".md"]
-HOW_TOS = sorted((DOCS / "how-to").glob("*.md"))
+HOW_TOS = [*sorted((DOCS / "how-to").glob("*.md")), DOCS / "tutorials" / "bearing-life.md"]
 
 FENCED = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 TOCTREE = re.compile(r"^```\{toctree\}\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -84,7 +84,7 @@ def test_links_lead_somewhere(page):
             assert not anchor or anchor in anchors(target), link
 
 
-@pytest.mark.parametrize("page", HOW_TOS, ids=lambda page: page.stem)
+@pytest.mark.parametrize("page", HOW_TOS, ids=name_of)
 @pytest.mark.slow
 def test_how_to_shows_what_happens(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
@@ -104,7 +104,20 @@ def test_how_to_shows_what_happens(page, tmp_path, monkeypatch):
 
 MODULES = {"nonhertz.profile": nh.profile} | {
     f"nonhertz.{name}": importlib.import_module(f"nonhertz.{name}")
-    for name in ("bearing", "hertz", "io.casefile", "life", "maps", "measured", "patch", "plot", "subsurface")
+    for name in (
+        "bearing",
+        "hertz",
+        "io.casefile",
+        "io.force_tables",
+        "io.bearingfile",
+        "life",
+        "maps",
+        "measured",
+        "patch",
+        "plot",
+        "rotor",
+        "subsurface",
+    )
 }
 
 

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz import bearing, hertz, life, measured, profile, subsurface
+from nonhertz import bearing, hertz, life, measured, profile, rotor, subsurface
 from nonhertz.io.casefile import LifeCase
 from nonhertz.io.results import as_json
 
@@ -91,7 +91,10 @@ REFUSED: dict[str, set[str]] = {
     "tilts": ALL - {"zero", "tiny"},
     "stations": ALL - {"three", "array"},
     "options": ALL - {"dictionary"},
+    # Below the contact, of which half a millimetre is.
+    "edge?": POSITIVE - {"none", "half", "tiny", "zero"},
     "optional": ALL - {"none"},
+    "endless": POSITIVE - {"inf"},
     "unbounded": POSITIVE - {"huge"},  # a contact knows its own bounds of a load
     "intervals": ALL - {"empty", "square"},
     "lines": ALL - {"empty", "words"},
@@ -107,6 +110,7 @@ REFUSED: dict[str, set[str]] = {
 
 # Entry points
 EXAMPLE = Path(__file__).parents[2] / "examples" / "crowned-roller.toml"
+BEARING = EXAMPLE.with_name("nu206.toml")
 RING = nh.Ring(diameter=80)
 ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(2000))
 CONTACT = nh.Contact(ROLLER, RING)
@@ -130,6 +134,7 @@ ROW = bearing.CylindricalRollerBearing(
     rollers=13,
 )
 LOADED = bearing.solve(ROW, radial=3e3)
+FORCES = bearing.table(ROW, y=[0.0, 0.01], method="slices", checks=1)
 CONE = nh.Roller(diameter=nh.TabulatedDiameter((-5.0, 5.0), (9.4, 8.6)), length=10.0, profile=nh.profile.crown(1000))
 RACEWAY = life.Raceway(10.0, 9.6, 65.0, True)
 CASES = [life.LoadCase(load=1e3, share=1.0)]
@@ -218,6 +223,12 @@ TAPER = PARTS | {
 }  # fmt: skip
 FIT = {"shift": (True, "flag"), "tilt": (False, "flag")}
 
+RIBBED = {
+    "clearance": (0.0, "number"),
+    "design": ("NJ", "word"),
+    "rib": (None, "optional"),
+    "axial_clearance": (0.0, "not negative"),
+}
 ENTRIES: dict[str, Entry] = {
     "Chamfer": entry(nh.Chamfer, length=(1.0, "positive"), angle=(0.3, "angle"), blend_radius=(0.0, "not negative")),
     "Chamfer.drop": entry(nh.Chamfer(1.0, 0.3).drop, distance=(0.5, "numbers")),
@@ -260,6 +271,14 @@ ENTRIES: dict[str, Entry] = {
     "ContactMap.csv": entry(MAP.csv, point=(None, "optional")),
     "Solutions.__getitem__": entry(MANY.__getitem__, number=(0, "index"), raises=(IndexError,)),
     "read_case": entry(nh.read_case, path=(EXAMPLE, "file"), raises=(nh.CaseError,)),
+    "read_bearing": entry(nh.read_bearing, path=(BEARING, "file"), raises=(nh.CaseError,)),
+    "BearingCase": entry(
+        nh.BearingCase, bearing=(ROW, "thing"), prescribed=({}, "options"), solver=({}, "options"),
+        life=({}, "options"), spectrum=((), "thing"), fit=({}, "options"),
+        title=("one", "name"), path=(Path("bearing.toml"), "thing"),
+    ),
+    "BearingCase.solve": entry(nh.BearingCase(ROW).solve, method=("slices", "optional"), raises=(nh.CaseError,)),
+    "BearingCase.assess": entry(nh.BearingCase(ROW).assess, solution=(LOADED, "thing")),
     "read_result": entry(nh.read_result, path=(written_result(), "file")),
     "Case": entry(
         nh.Case, contact=(CONTACT, "thing"), prescribed=({"load": 1e3}, "thing"), solver=({"strips": 11}, "options"),
@@ -334,9 +353,9 @@ ENTRIES: dict[str, Entry] = {
     "subsurface.extremes": entry(subsurface.extremes, **WITHIN, station=(0.0, "number?")),
     "bearing.RollerBearing": entry(bearing.RollerBearing, **PARTS),
     "bearing.CylindricalRollerBearing": entry(
-        bearing.CylindricalRollerBearing, **PARTS, clearance=(0.0, "number")
+        bearing.CylindricalRollerBearing, **PARTS, **RIBBED
     ),
-    "bearing.NeedleRollerBearing": entry(bearing.NeedleRollerBearing, **PARTS, clearance=(0.0, "number")),
+    "bearing.NeedleRollerBearing": entry(bearing.NeedleRollerBearing, **PARTS, **RIBBED),
     "bearing.TaperedRollerBearing": entry(
         bearing.TaperedRollerBearing,
         **TAPER,
@@ -373,7 +392,14 @@ ENTRIES: dict[str, Entry] = {
         distance=(20.0, "positive"),
         clearance=(0.0, "number"),
     ),
-    "bearing.Rib": entry(bearing.Rib, end_radius=(100.0, "positive"), height=(4.0, "not negative")),
+    "bearing.Rib": entry(
+        bearing.Rib, end_radius=(100.0, "positive"), height=(4.0, "not negative"), crown_radius=(None, "positive?"),
+        edge=(None, "edge?"),
+    ),
+    "bearing.Rib.of_flank": entry(
+        bearing.Rib.of_flank, end_radius=(100.0, "positive"), angle=(0.01, "not negative"),
+        crown_radius=(None, "positive?"), edge=(None, "edge?"),
+    ),
     "bearing.solve": entry(
         bearing.solve,
         bearing=(ROW, "thing"),
@@ -397,11 +423,37 @@ ENTRIES: dict[str, Entry] = {
         radial_displacement=(None, "optional"),
         axial_displacement=(None, "many?"),
         tilt=(None, "many?"),
+        displacement=(None, "optional"),
         speed=(0.0, "not negative"),
         method=("slices", "word"),
         laminae=(30, "whole"),
         maps=(None, "optional"),
+        threads=(None, "whole?"),
     ),
+    "bearing.table": entry(
+        bearing.table,
+        bearing=(ROW, "thing"),
+        x=(0.0, "many"),
+        y=([0.0, 0.01], "many"),
+        z=(0.0, "many"),
+        about_y=(0.0, "many"),
+        about_z=(0.0, "many"),
+        speed=(0.0, "not negative"),
+        method=("slices", "word"),
+        laminae=(30, "whole"),
+        maps=(None, "optional"),
+        checks=(1, "count"),
+    ),
+    "bearing.ForceTable.interpolated": entry(
+        FORCES.interpolated,
+        x=(None, "optional"),
+        y=(0.005, "numbers"),
+        z=(None, "optional"),
+        about_y=(None, "optional"),
+        about_z=(None, "optional"),
+        kind=("linear", "word"),
+    ),
+    "bearing.ForceTable.bound": entry(FORCES.bound, kind=("linear", "word")),
     "bearing.maps": entry(
         bearing.maps, bearing=(ROW, "thing"), load=(1e3, "positive"), tilt=(1e-4, "positive"), accuracy=(0.1, "all")
     ),
@@ -416,7 +468,11 @@ ENTRIES: dict[str, Entry] = {
     ),
     "bearing.RollerBearing.load_by_speed": entry(ROW.load_by_speed, speed=(100.0, "number")),
     "bearing.rating": entry(
-        bearing.rating, bearing=(ROW, "thing"), dynamic=(None, "positive?"), static=(None, "positive?")
+        bearing.rating,
+        bearing=(ROW, "thing"),
+        dynamic=(None, "positive?"),
+        static=(None, "positive?"),
+        material_factor=(None, "positive?"),
     ),
     "bearing.assess": entry(
         bearing.assess,
@@ -424,9 +480,11 @@ ENTRIES: dict[str, Entry] = {
         speed=(1e3, "positive"),
         viscosity=(20.0, "positive"),
         contamination=(0.5, "positive?"),
+        cleanliness=("high", "word"),
         reliability=(0.9, "positive"),
         edge_stress=(None, "optional"),
         laminae=(30, "whole"),
+        turning=("inner", "word"),
         dynamic=(None, "positive?"),
         static=(None, "positive?"),
     ),
@@ -438,10 +496,121 @@ ENTRIES: dict[str, Entry] = {
     ),
     "bearing.reliability_factor": entry(bearing.reliability_factor, reliability=(0.95, "positive")),
     "bearing.contamination_factor": entry(
-        bearing.contamination_factor, viscosity_ratio=(1.0, "positive"), pitch_diameter=(50.0, "positive")
+        bearing.contamination_factor,
+        viscosity_ratio=(1.0, "positive"),
+        pitch_diameter=(50.0, "positive"),
+        cleanliness=("high", "word"),
     ),
+    "bearing.Shaft": entry(
+        bearing.Shaft,
+        diameter=(30.0, "positive"),
+        interference=(0.01, "number"),
+        smoothing=(0.0, "not negative"),
+        bore=(0.0, "not negative"),
+        material=(STEEL, "thing"),
+        expansion=(12e-6, "number"),
+        density=(7.85e-9, "positive"),
+        temperature=(20.0, "number"),
+    ),
+    "bearing.Housing": entry(
+        bearing.Housing,
+        diameter=(62.0, "positive"),
+        interference=(0.01, "number"),
+        smoothing=(0.0, "not negative"),
+        outside_diameter=(90.0, "endless"),
+        material=(STEEL, "thing"),
+        expansion=(12e-6, "number"),
+        temperature=(20.0, "number"),
+    ),
+    "bearing.operating_clearance": entry(
+        bearing.operating_clearance,
+        bearing=(ROW, "thing"),
+        shaft=(bearing.Shaft(diameter=30.0, interference=0.01), "thing"),
+        housing=(bearing.Housing(diameter=62.0), "thing"),
+        **dict.fromkeys(("inner_temperature", "roller_temperature", "outer_temperature"), (50.0, "number")),
+        speed=(1e3, "not negative"),
+        ring_expansion=(12e-6, "number"),
+        roller_expansion=(12e-6, "number"),
+        ring_density=(7.85e-9, "positive"),
+    ),
+    "bearing.OperatingClearance.axial": entry(
+        bearing.operating_clearance(
+            ROW, shaft=bearing.Shaft(diameter=30.0), housing=bearing.Housing(diameter=62.0)
+        ).axial,
+        contact_angle=(0.2, "angle"),
+    ),
+    "bearing.from_catalogue": entry(
+        bearing.from_catalogue,
+        bore=(30.0, "positive"),
+        outside_diameter=(62.0, "positive"),
+        width=(16.0, "positive"),
+        dynamic=(44e3, "positive"),
+        static=(36.5e3, "positive"),
+        kind=("cylindrical", "word"),
+        inner_raceway=(None, "positive?"),
+        outer_raceway=(None, "positive?"),
+        **dict.fromkeys(("contact_angle", "limiting_ratio", "axial_factor"), (None, "optional")),
+        clearance=(None, "number?"),
+    ),
+    "bearing.fourier_shape": entry(bearing.fourier_shape, terms=({2: 0.005}, "options")),
+    "bearing.tabulated_shape": entry(
+        bearing.tabulated_shape, angle=([0.0, 1.0, 2.0], "row"), deviation=([0.0, 0.01, 0.0], "row"),
+        curve=("linear", "word"),
+    ),
+    "bearing.RingShape.__call__": entry(bearing.fourier_shape({2: 0.005}), angle=([0.0], "numbers")),
+    "bearing.RingShape.turned": entry(bearing.fourier_shape({2: 0.005}).turned, by=(0.1, "number")),
+    "bearing.RingShape.scaled": entry(bearing.fourier_shape({2: 0.005}).scaled, by=(-1.0, "number")),
     "bearing.BearingSolution.contact": entry(LOADED.contact, roller=(0, "count"), ring=("inner", "word")),
-    "life.assess": entry(life.assess, **WITHIN, models=("iso-16281", "models"), rollers=(10, "whole?")),
+    "bearing.BearingSolution.rib_contact": entry(LOADED.rib_contact, roller=(0, "count"), ring=("inner", "word")),
+    "bearing.BearingSolution.rollers_of": entry(LOADED.rollers_of, row=(0, "count")),
+    "bearing.BearingSolution.unrolled_pressure": entry(
+        LOADED.unrolled_pressure, ring=("inner", "word"), row=(0, "count"), y=([0.0, 1.0], "row?")
+    ),
+    "rotor.stiffness": entry(rotor.stiffness, solution=(LOADED, "thing"), free=(["x"], "names")),
+    "bearing.oil_viscosity": entry(
+        bearing.oil_viscosity,
+        temperature=(70.0, "number"),
+        viscosities=((46.0, 6.8), "numbers"),
+        temperatures=((40.0, 100.0), "numbers"),
+    ),
+    "bearing.LoadCase": entry(
+        bearing.LoadCase,
+        share=(0.5, "positive"),
+        radial=(1e3, "number?"),
+        axial=(None, "number?"),
+        moment=(None, "number?"),
+        radial_displacement=(None, "number?"),
+        axial_displacement=(None, "number?"),
+        tilt=(0.0, "number?"),
+        speed=(1e3, "not negative"),
+    ),
+    "bearing.solve_spectrum": entry(
+        bearing.solve_spectrum,
+        bearing=(ROW, "thing"),
+        cases=([bearing.LoadCase(share=1.0, radial=3e3)], "several"),
+        method=("slices", "word"),
+        laminae=(30, "whole"),
+        maps=(None, "optional"),
+    ),
+    "bearing.shares_of_revolutions": entry(
+        bearing.shares_of_revolutions, times=([0.5, 0.5], "numbers"), speeds=([1e3, 2e3], "numbers")
+    ),
+    "bearing.volume_life": entry(
+        bearing.volume_life,
+        solution=(LOADED, "thing"),
+        model=("zaretsky", "word"),
+        turning=("inner", "word"),
+        field=("sections", "word"),
+        dynamic=(None, "positive?"),
+    ),
+    "bearing.pressure_safety": entry(bearing.pressure_safety, solution=(LOADED, "thing"), limit=(4e3, "positive")),
+    "life.assess": entry(
+        life.assess,
+        **WITHIN,
+        models=("iso-16281", "models"),
+        rollers=(10, "whole?"),
+        contact_angle=(None, "number?"),
+    ),
     "life.exposure": entry(life.exposure, **WITHIN),
     "life.Exposure.density": entry(EXPOSURE.density, model=(PALMGREN, "thing")),
     "life.Exposure.damage": entry(EXPOSURE.damage, model=(PALMGREN, "thing")),
@@ -508,11 +677,13 @@ ENTRIES: dict[str, Entry] = {
         contact_angle=(0.2, "not negative"),
     ),
     "life.Raceway.capacity_of": entry(
-        RACEWAY.capacity_of, load_rating=(5e4, "positive"), rollers=(14, "whole")
+        RACEWAY.capacity_of, load_rating=(5e4, "positive"), rollers=(14, "whole"), rows=(2, "whole")
     ),
-    "life.Raceway.load_rating": entry(RACEWAY.load_rating, rollers=(14, "whole")),
+    "life.Raceway.load_rating": entry(
+        RACEWAY.load_rating, rollers=(14, "whole"), rows=(2, "whole"), material_factor=(None, "positive?")
+    ),
     "life.Raceway.capacity": entry(RACEWAY.capacity, rollers=(14, "whole")),
-    "life.raceway": entry(life.raceway, contact=(CONTACT, "thing")),
+    "life.raceway": entry(life.raceway, contact=(CONTACT, "thing"), contact_angle=(0.2, "number?")),
     "profile.straight": entry(profile.straight),
     "profile.crown": entry(profile.crown, radius=(100.0, "number"), centre=(0.0, "number")),
     "profile.partial_crown": entry(
@@ -610,7 +781,10 @@ SLOW = {
 def test_the_good_arguments_are_taken(name, tmp_path):
     case = ENTRIES[name]
     (tmp_path / "profile.csv").write_text("-1, 0\n1, 0\n", encoding="utf-8")
-    given = name in {"Case", "Solutions.read", "read_result"} or case.good.get("path", EXAMPLE) == EXAMPLE
+    given = (
+        name in {"BearingCase", "Case", "Solutions.read", "read_bearing", "read_result"}
+        or case.good.get("path", EXAMPLE) == EXAMPLE
+    )
     good = case.good | ({} if given else {"path": tmp_path / "profile.csv"})
     case.call(**good)
 
@@ -681,7 +855,10 @@ RESULTS = {
     "Status",
     "hertz.LineContact", "hertz.PointContact",
     "bearing.BearingLife", "bearing.BearingMaps", "bearing.BearingSolution",
-    "bearing.BearingSolutions", "bearing.Rating", "bearing.Row",
+    "bearing.BearingSolutions", "bearing.CatalogueGuess", "bearing.Fit", "bearing.OperatingClearance",
+    "bearing.Rating", "bearing.RingShape", "bearing.Row",
+    "bearing.ForceTable", "bearing.UnrolledPressure",
+    "bearing.VolumeLife",
     "life.Exposure", "life.Life",
     "measured.Fit", "measured.Roughness", "measured.StepResult",
     "subsurface.Extreme", "subsurface.Extremes", "subsurface.Field", "subsurface.Passage",
@@ -726,7 +903,14 @@ def test_every_public_name_is_in_the_table_with_all_its_arguments(name):
 #: Asked of a solution and not of a user, or in the table under another name.
 ELSEWHERE = {"life.Laminae", "measured.Measured", "Comparison.along"}
 #: It would write files of nonsensical names; in tests/unit/test_written.py.
-WRITES = {"Case.write", "Solutions.save", "ContactMap.save", "ContactMap.to_csv", "ContactMap.to_mat"}
+WRITES = {
+    "BearingCase.write",
+    "Case.write",
+    "Solutions.save",
+    "ContactMap.save",
+    "ContactMap.to_csv",
+    "ContactMap.to_mat",
+}
 #: Asked by the solver, of positions that it has checked.
 CHECKED = {"Body.relief_at", "Body.curvature_at", "Contact.separation_at", "Contact.curvature_at"}
 

@@ -30,6 +30,7 @@ CLASSES = {
     "`subsurface.Passage`": nh.subsurface.Passage,
     "`subsurface.Extreme`": nh.subsurface.Extreme,
     "`life.Life`": nh.life.Life,
+    "`bearing.Rating`": nh.bearing.Rating,
     "`maps.MapPoint`": nh.maps.MapPoint,
     "`maps.Bounds`": nh.maps.Bounds,
 }
