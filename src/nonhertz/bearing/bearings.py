@@ -183,7 +183,7 @@ class RollerBearing:
         """Whether the inner ring can bear an axial load along +x, and along -x."""
         return False, False
 
-    @property
+    @cached_property
     def rib_contacts(self) -> tuple[RibContact, ...]:
         """The contacts of the rollers' ends with ribs that bear loads."""
         return ()
@@ -345,7 +345,7 @@ class CylindricalRollerBearing(RollerBearing):
         low, high = (("inner", side) in ribs and ("outer", -side) in ribs for side in (-1, 1))
         return low, high
 
-    @property
+    @cached_property
     def rib_contacts(self) -> tuple[RibContact, ...]:
         """The contacts of the rollers' ends with ribs that bear loads."""
         if not any(self.bears_axially):
@@ -451,7 +451,7 @@ class TaperedRollerBearing(RollerBearing):
             rings.append(replace(ring, diameter=_along(y, across, falls)))
         return Contact(roller, rings[0]), Contact(roller, rings[1])
 
-    @property
+    @cached_property
     def rib_contacts(self) -> tuple[RibContact, ...]:
         """The contact of the rollers' large ends with the rib of the inner ring."""
         inclined, half, rib = 0.5 * sum(self.contact_angles), 0.5 * self.roller_length, self.rib

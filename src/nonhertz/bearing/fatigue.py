@@ -35,9 +35,9 @@ from numpy.typing import NDArray
 
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.frames import RINGS
-from nonhertz.bearing.laminae import rows_of
 from nonhertz.bearing.ratings import Rating, rating
 from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.unrolled import row_slices
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_of
 from nonhertz.life.catalogue import MODELS, VolumeModel
@@ -188,7 +188,7 @@ def volume_life(
     even: list[Array] = []
     sharp: set[Solution] = set()
     steep = 0.0
-    for row, these in zip(solution.bearing.rows, rows_of(solution), strict=True):
+    for row, these in zip(solution.bearing.rows, row_slices(solution.bearing), strict=True):
         seen = _Seen(solution, range(these.start, these.stop), field)
         calibrated = _Calibration(row.bearing, rated or rating(row.bearing), chosen)
         for lives, ideal in ((of_rows, False), (even, True)):

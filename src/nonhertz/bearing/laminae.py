@@ -14,7 +14,6 @@ row; the number of rows i is added here, since C_u is that of all rows together.
 
 from __future__ import annotations
 
-import itertools
 import math
 
 import numpy as np
@@ -25,6 +24,7 @@ from nonhertz.bearing.lubrication import MOST_FACTOR, life_factor
 from nonhertz.bearing.ratings import Rating
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import standard_slices
+from nonhertz.bearing.unrolled import row_slices
 from nonhertz.life.lamina import EXPONENT, SLOPE, edge_function, iso_16281, laminae_of
 
 Array = NDArray[np.float64]
@@ -36,13 +36,7 @@ _WORST_FACTOR = 0.1
 def lamina_means(solution: BearingSolution, laminae: int, edge_stress: str, turning: str) -> list[Array]:
     """Return q_e of every lamina [N] of both rings, shape (2, laminae), for each row."""
     suffered = _suffered(solution, laminae, edge_stress)
-    return [mean_over_rollers(suffered[these], turning) for these in rows_of(solution)]
-
-
-def rows_of(solution: BearingSolution) -> list[slice]:
-    """Return which rollers each row has."""
-    ends = np.cumsum([0, *(row.bearing.rollers for row in solution.bearing.rows)]).tolist()
-    return [slice(first, last) for first, last in itertools.pairwise(ends)]
+    return [mean_over_rollers(suffered[these], turning) for these in row_slices(solution.bearing)]
 
 
 def mean_over_rollers(suffered: Array, turning: str) -> Array:
@@ -87,7 +81,7 @@ def _suffered(solution: BearingSolution, laminae: int, edge_stress: str) -> Arra
     """Return f q of every lamina [N], shape (rollers, 2, laminae)."""
     found = np.zeros((*solution.load.shape, laminae))
     if solution.method == "slices":
-        for row, these in zip(solution.bearing.rows, rows_of(solution), strict=True):
+        for row, these in zip(solution.bearing.rows, row_slices(solution.bearing), strict=True):
             slices = standard_slices(row.bearing, laminae)
             loads = slices.loads(solution.approach[these].ravel(), solution.tilt[these].ravel())
             found[these] = loads.reshape(found[these].shape)

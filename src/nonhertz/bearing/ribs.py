@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -133,7 +134,7 @@ class RibContact:
             load=load, radius_x=self.radius_around, radius_y=self.radius_along, compliance=self.compliance
         )
 
-    @property
+    @cached_property
     def law(self) -> Point:
         """How it answers."""
         unit = self.under(1.0)

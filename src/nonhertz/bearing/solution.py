@@ -151,10 +151,8 @@ class BearingSolution(ReadOnly):
     def rib_load(self) -> Array:
         """Load on the ends of the rollers from the ribs of the inner and the outer ring [N], shape (rollers, 2)."""
         found = np.zeros(self.load.shape)
-        for row, these in zip(self.bearing.rows, row_slices(self.bearing), strict=True):
-            # Slices know no ribs of tapered rows.
-            for rib, loads in zip(row.bearing.rib_contacts, self.rib_loads[these].T, strict=False):
-                found[these, RINGS.index(rib.ring)] += loads
+        for loads, rib in self._ribs():
+            found[:, RINGS.index(rib.ring)] += loads
         return found
 
     def rib_contact(self, roller: int, ring: str = "inner") -> PointContact | None:
@@ -174,16 +172,18 @@ class BearingSolution(ReadOnly):
         """
         roller = whole("roller", roller, 0, self.angle.size - 1, "count from 0")
         one_of("ring", ring, RINGS, "name one of both")
-        loaded = [(load, rib) for load, rib in self._ribs(roller) if rib.ring == ring and load > 0.0]
-        return max(((load, rib.under(load)) for load, rib in loaded), key=lambda each: each[0], default=(0.0, None))[1]
+        pressing = [(float(loads[roller]), rib) for loads, rib in self._ribs() if rib.ring == ring]
+        load, rib = max(pressing, key=lambda each: each[0], default=(0.0, None))
+        return rib.under(load) if rib is not None and load > 0.0 else None
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """What strains the model: contacts on ribs that reach an edge, the most loaded one of each ring."""
         found = []
+        every = self._ribs()
         for ring in RINGS:
-            every = [(load, j, rib) for j in range(self.angle.size) for load, rib in self._ribs(j) if rib.ring == ring]
-            load, j, rib = max(every, key=lambda each: each[0], default=(0.0, 0, None))
+            most = [(float(loads.max()), int(loads.argmax()), rib) for loads, rib in every if rib.ring == ring]
+            load, j, rib = max(most, key=lambda each: each[0], default=(0.0, 0, None))
             if rib is not None and rib.reaches_an_edge(load):
                 reach = rib.under(load).half_length
                 found.append(
@@ -192,11 +192,16 @@ class BearingSolution(ReadOnly):
                 )
         return tuple(found)
 
-    def _ribs(self, roller: int) -> list[tuple[float, RibContact]]:
-        """Return the load of each rib on a roller, and the rib."""
-        row = next(row for row, these in enumerate(row_slices(self.bearing)) if roller < these.stop)
-        ribs = self.bearing.rows[row].bearing.rib_contacts
-        return list(zip(self.rib_loads[roller].tolist(), ribs, strict=False))
+    def _ribs(self) -> list[tuple[Array, RibContact]]:
+        """Return every rib that bears loads, with that on each roller, which is zero on those of other rows."""
+        found = []
+        for row, these in zip(self.bearing.rows, row_slices(self.bearing), strict=True):
+            # Slices know no ribs of tapered rows.
+            for rib, loads in zip(row.bearing.rib_contacts, self.rib_loads[these].T, strict=False):
+                on_all = np.zeros(self.angle.size)
+                on_all[these] = loads
+                found.append((on_all, rib))
+        return found
 
     @cached_property
     def _solutions(self) -> list[list[Solution | None]]:
