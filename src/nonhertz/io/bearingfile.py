@@ -181,7 +181,7 @@ class BearingCase:
         Raises
         ------
         CaseError
-            As `nonhertz.bearing.operating_clearance` does, or if what is left is not a clearance that a bearing can have.
+            As `nonhertz.bearing.operating_clearance` does, or if what is left is no clearance that a bearing can have.
         """
         if not self.fit:
             return self.bearing
