@@ -29,7 +29,11 @@ OF_ROLLER = 0.1
 SHORTENINGS = 30
 RIDGE = 1e-13  # of the stiffness, where nothing resists
 OVERSHOT = 0.5  # of the slope along a step, by which it may point backwards at its end
+DESCENT, STEEP = 0.1, 4.0  # of what a step promises, which is enough; and of its slope, which is too much backwards
 HELD_BACK = 1e-3  # of loads over the penetration to be expected
+# By how much a step is longer that is to end beyond the contact, more than the power of any law, where less than the
+# second of the loads would be left.
+LETS_GO, NOTHING_LEFT = 2.0, 0.1
 CAUTION = 8.0  # penetrations that a step may add
 # Ring and rollers step together while what is left of the balance, over the loads, is below the first, and every step
 # leaves no more than this share of it.
@@ -271,11 +275,14 @@ def go_on(parts: Parts, work: Work, given: Given, target: Array) -> bool:
             _add_up(parts, work, j)
     size = _size(parts, work, given, target)
     if work.together[0] > 0.0:
+        # Few rollers that leave or enter the load zone are no reason to give up what suits all others.
+        if _rollers_move(parts, work, given, OF_ROLLER * min(CLOSE, LEADS_ON * work.together[0]) * size):
+            return True
         if _step_together(parts, work, given, target, size):
             return True
         if work.together[0] > 0.0:
             return False
-    if _rollers_move(parts, work, given, size):
+    if _rollers_move(parts, work, given, OF_ROLLER * given.tolerance * size):
         return True
     _condense(parts, work)
     return _ring_moves(parts, work, given, target, _left_of_rollers(parts, work) / size if size > 0.0 else 0.0)
@@ -369,18 +376,18 @@ def _size(parts: Parts, work: Work, given: Given, target: Array) -> float:
 
 
 @compiled
-def _rollers_move(parts: Parts, work: Work, given: Given, size: float) -> bool:
-    """Move the rollers that are not in balance; return whether there are any."""
+def _rollers_move(parts: Parts, work: Work, given: Given, enough: float) -> bool:
+    """Move the rollers whose balance is short of what is enough [N]; return whether there are any."""
     moving = False
     for j in range(work.asked.size):
         if work.searching[j]:
             slope = 0.0
             for a in range(3):
                 slope += work.off[j, a] * work.step[j, a]
-            if not _shortened(work, j, slope):
+            if _descends(parts, work, j, slope) or not _shortened(work, j, slope):
                 work.searching[j] = False
         if not work.searching[j]:
-            work.asked[j] = _roller_steps(parts, work, given, j, size)
+            work.asked[j] = _roller_steps(parts, work, given, j, enough)
             if not work.asked[j]:
                 continue
         for a in range(3):
@@ -391,12 +398,36 @@ def _rollers_move(parts: Parts, work: Work, given: Given, size: float) -> bool:
 
 
 @compiled
-def _roller_steps(parts: Parts, work: Work, given: Given, j: int, size: float) -> bool:
-    """Give a roller a step if it is not in balance."""
-    off = _left_of(parts, work, j)
-    if off <= OF_ROLLER * given.tolerance * size or work.steps[j] >= given.steps:
+def _descends(parts: Parts, work: Work, j: int, slope: float) -> bool:
+    """Return whether a roller's step surely led down, though it points backwards at its end.
+
+    So it does where a contact is met on the way: the slope then turns within a thousandth of the step, and a shorter
+    one would end before the contact again. What a contact stores is convex, and zero where bodies are apart: along the
+    step it gains no more than its load at the end times the way, nor than this load times the penetration.
+    """
+    if slope < -STEEP * work.slope[j]:
         return False
-    step = _roller_step(parts, work, given, j, size)
+    gained = 0.0
+    for a in range(3):
+        gained -= parts.load[j, a] * work.step[j, a]
+    for c in range(parts.law.shape[1]):
+        if parts.law[j, c] == ABSENT:
+            continue
+        load, moment = work.answer[j, c, 0], work.answer[j, c, 1]
+        stored = load * (work.pose[j, c, 0] + parts.scale[2] * abs(work.pose[j, c, 1])) / work.share[j]
+        along = 0.0
+        for a in range(3):
+            along -= (parts.motion[j, c, 0, a] * load + parts.motion[j, c, 1, a] * moment) * work.step[j, a]
+        gained += min(stored, along)
+    return bool(gained <= -DESCENT * work.slope[j])
+
+
+@compiled
+def _roller_steps(parts: Parts, work: Work, given: Given, j: int, enough: float) -> bool:
+    """Give a roller a step if it is not in balance."""
+    if _left_of(parts, work, j) <= enough or work.steps[j] >= given.steps:
+        return False
+    step = _roller_step(parts, work, given, j)
     slope = 0.0
     for a in range(3):
         work.step[j, a] = step[a, 0]
@@ -408,24 +439,60 @@ def _roller_steps(parts: Parts, work: Work, given: Given, j: int, size: float) -
 
 
 @compiled
-def _roller_step(parts: Parts, work: Work, given: Given, j: int, size: float) -> Array:
+def _roller_step(parts: Parts, work: Work, given: Given, j: int) -> Array:
     """Return a step of a roller towards its balance, the ring at rest, shape (3, 1)."""
     # As for the ring: where nothing resists, a roller goes where it is pushed, and not far at once.
-    held = HELD_BACK * min(_left_of(parts, work, j), size) / given.depth
+    held = HELD_BACK * _left_of(parts, work, j) / given.depth
     matrix, right = work.whole[j].copy(), np.empty((3, 1))
     for a in range(3):
         right[a, 0] = work.off[j, a]
         matrix[a, a] += held * parts.scale[a] ** 2
     _solve(matrix, right, parts.scale)
-    deepest, moved = given.depth, 0.0
-    for c in range(parts.law.shape[1]):
-        deepest = max(deepest, work.pose[j, c, 0])
-    for a in range(3):
-        moved = max(moved, abs(right[a, 0]) * parts.scale[a])
-    if moved > CAUTION * deepest:
-        right *= CAUTION * deepest / moved
+    if _is_let_go(parts, work, j, right):
+        right *= LETS_GO
+    right *= _cautious(parts, _deepest(work, given, j), right[:, 0])
     right *= _share_of_step(parts, work, j, right)
     return right
+
+
+@compiled
+def _deepest(work: Work, given: Given, j: int) -> float:
+    """Return how deep the contacts of a roller are, or are expected to be [mm]."""
+    deepest = given.depth
+    for c in range(work.pose.shape[1]):
+        deepest = max(deepest, work.pose[j, c, 0])
+    return deepest
+
+
+@compiled
+def _cautious(parts: Parts, deepest: float, step: Array) -> float:
+    """Return the share of a roller's step that presses nothing much deeper than so deep [mm]."""
+    moved = 0.0
+    for a in range(3):
+        moved = max(moved, abs(step[a]) * parts.scale[a])
+    return 1.0 if moved <= CAUTION * deepest else CAUTION * deepest / moved
+
+
+@compiled
+def _is_let_go(parts: Parts, work: Work, j: int, step: Array) -> bool:
+    """Return whether a step leaves a roller that nothing loads without any contact: it is to end clear of the rings.
+
+    A load that grows with a power of the penetration falls only to a certain part of itself in every step to zero.
+    """
+    for a in range(3):
+        if parts.load[j, a] != 0.0:
+            return False
+    now, then = 0.0, 0.0
+    for c in range(parts.law.shape[1]):
+        if parts.law[j, c] == ABSENT:
+            continue
+        load = work.answer[j, c, 0]
+        now += load
+        for a in range(3):
+            by_step = work.answer[j, c, 2] * parts.motion[j, c, 0, a] + work.answer[j, c, 3] * parts.motion[j, c, 1, a]
+            load -= by_step * step[a, 0]
+        then += max(load, 0.0)
+    return bool(then <= NOTHING_LEFT * now)
 
 
 @compiled
@@ -494,7 +561,7 @@ def _step_together(parts: Parts, work: Work, given: Given, target: Array, size: 
     work.steps[row] += 1
     # Where the rollers would go if the ring stayed, and what that does to it.
     for j in range(row):
-        rest = _roller_step(parts, work, given, j, size)
+        rest = _roller_step(parts, work, given, j)
         pushed = _product(work.of_ring[j], rest)
         for a in range(3):
             work.before[j, a] = rest[a, 0]
@@ -597,8 +664,7 @@ def _follow_ring(parts: Parts, work: Work, given: Given, off: Array, loads: floa
     deepest, moved = given.depth, 0.0
     for j in range(work.asked.size):
         at_roller = np.zeros((3, 1))
-        for c in range(parts.law.shape[1]):
-            deepest = max(deepest, work.pose[j, c, 0])
+        deepest = max(deepest, _deepest(work, given, j))
         for a in range(3):
             for b in range(5):
                 at_roller[a, 0] += parts.ring[j, a, b] * work.ring_step[b]
@@ -609,7 +675,10 @@ def _follow_ring(parts: Parts, work: Work, given: Given, off: Array, loads: floa
     # No step presses anything much deeper than it is or is expected to be.
     share = 1.0 if moved <= CAUTION * deepest else CAUTION * deepest / moved
     work.ring_step[:] = share * work.ring_step
-    work.follows[:] = share * work.follows
+    for j in range(work.asked.size):
+        # A roller that little holds would be flung about.
+        work.follows[j] *= share
+        work.follows[j] *= _cautious(parts, deepest, work.follows[j])
 
 
 @compiled

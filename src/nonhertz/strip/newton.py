@@ -49,8 +49,8 @@ TOLERANCE, ROUGH_TOLERANCE = 1e-11, 1e-6
 NEARLY, SMALL_STEP = 1e-8, 1e-5
 # The same on the way to a finer grid, where the stiffness is not needed.
 ROUGHLY_NEARLY, ROUGHLY_SMALL = 1e-3, 0.1
-# When following, also how much larger than before a residual may be.
-STEP_LIMIT, FOLLOWING, ASTRAY = 60, 12, 10.0
+# Steps from nothing, and where a contact follows another approach and tilt.
+STEP_LIMIT, FOLLOWING = 60, 12
 LEAST_CHANGE = 0.3  # smallest factor by which r may change in one step; its inverse is the largest
 WIDEST = 1e4  # half-width over half the total length of the strips, beyond which the iteration has diverged
 ROOM = 1.3  # for the largest m to grow before `Remote` has to be worked out again
@@ -169,7 +169,7 @@ def followed(
     remote : Remote
         For the next call.
     """
-    half, least = 0.5 * (strips.high[-1] - strips.low[0]), np.inf
+    half = 0.5 * (strips.high[-1] - strips.low[0])
     for k in range(2):
         sought.rigid[k] = given.target[k]
     for _ in range(FOLLOWING):
@@ -179,9 +179,6 @@ def followed(
         remote = _still_remote(strips, law, sought, remote)
         equations, scale, noise, unsettled = _weighed(strips, given, law, remote, sought, active, half, True)
         residual = worse(unsettled, -(_least(sought.gap) + noise) / scale)
-        if residual > ASTRAY * least:
-            break
-        least = min(least, residual)
         d_r, d_q = _directions(equations)
         response = _border(equations, d_q)
         largest = _combine(d_r, d_q, 0.0, 0.0)
