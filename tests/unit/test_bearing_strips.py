@@ -1,5 +1,7 @@
 """Contacts of a bearing by strips: they follow from one step to the next, and both rings use the same strips."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
@@ -8,6 +10,7 @@ import nonhertz as nh
 from nonhertz.bearing import strips
 from nonhertz.bearing.strips import StripLaw
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 ROLLER = nh.Roller(diameter=9.0, length=10.0, corner_radius=0.3, profile=nh.profile.crown(1200.0))
 RINGS = nh.Ring(diameter=37.5, depth=3.75), nh.Ring(diameter=-55.5, depth=3.25)
 INNER, OUTER = (nh.Contact(ROLLER, ring) for ring in RINGS)
@@ -175,3 +178,31 @@ def test_rollers_that_speed_alone_presses_cost_little(speed, most, monkeypatch):
     assert np.count_nonzero(idle) >= 6
     assert_allclose(found.load[idle, 1], found.roller_load[idle, 1], atol=1e-9 * found.load.max())
     assert len(laid) <= most
+
+
+def test_idle_tapered_rollers_cost_little(monkeypatch):
+    """On the outer ring and the rib they tilted to and fro, each time on other strips: 180 where 30 do."""
+    laid = []
+    lay = StripLaw._lay_at_once
+    monkeypatch.setattr(StripLaw, "_lay_at_once", lambda self, rows, poses: (laid.extend(rows), lay(self, rows, poses)))
+    found = nh.read_bearing(EXAMPLES / "tapered-pair.toml").solve()
+    idle = found.load[:, 0] == 0.0
+    assert np.count_nonzero(idle) == 12
+    # Each rests where speed puts it, whatever the others bear.
+    assert_allclose(found.load[idle, 1], 0.806, rtol=1e-3)
+    assert_allclose(found.rib_load[idle, 0], 0.167, rtol=3e-3)
+    assert len(laid) <= 45
+
+
+@pytest.mark.parametrize("tilt", [1e-4, 1.37e-4, 3.3e-4])
+def test_the_load_fades_with_the_penetration(tilt):
+    """Where bodies overlap most between samples, light contacts were cut off that still bore a load."""
+    law = StripLaw(nh.Contact(nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(1200.0)), RINGS[0]))
+    summit = 1200.0 * (np.sqrt(1.0 + tilt**2) - 1.0)
+    depth = np.geomspace(1e-4, 1e-9, 6)
+    assert_allclose(law.penetration(depth - summit, np.full(6, tilt)), depth, rtol=1e-3, atol=1e-12)
+    loads = np.array([asked(law, each - summit, tilt)[0] for each in depth])
+    # Hertz's ellipse, whose load falls nearly with the power 3/2.
+    powers = np.diff(np.log(loads)) / np.diff(np.log(depth))
+    assert np.all((powers > 1.3) & (powers < 1.6))
+    assert asked(law, -1e-9 - summit, tilt)[0] == 0.0

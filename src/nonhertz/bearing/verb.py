@@ -30,8 +30,9 @@ Array = NDArray[np.float64]
 Method = Literal["strips", "slices"]
 
 METHODS = ("strips", "slices")
-# What leads to the neighbourhood of the balance, and what may be left there, over the loads.
-FEW_SLICES, ROUGH_STRIPS, NEARBY = 11, 21, 1e-2
+# What leads to the neighbourhood of the balance, and what may be left there, over the loads. Slices are to be as narrow
+# as the contacts of rollers that speed alone loads are long.
+GUIDING_SLICES, ROUGH_STRIPS, NEARBY = 81, 21, 1e-2
 _UNIT_OF_SPEED = math.pi / 30.0
 _SPEED_REMEDY = "give the speed of the inner ring in 1/min"
 
@@ -228,14 +229,20 @@ class _Setting:
             found = balanced(_jointed(self.bearing, self.load, laws), by_force, target, start, depth, threads=threads)
             _refuse_beyond(self.bearing, laws, found)
             return found
-        sliced = _sliced(self.bearing, self.load, FEW_SLICES)
-        # To the last: rollers that speed alone presses on the outer ring bear less than what is near.
-        nearby = balanced(sliced, by_force, target, start, depth)
+        return self._by_strips(by_force, target, start, depth)
+
+    def _by_strips(self, by_force: NDArray[np.bool_], target: Array, start: Array, depth: float) -> States:
+        """Return the states by strips, to which slices and then few strips lead."""
+        slices = [standard_slices(row.bearing, GUIDING_SLICES) for row in self.bearing.rows]
         stripped = [[StripLaw(contact) for contact in row.bearing.contacts] for row in self.bearing.rows]
         for inner, outer in stripped:
             inner.beside(outer)
         few = [[law.on_equal_strips(ROUGH_STRIPS) for law in pair] for pair in stripped]
-        coarse, fine = (_jointed(self.bearing, self.load, each) for each in (few, stripped))
+        sliced, coarse, fine = (
+            _jointed(self.bearing, self.load, laws) for laws in ([(law, law) for law in slices], few, stripped)
+        )
+        # To the last: rollers that speed alone presses on the outer ring bear less than what is near.
+        nearby = balanced(sliced, by_force, target, start, depth)
         # Those that the inner ring presses are nearer to where springs would have them.
         idle = ~(nearby.rollers.load[:, :, :1] > 0.0)
         motion = np.where(idle, nearby.rollers.motion, np.nan)
