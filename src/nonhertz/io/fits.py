@@ -9,7 +9,7 @@ from typing import Any
 from nonhertz.bearing.bearings import Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.clearance import OperatingClearance, operating_clearance
 
-#: Keywords of `operating_clearance`, but for the bearing and the speed, which is that of the load.
+#: Keywords of `nonhertz.bearing.operating_clearance`, but for the bearing and the speed, which is that of the load.
 FIT = (
     *("shaft", "housing", "inner_temperature", "roller_temperature", "outer_temperature"),
     *("ring_expansion", "roller_expansion", "ring_density"),
