@@ -139,7 +139,7 @@ def solve_many(
     maps: BearingMaps | None = None,
     threads: int | None = None,
 ) -> BearingSolutions:
-    """Load a bearing in many ways; with maps a state costs a millisecond.
+    """Load a bearing in many ways; with maps a state costs half a millisecond.
 
     Parameters
     ----------

@@ -8,7 +8,7 @@ import threading
 from collections.abc import Iterator
 
 _SILENCE = 2.0  # s, before the first progress notice
-_WAIT = "The first solve on a machine compiles the solver, which takes about half a minute."
+_WAIT = "The first solve on a machine compiles the solver: half a minute for a contact, another for a whole bearing."
 _UNKEPT = (
     "The compiled solver cannot be kept, so every process compiles it again, which takes about half a minute: "
     "nothing can be written in %s. Set NUMBA_CACHE_DIR to a writable folder."
