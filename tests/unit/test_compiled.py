@@ -329,5 +329,5 @@ def test_who_waits_at_a_terminal_is_told_why_once(monkeypatch, capsys, watched):
     monkeypatch.setattr("sys.stderr.isatty", lambda: watched, raising=False)
     pair()(X)
     pair(rate=3.0)(X)
-    said = "The first solve on a machine compiles the solver: half a minute for a contact, another for a whole bearing.\n"
+    said = f"{notices._WAIT}\n"
     assert capsys.readouterr() == ("", said if watched else "")
