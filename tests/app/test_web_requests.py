@@ -324,7 +324,7 @@ def test_static_files_are_those_of_the_package(client):
         "/static/page.css%00.js",
         "/static/.",
         "/static/icon.svg/",
-        "/templates/page.html",
+        "/templates/case.html",
         "/download/..%2fcase.toml",
     ],
 )

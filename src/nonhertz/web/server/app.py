@@ -92,7 +92,7 @@ class Page:
             "version": __version__,
             "limits": {"upload_bytes": UPLOAD_BYTES, "document_bytes": DOCUMENT_BYTES, "strips": STRIPS},
         }
-        text = self.templates.get_template("page.html").render(
+        text = self.templates.get_template("case.html").render(
             start=Markup(in_script(start)),
             version=__version__,
             title=str(self.document.get("title", "")),

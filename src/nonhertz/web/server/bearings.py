@@ -67,7 +67,9 @@ class BearingPage:
         self.workers.wake()
         self.patient.wake()
         start = {"text": self.text, "version": __version__, "limits": {"document_bytes": DOCUMENT_BYTES}}
-        text = self.templates.get_template("bearing.html").render(start=Markup(in_script(start)), version=__version__)
+        text = self.templates.get_template("bearing.html").render(
+            start=Markup(in_script(start)), title="", version=__version__
+        )
         return HTMLResponse(text)
 
     async def solve(self, request: Request) -> Response:
