@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bearing.laws import ANSWER, answered
-from nonhertz.bearing.standard import EXPONENT, STIFFNESS
 from nonhertz.compiled import compiled
 from nonhertz.compiled.entries import entry
+from nonhertz.life.lamina import STIFFENING
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -65,6 +65,8 @@ class Parts(NamedTuple):
         Lengths by which rotations of rollers are made comparable with displacements: 1, 1 and a lever [mm].
     reach : ndarray, shape (5,)
         The same of the ring.
+    stiffness : float
+        About the load on a roller per deflection to the power `STIFFENING`, see `nonhertz.life.lamina`.
     """
 
     ring: Array
@@ -76,6 +78,7 @@ class Parts(NamedTuple):
     load: Array
     scale: Array
     reach: Array
+    stiffness: float
 
 
 class Work(NamedTuple):
@@ -503,7 +506,7 @@ def _share_of_step(parts: Parts, work: Work, j: int, step: Array) -> float:
     contacts hundreds of times too deep take long to solve.
     """
     half, share = parts.scale[2], 1.0
-    expected = (_left_of(parts, work, j) / (STIFFNESS * (2.0 * half) ** (8.0 / 9.0))) ** (1.0 / EXPONENT)
+    expected = (_left_of(parts, work, j) / parts.stiffness) ** (1.0 / STIFFENING)
     for c in range(parts.law.shape[1]):
         if parts.law[j, c] == ABSENT:
             continue

@@ -36,6 +36,7 @@ from nonhertz.bearing.balance import (
     keep,
 )
 from nonhertz.bearing.laws import ContactLaw, SolvedLaw
+from nonhertz.life.lamina import roller_stiffness
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -134,7 +135,8 @@ class System:
         reach = np.max(np.abs(self.ring), axis=(0, 1))
         scale = np.array([1.0, 1.0, self.lever])
         ring, load = np.ascontiguousarray(self.ring), np.ascontiguousarray(self.load, dtype=float)
-        return Parts(ring, motion, gap, inner, law, np.concatenate(tables), load, scale, reach)
+        book, stiffness = np.concatenate(tables), roller_stiffness(2.0 * self.lever)
+        return Parts(ring, motion, gap, inner, law, book, load, scale, reach, stiffness)
 
 
 class Rollers(NamedTuple):

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled
+from nonhertz.life.lamina import STIFFENING
 from nonhertz.maps.evaluation import Tables, pressed
 
 Array = NDArray[np.float64]
@@ -91,14 +92,13 @@ class Slices:
 
     References
     ----------
-    ISO/TS 16281:2008, as quoted by others: 35948 L^(8/9) / n delta^(10/9) for a roller between two raceways; each of
-    two equal contacts takes half of the penetration.
+    ISO/TS 16281:2008, as quoted by others; see `nonhertz.life.lamina`.
     """
 
     y: Array
     relief: Array
     stiffness: float
-    exponent: float = 10.0 / 9.0
+    exponent: float = STIFFENING
 
     @cached_property
     def table(self) -> Array:

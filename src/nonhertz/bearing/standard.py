@@ -1,8 +1,8 @@
 """What ISO/TS 16281 makes of a bearing: independent slices under every roller.
 
-A roller of the length L between two raceways is cut into n slices, each of which bears 35948 L^(8/9) / n delta^(10/9)
-under the deflection delta of both contacts together [N, mm]. Of two equal contacts in series each has half of it, and
-half of the relief of both. The standard is quoted from public programs that agree with each other.
+A roller between two raceways is cut into slices, whose loads are those of `nonhertz.life.lamina`. Of two equal contacts
+in series each has half of the deflection, and half of the relief of both. The standard is quoted from public programs
+that agree with each other.
 """
 
 from __future__ import annotations
@@ -11,8 +11,8 @@ import numpy as np
 
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.laws import Slices
+from nonhertz.life.lamina import STIFFENING, lamina_stiffness
 
-STIFFNESS, EXPONENT = 35948.0, 10.0 / 9.0
 LAMINAE = 41
 
 
@@ -22,5 +22,4 @@ def standard_slices(bearing: RollerBearing, laminae: int = LAMINAE) -> Slices:
     low, high = max(inner.interval[0], outer.interval[0]), min(inner.interval[1], outer.interval[1])
     y = low + (high - low) * (np.arange(laminae) + 0.5) / laminae
     relief = 0.5 * (inner.separation(y) + outer.separation(y))
-    stiffness = STIFFNESS * (high - low) ** (8.0 / 9.0) / laminae * 2.0**EXPONENT
-    return Slices(y, relief, stiffness, EXPONENT)
+    return Slices(y, relief, lamina_stiffness(high - low, laminae), STIFFENING)

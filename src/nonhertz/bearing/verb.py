@@ -19,12 +19,12 @@ from nonhertz.bearing.mapped import BearingMaps, MapLaw
 from nonhertz.bearing.prescribed import Prescribed, many_states, motions, one_state
 from nonhertz.bearing.section import raceway_motion
 from nonhertz.bearing.solution import BearingSolution
-from nonhertz.bearing.standard import EXPONENT, LAMINAE, STIFFNESS, standard_slices
+from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.bearing.states import BearingSolutions
 from nonhertz.bearing.strips import StripLaw
 from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
 from nonhertz.inputs.checks import not_negative, one_of, thread_count, whole
-from nonhertz.life.lamina import FEWEST, MOST
+from nonhertz.life.lamina import FEWEST, MOST, STIFFENING, roller_stiffness
 
 Array = NDArray[np.float64]
 Method = Literal["strips", "slices"]
@@ -280,7 +280,7 @@ def _depth(bearing: RollerBearing | Paired, acting: Prescribed) -> float:
     most = float(np.max(np.where(by_force, np.abs(target) / reach, 0.0), initial=0.0)) * 5.0
     most /= sum(row.rollers for row in rows)
     length = min(row.roller_length for row in rows)
-    by_load = float((most / (STIFFNESS * length ** (8.0 / 9.0))) ** (1.0 / EXPONENT))
+    by_load = float((most / roller_stiffness(length)) ** (1.0 / STIFFENING))
     moved = float(np.max(np.where(by_force, 0.0, np.abs(target * reach)), initial=0.0))
     gap = max(float(np.max(np.abs(each))) for row in bearing.rows for each in row.gaps)
     return max(by_load, moved, 1e-6 * max(row.roller_diameter for row in rows)) + 4.0 * gap

@@ -33,8 +33,20 @@ SLOPE, EXPONENT = 9.0 / 8.0, 4.5
 EDGE_STRESS = ("pressure", "standard", "none")
 LINE_LOADS = ("solution", "standard")
 LEFT_OUT = 0.1  # around an end where the pressure has no limit, of the largest half-width
-# Load of a lamina of length L / n_s: c_s delta^(10/9), c_s = STIFFNESS L^(8/9) / n_s, for a roller and two raceways.
-STIFFNESS, STIFFENING = 35948.0, 10.0 / 9.0
+STIFFENING = 10.0 / 9.0  # power of the deflection with which the load of a lamina grows
+
+
+def roller_stiffness(length: float) -> float:
+    """Return the load [N] of a roller of a length [mm] between two raceways per deflection [mm] to `STIFFENING`."""
+    return float(35948.0 * length ** (8.0 / 9.0))
+
+
+def lamina_stiffness(length: float, laminae: int) -> float:
+    """Return the load of a lamina of one contact of such a roller, per penetration to `STIFFENING`.
+
+    In the standard, both contacts of a roller deform in series; one of two equal contacts deforms half as much.
+    """
+    return float(roller_stiffness(length) / laminae * 2.0**STIFFENING)
 
 
 @dataclass(frozen=True)
@@ -198,8 +210,7 @@ def _slices(solution: Solved, edges: Array) -> Array:
     contact: Contact = solution.contact
     y = 0.5 * (edges[1:] + edges[:-1])
     gap = contact.separation(y) - solution.tilt * y
-    # In the standard, both contacts of a roller deform in series; one of two equal contacts deforms half as much.
-    stiffness = STIFFNESS * (edges[-1] - edges[0]) ** (8.0 / 9.0) / y.size * 2.0**STIFFENING
+    stiffness = lamina_stiffness(float(edges[-1] - edges[0]), y.size)
 
     def loads(approach: float) -> Array:
         return np.asarray(stiffness * np.maximum(approach - gap, 0.0) ** STIFFENING)
