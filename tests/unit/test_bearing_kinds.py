@@ -187,3 +187,27 @@ def test_rollers_between_washers_are_turned_by_speed():
     assert loads[2] == pytest.approx(-polar * spin * 50.0, rel=1e-9)
     found = B.solve(THRUST, axial=5e3, speed=3000.0)
     assert found.moment[0, 0] - found.moment[0, 1] == pytest.approx(-found.roller_load[0, 2], rel=1e-6)
+
+
+def test_barrels_are_held_along_their_axes():
+    """On the sphere of the outer ring nothing else does: idle ones slid away, and their bearing had no balance."""
+    sphere = 55.0
+    barrels = nh.bearing.SphericalRollerBearing(
+        roller=nh.Roller(diameter=10.0, length=10.0),
+        inner=nh.Ring(diameter=90.0),
+        outer=nh.Ring(diameter=-110.4),
+        rollers=14,
+        contact_angle=0.2,
+        profile_radius=0.97 * sphere,
+        inner_groove=sphere,
+        outer_groove=sphere,
+        clearance=0.02,
+        pitch_diameter=100.2,
+    )
+    load = barrels.load_by_speed(300.0)
+    assert load[1] > 0.0
+    assert_allclose(load[0] / load[1], np.tan(0.2), rtol=1e-12)
+    found = nh.bearing.solve(barrels, radial_displacement=0.04, axial_displacement=0.0, speed=2000.0)
+    idle = found.load[:, 0] == 0.0
+    assert np.any(idle)
+    assert_allclose(found.load[idle, 1], np.hypot(load[0], load[1]) * (2000.0 * np.pi / 30.0 / 300.0) ** 2, rtol=1e-6)

@@ -206,3 +206,12 @@ def test_the_load_fades_with_the_penetration(tilt):
     powers = np.diff(np.log(loads)) / np.diff(np.log(depth))
     assert np.all((powers > 1.3) & (powers < 1.6))
     assert asked(law, -1e-9 - summit, tilt)[0] == 0.0
+
+
+def test_few_strips_bear_close_to_a_corner():
+    """A roller that tips over its end found no balance on strips whose last centre was too far inside."""
+    law = StripLaw(INNER, strips=21)
+    tilt = 0.02
+    corner = ROLLER.length / 2 - 0.3
+    found = asked(law, 2e-3 - tilt * corner + corner**2 / 2400.0, tilt)
+    assert found[1] / found[0] > 0.97 * corner

@@ -522,6 +522,15 @@ class SphericalRollerBearing(RollerBearing):
         inner, outer = self.contact_angles
         return raceway_motion(inner, inner=True, **barrel), raceway_motion(outer, inner=False, **barrel)
 
+    def load_by_speed(self, speed: float) -> Array:
+        """Return what a speed of the inner ring [rad/s] loads every roller with: along x and r and as moment.
+
+        Only what presses barrels on the outer ring is left: on its sphere they would slide along their axes and turn
+        under their gyroscopic moment until they jam, which the guide ring or the cage prevents.
+        """
+        square = np.array([math.sin(self.contact_angle), math.cos(self.contact_angle)])
+        return np.array([*(super().load_by_speed(speed)[:2] @ square * square), 0.0])
+
     @cached_property
     def contacts(self) -> tuple[Contact, Contact]:
         """A roller on the inner and on the outer ring, in the plane of both axes."""

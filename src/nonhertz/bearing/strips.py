@@ -56,8 +56,8 @@ class StripLaw:
     contact : Contact
         Roller and ring.
     strips : int or None
-        A number of equal strips, which is fast; or None: those of the automatic grid, laid when a contact is first
-        asked for, and again when its penetration has become another one.
+        About so many, nearly equal and laid once, which is fast; or None: those of the automatic grid, laid when a
+        contact is first asked for, and again when its penetration has become another one.
     element : Element
         The strip element.
     """
@@ -73,7 +73,7 @@ class StripLaw:
         self._smooth = ~np.isin(self._y, self._problem.crests())
         self._smooth[[0, -1]] = False
         self._other: StripLaw | None = None
-        self._equal: Grids | None = None
+        self._few: Grids | None = None
         self._ahead: dict[int, Pose] = {}
         self._kept: dict[int, _Kept] = {}
         self._remote: dict[int, tuple[Remote, Array]] = {}
@@ -81,14 +81,14 @@ class StripLaw:
         self._near = False
         self._depth: dict[int, float] = {}
         if strips is not None:
-            self._lay_equal(strips)
+            self._lay_few(strips)
 
-    def on_equal_strips(self, strips: int) -> StripLaw:
-        """Return the law of the same contact on equal strips."""
+    def on_few_strips(self, strips: int) -> StripLaw:
+        """Return the law of the same contact on few strips, which are nearly equal."""
         other = object.__new__(StripLaw)
         other.__dict__.update(self.__dict__)
         other._other, other._ahead, other._kept, other._remote, other._depth = None, {}, {}, {}, {}
-        other._lay_equal(strips)
+        other._lay_few(strips)
         return other
 
     def beside(self, other: StripLaw) -> None:
@@ -151,9 +151,16 @@ class StripLaw:
         answers /= self._problem.compliance
         return Answer(answers[:, 0], answers[:, 1], answers[:, 2:].reshape(-1, 2, 2))
 
-    def _lay_equal(self, strips: int) -> None:
-        edges = np.linspace(self._low, self._high, strips + 1)
-        self._equal = self._problem.grids(*row_of(edges))
+    def _lay_few(self, strips: int) -> None:
+        even = np.linspace(self._low, self._high, strips + 1)
+        width = even[1] - even[0]
+        # Where corners begin, or else at the ends, in parts: a roller that tips over may have to bear close to there.
+        bends = [bend for bend in self.contact.bends if self._low < bend < self._high]
+        low = max((bend for bend in bends if bend < even[1]), default=self._low)
+        high = min((bend for bend in bends if bend > even[-2]), default=self._high)
+        parts = width * np.array([0.0, 1 / 16, 1 / 4])
+        edges = np.unique(np.concatenate([even, low + parts, high - parts]))
+        self._few = self._problem.grids(*row_of(edges))
 
     def _known(self, row: int, pose: Pose, depth: float) -> bool:
         """Bring a contact to where it is asked, on the strips that it has; return whether that can be done."""
@@ -164,7 +171,7 @@ class StripLaw:
 
     def _fits(self, kept: _Kept, pose: Pose, depth: float) -> bool:
         """Return whether the strips of a contact still suit it."""
-        if self._equal is not None:
+        if self._few is not None:
             return True
         if not self._near:
             return max(depth / kept.depth, kept.depth / depth) <= ON_THE_WAY
@@ -192,7 +199,7 @@ class StripLaw:
 
     def _remote_of(self, row: int, grids: Grids) -> tuple[Remote, Array]:
         """Return what the strips of a contact do far away, as it was left."""
-        row = row if self._equal is None else 0
+        row = row if self._few is None else 0
         found = self._remote.get(row)
         if found is None or found[0].powers.shape[0] != grids.counts[0]:
             if len(self._remote) >= KEPT_REMOTE:
@@ -202,12 +209,12 @@ class StripLaw:
 
     def _find(self, missing: dict[int, tuple[Pose, float]]) -> None:
         """Solve contacts that have no strips that suit them."""
-        if self._equal is not None:
+        if self._few is not None:
             for row, (pose, depth) in missing.items():
-                states = States.unsolved(self._equal.counts, self._equal.edges, 1)
+                states = States.unsolved(self._few.counts, self._few.edges, 1)
                 given = Given(self._given, np.array([pose]))
-                settle_all(self._equal, given, self._problem.law, States.none(), states, TOLERANCE, False)
-                self._kept[row] = _Kept(self._equal, states, pose, depth, pose, _answer(states))
+                settle_all(self._few, given, self._problem.law, States.none(), states, TOLERANCE, False)
+                self._kept[row] = _Kept(self._few, states, pose, depth, pose, _answer(states))
             missing = {row: each for row, each in missing.items() if self._kept[row].states.status[0] != CONVERGED}
         else:
             self._let_other_lay(missing)
@@ -257,7 +264,7 @@ class StripLaw:
         if not missing:
             return
         deepest = max(missing, key=lambda row: missing[row][1])
-        first = [] if self._shares or self._equal is not None else [deepest]
+        first = [] if self._shares or self._few is not None else [deepest]
         for rows in (first, [row for row in missing if row not in first]):
             if rows:
                 self._lay_at_once(rows, missing)

@@ -237,7 +237,7 @@ class _Setting:
         stripped = [[StripLaw(contact) for contact in row.bearing.contacts] for row in self.bearing.rows]
         for inner, outer in stripped:
             inner.beside(outer)
-        few = [[law.on_equal_strips(ROUGH_STRIPS) for law in pair] for pair in stripped]
+        few = [[law.on_few_strips(ROUGH_STRIPS) for law in pair] for pair in stripped]
         sliced, coarse, fine = (
             _jointed(self.bearing, self.load, laws) for laws in ([(law, law) for law in slices], few, stripped)
         )
