@@ -22,6 +22,8 @@ from nonhertz.result.quantities import ALONG
 from nonhertz.strip.element import Element
 
 if TYPE_CHECKING:
+    from nonhertz.result.gradient import Gradient
+    from nonhertz.result.measures import Measure
     from nonhertz.result.protocol import Solved
 
 Array = NDArray[np.float64]
@@ -401,11 +403,10 @@ class Solution(ContactResult):
         remedy = "give places in mm"
         across, along = broadcast(remedy, numbers("x", x, remedy), numbers("y", y, remedy))
         highest, widest = np.zeros(along.shape), np.zeros(along.shape)
-        runs_out = [edge.kind is EdgeKind.RUN_OUT for edge in self.edge_pressure]
         for number, (low, high) in enumerate(self.contact_y):
             strips = (self.y > low) & (self.y < high)
-            before = [low] if number > 0 or runs_out[0] else []
-            after = [high] if number + 1 < len(self.contact_y) or runs_out[1] else []
+            before = [low] if runs_out(self, number, 0) else []
+            after = [high] if runs_out(self, number, 1) else []
             places = np.concatenate([before, self.y[strips], after])
             within = (along >= low) & (along <= high)
             for into, values in ((highest, self.centre_pressure), (widest, self.half_width)):
@@ -424,6 +425,43 @@ class Solution(ContactResult):
         """The largest interference of the undeformed bodies within the strips [mm]: the approach beyond first touch."""
         return float(penetrations(self.contact, self.edges, np.array([self.approach, self.tilt])))
 
+    def gradient(self, quantity: str | Measure, *, holding: tuple[str, str] = ("load", "tilt")) -> Gradient:
+        """Return how a number of the solution changes with the shapes of the bodies and all that is given.
+
+        Parameters
+        ----------
+        quantity : str or Measure
+            ``"approach"``, ``"load"``, ``"tilt"``, ``"moment"``, ``"max_pressure"``, ``"max_half_width"``; or a place
+            or an integral: `PressureAt`, `HalfWidthAt`, `PressureNorm`, `PowerIntegral` of `nonhertz.study`.
+        holding : tuple of str
+            What stays the same when a shape changes: ``"load"`` or ``"approach"``, and ``"tilt"`` or ``"moment"``;
+            however the contact was solved.
+
+        Returns
+        -------
+        Gradient
+            Exact for these strips, and for the strips that are in contact now.
+
+        Raises
+        ------
+        InputError
+            If the solution has not converged, or there is no such quantity.
+
+        Examples
+        --------
+        >>> import nonhertz as nh
+        >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))
+        >>> solution = nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), load=20e3)
+        >>> stiffness = 1.0 / solution.gradient("approach").given["load"]
+        >>> round(float(stiffness / solution.stiffness[0, 0]), 6)
+        1.0
+        >>> solution.gradient("max_pressure").by("a.profile.end_radius") < 0.0  # a flatter roller is pressed less
+        True
+        """
+        from nonhertz.result.gradient import gradient
+
+        return gradient(self, quantity, holding)
+
     @property
     def interference(self) -> Array:
         """Undeformed interference d = approach + tilt y - separation [mm] at each strip."""
@@ -433,3 +471,19 @@ class Solution(ContactResult):
     def displacement(self) -> Array:
         """Elastic displacement of both surfaces together on the centre line [mm] at each strip."""
         return self.gap + self.interference
+
+
+def runs_out(solution: Solution, number: int, side: int) -> bool:
+    """Return whether the pressure falls to zero at an end of an interval in contact.
+
+    Parameters
+    ----------
+    solution : Solution
+        The solution.
+    number : int
+        Which of its ``contact_y``.
+    side : {0, 1}
+        The low or the high end.
+    """
+    inner = (number > 0, number + 1 < len(solution.contact_y))[side]
+    return inner or solution.edge_pressure[side].kind is EdgeKind.RUN_OUT

@@ -177,8 +177,13 @@ def contact_of(state: States) -> tuple[tuple[float, float], ...]:
 
 def intervals_of(state: States) -> Array:
     """Return the two ends of every interval in contact of one case [mm], shape (k, 2)."""
-    found = np.empty((state.m.size, 2))
-    return found[: _find_intervals(state.edges, state.m, found)]
+    return intervals_on(state.edges, state.m)
+
+
+def intervals_on(edges: Array, m: Array) -> Array:
+    """Return the same for strips between ``edges`` with any multiple of a^2."""
+    found = np.empty((m.size, 2))
+    return found[: _find_intervals(edges, m, found)]
 
 
 @entry

@@ -1,0 +1,287 @@
+"""Gradients: how a number of a solution changes with all that was given, by one adjoint solve.
+
+The strips stay where they are, so that a gradient is that of the number which these strips give, exactly.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import difflib
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.bodies.influence import Influence, influence_of
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import finite, positive
+from nonhertz.model.contact import Contact
+from nonhertz.result.measures import Measure, measure_of
+from nonhertz.result.solution import ReadOnly, Status
+from nonhertz.strip.adjoint import Linearised, linearised
+from nonhertz.strip.influence import law_of
+from nonhertz.strip.records import Grids
+
+if TYPE_CHECKING:
+    from nonhertz.result.solution import Solution
+
+Array = NDArray[np.float64]
+Family = Callable[[float], Contact]
+
+GIVEN = (("approach", "load"), ("tilt", "moment"))
+# Of a parameter: the step of differences of the bodies' shapes, which err by its fourth power.
+STEP = 1e-3
+# Linear equations of solutions, for one gradient after the other; not part of these, which are saved and sent.
+_KNOWN: WeakKeyDictionary[Solution, _Linear] = WeakKeyDictionary()
+_FIVE_POINTS = ((-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Gradient(ReadOnly):
+    """How a number of a solution changes; made by `Solution.gradient`.
+
+    Attributes
+    ----------
+    solution : Solution
+        The solution.
+    quantity : str or Measure
+        Which number.
+    holding : tuple of str
+        What is given, and so stays the same: ``"load"`` or ``"approach"``, and ``"tilt"`` or ``"moment"``.
+    value : float
+        The number, in its unit.
+    relief, curvature : ndarray, shape (strips,)
+        Derivatives by the separation h [mm] and by the curvature across 1/rho [1/mm] at each strip; zero out of
+        contact.
+    given : dict
+        Derivatives by the two that are given.
+    """
+
+    solution: Solution
+    quantity: str | Measure
+    holding: tuple[str, str]
+    value: float
+    relief: Array
+    curvature: Array
+    given: dict[str, float]
+    _at: _Linear
+    _sensitivities: Array
+    _by_compliance: float
+
+    def __repr__(self) -> str:
+        given = ", ".join(f"d/d{name} {value:.6g}" for name, value in self.given.items())
+        name = self.quantity if isinstance(self.quantity, str) else repr(self.quantity)
+        return f"Gradient(of {name} = {self.value:.6g} at a given {' and '.join(self.holding)}: {given})"
+
+    @cached_property
+    def modulus(self) -> tuple[float, float]:
+        """Derivatives by Young's modulus of body a and of body b [per MPa]; of one material, their sum counts."""
+        a, b = (self.by(f"{body}.material.modulus") for body in ("a", "b"))
+        return a, b
+
+    def by(self, name: str) -> float:
+        """Return the derivative by a number in the contact.
+
+        Parameters
+        ----------
+        name : str
+            What it is called, such as ``"a.profile.end_radius"``, ``"a.corner_radius"``, ``"b.diameter"``, or with an
+            index ``"a.profile.profiles.0.radius"``.
+
+        Returns
+        -------
+        float
+            In the unit of the quantity over that of the number.
+
+        Raises
+        ------
+        InputError
+            If there is no such number, or it is zero, of which no step can be taken: then use `along`.
+        """
+        family, at = family_of(self.solution.contact, name)
+        if at == 0.0 or not math.isfinite(at):
+            raise InputError(name, at, "be finite and not zero, for a step relative to it", "use along() with a step")
+        return self.along(family, at)
+
+    def along(self, family: Family, at: float, step: float | None = None) -> float:
+        """Return the derivative along contacts that a parameter tells apart.
+
+        Parameters
+        ----------
+        family : callable
+            Parameter -> contact; smooth around ``at``, where it is the contact of the solution.
+        at : float
+            The parameter.
+        step : float, optional
+            By how much it is changed for differences of the shapes, twice to both sides; `STEP` of the parameter if
+            left out. No contact is solved.
+
+        Returns
+        -------
+        float
+            Exact but for these differences.
+
+        Raises
+        ------
+        InputError
+            If the family returns no contacts, or the step is not positive.
+        """
+        if not callable(family):
+            raise InputError("family", family, "be a function", "give one of a number that returns a Contact")
+        finite("at", at, "give the parameter of the solution's contact")
+        step = STEP * abs(at) if step is None else step
+        positive("step", step, "give a step of the parameter")
+        k = self._at.linear.r.size
+        residuals, compliance = np.zeros(2 * k), 0.0
+        for steps, weight in _FIVE_POINTS:
+            contact = family(at + steps * step)
+            if not isinstance(contact, Contact):
+                raise InputError("family", contact, "return a Contact", "give a function that makes one of a number")
+            residuals += weight / step * self._at.residuals(contact)
+            compliance += weight / step * contact.compliance
+        return -float(self._sensitivities[: 2 * k] @ residuals) + self._by_compliance * compliance
+
+
+@dataclass(frozen=True, eq=False)
+class _Linear:
+    """A solution, linearised, and how bodies of another shape would fit it."""
+
+    solution: Solution
+    linear: Linearised
+    influence: Influence
+    at_depth: Array
+
+    @classmethod
+    def of(cls, solution: Solution) -> _Linear:
+        influence = influence_of(solution.contact, solution.element)
+        m = solution.element_half_width**2
+        r = np.divide(solution.contact.compliance * solution.line_load, m, out=np.zeros_like(m), where=m > 0.0)
+        grids = _grids(solution, influence)
+        return cls(solution, linearised(grids, r, m, law_of(influence, solution.element)), influence, grids.at_depth[0])
+
+    def residuals(self, contact: Contact) -> Array:
+        """Return how far the loads and half-widths are from a contact, for curvature and for the gap; shape (2 k,)."""
+        solution, linear = self.solution, self.linear
+        influence = influence_of(contact, solution.element)
+        grids = _grids(solution, influence)
+        displaced, _, curved, _ = linear.blocks
+        loads = linear.r * linear.m
+        if not (np.array_equal(influence.terms, self.influence.terms) and influence.faces == self.influence.faces):
+            m = solution.element_half_width**2
+            displaced, _, curved, _ = linearised(grids, m, m, law_of(influence, solution.element)).blocks
+            lifted = displaced @ loads
+        elif np.array_equal(grids.at_depth[0], self.at_depth):
+            lifted = displaced @ loads
+        else:
+            pairs = np.ix_(linear.active, linear.active)
+            lifted = displaced @ loads + (self.at_depth - grids.at_depth[0])[pairs] @ loads
+        bent = curved @ linear.r - contact.curvature_at(linear.y)
+        return np.concatenate([bent, lifted + contact.separation_at(linear.y)])
+
+
+def gradient(solution: Solution, quantity: str | Measure, holding: tuple[str, str]) -> Gradient:
+    """Return a gradient; see `Solution.gradient`."""
+    if solution.status is not Status.CONVERGED:
+        raise InputError("solution", solution.status.name, "have converged", "solve on other strips")
+    if not isinstance(holding, tuple | list) or len(holding) != 2:
+        raise InputError("holding", holding, "name two quantities", "give ('load', 'tilt'), say")
+    for name, names in zip(holding, GIVEN, strict=True):
+        if name not in names:
+            raise InputError("holding", tuple(holding), f"have {names[0]} or {names[1]}", "give ('load', 'tilt'), say")
+    partials = measure_of(quantity).partials(solution)
+    at = _linear(solution)
+    active, y, k = at.linear.active, at.linear.y, at.linear.r.size
+    by_p = (partials.by_pressure * solution.centre_pressure)[active]
+    by_b = (partials.by_half_width * solution.half_width)[active]
+    # p = 2 q / (pi b), and both p and the loads are over K.
+    loads = at.linear.loads / solution.contact.compliance
+    by_loads = (partials.by_load + partials.by_moment * y) * loads
+    derivatives = np.concatenate(
+        [by_p + by_loads, 0.5 * by_p + 0.5 * by_b + by_loads, [partials.by_approach, partials.by_tilt]]
+    )
+    by_force = holding[0] == "load", holding[1] == "moment"
+    found = at.linear.sensitivities(by_force, derivatives)
+    compliance = solution.contact.compliance
+    given, by_compliance = {}, -float(by_p.sum() + by_loads.sum()) / compliance
+    for name, force, each in zip(holding, by_force, found[2 * k :].tolist(), strict=True):
+        given[name] = compliance * each if force else each
+        by_compliance += each * getattr(solution, name) if force else 0.0
+    relief, curvature = np.zeros(solution.strips), np.zeros(solution.strips)
+    relief[active], curvature[active] = -found[k : 2 * k], found[:k]
+    return Gradient(
+        solution, quantity, (holding[0], holding[1]), partials.value, relief, curvature, given, at, found, by_compliance
+    )
+
+
+def _linear(solution: Solution) -> _Linear:
+    if solution not in _KNOWN:
+        _KNOWN[solution] = _Linear.of(solution)
+    return _KNOWN[solution]
+
+
+def family_of(contact: Contact, name: str) -> tuple[Family, float]:
+    """Return contacts that differ in one number, and what it is.
+
+    Parameters
+    ----------
+    contact : Contact
+        The contact.
+    name : str
+        Names of attributes and indices, joined by dots.
+
+    Raises
+    ------
+    InputError
+        If it leads to no number; the sentence names those that there are.
+    """
+    if not isinstance(name, str):
+        raise InputError("name", name, "be text", "give a name such as 'a.corner_radius'")
+    parts = name.split(".")
+    inside: list[Any] = [contact]
+    for part in parts:
+        names = _names(inside[-1])
+        if part not in names:
+            near = difflib.get_close_matches(part, names, n=1)
+            remedy = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(names) or 'no numbers below it'}"
+            raise InputError("name", name, "lead to a number of the contact", remedy)
+        inside.append(names[part])
+    at = inside.pop()
+    if isinstance(at, bool) or not isinstance(at, int | float):
+        remedy = f"go on to one of {', '.join(_names(at))}" if _names(at) else "name one that is a number"
+        raise InputError("name", name, "lead to a number of the contact", remedy)
+
+    def family(value: float) -> Contact:
+        changed: Any = value
+        for holder, part in zip(reversed(inside), reversed(parts), strict=True):
+            changed = _with(holder, part, changed)
+        assert isinstance(changed, Contact)
+        return changed
+
+    return family, float(at)
+
+
+def _names(holder: object) -> dict[str, Any]:
+    if dataclasses.is_dataclass(holder) and not isinstance(holder, type):
+        return {each.name: getattr(holder, each.name) for each in dataclasses.fields(holder) if each.init}
+    if isinstance(holder, tuple):
+        return {str(number): each for number, each in enumerate(holder)}
+    return {}
+
+
+def _with(holder: Any, part: str, value: object) -> Any:
+    if isinstance(holder, tuple):
+        number = int(part)
+        return (*holder[:number], value, *holder[number + 1 :])
+    return dataclasses.replace(holder, **{part: value})
+
+
+def _grids(solution: Solution, influence: Influence) -> Grids:
+    y, edges = solution.y[None], solution.edges[None]
+    nothing = np.zeros_like(y)
+    at_depth = influence.at_depth(y, edges) if influence.references else np.zeros((1, 0, 0))
+    return Grids(np.array([solution.strips]), edges, y, nothing, nothing, nothing, at_depth)

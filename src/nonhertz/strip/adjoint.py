@@ -1,0 +1,110 @@
+"""What a solved contact answers to small changes of all it is given, by one solve of transposed equations.
+
+On fixed strips, with those in contact the same, relative changes rho of r and mu of m and the changes of approach and
+tilt follow from
+
+    [B] r rho - [t B'] r mu / 2                     =  d(curvature)  - d[B] r
+    [A] r m rho + ([A] - [t A'] / 2) r m mu - d(approach) - y d(tilt)  =  -d(separation) - d[A] r m
+    sum w r m (rho + mu)                            =  d(K Q),   or the approach is given
+    sum w r m y (rho + mu)                          =  d(K T),   or the tilt is
+
+with w the widths of strips: M x = c. A number whose derivatives by x are g then changes by g x = (M^-T g) c.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from nonhertz.compiled import entry
+from nonhertz.strip.influence import coefficients, remote_of
+from nonhertz.strip.newton import touching
+from nonhertz.strip.records import Array, Grids, Indices, Law
+from nonhertz.strip.settle import strips_of
+
+
+class Linearised(NamedTuple):
+    """A solved contact, linearised; arrays of strips have one entry per strip in contact.
+
+    Attributes
+    ----------
+    active : ndarray of int, shape (k,)
+        The strips in contact, among all.
+    blocks : ndarray, shape (4, k, k)
+        [A], [t A'], [B] and [t B'] of each at the centre of each.
+    r, m : ndarray, shape (k,)
+        K q / a^2 and a^2.
+    y, width : ndarray, shape (k,)
+        Centres and widths [mm].
+    """
+
+    active: Indices
+    blocks: Array
+    r: Array
+    m: Array
+    y: Array
+    width: Array
+
+    @property
+    def loads(self) -> Array:
+        """K q times the width of each strip [mm^2]."""
+        loads: Array = self.r * self.m * self.width
+        return loads
+
+    def matrix(self, by_force: tuple[bool, bool]) -> Array:
+        """Return M, shape (2 k + 2, 2 k + 2)."""
+        k = self.r.size
+        (a, ta, b, tb), whole = self.blocks, np.zeros((2 * k + 2, 2 * k + 2))
+        whole[:k, :k], whole[:k, k:-2] = b * self.r, -0.5 * tb * self.r
+        whole[k:-2, :k], whole[k:-2, k:-2] = a * (self.r * self.m), (a - 0.5 * ta) * (self.r * self.m)
+        whole[k:-2, -2], whole[k:-2, -1] = -1.0, -self.y
+        for row, (force, weights) in enumerate(zip(by_force, (self.loads, self.loads * self.y), strict=True)):
+            if force:
+                whole[2 * k + row, :k] = whole[2 * k + row, k:-2] = weights
+            else:
+                whole[2 * k + row, 2 * k + row] = 1.0
+        return whole
+
+    def sensitivities(self, by_force: tuple[bool, bool], derivatives: Array) -> Array:
+        """Return M^-T g.
+
+        Parameters
+        ----------
+        by_force : tuple of bool
+            Whether the load, else the approach, and the moment, else the tilt, are given.
+        derivatives : ndarray, shape (2 k + 2,) or (2 k + 2, numbers)
+            g: by relative changes of r and of m, by approach and by tilt.
+
+        Raises
+        ------
+        numpy.linalg.LinAlgError
+            If the contact has no stiffness against what is given by force.
+        """
+        return np.asarray(np.linalg.solve(self.matrix(by_force).T, derivatives))
+
+
+def linearised(grids: Grids, r: Array, m: Array, law: Law) -> Linearised:
+    """Return a solved contact, linearised.
+
+    Parameters
+    ----------
+    grids : Grids
+        One row.
+    r, m : ndarray, shape (strips,)
+        K q / a^2 and a^2, zero out of contact.
+    law : Law
+        How strips act.
+    """
+    active = np.flatnonzero(m > 0.0)
+    blocks = np.empty((4, active.size, active.size))
+    _fill(grids, m, law, blocks)
+    y, width = grids.y[0, active], np.diff(grids.edges[0])[active]
+    return Linearised(active, blocks, r[active], m[active], y, width)
+
+
+@entry
+def _fill(grids: Grids, m: Array, law: Law, blocks: Array) -> None:
+    strips = strips_of(grids, 0)
+    active = touching(m)
+    coefficients(strips, m, active, law, remote_of(strips, law, m.max()), blocks)

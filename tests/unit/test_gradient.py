@@ -1,0 +1,199 @@
+"""Gradients by one adjoint solve, beside contacts that are solved again and beside Hertz."""
+
+import dataclasses
+import pickle
+import warnings
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import nonhertz as nh
+from nonhertz.result.gradient import family_of
+from nonhertz.result.measures import HalfWidthAt, PowerIntegral, PressureAt, PressureNorm, measure_of
+
+HOLDING = [("load", "tilt"), ("approach", "tilt"), ("load", "moment"), ("approach", "moment")]
+NAMES = ["approach", "load", "tilt", "moment", "max_pressure", "max_half_width"]
+MEASURES = [
+    PressureAt(2.3),
+    HalfWidthAt(-1.1),
+    PressureNorm(12.0),
+    PowerIntegral(31 / 3, -4 / 3),
+    PowerIntegral(4.5, 4.5),
+]
+SOFT = nh.Material(modulus=110e3, poisson=0.34)
+CROWNED = nh.Contact(
+    nh.Roller(diameter=15.0, length=20.0, corner_radius=0.5, profile=nh.profile.crown(radius=3000.0)),
+    nh.Ring(diameter=80.0, material=SOFT, depth=6.0),
+)
+PATHS = ["a.diameter", "a.profile.end_radius", "b.diameter", "b.depth", "b.material.modulus", "a.material.modulus"]
+
+
+def solved(contact, edges, **given):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        return nh.solve(contact, strips=edges, **given)
+
+
+def differences(solution, quantity, holding, change, at, step):
+    """The derivative by contacts solved anew on the same strips; None where other strips come into contact."""
+    total = 0.0
+    for steps, weight in ((-2, 1 / 12), (-1, -2 / 3), (1, 2 / 3), (2, -1 / 12)):
+        given = {name: getattr(solution, name) for name in holding}
+        contact, changed = change(at + steps * step)
+        again = solved(contact or solution.contact, solution.edges, **given | changed)
+        if not np.array_equal(again.half_width > 0.0, solution.half_width > 0.0):
+            return None
+        total += weight / step * measure_of(quantity).partials(again).value
+    return total
+
+
+def differenced(solution, quantity, holding, change, at, size=None):
+    size = abs(at) if size is None else size
+    for relative in (2e-4, 4e-5, 1e-5):
+        found = differences(solution, quantity, holding, change, at, relative * size)
+        if found is not None:
+            return found
+    raise AssertionError("other strips come into contact")
+
+
+def by_path(contact, path):
+    family, at = family_of(contact, path)
+    return (lambda value: (family(value), {})), at
+
+
+@pytest.fixture(scope="module")
+def crowned():
+    return solved(CROWNED, None, load=15e3, tilt=3e-4)
+
+
+@pytest.mark.parametrize("quantity", [*NAMES, *MEASURES], ids=str)
+@pytest.mark.parametrize("holding", HOLDING, ids="-".join)
+def test_it_is_what_contacts_solved_anew_differ_by(crowned, quantity, holding):
+    found = crowned.gradient(quantity, holding=holding)
+    size = max(abs(found.value), 1e-300)
+    for path in PATHS[:2] if holding != HOLDING[0] else PATHS:
+        change, at = by_path(CROWNED, path)
+        expected = differenced(crowned, quantity, holding, change, at)
+        assert_allclose(found.by(path) * at / size, expected * at / size, rtol=1e-6, atol=1e-8, err_msg=path)
+    for name in holding:
+        at = getattr(crowned, name)
+        expected = differenced(crowned, quantity, holding, lambda value, name=name: (None, {name: value}), at)
+        assert_allclose(found.given[name] * at / size, expected * at / size, rtol=1e-6, atol=1e-8, err_msg=name)
+
+
+@pytest.mark.parametrize("quantity", ["approach", "max_pressure", PowerIntegral(31 / 3, -4 / 3)], ids=str)
+def test_relief_at_every_strip(crowned, quantity):
+    found = crowned.gradient(quantity)
+    rng = np.random.default_rng(5)
+    y, bump = crowned.y, 1e-3 * rng.normal(size=crowned.strips)
+
+    def change(value):
+        places, bumps = np.concatenate([[-10.0], y, [10.0]]), np.concatenate([[0.0], bump, [0.0]])
+        profile = nh.profile.tabulated(places, CROWNED.a.relief(places) + value * bumps)
+        bare = dataclasses.replace(CROWNED.a, profile=profile, corner_radius=None)
+        return dataclasses.replace(CROWNED, a=bare), {}
+
+    expected = differenced(crowned, quantity, HOLDING[0], change, 0.0, size=0.1)
+    assert_allclose(found.relief @ bump, expected, rtol=1e-6)
+    assert np.all(found.relief[crowned.half_width == 0.0] == 0.0)
+
+
+def test_stiffness_is_one_of_them(crowned):
+    holding = ("approach", "tilt")
+    by = [crowned.gradient(name, holding=holding).given for name in ("load", "moment")]
+    found = [[each["approach"], each["tilt"]] for each in by]
+    assert_allclose(found, crowned.stiffness, rtol=1e-9)
+
+
+def test_a_line_contact_is_that_of_hertz():
+    plain = {"side_faces": "mirror", "images": "series", "depth": 10.0}
+    material = nh.Material(modulus=200e3, poisson=0.3)
+    roller = nh.Roller(diameter=20.0, length=10.0, material=material, **plain)
+    ring = nh.Ring(diameter=60.0, length=10.0, material=material, **plain)
+    found = solved(nh.Contact(roller, ring), 5, load=10e3).gradient("max_pressure")
+    logarithmic = found.given["load"] * 10e3, sum(found.modulus) * 200e3, found.curvature.sum() * (2 / 20 + 2 / 60)
+    assert_allclose(np.array(logarithmic) / found.value, 0.5, rtol=2e-6)
+
+
+def test_an_ellipse_is_that_of_hertz():
+    bodies = nh.Body(diameter=20.0, profile=nh.profile.crown(radius=50.0)), nh.Plate()
+    solution = solved(nh.Contact(*bodies), None, load=500.0)
+    pressure, width, approach = (solution.gradient(name) for name in ("max_pressure", "max_half_width", "approach"))
+    assert_allclose([each.given["load"] * 500.0 / each.value for each in (pressure, width)], 1 / 3, rtol=1e-3)
+    assert_allclose(approach.given["load"] * 500.0 / approach.value, 2 / 3, rtol=1e-3)
+
+
+def test_symmetric_contacts_have_symmetric_gradients():
+    solution = solved(CROWNED, None, load=15e3)
+    found = solution.gradient(PressureNorm(20.0))
+    assert_allclose(found.relief, found.relief[::-1], rtol=1e-6, atol=1e-6 * np.abs(found.relief).max())
+    assert abs(found.given["tilt"]) < 1e-6 * found.value / 1e-3
+
+
+@pytest.mark.parametrize("y", [-9.7, -8.8, 0.0, 5.0, 9.3])
+@pytest.mark.parametrize("measure", [PressureAt, HalfWidthAt])
+def test_places_have_what_the_solution_says(crowned, y, measure):
+    value = measure(y).partials(crowned).value
+    if measure is PressureAt:
+        assert_allclose(value, float(crowned.pressure(0.0, y)), rtol=1e-12, atol=1e-9)
+    elif value:
+        assert_allclose(crowned.pressure([0.99 * value, 1.01 * value], y) > 0.0, [True, False])
+
+
+def test_where_a_contact_runs_out_the_end_moves():
+    light = solved(CROWNED, None, load=300.0)
+    low, high = light.contact_y[0]
+    y = high - 0.2 * (high - light.y[np.flatnonzero(light.half_width)[-1]])
+    for quantity in (PressureAt(y), HalfWidthAt(y)):
+        found = light.gradient(quantity)
+        expected = differenced(light, quantity, HOLDING[0], lambda value: (None, {"load": value}), 300.0)
+        assert found.value > 0.0
+        assert_allclose(found.given["load"], expected, rtol=1e-5)
+    assert low < 0.0
+
+
+def test_a_norm_comes_near_the_largest_pressure(crowned):
+    values = [PressureNorm(power).partials(crowned).value for power in (4.0, 20.0, 200.0)]
+    assert values == sorted(values)
+    assert 0.95 * crowned.centre_pressure.max() < values[-1] <= crowned.centre_pressure.max()
+
+
+def test_families_of_contacts(crowned):
+    found = crowned.gradient("approach")
+    family, at = family_of(CROWNED, "a.diameter")
+    assert_allclose(found.along(family, at), found.by("a.diameter"), rtol=1e-12)
+    assert_allclose(found.along(family, at, step=0.05), found.by("a.diameter"), rtol=1e-6)
+
+
+def test_gradients_are_written_in_a_line_and_saved_solutions_have_none_in_them(crowned):
+    before = len(pickle.dumps(crowned))
+    said = repr(crowned.gradient("max_pressure"))
+    assert said.startswith("Gradient(of max_pressure = ")
+    assert "at a given load and tilt: d/dload " in said
+    assert len(pickle.dumps(crowned)) == before
+
+
+@pytest.mark.parametrize(
+    ("ask", "said"),
+    [
+        (lambda s: s.gradient("pressure"), "quantity = 'pressure' must be one of 'approach', 'load'"),
+        (lambda s: s.gradient(3.0), "quantity = 3.0 must be one of"),
+        (lambda s: s.gradient("load", holding=("tilt", "load")), "must have approach or load"),
+        (lambda s: s.gradient("load", holding=("load",)), "must name two quantities"),
+        (lambda s: s.gradient("load").by("a.profil.end_radius"), "did you mean 'profile'"),
+        (lambda s: s.gradient("load").by("a.profile"), "go on to one of radius, end_radius"),
+        (lambda s: s.gradient("load").by("a.side_faces"), "name one that is a number"),
+        (lambda s: s.gradient("load").by("b.position"), "must be finite and not zero"),
+        (lambda s: s.gradient("load").by("a.profile.radius"), "must be finite and not zero"),
+        (lambda s: s.gradient("load").by(7), "name = 7 must be text"),
+        (lambda s: s.gradient("load").along(3, 1.0), "family = 3 must be a function"),
+        (lambda s: s.gradient("load").along(lambda value: value, 1.0), "must return a Contact"),
+        (lambda s: s.gradient("load").along(lambda value: CROWNED, 1.0, step=-1.0), "step = -1.0 must be positive"),
+        (lambda s: PressureAt(float("nan")), "y = nan must be a finite number"),
+        (lambda s: PressureNorm(0.0), "power = 0.0 must be positive"),
+    ],
+)
+def test_nonsense_is_refused(crowned, ask, said):
+    with pytest.raises(nh.InputError, match=said):
+        ask(crowned)
