@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from nonhertz import patch as patch
     from nonhertz import plot as plot
     from nonhertz import rotor as rotor
+    from nonhertz import study as study
     from nonhertz import subsurface as subsurface
     from nonhertz.comparison import Comparison as Comparison
     from nonhertz.comparison import compare as compare
@@ -123,6 +124,7 @@ _MODULES = {
     "plot": "nonhertz.plot",
     "profile": "nonhertz.model.profile",
     "rotor": "nonhertz.rotor",
+    "study": "nonhertz.study",
     "subsurface": "nonhertz.subsurface",
 }
 

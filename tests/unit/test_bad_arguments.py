@@ -133,6 +133,16 @@ ROW = bearing.CylindricalRollerBearing(
     outer=nh.Ring(diameter=-55.5),
     rollers=13,
 )
+BARRELS = bearing.SphericalRollerBearing(
+    roller=nh.Roller(diameter=10.0, length=10.0),
+    inner=nh.Ring(diameter=90.0),
+    outer=nh.Ring(diameter=-110.4),
+    rollers=14,
+    contact_angle=0.2,
+    profile_radius=53.0,
+    inner_groove=55.0,
+    outer_groove=55.0,
+)
 LOADED = bearing.solve(ROW, radial=3e3)
 FORCES = bearing.table(ROW, y=[0.0, 0.01], method="slices", checks=1)
 CONE = nh.Roller(diameter=nh.TabulatedDiameter((-5.0, 5.0), (9.4, 8.6)), length=10.0, profile=nh.profile.crown(1000))
@@ -285,6 +295,18 @@ ENTRIES: dict[str, Entry] = {
         life=(LifeCase(), "thing"), title=("one", "name"), path=(Path("case.toml"), "thing"),
     ),
     "Solution.pressure": entry(SOLUTION.pressure, x=(0.0, "numbers"), y=([0.0, 1.0], "numbers")),
+    "Solution.gradient": entry(SOLUTION.gradient, quantity=("load", "word"), holding=(("load", "tilt"), "all")),
+    "Gradient.by": entry(SOLUTION.gradient("load").by, name=("a.diameter", "word")),
+    "Gradient.along": entry(
+        SOLUTION.gradient("load").along, family=(lambda value: CONTACT, "thing"), at=(1.0, "number"),
+        step=(0.1, "positive?"),
+    ),
+    "study.PressureAt": entry(nh.study.PressureAt, y=(0.0, "number")),
+    "study.HalfWidthAt": entry(nh.study.HalfWidthAt, y=(0.0, "number")),
+    "study.PressureNorm": entry(nh.study.PressureNorm, power=(20.0, "positive")),
+    "study.PowerIntegral": entry(
+        nh.study.PowerIntegral, pressure_power=(4.5, "positive"), half_width_power=(0.0, "number")
+    ),
     "Solutions.column": entry(MANY.column, name=("load", "word")),
     "compare": entry(
         nh.compare,
@@ -466,6 +488,7 @@ ENTRIES: dict[str, Entry] = {
         ).load_by_speed,
         speed=(100.0, "number"),
     ),
+    "bearing.SphericalRollerBearing.load_by_speed": entry(BARRELS.load_by_speed, speed=(100.0, "number")),
     "bearing.RollerBearing.load_by_speed": entry(ROW.load_by_speed, speed=(100.0, "number")),
     "bearing.rating": entry(
         bearing.rating,
