@@ -118,7 +118,7 @@ class Gradient(ReadOnly):
         at : float
             The parameter.
         step : float, optional
-            By how much it is changed for differences of the shapes, twice to both sides; `STEP` of the parameter if
+            By how much it is changed for differences of the shapes, twice to both sides; a thousandth of it if
             left out. No contact is solved.
 
         Returns

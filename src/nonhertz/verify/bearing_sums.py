@@ -72,7 +72,7 @@ def _of_roller(
     angles = bearing.contact_angles if stripped else (bearing.nominal_angle,) * 2
     barrel = bearing.profile_radius if isinstance(bearing, SphericalRollerBearing) and stripped else np.inf
     by_speed = solution.roller_load[j]
-    on_roller, turning = by_speed[1] * radial, np.zeros(3)
+    on_roller, turning = by_speed[0] * axis + by_speed[1] * radial, np.zeros(3)
     on_ring, about_middle = np.zeros(3), np.zeros(3)
     if stripped:
         turning = by_speed[2] * np.cross(axis, radial)
