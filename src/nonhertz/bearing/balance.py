@@ -38,6 +38,7 @@ CAUTION = 8.0  # penetrations that a step may add
 # Ring and rollers step together while what is left of the balance, over the loads, is below the first, and every step
 # leaves no more than this share of it.
 CLOSE, LEADS_ON = 0.5, 0.3
+MOST_STRAY = 0.4  # of the rollers, that may first have to come near to it by themselves
 #: What stands in place of a table: nothing, where a roller has no such contact, or a law that is asked from outside.
 ABSENT, OUTSIDE = -2, -1
 
@@ -279,7 +280,11 @@ def go_on(parts: Parts, work: Work, given: Given, target: Array) -> bool:
     size = _size(parts, work, given, target)
     if work.together[0] > 0.0:
         # Few rollers that leave or enter the load zone are no reason to give up what suits all others.
-        if _rollers_move(parts, work, given, OF_ROLLER * min(CLOSE, LEADS_ON * work.together[0]) * size):
+        enough = OF_ROLLER * min(CLOSE, LEADS_ON * work.together[0]) * size
+        if work.together[0] < np.inf and _strays(parts, work, enough) > MOST_STRAY * work.asked.size:
+            _step_back(parts, work)
+            return True
+        if _rollers_move(parts, work, given, enough):
             return True
         if _step_together(parts, work, given, target, size):
             return True
@@ -554,10 +559,9 @@ def _step_together(parts: Parts, work: Work, given: Given, target: Array, size: 
         return False
     if not left <= min(CLOSE, LEADS_ON * work.together[0]) or work.steps[row] >= given.steps:
         stepped = bool(work.together[0] < np.inf)
-        work.together[0] = 0.0
         if stepped:
-            work.ring[:], work.motion[:] = work.ring_before, work.resting
-            _ask_all(parts, work)
+            _step_back(parts, work)
+        work.together[0] = 0.0
         return stepped
     work.together[0] = left
     work.ring_before[:], work.resting[:] = work.ring, work.motion
@@ -579,6 +583,25 @@ def _step_together(parts: Parts, work: Work, given: Given, target: Array, size: 
             work.motion[j, a] += work.follows[j, a] + work.before[j, a]
     _ask_all(parts, work)
     return True
+
+
+@compiled
+def _step_back(parts: Parts, work: Work) -> None:
+    """Take back the last step of ring and rollers together, which are to step one after the other from now on."""
+    work.together[0] = 0.0
+    work.searching[:] = False
+    work.ring[:], work.motion[:] = work.ring_before, work.resting
+    _ask_all(parts, work)
+
+
+@compiled
+def _strays(parts: Parts, work: Work, enough: float) -> int:
+    """Return how many rollers are off balance by more than is enough [N]."""
+    count = 0
+    for j in range(work.asked.size):
+        if _left_of(parts, work, j) > enough:
+            count += 1
+    return count
 
 
 @compiled
