@@ -120,8 +120,8 @@ def random_bearing(number):
         given["axial"] = 0.1 * size * rng.uniform(0.0, 1.0) * (rng.choice([-1, 1]) if row.design == "NUP" else 1)
     if kind in ("X", "O", "tandem"):
         pair = B.paired(row, kind, 2.5 * row.roller_length, clearance=rng.choice([0.0, -1e-3]) * row.roller_diameter)
-        if kind != "tandem":
-            given["axial"] = rng.uniform(-0.3, 0.3) * size
+        # Speed flings the rollers of both rows of a tandem out of the rings' cones.
+        given["axial"] = 2.0 * given["axial"] if kind == "tandem" else rng.uniform(-0.3, 0.3) * size
         return pair, given
     return row, given
 
