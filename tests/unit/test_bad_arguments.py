@@ -301,6 +301,7 @@ ENTRIES: dict[str, Entry] = {
         SOLUTION.gradient("load").along, family=(lambda value: CONTACT, "thing"), at=(1.0, "number"),
         step=(0.1, "positive?"),
     ),
+    "study.damage": entry(nh.study.damage, model=(nh.life.lundberg_palmgren(), "thing")),
     "study.PressureAt": entry(nh.study.PressureAt, y=(0.0, "number")),
     "study.HalfWidthAt": entry(nh.study.HalfWidthAt, y=(0.0, "number")),
     "study.PressureNorm": entry(nh.study.PressureNorm, power=(20.0, "positive")),

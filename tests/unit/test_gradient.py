@@ -197,3 +197,26 @@ def test_gradients_are_written_in_a_line_and_saved_solutions_have_none_in_them(c
 def test_nonsense_is_refused(crowned, ask, said):
     with pytest.raises(nh.InputError, match=said):
         ask(crowned)
+
+
+@pytest.mark.parametrize(
+    "model", [nh.life.lundberg_palmgren(), nh.life.zaretsky(), nh.life.iso_16281(edge_stress="none")]
+)
+def test_damage_changes_with_the_load_as_the_assessed_one(model):
+    """From the stress below the surface, or from laminae, at two loads on the same strips."""
+    contact = nh.Contact(
+        nh.Roller(diameter=15.0, length=20.0, profile=nh.profile.crown(radius=2000.0)), nh.Ring(diameter=80.0)
+    )
+    loads = 8e3 * np.array([0.98, 1.0, 1.02])
+    light, middle, heavy = (solved(contact, 80, load=load, tilt=2e-4) for load in loads)
+    light, heavy = (nh.life.assess(each, model, body="b")[0].damage for each in (light, heavy))
+    found = middle.gradient(nh.study.damage(model))
+    expected = np.log(heavy / light) / np.log(loads[2] / loads[0])
+    assert_allclose(found.given["load"] * 8e3 / found.value, expected, rtol=0.02)
+
+
+def test_models_with_a_limit_have_no_power():
+    with pytest.raises(nh.InputError, match=r"model\.fatigue_limit = 300\.0 must be zero"):
+        nh.study.damage(nh.life.ioannides_harris(fatigue_limit=300.0))
+    with pytest.raises(nh.InputError, match="model = 'lundberg-palmgren' must be a fatigue model"):
+        nh.study.damage("lundberg-palmgren")
