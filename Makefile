@@ -76,6 +76,7 @@ bench: $(READY)
 	$(BIN)/python benchmarks/page.py
 	$(BIN)/python benchmarks/stopwatch.py
 	$(BIN)/python benchmarks/bearings.py
+	$(BIN)/python benchmarks/gradients.py
 
 docs-numbers: $(READY)
 	$(BIN)/python docs/figures.py

@@ -256,7 +256,8 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield f"{computer['load']} at the start; {versions}."
     yield ""
     yield "Beside other programs: [the race](race.md). Against an earlier state: [before and now](against.md). How long"
-    yield "[the page](page.md) and [a newcomer](first-picture.md) wait. [Whole bearings](bearings.md)."
+    yield "[the page](page.md) and [a newcomer](first-picture.md) wait. [Whole bearings](bearings.md),"
+    yield "[gradients](gradients.md)."
     yield ""
     yield from targets(results)
     yield "## Cost against strips"
