@@ -126,12 +126,7 @@ class PowerIntegral:
         """Return its value and derivatives."""
         touching = solution.half_width > 0.0
         p, b = solution.centre_pressure[touching], solution.half_width[touching]
-        # Powers of hundreds of MPa overflow; those of what is relative to the largest do not.
-        most = p.max(initial=0.0)
-        if not most > 0.0:
-            return Partials.of(solution, 0.0)
-        parts = solution.strip_width[touching] * (p / most) ** self.pressure_power * b**self.half_width_power
-        parts *= most**self.pressure_power
+        parts = solution.strip_width[touching] * p**self.pressure_power * b**self.half_width_power
         found = Partials.of(solution, float(parts.sum()))
         found.by_pressure[touching] = self.pressure_power * parts / p
         found.by_half_width[touching] = self.half_width_power * parts / b
