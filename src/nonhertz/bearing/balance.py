@@ -478,6 +478,12 @@ def _cautious(parts: Parts, deepest: float, step: Array) -> float:
     moved = 0.0
     for a in range(3):
         moved = max(moved, abs(step[a]) * parts.scale[a])
+    return _share_within(moved, deepest)
+
+
+@compiled
+def _share_within(moved: float, deepest: float) -> float:
+    """Return the share of a step that moves so far [mm] that is not far beside penetrations [mm]."""
     return 1.0 if moved <= CAUTION * deepest else CAUTION * deepest / moved
 
 
@@ -699,7 +705,7 @@ def _follow_ring(parts: Parts, work: Work, given: Given, off: Array, loads: floa
         _solve(work.whole[j].copy(), pushed, parts.scale)
         work.follows[j] = pushed[:, 0]
     # No step presses anything much deeper than it is or is expected to be.
-    share = 1.0 if moved <= CAUTION * deepest else CAUTION * deepest / moved
+    share = _share_within(moved, deepest)
     work.ring_step[:] = share * work.ring_step
     for j in range(work.asked.size):
         # A roller that little holds would be flung about.
