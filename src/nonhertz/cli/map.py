@@ -15,15 +15,13 @@ from nonhertz.cli.printing import console
 from nonhertz.errors import InputError
 from nonhertz.io.casefile import Case
 from nonhertz.io.folder import write_files
-from nonhertz.io.units import in_unit
+from nonhertz.io.ranges import number_in, range_in
 from nonhertz.maps import ContactMap, MapPoint, contact_map
 from nonhertz.maps.value import ROWS, TILTS
-from nonhertz.result.numerals import digits
 from nonhertz.strip.element import SEMI_ELLIPTIC
 
 Range = tuple[float, float]
 
-MOST_ROWS = 10_000
 _SUFFIXES = (".csv", ".mat", ".npz")
 
 
@@ -68,15 +66,16 @@ def requested(approach: str | None, load: str | None, tilt: str | None, accuracy
         remedy = "name a .csv or .mat file for a table, or a .npz file for the map itself"
         raise InputError("--out", str(out), f"be a file ending in {', '.join(_SUFFIXES)}", remedy)
     if approach is not None:
-        name, (low, high), rows = "approach", *_range("--approach", approach, "mm", "-5um:40um")
+        name, (low, high, rows) = "approach", range_in("--approach", approach, "mm", "-5um:40um")
     else:
         assert load is not None
-        name, (low, high), rows = "load", *_range("--load", load, "N", "0:40kN")
+        name, (low, high, rows) = "load", range_in("--load", load, "N", "0:40kN")
     if tilt is None:
         return Request(name, (low, high), rows, None, None, accuracy)
     if ":" not in tilt:
-        return Request(name, (low, high), rows, _number("--tilt", tilt, "rad"), 1, accuracy)
-    return Request(name, (low, high), rows, *_range("--tilt", tilt, "rad", "-2mrad:2mrad"), accuracy)
+        return Request(name, (low, high), rows, number_in("--tilt", tilt, "rad"), 1, accuracy)
+    lowest, highest, tilts = range_in("--tilt", tilt, "rad", "-2mrad:2mrad")
+    return Request(name, (low, high), rows, (lowest, highest), tilts, accuracy)
 
 
 def made(case: Case, request: Request) -> ContactMap:
@@ -164,36 +163,3 @@ def print_map(found: ContactMap, title: str) -> None:
     printing.print(Text(title, style="bold"))
     for line in repr(found).splitlines()[1:]:
         printing.print(Text(line.strip()), soft_wrap=True)
-
-
-def _range(option: str, text: str, unit: str, example: str) -> tuple[Range, int | None]:
-    parts = text.split(":")
-    remedy = f"write lowest and highest with units, such as {example}, and if you like a number of rows, {example}:21"
-    if len(parts) not in {2, 3}:
-        raise InputError(option, text, "be a range", remedy)
-    low, high = (_number(option, part, unit) for part in parts[:2])
-    if not low < high:
-        condition = f"ascend, not go from {digits(low)} to {digits(high)} {unit}"
-        raise InputError(option, text, condition, remedy)
-    if len(parts) == 2:
-        return (low, high), None
-    if not parts[2].isascii() or not parts[2].isdigit() or not 2 <= int(parts[2][:9]) <= MOST_ROWS:
-        raise InputError(option, text, f"have a whole number of rows from 2 to {MOST_ROWS} as its third part", remedy)
-    return (low, high), int(parts[2])
-
-
-def _number(option: str, text: str, unit: str) -> float:
-    """Return a quantity in a unit; zero needs none."""
-    try:
-        if float(text) == 0.0:
-            return 0.0
-    except ValueError:
-        pass
-    try:
-        return float(in_unit(option, text, unit))
-    except InputError as error:
-        # Nothing is in quotes on a command line.
-        remedy = f"append a unit, such as {text.strip()}{'mrad' if unit == 'rad' else unit}"
-        raise InputError(
-            option, text, error.condition, remedy if error.condition == "have a unit" else error.remedy
-        ) from None
