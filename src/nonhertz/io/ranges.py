@@ -18,13 +18,13 @@ class Range(NamedTuple):
     Attributes
     ----------
     low, high : float
-    count : int or None
+    number : int or None
         How many values there are, if that is written.
     """
 
     low: float
     high: float
-    count: int | None
+    number: int | None
 
 
 def range_in(field: str, text: str, unit: str, example: str) -> Range:
@@ -49,7 +49,7 @@ def range_in(field: str, text: str, unit: str, example: str) -> Range:
     Examples
     --------
     >>> range_in("load", "0 : 40 kN : 41", "N", "0:40kN")
-    Range(low=0.0, high=40000.0, count=41)
+    Range(low=0.0, high=40000.0, number=41)
     """
     parts = text.split(":")
     what = "with units, such as" if unit else "such as"

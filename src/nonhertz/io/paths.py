@@ -1,0 +1,181 @@
+"""Single values of a case file or a bearing file, named by dotted paths such as ``body.a.profile.drop``.
+
+Which paths there are follows from the file's schema and from what the document holds: the kind of each profile decides
+which keys it can have. Where a list has several tables, as a profile that is a sum, the position is part of the path,
+``body.a.profile[2].radius``; it may be left out where only one of them can have the key.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from nonhertz.errors import InputError
+from nonhertz.io.mistakes import nearest, path_of
+
+Keys = tuple[str | int, ...]
+Schema = Mapping[str, Any]
+
+#: Keys of tables that say what a table is; they are not to be varied on their own.
+_NAMES = ("kind", "format", "title")
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One value of a document, whether it is there or could be.
+
+    Attributes
+    ----------
+    path : str
+        Its dotted path.
+    keys : tuple of str and int
+        The same in parts; positions in lists count from 1.
+    unit : str or None
+        Base unit of a number, ``""`` of one without a unit; None of a word or a switch.
+    whole : bool
+        Whether it must be a whole number.
+    """
+
+    path: str
+    keys: Keys
+    unit: str | None
+    whole: bool = False
+
+    def value_in(self, document: Mapping[str, Any]) -> Any:
+        """Return the value in a document; None if it has none."""
+        value: Any = document
+        for key in self.keys:
+            value = _entry(value, key)
+        return value
+
+    def put(self, document: Mapping[str, Any], value: Any) -> dict[str, Any]:
+        """Return a document with another value; tables that are missing are made."""
+        changed: dict[str, Any] = _with(document, self.keys, value)
+        return changed
+
+
+def parameters(document: Mapping[str, Any], schema: Schema) -> dict[str, Parameter]:
+    """Return all that can be varied in a document, by path.
+
+    Parameters
+    ----------
+    document : mapping
+        What a case file or a bearing file holds.
+    schema : mapping
+        The JSON schema of such a file.
+    """
+    found: dict[str, Parameter] = {}
+    for path, keys, leaf in _leaves(document, [schema], schema.get("$defs", {}), (), ()):
+        found.setdefault(path, Parameter(path, keys, *leaf))
+    return found
+
+
+def parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
+    """Return the parameter of a path.
+
+    Raises
+    ------
+    InputError
+        If there is none; the nearest is named.
+    """
+    if not isinstance(path, str):
+        raise InputError("path", path, "be a dotted path", "write it as in the file, such as 'load.load'")
+    if path in known:
+        return known[path]
+    last = path.rpartition(".")[2]
+    # The right key in the wrong table is likelier than a table that is spelled like another.
+    alike = [each for each in known if each.rpartition(".")[2] == last]
+    match = nearest(path, alike) or (alike[0] if alike else nearest(path, known))
+    remedy = f"the nearest is '{match}'" if match else "write it as in the file, such as 'load.load'"
+    raise InputError(path, path, "be a path to a value of the file", remedy)
+
+
+def _leaves(
+    value: Any, schemas: Sequence[Schema], defs: Mapping[str, Any], keys: Keys, short: Keys
+) -> Iterator[tuple[str, Keys, tuple[str | None, bool]]]:
+    """Yield path, keys, unit and wholeness of all that a value, of any of these schemas, holds or could hold.
+
+    ``short`` are the keys without positions that say nothing.
+    """
+    alternatives = [each for schema in schemas for each in _alternatives(schema, defs)]
+    leaf = _leaf(alternatives)
+    if leaf is not None and keys and keys[-1] not in _NAMES:
+        yield path_of(short), keys, leaf
+        if short != keys:
+            yield path_of(keys), keys, leaf
+    if isinstance(value, list):
+        yield from _entries_leaves(value, alternatives, defs, keys, short)
+    elif isinstance(value, dict) or value is None:
+        tables = [each for each in alternatives if "properties" in each and _is_of_kind(value, each)]
+        # What a file leaves out has no kind, so that nothing is known of its keys.
+        if value is None and any("kind" in each["properties"] and len(tables) > 1 for each in tables):
+            return
+        for key in dict.fromkeys(key for table in tables for key in table["properties"]):
+            below = [table["properties"][key] for table in tables if key in table["properties"]]
+            yield from _leaves(_entry(value, key), below, defs, (*keys, key), (*short, key))
+
+
+def _entries_leaves(
+    value: list[Any], alternatives: Sequence[Schema], defs: Mapping[str, Any], keys: Keys, short: Keys
+) -> Iterator[tuple[str, Keys, tuple[str | None, bool]]]:
+    """Yield what the tables of a list hold; without their position where it is the only one with such a key."""
+    items = [each["items"] for each in alternatives if "items" in each]
+    found = [
+        (path, inner, leaf)
+        for position, entry in enumerate(value, start=1)
+        if isinstance(entry, dict)
+        for path, inner, leaf in _leaves(entry, items, defs, (*keys, position), (*short, position))
+    ]
+    tails = Counter(inner[len(keys) + 1 :] for _, inner, _ in found)
+    for _, inner, leaf in found:
+        tail = inner[len(keys) + 1 :]
+        if tails[tail] == 1:
+            yield path_of((*short, *tail)), inner, leaf
+    yield from found
+
+
+def _alternatives(schema: Schema, defs: Mapping[str, Any]) -> Iterator[Schema]:
+    """Yield the schemas that a value may follow, without references."""
+    if "$ref" in schema:
+        yield from _alternatives(defs[schema["$ref"].rpartition("/")[2]], defs)
+    elif "anyOf" in schema and "unit" not in schema:
+        for each in schema["anyOf"]:
+            yield from _alternatives(each, defs)
+    else:
+        yield schema
+
+
+def _leaf(alternatives: Sequence[Schema]) -> tuple[str | None, bool] | None:
+    """Return unit and wholeness of a single value; None for a table or a list."""
+    for each in alternatives:
+        if "unit" in each and each.get("type") != "array":
+            return each["unit"], False
+    kinds = {each.get("type") for each in alternatives}
+    if "number" in kinds or "integer" in kinds:
+        return "", "number" not in kinds
+    is_word = kinds & {"string", "boolean"} or any("enum" in each or "const" in each for each in alternatives)
+    return (None, False) if is_word else None
+
+
+def _is_of_kind(value: Any, table: Schema) -> bool:
+    """Return whether a table's schema is that of the kind which a value says it is."""
+    kind = table["properties"].get("kind", {}).get("const")
+    return kind is None or (isinstance(value, dict) and value.get("kind") == kind)
+
+
+def _entry(value: Any, key: str | int) -> Any:
+    if isinstance(key, int):
+        return value[key - 1] if isinstance(value, list) and key <= len(value) else None
+    return value.get(key) if isinstance(value, Mapping) else None
+
+
+def _with(value: Any, keys: Keys, entry: Any) -> Any:
+    if not keys:
+        return entry
+    key, *rest = keys
+    inner = _with(_entry(value, key), tuple(rest), entry)
+    if isinstance(key, int):
+        return [*value[: key - 1], inner, *value[key:]]
+    return {**(value or {}), key: inner}

@@ -1,0 +1,89 @@
+"""The tables of a plan file, as pydantic models."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any
+
+from pydantic import Field, PlainValidator, WithJsonSchema, field_validator
+
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import one_line
+from nonhertz.io.bounds import FORMAT
+from nonhertz.io.document import Format, Table
+from nonhertz.io.sampling import METHODS, Sampling
+
+_VARIED_SCHEMA = {
+    "type": "object",
+    "additionalProperties": {"anyOf": [{"type": "string"}, {"type": "array", "minItems": 1}, {"type": "object"}]},
+}
+
+
+def flat(tables: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+    """Yield paths and values of tables in tables: TOML makes them of dotted keys without quotes.
+
+    Examples
+    --------
+    >>> list(flat({"load": {"tilt": "0 : 1 mrad : 3"}, "load.load": [1.0]}))
+    [('load.tilt', '0 : 1 mrad : 3'), ('load.load', [1.0])]
+    """
+    for key, value in tables.items():
+        if isinstance(value, dict):
+            yield from ((f"{key}.{below}", entry) for below, entry in flat(value))
+        else:
+            yield key, value
+
+
+def _read_varied(value: Any) -> dict[str, Any]:
+    if not isinstance(value, dict):
+        remedy = "write a line for each path, such as \"load.load\" = '5 kN : 40 kN : 8'"
+        raise InputError("over", value, "be a table", remedy)
+    return dict(flat(value))
+
+
+Varied = Annotated[dict[str, Any], PlainValidator(_read_varied), WithJsonSchema(_VARIED_SCHEMA)]
+Unread = Annotated[Any, PlainValidator(lambda value: value)]
+
+
+class SamplesTable(Table):
+    """How samples are drawn from distributions."""
+
+    count: Annotated[Unread, WithJsonSchema({"type": "integer", "minimum": 1})] = Field(
+        default=Sampling.count, description="how many"
+    )
+    method: Annotated[Unread, WithJsonSchema({"enum": list(METHODS)})] = Field(
+        default=Sampling.method, description="'latin-hypercube', 'sobol' or 'random'"
+    )
+    seed: Annotated[Unread, WithJsonSchema({"type": "integer", "minimum": 0})] = Field(
+        default=Sampling.seed, description="a whole number; the same draws the same samples"
+    )
+
+    @field_validator("count", "method", "seed")
+    @classmethod
+    def _check(cls, value: Any, info: Any) -> Any:
+        return getattr(Sampling(**{str(info.field_name): value}), str(info.field_name))
+
+    def sampling(self) -> Sampling:
+        """Return the sampling."""
+        return Sampling(self.count, self.method, self.seed)
+
+
+class PlanTable(Table):
+    """A plan file."""
+
+    format: Format = Field(default=FORMAT, description="format of the file")
+    title: str = Field(default="", description="what the study is called in tables and figures")
+    case: str = Field(description="the case file or bearing file that is varied, relative to the plan")
+    over: Varied = Field(
+        default_factory=dict, description="of a sweep: what each path of the case runs over; all combinations are rows"
+    )
+    samples: SamplesTable = Field(default_factory=SamplesTable, description="how samples are drawn from distributions")
+    quantities: Annotated[Unread, WithJsonSchema({"type": "array", "items": {"type": "string"}})] = Field(
+        default=(), description="the numbers that a row holds; the usual ones if left out"
+    )
+
+    @field_validator("title", "case")
+    @classmethod
+    def _check(cls, value: str, info: Any) -> str:
+        one_line(str(info.field_name), value, "write a short name")
+        return value

@@ -1,0 +1,90 @@
+"""Values of a file by dotted paths."""
+
+from __future__ import annotations
+
+import pytest
+
+import nonhertz as nh
+from nonhertz.io.bearingfile import bearing_schema
+from nonhertz.io.casefile import schema
+from nonhertz.io.paths import parameter, parameters
+
+CASE = {
+    "body": {
+        "a": {
+            "diameter": 20.0,
+            "length": 20.0,
+            "profile": [{"kind": "crown", "radius": "4 m"}, {"kind": "logarithmic", "length": 20.0}],
+        },
+        "b": {"material": "steel"},
+    },
+    "load": {"load": "20 kN"},
+}
+
+
+@pytest.fixture
+def known():
+    return parameters(CASE, schema())
+
+
+@pytest.mark.parametrize(
+    ("path", "unit", "whole"),
+    [
+        ("load.load", "N", False),
+        ("load.tilt", "rad", False),
+        ("body.a.diameter", "mm", False),
+        ("body.b.depth", "mm", False),
+        ("body.b.material", None, False),
+        ("solver.strips", "", True),
+        ("body.a.side_faces", "", False),
+        ("body.a.profile[1].radius", "mm", False),
+        ("body.a.profile.radius", "mm", False),  # only a crown has one
+        ("body.a.profile[2].drop", "mm", False),
+        ("body.a.chamfer.angle", "rad", False),
+    ],
+)
+def test_a_path_has_the_unit_of_its_key(known, path, unit, whole):
+    found = parameter(path, known)
+    assert (found.unit, found.whole) == (unit, whole)
+
+
+def test_a_key_that_both_profiles_can_have_needs_a_position(known):
+    assert "body.a.profile.drop" not in known
+    with pytest.raises(nh.InputError, match=r"nearest is 'body\.a\.profile\[[12]\]\.drop'"):
+        parameter("body.a.profile.drop", known)
+
+
+@pytest.mark.parametrize(
+    ("path", "nearest"),
+    [("load.laod", "load.load"), ("tilt", "load.tilt"), ("body.a.diametre", "body.a.diameter")],
+)
+def test_of_an_unknown_path_the_nearest_is_named(known, path, nearest):
+    with pytest.raises(nh.InputError, match=f"the nearest is '{nearest}'"):
+        parameter(path, known)
+
+
+def test_a_document_with_another_value_leaves_the_first_as_it_was(known):
+    changed = known["body.a.profile.radius"].put(CASE, 5e3)
+    assert changed["body"]["a"]["profile"][0] == {"kind": "crown", "radius": 5e3}
+    assert changed["body"]["a"]["profile"][1] is CASE["body"]["a"]["profile"][1]
+    assert CASE["body"]["a"]["profile"][0]["radius"] == "4 m"
+    assert known["body.a.profile.radius"].value_in(CASE) == "4 m"
+
+
+def test_tables_that_are_missing_are_made(known):
+    assert known["solver.strips"].value_in(CASE) is None
+    assert known["solver.strips"].put(CASE, 41)["solver"] == {"strips": 41}
+
+
+def test_a_material_by_its_name_has_no_modulus_to_vary(known):
+    assert "body.b.material.modulus" not in known
+    assert "body.a.material.modulus" in known
+
+
+def test_bearing_files_have_paths_too():
+    document = {"bearing": {"kind": "cylindrical"}, "roller": {"profile": {"kind": "crown", "radius": 1e3}}}
+    known = parameters(document, bearing_schema())
+    assert known["roller.profile.drop"].unit == "mm"
+    assert known["fit.shaft.interference"].unit == "mm"
+    assert known["bearing.rollers"].whole
+    assert "bearing.kind" not in known

@@ -1,0 +1,121 @@
+"""Plan files: what they hold, and all their mistakes at once."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import nonhertz as nh
+from nonhertz.io.casefile import starting_case
+from nonhertz.io.planfile import Plan, holds_plan, read_any, read_plan
+from nonhertz.io.spreads import Distribution
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "case.toml").write_text(starting_case(), encoding="utf-8")
+    return tmp_path
+
+
+def plan(folder: Path, text: str) -> Path:
+    path = folder / "plan.toml"
+    path.write_text(f'case = "case.toml"\n{text}', encoding="utf-8")
+    return path
+
+
+def test_a_plan_holds_what_its_case_is_varied_over(folder):
+    found = read_plan(
+        plan(
+            folder,
+            """
+title = "A study"
+quantities = ["max_pressure"]
+[over]
+"load.load" = "5 kN : 15 kN : 3"
+load.tilt = [0, "0.5 mrad"]
+"body.a.diameter" = "normal(nominal, 5 um)"
+[samples]
+count = 7
+method = "sobol"
+seed = 3
+""",
+        )
+    )
+    assert found.title == "A study"
+    assert found.quantities == ("max_pressure",)
+    assert found.spreads["load.load"] == (5e3, 10e3, 15e3)
+    assert found.spreads["load.tilt"] == (0.0, 0.5e-3)
+    assert isinstance(found.spreads["body.a.diameter"], Distribution)
+    assert (found.samples.count, found.samples.method, found.samples.seed) == (7, "sobol", 3)
+
+
+def test_all_mistakes_are_listed_at_once(folder):
+    text = """
+[over]
+"load.laod" = "5 kN : 15 kN : 3"
+load.tilt = []
+"body.a.length" = "normal(20 mm, 10 mm)"
+"body.b.material" = ["steel", "stele"]
+"""
+    with pytest.raises(nh.CaseError) as caught:
+        read_plan(plan(folder, text))
+    said = caught.value.mistakes
+    assert len(said) == 4
+    for sentence, words in zip(
+        sorted(said),
+        (
+            "over.body.a.length = 'normal(20 mm, 10 mm)' must stay within what the case allows (at -40.000 mm: ",
+            "over.body.b.material = ['steel', 'stele'] must stay within what the case allows (at stele: ",
+            "over.load.laod = 'load.laod'",
+            "over.load.tilt = [] must hold values",
+        ),
+        strict=True,
+    ):
+        if "laod" in words:
+            assert "the nearest is 'load.load'" in sentence
+        else:
+            assert sentence.startswith(words)
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("[samples]\ncount = 0", "samples.count = 0 must be a whole number from 1"),
+        ('[samples]\nmethod = "sobl"', "samples.method = 'sobl' must be one of"),
+        ("[ovre]\n", "ovre = {} must be a known key: the nearest is 'over'."),
+        ('quantities = "approach"', "quantities = 'approach' must be names"),
+        ("over = 3", "over = 3 must be a table"),
+    ],
+)
+def test_what_is_wrong_elsewhere_is_said_in_one_sentence(folder, text, sentence):
+    with pytest.raises(nh.CaseError) as caught:
+        read_plan(plan(folder, text))
+    (said,) = caught.value.mistakes
+    assert said.startswith(sentence)
+
+
+def test_mistakes_of_the_case_are_named_with_its_file(folder):
+    (folder / "case.toml").write_text("[body.a]\ndiameter = -1\n", encoding="utf-8")
+    with pytest.raises(nh.CaseError) as caught:
+        read_plan(plan(folder, '[over]\n"load.load" = [1.0]'))
+    assert all("case.toml: " in sentence for sentence in caught.value.mistakes)
+
+
+def test_a_case_that_is_not_there_is_missed_in_one_sentence(folder):
+    path = folder / "plan.toml"
+    path.write_text('case = "other.toml"\n', encoding="utf-8")
+    with pytest.raises(nh.CaseError, match=r"other\.toml must exist"):
+        read_plan(path)
+
+
+def test_plans_and_cases_are_told_apart():
+    assert holds_plan({"case": "x"})
+    assert holds_plan({"over": {}})
+    assert not holds_plan({"body": {}})
+
+
+def test_values_that_exclude_each_other_are_refused_before_the_work_starts(folder):
+    case = read_any(folder / "case.toml")
+    with pytest.raises(nh.InputError, match="not be given together with"):
+        Plan(case, over={"load.approach": ["10 um"]})
