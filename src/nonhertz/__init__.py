@@ -40,6 +40,8 @@ if TYPE_CHECKING:
     from nonhertz.io.bearingfile import read_bearing as read_bearing
     from nonhertz.io.casefile import Case as Case
     from nonhertz.io.casefile import read_case as read_case
+    from nonhertz.io.planfile import Plan as Plan
+    from nonhertz.io.planfile import read_plan as read_plan
     from nonhertz.io.resultfile import Result as Result
     from nonhertz.io.resultfile import read_result as read_result
     from nonhertz.maps.value import ContactMap as ContactMap
@@ -66,6 +68,7 @@ if TYPE_CHECKING:
     from nonhertz.solver.solutions import Solutions as Solutions
     from nonhertz.strip.element import PARABOLIC as PARABOLIC
     from nonhertz.strip.element import SEMI_ELLIPTIC as SEMI_ELLIPTIC
+    from nonhertz.study.sweeps import sweep as sweep
 
     map = contact_map  # noqa: A001  (nothing in this module calls the builtin)
 
@@ -92,6 +95,7 @@ _HOMES = {
     "Material": "nonhertz.model.material",
     "NonhertzError": "nonhertz.errors",
     "PARABOLIC": "nonhertz.strip.element",
+    "Plan": "nonhertz.io.planfile",
     "Plate": "nonhertz.model.body",
     "Portion": "nonhertz.solver.portions",
     "Result": "nonhertz.io.resultfile",
@@ -107,9 +111,11 @@ _HOMES = {
     "compare": "nonhertz.comparison",
     "read_bearing": "nonhertz.io.bearingfile",
     "read_case": "nonhertz.io.casefile",
+    "read_plan": "nonhertz.io.planfile",
     "read_result": "nonhertz.io.resultfile",
     "solve": "nonhertz.solver.one",
     "solve_many": "nonhertz.solver.many",
+    "sweep": "nonhertz.study.sweeps",
 }
 # Public names that differ from those where they are defined: a module that defined `map` would hide the builtin.
 _RENAMED = {"map": ("nonhertz.maps.verb", "contact_map")}

@@ -94,6 +94,14 @@ REFUSED: dict[str, set[str]] = {
     # Below the contact, of which half a millimetre is.
     "edge?": POSITIVE - {"none", "half", "tiny", "zero"},
     "optional": ALL - {"none"},
+    "given options": ALL - {"none", "dictionary"},
+    "given names": ALL - {"none", "empty"},
+    # Which names there are is for the study to say.
+    "any names": ALL - {"empty", "words"},
+    "given any names": ALL - {"none", "empty", "words"},
+    "spread": ALL - {"row"},
+    "directory": ALL - {"none", "text", "empty text"},
+    "shares": NO_NUMBERS | {"inf", "minus inf", "huge", "minus one", "three", "row", "square"},
     "endless": POSITIVE - {"inf"},
     "unbounded": POSITIVE - {"huge"},  # a contact knows its own bounds of a load
     "intervals": ALL - {"empty", "square"},
@@ -111,6 +119,7 @@ REFUSED: dict[str, set[str]] = {
 # Entry points
 EXAMPLE = Path(__file__).parents[2] / "examples" / "crowned-roller.toml"
 BEARING = EXAMPLE.with_name("nu206.toml")
+UPRIGHT = nh.read_case(EXAMPLE)
 RING = nh.Ring(diameter=80)
 ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(2000))
 CONTACT = nh.Contact(ROLLER, RING)
@@ -125,6 +134,7 @@ with warnings.catch_warnings():  # as coarse as it may be: nothing is read off t
     PALMGREN = life.lundberg_palmgren()
     LIFE = life.assess(SOLUTION, "iso-16281", body="b")[0]
     EXPOSURE = life.exposure(SOLUTION, body="b")
+SWEPT = nh.sweep(nh.Case(CONTACT, {"load": 6e3}, {"strips": 11}), over={"load.load": [6e3]})
 POINT = hertz.point_contact(load=1e3, radius_x=10.0, radius_y=100.0, compliance=2.8e-6)
 LINE = hertz.line_contact(line_load=1e3, radius=10.0, compliance=2.8e-6)
 ROW = bearing.CylindricalRollerBearing(
@@ -159,6 +169,14 @@ def written_solutions() -> Path:
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     MANY.save(folder / "many.npz")
     return folder / "many.npz"
+
+
+def written_plan() -> Path:
+    """Return a plan file that is there until the tests end."""
+    path = Path(tempfile.mkdtemp()) / "plan.toml"
+    path.write_text(f'case = "{EXAMPLE.as_posix()}"\n[over]\n"load.load" = ["1 kN"]\n', encoding="utf-8")
+    atexit.register(shutil.rmtree, path.parent, ignore_errors=True)
+    return path
 
 
 def written_result() -> Path:
@@ -300,6 +318,34 @@ ENTRIES: dict[str, Entry] = {
     "Gradient.along": entry(
         SOLUTION.gradient("load").along, family=(lambda value: CONTACT, "thing"), at=(1.0, "number"),
         step=(0.1, "positive?"),
+    ),
+    "read_plan": entry(nh.read_plan, path=(written_plan(), "file"), raises=(nh.CaseError,)),
+    "Plan": entry(
+        nh.Plan, case=(UPRIGHT, "thing"), over=({}, "options"), samples=(nh.study.Sampling(), "thing"),
+        quantities=((), "any names"), title=("one", "name"), path=(Path("plan.toml"), "thing"),
+    ),
+    "Plan.changed": entry(
+        nh.Plan(UPRIGHT).changed, over=({}, "given options"), samples=(None, "optional"),
+        quantities=(None, "given any names"),
+    ),
+    "Plan.tried": entry(nh.Plan(UPRIGHT).tried, path=("load.load", "word"), given=([1e3], "spread")),
+    "sweep": entry(
+        nh.sweep, plan=(nh.Plan(UPRIGHT, over={"load.load": [1e3]}), "thing"), over=(None, "optional"),
+        samples=(None, "optional"), quantities=(None, "given names"), out=(None, "directory"), workers=(1, "whole?"),
+        scheduler=(None, "optional"), announce=(None, "function?"), raises=(nh.CaseError,),
+    ),
+    "study.Sweep.__getitem__": entry(SWEPT.__getitem__, name=("load.load", "word"), raises=(KeyError,)),
+    "study.Sweep.extremes": entry(SWEPT.extremes, name=("approach", "word"), raises=(KeyError,)),
+    "study.Sweep.unit": entry(SWEPT.unit, name=("approach", "word"), raises=(KeyError,)),
+    "study.Sampling": entry(
+        nh.study.Sampling, count=(10, "whole"), method=("sobol", "word"), seed=(0, "count"),
+    ),
+    "study.Sampling.shares": entry(nh.study.Sampling(3).shares, dimensions=(2, "whole")),
+    "study.Distribution": entry(
+        nh.study.Distribution, kind=("normal", "word"), numbers=((0.0, 1.0), "table"), within=(None, "optional"),
+    ),
+    "study.Distribution.quantile": entry(
+        nh.study.Distribution("uniform", (0.0, 1.0)).quantile, share=(0.5, "shares")
     ),
     "study.damage": entry(nh.study.damage, model=(nh.life.lundberg_palmgren(), "thing")),
     "study.PressureAt": entry(nh.study.PressureAt, y=(0.0, "number")),
@@ -797,7 +843,7 @@ ENTRIES["profile.sum.relief"] = entry((TABLE.shifted(1.0) + TABLE.scaled(2.0)).r
 #: Of these only what must be refused is tried.
 SLOW = {
     "bearing.maps", "compare", "map", "life.assess", "life.exposure", "measured.fit", "measured.fit_best",
-    "measured.prepare", "subsurface.extremes",
+    "measured.prepare", "subsurface.extremes", "sweep",
 }  # fmt: skip
 
 
@@ -806,7 +852,8 @@ def test_the_good_arguments_are_taken(name, tmp_path):
     case = ENTRIES[name]
     (tmp_path / "profile.csv").write_text("-1, 0\n1, 0\n", encoding="utf-8")
     given = (
-        name in {"BearingCase", "Case", "Solutions.read", "read_bearing", "read_result"}
+        name
+        in {"BearingCase", "Case", "Plan", "Plan.tried", "Solutions.read", "read_bearing", "read_plan", "read_result"}
         or case.good.get("path", EXAMPLE) == EXAMPLE
     )
     good = case.good | ({} if given else {"path": tmp_path / "profile.csv"})
@@ -874,7 +921,7 @@ def test_an_impossible_raceway_is_refused():
 # Nothing public is left out
 #: Made by the package and not by its users, who only read them.
 RESULTS = {
-    "Comparison", "ContactMap", "Portion",
+    "Comparison", "ContactMap", "Portion", "study.Progress", "study.Sweep", "study.Gradient", "study.Partials",
     "EdgeKind", "EdgePressure", "ErrorEstimate", "Result", "SingularEnd", "Solution", "Solutions",
     "Status",
     "hertz.LineContact", "hertz.PointContact",
@@ -899,6 +946,7 @@ MODULES = {
     "life.": life,
     "measured.": measured,
     "profile.": profile,
+    "study.": nh.study,
     "subsurface.": subsurface,
 }
 
@@ -931,6 +979,7 @@ WRITES = {
     "BearingCase.write",
     "Case.write",
     "Solutions.save",
+    "study.Sweep.write",
     "ContactMap.save",
     "ContactMap.to_csv",
     "ContactMap.to_mat",

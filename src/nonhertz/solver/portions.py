@@ -175,7 +175,7 @@ class Run:
         self._shape, self._works, self._threads = shape, works, threads
         self._futures: list[Future[list[Block]]] = []
 
-    def _finished(self, announce: Callable[[Portion], object] | None) -> Solutions:
+    def solutions(self, announce: Callable[[Portion], object] | None) -> Solutions:
         """Solve all portions, announce each, and return the solutions of all."""
         stopped, total, done = Event(), sum(len(work) for work in self._works), 0
         pool = ThreadPoolExecutor(self._threads)
@@ -193,7 +193,7 @@ class Run:
             with contextlib.suppress(KeyboardInterrupt):  # a second Ctrl-C: wait no longer
                 # Of cancelled ones, `wait` would never hear that they are done.
                 wait([future for future in self._futures if not future.cancelled()], PATIENCE)
-        return self._solutions()
+        return self._so_far()
 
     def outcome(self, announce: Callable[[Portion], object] | None) -> tuple[Solutions, tuple[str, ...]]:
         """Return the solutions of all portions, and what is to be warned of.
@@ -204,18 +204,18 @@ class Run:
             On Ctrl-C.
         """
         try:
-            solutions = self._finished(announce)
+            solutions = self.solutions(announce)
             return solutions, tuple(solutions.sentences())
         except KeyboardInterrupt:
             raise self._interrupted() from None
 
     def _interrupted(self) -> Interrupted:
         """Return the error that says how far the run came, with what was solved."""
-        solutions = self._solutions()
+        solutions = self._so_far()
         solved = len(solutions) - sum(error.args == (NOT_SOLVED,) for error in solutions.failures.values())
         return Interrupted(f"Stopped after {solved} of {len(solutions)} cases.", solutions)
 
-    def _solutions(self) -> Solutions:
+    def _so_far(self) -> Solutions:
         blocks: list[Block] = []
         for number, work in enumerate(self._works):
             found = _result(self._futures[number]) if number < len(self._futures) else []

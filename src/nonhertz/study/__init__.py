@@ -1,9 +1,12 @@
-"""Studies of a contact: what its numbers depend on.
+"""Studies: what the numbers of a contact or a bearing depend on.
 
+`nonhertz.sweep` solves a case for many values of what its file holds and returns a `Sweep`.
 `nonhertz.Solution.gradient` makes a `Gradient` of a named number of a solution, or of one of these: `PressureAt`,
 `HalfWidthAt`, `PressureNorm`, `PowerIntegral`, or `damage` by a model of fatigue.
 """
 
+from nonhertz.io.sampling import Sampling as Sampling
+from nonhertz.io.spreads import Distribution as Distribution
 from nonhertz.result.gradient import Gradient as Gradient
 from nonhertz.result.measures import HalfWidthAt as HalfWidthAt
 from nonhertz.result.measures import Measure as Measure
@@ -12,5 +15,10 @@ from nonhertz.result.measures import PowerIntegral as PowerIntegral
 from nonhertz.result.measures import PressureAt as PressureAt
 from nonhertz.result.measures import PressureNorm as PressureNorm
 from nonhertz.study.lives import damage as damage
+from nonhertz.study.sweeps import Progress as Progress
+from nonhertz.study.sweeps import Sweep as Sweep
 
-__all__ = ["Gradient", "HalfWidthAt", "Measure", "Partials", "PowerIntegral", "PressureAt", "PressureNorm", "damage"]
+__all__ = [
+    "Distribution", "Gradient", "HalfWidthAt", "Measure", "Partials", "PowerIntegral", "PressureAt",
+    "PressureNorm", "Progress", "Sampling", "Sweep", "damage",
+]  # fmt: skip

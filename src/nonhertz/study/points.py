@@ -1,0 +1,102 @@
+"""The rows of a plan: which values each has, and in which order they are solved."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.io.planfile import Plan
+from nonhertz.io.sampling import Sampling
+from nonhertz.io.spreads import Distribution
+
+Array = NDArray[np.float64]
+Numbers = NDArray[np.intp]
+
+MOST_ROWS = 10_000_000
+
+
+@dataclass(frozen=True)
+class Points:
+    """The points of a plan: a grid of the values that are listed, times samples of what is distributed.
+
+    Rows are numbered with the last axis changing fastest, the samples last of all. They are solved in an order in which
+    loads change fastest: rows of the same bodies follow one another, each similar to the one before.
+
+    Attributes
+    ----------
+    paths : tuple of str
+        What is varied: first what has a list of values, then what is distributed.
+    lists : tuple of tuple
+        The values of each of the first.
+    distributions : tuple of Distribution
+        Those of the others.
+    sampling : Sampling
+        How samples are drawn.
+    """
+
+    paths: tuple[str, ...]
+    lists: tuple[tuple[Any, ...], ...]
+    distributions: tuple[Distribution, ...]
+    sampling: Sampling
+
+    @classmethod
+    def of(cls, plan: Plan) -> Points:
+        """Return the points of a plan.
+
+        Raises
+        ------
+        InputError
+            If nothing is varied, or there are too many rows.
+        """
+        if not plan.spreads:
+            remedy = "say what a path of the case runs over, such as load.load=5kN:40kN:8"
+            raise InputError("over", {}, "vary something", remedy)
+        listed = {path: spread for path, spread in plan.spreads.items() if not isinstance(spread, Distribution)}
+        drawn = {path: spread for path, spread in plan.spreads.items() if isinstance(spread, Distribution)}
+        points = cls((*listed, *drawn), tuple(listed.values()), tuple(drawn.values()), plan.samples)
+        if len(points) > MOST_ROWS:
+            raise InputError("over", f"{len(points)} rows", f"have {MOST_ROWS} rows at most", "give fewer values")
+        return points
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Number of values along each axis; samples are the last."""
+        return (*(len(each) for each in self.lists), *((self.sampling.count,) if self.distributions else ()))
+
+    def __len__(self) -> int:
+        return math.prod(self.shape)
+
+    @cached_property
+    def _samples(self) -> Array:
+        return self.sampling.drawn(self.distributions)
+
+    @cached_property
+    def _order(self) -> tuple[int, ...]:
+        """The axes as they are solved, from the one that changes slowest."""
+        axes = range(len(self.shape))
+        return tuple(sorted(axes, key=lambda axis: axis < len(self.lists) and self.paths[axis].startswith("load.")))
+
+    def solved_at(self, first: int, last: int) -> Numbers:
+        """Return the numbers of the rows that are solved from the position ``first`` up to ``last``."""
+        shape = tuple(self.shape[axis] for axis in self._order)
+        index = dict(zip(self._order, np.unravel_index(np.arange(first, last), shape), strict=True))
+        numbers = np.ravel_multi_index(tuple(index[axis] for axis in range(len(self.shape))), self.shape)
+        return np.asarray(numbers)
+
+    def values(self, numbers: Sequence[int] | Numbers) -> list[tuple[Any, ...]]:
+        """Return the values of some rows, in the order of ``paths``."""
+        index = np.unravel_index(np.asarray(numbers), self.shape)
+        columns: list[list[Any]] = [
+            [values[place] for place in places.tolist()]
+            for values, places in zip(self.lists, index[: len(self.lists)], strict=True)
+        ]
+        if self.distributions:
+            columns += self._samples[index[-1]].T.tolist()
+        return list(zip(*columns, strict=True))

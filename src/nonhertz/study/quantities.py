@@ -1,0 +1,162 @@
+"""The numbers that a row of a study can hold, of a contact or of a bearing."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from nonhertz.bearing.assessed import BearingLife
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.errors import InputError
+from nonhertz.io.bearingfile import BearingCase
+from nonhertz.io.casefile import Case
+from nonhertz.io.mistakes import nearest
+from nonhertz.life import Life, assess
+from nonhertz.life.assessment import Spectrum
+from nonhertz.life.spectrum import solve_spectrum
+from nonhertz.result.quantities import QUANTITIES, Quantity
+from nonhertz.result.solution import Solution
+
+LIFE_MODEL = "iso-16281"  # where a case names none: it needs milliseconds, volumes take seconds
+_LIVES = ("10^6 revolutions", "million revolutions")
+
+
+@dataclass(frozen=True)
+class SolvedContact:
+    """A case and its solution, from which the numbers of a row are taken."""
+
+    case: Case
+    solution: Solution
+
+    @cached_property
+    def life(self) -> Life:
+        """The life of one body by the first model of the case: of the one that has a raceway, else of body a.
+
+        Under a spectrum, if the case has one.
+        """
+        case = self.case.life
+        solved: Solution | Spectrum = self.solution
+        if case.spectrum:
+            solved = solve_spectrum(self.case.contact, case.spectrum, **self.case.solver, threads=1)
+        (model,) = case.models(case.names[:1] or (LIFE_MODEL,))
+        given = {"rollers": case.rollers, "contact_angle": case.contact_angle}
+        lives = [assess(solved, model, body=body, **given)[0] for body in ("a", "b")]  # type: ignore[arg-type]
+        return next((life for life in lives if life.million_revolutions is not None), lives[0])
+
+
+@dataclass(frozen=True)
+class SolvedBearing:
+    """A bearing case and its solution, from which the numbers of a row are taken."""
+
+    case: BearingCase
+    solution: BearingSolution
+
+    @cached_property
+    def life(self) -> BearingLife:
+        """How long it lasts.
+
+        Raises
+        ------
+        InputError
+            If such a bearing has no rating.
+        """
+        return self.case.assess(self.solution)
+
+
+def _of_contact() -> dict[str, Quantity]:
+    def taken(quantity: Quantity) -> Callable[[SolvedContact], float]:
+        return lambda solved: quantity.get(solved.solution)
+
+    found = {
+        name: Quantity(
+            name, each.label, each.symbol, each.unit, taken(each), each.shown_unit, each.factor
+        )
+        for name, each in QUANTITIES.items()
+    }  # fmt: skip
+    for quantity in (
+        Quantity("error", "estimated error of approach or load", "", "", _error, "%", 100.0),
+        Quantity("warnings", "warnings", "", "", lambda solved: len(solved.solution.warnings), ""),
+        Quantity("relative_life", "life over that of the ideal pressure", "", "", lambda s: s.life.relative, ""),
+        Quantity("life", "life", "L10", _LIVES[0], lambda s: s.life.million_revolutions or math.nan, _LIVES[1]),
+    ):
+        found[quantity.name] = quantity
+    return found
+
+
+def _error(solved: SolvedContact) -> float:
+    estimate = solved.solution.error_estimate
+    return max(estimate.approach, estimate.load)
+
+
+def _of_bearing() -> dict[str, Quantity]:
+    def motion(name: str, label: str, unit: str, shown: str, factor: float, index: int) -> Quantity:
+        return Quantity(name, label, "", unit, lambda solved: solved.solution.displacement[index], shown, factor)
+
+    def force(name: str, label: str, unit: str, index: int) -> Quantity:
+        return Quantity(name, label, "", unit, lambda solved: solved.solution.force[index], unit)
+
+    def stiffness(name: str, label: str, unit: str, index: int) -> Quantity:
+        return Quantity(name, label, "", unit, lambda solved: solved.solution.stiffness[index, index], unit)
+
+    def life(name: str, label: str, symbol: str) -> Quantity:
+        return Quantity(name, label, symbol, _LIVES[0], lambda solved: getattr(solved.life, name), _LIVES[1])
+
+    every = (
+        Quantity("max_load", "largest load of a contact", "", "N", lambda s: s.solution.load.max(), "N"),
+        Quantity("max_pressure", "maximum pressure", "", "MPa", _pressure, "MPa"),
+        Quantity("loaded_rollers", "loaded rollers", "", "", lambda s: np.sum(s.solution.load.min(axis=1) > 0.0), ""),
+        *(motion(f"displacement_{axis}", f"displacement {axis}", "mm", "um", 1e3, k) for k, axis in enumerate("xyz")),
+        *(motion(f"tilt_{axis}", f"tilt about {axis}", "rad", "mrad", 1e3, k) for k, axis in enumerate("yz", 3)),
+        *(force(f"force_{axis}", f"force {axis}", "N", k) for k, axis in enumerate("xyz")),
+        *(force(f"moment_{axis}", f"moment about {axis}", "N mm", k) for k, axis in enumerate("yz", 3)),
+        *(stiffness(f"stiffness_{axis}", f"stiffness {axis}", "N/mm", k) for k, axis in enumerate("xyz")),
+        *(stiffness(f"tilting_stiffness_{a}", f"stiffness about {a}", "N mm/rad", k) for k, a in enumerate("yz", 3)),
+        life("basic", "life L10", "L10"),
+        life("reference", "reference life", "L10r"),
+        life("modified", "modified life", "Lnmr"),
+        Quantity("static_safety", "static safety", "S0", "", lambda solved: solved.life.static_safety, ""),
+        Quantity("warnings", "warnings", "", "", lambda solved: len(solved.solution.warnings), ""),
+    )
+    return {quantity.name: quantity for quantity in every}
+
+
+def _pressure(solved: SolvedBearing) -> float:
+    return float(solved.solution.max_pressure.max()) if solved.solution.method == "strips" else math.nan
+
+
+#: All numbers of a contact, by name.
+OF_CONTACT: Mapping[str, Quantity] = _of_contact()
+#: All numbers of a bearing, by name.
+OF_BEARING: Mapping[str, Quantity] = _of_bearing()
+#: Those of a row where none are named.
+USUAL_OF_CONTACT = (
+    *("approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y", "max_half_width", "contact_length"),
+    *("error", "warnings"),
+)
+USUAL_OF_BEARING = (
+    *("max_load", "max_pressure", "loaded_rollers", "displacement_x", "displacement_y", "displacement_z"),
+    *("force_x", "force_y", "tilt_z", "moment_z", "reference", "modified"),
+)
+
+
+def chosen(names: Iterable[str], *, bearing: bool) -> tuple[Quantity, ...]:
+    """Return quantities by name, the usual ones if there are no names.
+
+    Raises
+    ------
+    InputError
+        If there is no such quantity; the nearest is named.
+    """
+    known: Mapping[str, Any] = OF_BEARING if bearing else OF_CONTACT
+    asked = tuple(dict.fromkeys(names)) or (USUAL_OF_BEARING if bearing else USUAL_OF_CONTACT)
+    for name in asked:
+        if name not in known:
+            match = nearest(name, known)
+            remedy = f"the nearest is '{match}'" if match else f"choose from {', '.join(known)}"
+            raise InputError("quantities", name, "be numbers that a row can hold", remedy)
+    return tuple(known[name] for name in asked)

@@ -1,0 +1,192 @@
+"""Rows of a study solved: values of parameters in, numbers or a sentence why there are none out.
+
+Rows of a contact that differ in nothing but what presses the bodies together share the contact, and are solved in one
+call of `nonhertz.solve_many`.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import tempfile
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
+from nonhertz.io.bearingfile import BearingCase
+from nonhertz.io.casefile import Case, placed
+from nonhertz.io.planfile import Template
+from nonhertz.model.prescription import Prescription
+from nonhertz.result.quantities import QUANTITIES, Quantity
+from nonhertz.solver.many import solve_in_silence
+from nonhertz.study.quantities import SolvedBearing, SolvedContact, chosen
+
+Values = Mapping[str, Any]
+
+_PRESSED = tuple(f"load.{name}" for name in ("load", "approach", "tilt", "moment"))
+FEWEST_TOGETHER = 2
+
+
+@dataclass(frozen=True)
+class Row:
+    """One row: numbers in the order in which they are asked for, or a sentence why there are none."""
+
+    numbers: tuple[float, ...]
+    failure: str | None = None
+
+
+@dataclass(frozen=True)
+class Work:
+    """What all rows of a study share, in a form that can be sent to other processes and machines.
+
+    Attributes
+    ----------
+    template : Template
+        The case.
+    files : mapping
+        Contents of the files that the case names, for machines that do not have them.
+    names : tuple of str
+        The numbers asked for.
+    """
+
+    template: Template
+    files: Mapping[str, bytes]
+    names: tuple[str, ...]
+
+    @cached_property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """The numbers asked for."""
+        return chosen(self.names, bearing=self.template.is_bearing)
+
+    def rows(self, paths: Sequence[str], values: Sequence[Sequence[Any]]) -> list[Row]:
+        """Return rows solved.
+
+        Parameters
+        ----------
+        paths : sequence of str
+            What is varied.
+        values : sequence of sequences
+            Of each row, the values of these.
+        """
+        named = [dict(zip(paths, each, strict=True)) for each in values]
+        with warnings.catch_warnings(), self._template_and_files() as template:
+            # What strains the model is a column of its own.
+            warnings.simplefilter("ignore", AccuracyWarning)
+            if template.is_bearing:
+                return [self._of_bearing(template, each) for each in named]
+            return self._of_contacts(template, named)
+
+    def _of_bearing(self, template: Template, values: Values) -> Row:
+        try:
+            case = template.case(values)
+            assert isinstance(case, BearingCase)
+            solved = SolvedBearing(case, case.solve())
+        except NonhertzError as error:
+            return self._failed(error)
+        return Row(tuple(_number(quantity, solved) for quantity in self.quantities))
+
+    def _of_contacts(self, template: Template, values: Sequence[Values]) -> list[Row]:
+        """Return rows of contacts, those with equal bodies solved together."""
+        groups: dict[tuple[Any, ...], list[int]] = {}
+        for number, each in enumerate(values):
+            bodies = tuple(value for path, value in each.items() if path not in _PRESSED)
+            groups.setdefault(bodies, []).append(number)
+        found: dict[int, Row] = {}
+        for numbers in groups.values():
+            rows = self._of_one_contact(template, [values[number] for number in numbers])
+            found.update(zip(numbers, rows, strict=True))
+        return [found[number] for number in range(len(values))]
+
+    def _of_one_contact(self, template: Template, values: Sequence[Values]) -> list[Row]:
+        """Return rows of one contact, pressed together in several ways."""
+        try:
+            case = template.case(values[0])
+            assert isinstance(case, Case)
+            given = [_prescribed(case, each) for each in values]
+            if len(values) >= FEWEST_TOGETHER:
+                return self._together(case, given)
+        except NonhertzError:
+            pass  # solved alone, those that are refused get a sentence of their own
+        return [self._alone(template, each) for each in values]
+
+    def _together(self, case: Case, given: Sequence[dict[str, float]]) -> list[Row]:
+        columns = {name: np.array([each[name] for each in given]) for name in given[0]}
+        solutions = solve_in_silence(case.contact, columns, **case.solver)
+        at_once = {each.name: solutions.column(each.name) for each in self.quantities if each.name in QUANTITIES}
+        converged = solutions.converged.tolist()
+        rows = []
+        for number, prescribed in enumerate(given):
+            if not converged[number]:
+                rows.append(self._failed(solutions.failures[number]))
+                continue
+            # Whole solutions take as long as solving: only where a number needs one.
+            solved = (
+                SolvedContact(replace(case, prescribed=prescribed), solutions[number])
+                if len(at_once) < len(self.quantities)
+                else None
+            )
+            rows.append(
+                Row(
+                    tuple(
+                        float(at_once[each.name][number]) if solved is None or each.name in at_once
+                        else _number(each, solved)
+                        for each in self.quantities
+                    )
+                )
+            )  # fmt: skip
+        return rows
+
+    def _alone(self, template: Template, values: Values) -> Row:
+        try:
+            case = template.case(values)
+            assert isinstance(case, Case)
+            solved = SolvedContact(case, case.solve())
+        except NonhertzError as error:
+            return self._failed(error)
+        return Row(tuple(_number(quantity, solved) for quantity in self.quantities))
+
+    def _failed(self, error: Exception) -> Row:
+        sentence = str(placed(error)) if isinstance(error, InputError) else str(error)
+        return Row((math.nan,) * len(self.quantities), " ".join(sentence.split()))
+
+    @contextlib.contextmanager
+    def _template_and_files(self) -> Iterator[Template]:
+        """Give the template where its files are; with copies of them where they are not."""
+        if all((self.template.path.parent / name).exists() for name in self.files):
+            yield self.template
+            return
+        with tempfile.TemporaryDirectory() as folder:
+            for name, content in self.files.items():
+                # A file beside the case's folder is not copied: it is then missed in a sentence of its own.
+                if not Path(name).is_absolute() and ".." not in Path(name).parts:
+                    Path(folder, name).parent.mkdir(parents=True, exist_ok=True)
+                    Path(folder, name).write_bytes(content)
+            yield replace(self.template, path=Path(folder, self.template.path.name))
+
+
+def _prescribed(case: Case, values: Values) -> dict[str, float]:
+    """Return what presses the bodies of a row together.
+
+    Raises
+    ------
+    InputError
+        If that is out of range.
+    """
+    given = {path.partition(".")[2]: value for path, value in values.items() if path in _PRESSED}
+    prescribed = case.prescribed | given
+    Prescription.checked(*(prescribed.get(name) for name in ("approach", "load", "tilt", "moment")))
+    return prescribed
+
+
+def _number(quantity: Quantity, solved: SolvedContact | SolvedBearing) -> float:
+    """Return a number of a row; nan where there is none, such as a life without a rating."""
+    try:
+        return float(quantity.get(solved))
+    except NonhertzError:
+        return math.nan

@@ -1,0 +1,366 @@
+"""The sweep: a case or a bearing solved for all points of a plan, on disk as it goes."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import asdict, dataclass
+from functools import partial
+from hashlib import sha256
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from numpy.typing import NDArray
+
+from nonhertz import __version__
+from nonhertz.errors import InputError, Interrupted
+from nonhertz.inputs.checks import callback, thread_count
+from nonhertz.io.bearingfile import BearingCase
+from nonhertz.io.casefile import Case
+from nonhertz.io.folder import refuse_unwritable, write_files
+from nonhertz.io.planfile import Plan, read_plan
+from nonhertz.io.sampling import Sampling
+from nonhertz.io.spreads import Distribution
+from nonhertz.result.brief import plain_text, shortened
+from nonhertz.result.data import library
+from nonhertz.result.numerals import digits
+from nonhertz.result.quantities import Quantity
+from nonhertz.study.crew import Cluster, Crew, Here, LostError, Processes
+from nonhertz.study.points import Points
+from nonhertz.study.quantities import chosen
+from nonhertz.study.rows import Row, Work
+from nonhertz.study.store import Store
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+# Rows in a portion, which is solved by one process and kept at once: what is lost when a study is stopped.
+OF_CONTACTS, OF_BEARINGS = 256, 16  # of so few in all, other processes would take longer to start
+PORTIONS = 64  # at least, of a study of that many rows: for several processes to share
+REASONS = 5
+_FEW_VALUES = 6
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a study has come, as it is passed to ``announce``.
+
+    Attributes
+    ----------
+    done, total : int
+        Rows that are there, and all.
+    found : int
+        Rows that were there before it began.
+    """
+
+    done: int
+    total: int
+    found: int
+
+
+class Sweep:
+    """The rows of a plan.
+
+    Attributes
+    ----------
+    plan : Plan
+        What they are of.
+    paths : tuple of str
+        What is varied.
+    quantities : tuple of Quantity
+        The numbers of a row.
+    shape : tuple of int
+        Number of values of each path that has a list, and of samples.
+    """
+
+    def __init__(self, plan: Plan, points: Points, quantities: tuple[Quantity, ...], store: Store) -> None:
+        self.plan, self.paths, self.quantities = plan, points.paths, quantities
+        self.shape = points.shape
+        self._points, self._store = points, store
+
+    def __len__(self) -> int:
+        return len(self._points)
+
+    def __repr__(self) -> str:
+        rows = "row" if len(self) == 1 else "rows"
+        said = [f"{len(self)} {rows} of {self.plan.title!r} over {', '.join(self.paths)}"]
+        if not self.complete:
+            said.append(f"{len(self._store)} of them are there")
+        for quantity in self.quantities:
+            ends = self.extremes(quantity.name)
+            if ends is not None:
+                low, high = (digits(quantity.factor * end) for end in ends)
+                said.append(f"{quantity.label} {low} to {high} {quantity.shown_unit}".rstrip())
+        said += [f"failed: {times} from row {first}: {shortened(why)}" for why, times, first in self.reasons()]
+        return plain_text("Sweep", said)
+
+    @property
+    def complete(self) -> bool:
+        """Whether all rows are there."""
+        return len(self._store) == len(self)
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        """Return a path's values or a quantity of all rows, in its base unit; nan where a row has failed.
+
+        In the sweep's shape once all rows are there, until then in a row of those that are.
+
+        Raises
+        ------
+        KeyError
+            If the rows have no such column.
+        """
+        column = self._store.column(self._known(name, *self.paths))
+        return column.reshape(self.shape) if self.complete else column
+
+    @property
+    def failures(self) -> dict[int, str]:
+        """Why rows have failed, by their number, counted with the last axis changing fastest."""
+        return self._store.failed()
+
+    def reasons(self) -> list[tuple[str, int, int]]:
+        """Return the commonest reasons why rows have failed: sentence, how many rows, the first of them."""
+        return self._store.failures(REASONS)
+
+    @property
+    def failed(self) -> int:
+        """How many rows have failed."""
+        return self._store.failed_count()
+
+    def extremes(self, name: str) -> tuple[float, float] | None:
+        """Return the smallest and the largest number of a quantity, in its base unit; None if no row has one.
+
+        Raises
+        ------
+        KeyError
+            If the rows have no such quantity.
+        """
+        return self._store.extremes(self._known(name))
+
+    def unit(self, name: str) -> str:
+        """Return the base unit of a path or a quantity; empty if it has none.
+
+        Raises
+        ------
+        KeyError
+            If the rows have no such column.
+        """
+        units = {quantity.name: quantity.unit for quantity in self.quantities}
+        return units.get(self._known(name, *self.paths)) or self._unit_of_path(name)
+
+    def _unit_of_path(self, name: str) -> str:
+        return (self.plan.template.known[name].unit or "") if name in self.paths else ""
+
+    def _known(self, name: str, *others: str) -> str:
+        known = (*others, *(quantity.name for quantity in self.quantities))
+        if not isinstance(name, str) or name not in known:
+            raise KeyError(f"{name!r} is none of {', '.join(known)}")
+        return name
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Return a pandas DataFrame: a row for each point, a column for each path and quantity, and the failure.
+
+        Raises
+        ------
+        ImportError
+            If pandas is not installed.
+        """
+        pandas = library("pandas", "to_dataframe")
+        names = (*self.paths, *(quantity.name for quantity in self.quantities))
+        frame = pandas.DataFrame({name: self._store.column(name) for name in names})
+        failures = self.failures
+        frame["failure"] = [failures.get(number, "") for number in range(len(frame))]
+        frame.attrs["units"] = {name: self.unit(name) for name in names}
+        return frame
+
+    def write(
+        self, directory: str | Path, draw_more: Callable[[Path], object] = lambda folder: None
+    ) -> tuple[Path, ...]:
+        """Write all rows as rows.csv and, where polars is installed, as rows.parquet; return the files.
+
+        Parameters
+        ----------
+        directory : str or Path
+            Where to; created if it does not exist.
+        draw_more : callable
+            Writes further files into the directory passed to it.
+
+        Raises
+        ------
+        InputError
+            If the directory cannot be written to.
+        """
+        names = (*self.paths, *(quantity.name for quantity in self.quantities))
+
+        def draw(folder: Path) -> None:
+            self._store.write_csv(folder / "rows.csv", [self.unit(name) for name in names])
+            with contextlib.suppress(ImportError):
+                import polars
+
+                # As a stream: a study may have more rows than fit into memory.
+                polars.scan_csv(folder / "rows.csv", infer_schema_length=None).sink_parquet(folder / "rows.parquet")
+            draw_more(folder)
+
+        return write_files(directory, {}, draw)
+
+
+def sweep(
+    plan: Plan | Case | BearingCase | str | Path,
+    *,
+    over: Mapping[str, Any] | None = None,
+    samples: Sampling | None = None,
+    quantities: tuple[str, ...] | None = None,
+    out: str | Path | None = None,
+    workers: int | None = None,
+    scheduler: str | None = None,
+    announce: Callable[[Progress], object] | None = None,
+) -> Sweep:
+    """Solve a case or a bearing for many values of what its file holds.
+
+    Parameters
+    ----------
+    plan : Plan or Case or BearingCase or str or Path
+        A plan, or the file of one; or a case, with ``over``.
+    over : mapping, optional
+        What each path of the case's file runs over, as in `Plan`.
+    samples : Sampling, optional
+        How samples of distributions are drawn, as in `Plan`.
+    quantities : tuple of str, optional
+        Names of the numbers wanted, such as ``("max_pressure", "life")``; by default those of the plan, or the usual
+        ones.
+    out : str or Path, optional
+        Directory for the rows, which are kept as they are solved: a sweep that was stopped, even by a crash, goes on
+        where it was when it is called again. Without one they are kept in memory.
+    workers : int, optional
+        Number of processes; all cores if left out. The results do not depend on it.
+    scheduler : str, optional
+        Address of a Dask scheduler whose workers solve the rows in place of processes on this machine.
+    announce : callable, optional
+        Called with a `Progress` whenever a portion of rows is there.
+
+    Returns
+    -------
+    Sweep
+
+    Raises
+    ------
+    CaseError
+        If a file has mistakes.
+    InputError
+        If a path leads nowhere, what it runs over is empty or not allowed, or ``out`` holds the rows of another plan.
+        Rows that fail do not stop the others: see `Sweep.failures`.
+    Interrupted
+        On Ctrl-C. Its ``solutions`` is the `Sweep` with the rows that are there.
+    ImportError
+        If a scheduler is given and dask.distributed is not installed.
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))
+    >>> case = nh.Case(nh.Contact(roller, nh.Plate()), {"load": 20e3}, {"strips": 41})
+    >>> found = sweep(case, over={"load.load": "5 kN : 20 kN : 4", "body.a.profile.radius": [4e3, 8e3]})
+    >>> found.shape, found["max_pressure"][3].round(-1)
+    ((4, 2), array([2090., 1990.]))
+    """
+    callback("announce", announce)
+    asked = _plan(plan, over, samples, quantities)
+    points = Points.of(asked)
+    numbers = chosen(asked.quantities, bearing=asked.template.is_bearing)
+    processes = thread_count(workers)
+    cluster = None if scheduler is None else Cluster(scheduler)
+    directory = None if out is None else _directory(out)
+    most = OF_BEARINGS if asked.template.is_bearing else OF_CONTACTS
+    size = min(most, math.ceil(len(points) / PORTIONS))
+    store = Store(directory, _made_from(asked, points, numbers, size), points.paths, [each.name for each in numbers])
+    found = Sweep(asked, points, numbers, store)
+    crew = cluster or (Here() if processes == 1 or len(points) - len(store) <= most else Processes(processes))
+    work = Work(asked.template, asked.case.attachments, tuple(each.name for each in numbers))
+    try:
+        with contextlib.closing(_Run(points, store, size)) as run:
+            run.solve(crew, work, announce)
+    except KeyboardInterrupt:
+        kept = "" if directory is None else f", which are kept in {directory}; the same call goes on from there"
+        raise Interrupted(f"Stopped after {len(store)} of {len(points)} rows{kept}.", found) from None
+    return found
+
+
+class _Run:
+    """The portions that a study still lacks, solved and kept."""
+
+    def __init__(self, points: Points, store: Store, size: int) -> None:
+        self._points, self._store, self._size = points, store, size
+
+    def close(self) -> None:
+        """Let others use the rows."""
+        self._store.release()
+
+    def solve(self, crew: Crew, work: Work, announce: Callable[[Progress], object] | None) -> None:
+        """Solve what is missing, and keep every portion as soon as it is found."""
+        total, found = len(self._points), len(self._store)
+        done, failed = found, (math.nan,) * len(work.names)
+        solve = partial(_solved, work, self._points.paths)
+        for (portion, numbers, values), solved in crew.run(solve, self._missing()):
+            rows = [Row(failed, str(solved))] * len(numbers) if isinstance(solved, LostError) else solved
+            self._store.add(portion, numbers, values, rows)
+            done += len(numbers)
+            if announce is not None:
+                announce(Progress(done, total, found))
+
+    def _missing(self) -> Iterator[tuple[int, list[int], list[tuple[Any, ...]]]]:
+        there, total = self._store.portions(), len(self._points)
+        for portion, first in enumerate(range(0, total, self._size)):
+            if portion not in there:
+                numbers = self._points.solved_at(first, min(first + self._size, total)).tolist()
+                yield portion, numbers, self._points.values(numbers)
+
+
+def _solved(work: Work, paths: tuple[str, ...], portion: tuple[int, list[int], list[tuple[Any, ...]]]) -> list[Row]:
+    """Return the rows of a portion; called in other processes."""
+    return work.rows(paths, portion[2])
+
+
+def _plan(
+    plan: object, over: Mapping[str, Any] | None, samples: Sampling | None, quantities: tuple[str, ...] | None
+) -> Plan:
+    """Return the plan that is meant, with what is given beside it."""
+    if isinstance(plan, str | Path):
+        plan = read_plan(plan)
+    if isinstance(plan, Plan):
+        return plan.changed(over=over, samples=samples, quantities=quantities)
+    if not isinstance(plan, Case | BearingCase):
+        remedy = "read one with nonhertz.read_case, nonhertz.read_bearing or nonhertz.read_plan"
+        raise InputError("plan", plan, "be a plan, its file, a case or a bearing case", remedy)
+    return Plan(plan).changed(over=over, samples=samples, quantities=quantities)
+
+
+def _directory(out: object) -> Path:
+    if not isinstance(out, str | Path):
+        raise InputError("out", out, "be the name of a directory", "give a string or a Path")
+    refuse_unwritable(Path(out))
+    return Path(out)
+
+
+def _made_from(plan: Plan, points: Points, numbers: tuple[Quantity, ...], size: int) -> dict[str, Any]:
+    """Return what decides the rows, and in which portions they are kept."""
+    return {
+        "nonhertz": __version__,
+        "case": plan.template.document,
+        "files": {name: sha256(content).hexdigest() for name, content in plan.case.attachments.items()},
+        "over": {
+            path: asdict(spread) if isinstance(spread, Distribution) else _listed(spread)
+            for path, spread in plan.spreads.items()
+        },
+        "samples": asdict(plan.samples) if points.distributions else {},
+        "quantities": [quantity.name for quantity in numbers],
+        "rows in a portion": size,
+    }
+
+
+def _listed(values: tuple[Any, ...]) -> Any:
+    """Return a list of values, a long one in brief: what of it differs is then told in a few words."""
+    if len(values) <= _FEW_VALUES:
+        return list(values)
+    whole = sha256(json.dumps(values).encode()).hexdigest()
+    return {"number of values": len(values), "first": values[0], "last": values[-1], "digest": whole}

@@ -1,0 +1,218 @@
+"""Sweeps: rows are those of single solves, and survive being stopped."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sqlite3
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.io.planfile import Plan
+from nonhertz.study import Sampling, Sweep
+from nonhertz.study.crew import LostError, Processes
+from nonhertz.study.rows import Row, Work
+from nonhertz.study.store import FILE
+
+ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000), side_faces="none", depth="none")
+PLATE = nh.Plate(side_faces="none", depth="none")
+CASE = nh.Case(nh.Contact(ROLLER, PLATE), {"load": 20e3}, {"strips": 41})
+OVER = {"load.load": "5 kN : 20 kN : 3", "body.a.profile.radius": [4e3, 8e3], "load.tilt": [0.0, 0.5e-3]}
+NAMES = ("max_pressure", "approach", "error", "warnings")
+
+
+def test_a_row_is_what_the_case_alone_gives():
+    found = nh.sweep(CASE, over=OVER, quantities=NAMES)
+    assert found.shape == (3, 2, 2)
+    assert found.complete
+    for index in np.ndindex(3, 2, 2):
+        load, radius, tilt = (found[path][index] for path in OVER)
+        assert (load, radius, tilt) == ((5e3, 12.5e3, 20e3)[index[0]], (4e3, 8e3)[index[1]], (0.0, 0.5e-3)[index[2]])
+        roller = replace(ROLLER, profile=nh.profile.crown(radius=radius))
+        with pytest.warns(nh.AccuracyWarning) if found["warnings"][index] else contextlib.nullcontext():
+            alone = nh.solve(nh.Contact(roller, PLATE), load=load, tilt=tilt, strips=41)
+        # Rows of one contact start from one another: equal to the tolerance of the equations.
+        assert found["max_pressure"][index] == pytest.approx(alone.max_pressure, rel=1e-8)
+        assert found["approach"][index] == pytest.approx(alone.approach, rel=1e-8)
+        assert found["warnings"][index] == len(alone.warnings)
+        assert found["error"][index] == pytest.approx(
+            max(alone.error_estimate.approach, alone.error_estimate.load), rel=1e-3
+        )
+
+
+def test_rows_that_fail_say_why_and_stop_no_others():
+    loads = [20e3, 1e12]
+    found = nh.sweep(CASE, over={"load.load": loads, "body.a.length": ["20 mm", "10 mm"]}, quantities=("approach",))
+    assert np.isfinite(found["approach"][0]).all()
+    assert np.isnan(found["approach"][1]).all()
+    assert sorted(found.failures) == [2, 3]
+    assert found.failed == 2
+    assert sum(times for _, times, _ in found.reasons()) == 2
+    assert "failed" in repr(found)
+
+
+def test_of_rows_solved_together_only_the_bad_ones_fail():
+    work = Work(Plan(CASE).template, {}, ("approach",))
+    good, bad, alone = work.rows(["load.load", "load.tilt"], [(1e3, 0.0), (-1.0, 0.0), (1e3, 0.0)])
+    assert good == alone
+    assert good.failure is None
+    assert bad.failure == "load.load = -1.0 must be positive: give the force in N that presses the bodies together."
+
+
+def test_files_that_a_case_names_go_with_it_to_machines_that_lack_them(tmp_path):
+    (tmp_path / "points.csv").write_text("-10, 0.01\n0, 0\n10, 0.01\n", encoding="utf-8")
+    text = """
+[body.a]
+diameter = 20.0
+length = 20.0
+profile = [{ kind = "tabulated", file = "points.csv" }]
+[body.b]
+[load]
+load = "5 kN"
+"""
+    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
+    plan = Plan(nh.read_case(tmp_path / "case.toml"))
+    work = Work(plan.template, dict(plan.case.attachments), ("approach",))
+    (here,) = work.rows(["load.load"], [(6e3,)])
+    (tmp_path / "points.csv").unlink()
+    (there,) = work.rows(["load.load"], [(6e3,)])
+    assert here.failure is None
+    assert here == there
+
+
+def test_samples_are_drawn_together(tmp_path):
+    over = {"body.a.diameter": "normal(20 mm, 10 um)", "load.load": "uniform(10 kN, 20 kN)", "load.tilt": [0.0, 1e-4]}
+    found = nh.sweep(CASE, over=over, samples=Sampling(8, "sobol", 1), quantities=("max_pressure",), out=tmp_path)
+    assert found.shape == (2, 8)
+    np.testing.assert_array_equal(found["body.a.diameter"][0], found["body.a.diameter"][1])
+    assert len(set(found["load.load"][0].tolist())) == 8
+    assert np.all((found["load.load"] >= 10e3) & (found["load.load"] <= 20e3))
+
+
+def test_a_sweep_goes_on_where_it_was_stopped(tmp_path):
+    seen = []
+
+    def stop(progress):
+        seen.append(progress.done)
+        if len(seen) == 2:
+            raise KeyboardInterrupt
+
+    over = {"load.load": np.linspace(5e3, 20e3, 130)}
+    with pytest.raises(nh.Interrupted, match="Stopped after 6 of 130 rows, which are kept") as caught:
+        nh.sweep(CASE, over=over, quantities=("approach",), out=tmp_path, announce=stop, workers=1)
+    assert isinstance(caught.value.solutions, Sweep)
+    assert caught.value.solutions["approach"].shape == (6,)
+    begun = []
+    whole = nh.sweep(CASE, over=over, quantities=("approach",), out=tmp_path, announce=begun.append, workers=1)
+    assert begun[0].found == 6
+    assert (begun[-1].done, begun[-1].total) == (130, 130)
+    again = nh.sweep(CASE, over=over, quantities=("approach",))
+    np.testing.assert_array_equal(whole["approach"], again["approach"])
+    np.testing.assert_array_equal(whole["load.load"], np.linspace(5e3, 20e3, 130))
+
+
+def test_a_portion_that_is_kept_twice_is_there_once(tmp_path):
+    found = nh.sweep(CASE, over={"load.load": [5e3, 6e3]}, quantities=("approach",), out=tmp_path)
+    rows = sqlite3.connect(tmp_path / FILE)
+    (first,) = rows.execute("select n0 from rows where number = 0").fetchone()
+    rows.close()
+    found._store.add(0, [0], [(5e3,)], [Row((1.0,))])
+    assert found["approach"].tolist() == [first, found["approach"][1]]
+
+
+@pytest.mark.parametrize(
+    ("change", "what"),
+    [
+        ({"over": {"load.load": [5e3, 7e3]}}, r"over\.load\.load was \[5000\.0, 6000\.0\], is \[5000\.0, 7000\.0\]"),
+        ({"quantities": ("load",)}, "quantities was"),
+        ({"plan": nh.Case(CASE.contact, {"load": 20e3}, {"strips": 31})}, r"case\.solver\.strips was 41, is 31"),
+    ],
+)
+def test_a_plan_that_has_changed_is_refused_with_what_differs(tmp_path, change, what):
+    given = {"plan": CASE, "over": {"load.load": [5e3, 6e3]}, "quantities": ("approach",), "out": tmp_path}
+    nh.sweep(**given)
+    with pytest.raises(nh.InputError, match=what):
+        nh.sweep(**given | change)
+
+
+def test_a_directory_in_use_is_refused(tmp_path):
+    tried = []
+
+    def meanwhile(_):
+        with pytest.raises(nh.InputError, match="a study that is under way uses it") as caught:
+            nh.sweep(CASE, over={"load.load": [5e3, 6e3]}, quantities=("approach",), out=tmp_path)
+        tried.append(caught.value)
+
+    nh.sweep(CASE, over={"load.load": [5e3, 6e3]}, quantities=("approach",), out=tmp_path, announce=meanwhile)
+    assert tried
+
+
+def test_rows_are_written_to_the_last_bit(tmp_path):
+    import polars
+
+    found = nh.sweep(CASE, over={"load.load": [5e3, 1e12], "load.tilt": [0.0]}, quantities=("approach",))
+    found.write(tmp_path)
+    lines = (tmp_path / "rows.csv").read_text(encoding="utf-8").splitlines()
+    assert lines[0] == "row,load.load [N],load.tilt [rad],approach [mm],failure"
+    assert float(lines[1].split(",")[3]) == found["approach"][0, 0]
+    assert lines[2].startswith("1,1000000000000.0,0.0,,")
+    frame = polars.read_parquet(tmp_path / "rows.parquet")
+    assert frame["approach [mm]"].to_list() == [found["approach"][0, 0], None]
+    pandas = found.to_dataframe()
+    assert pandas["approach"][0] == found["approach"][0, 0]
+    assert pandas.attrs["units"]["approach"] == "mm"
+    assert pandas["failure"][1] == found.failures[1]
+
+
+def test_a_bearing_is_swept_too():
+    from nonhertz.io.bearingfile import starting_bearing
+    from nonhertz.io.casefile import parsed
+    from nonhertz.io.planfile import case_or_bearing_in
+
+    text = starting_bearing()
+    case = case_or_bearing_in(parsed(text, "bearing"), Path("bearing.toml"), text)
+    over = {"load.radial": ["5 kN", "10 kN"], "solver.method": ["slices"]}
+    found = nh.sweep(case, over=over, quantities=("max_load", "reference"))
+    for number, radial in enumerate((5e3, 10e3)):
+        alone = nh.bearing.solve(case.mounted, **case.prescribed | {"radial": radial}, method="slices")
+        assert found["max_load"][number, 0] == alone.load.max()
+        assert found["reference"][number, 0] == case.assess(alone).reference
+    assert found["solver.method"].ravel().tolist() == ["slices", "slices"]
+
+
+def test_unknown_quantities_are_refused_with_the_nearest():
+    with pytest.raises(nh.InputError, match="the nearest is 'max_pressure'"):
+        nh.sweep(CASE, over={"load.load": [5e3]}, quantities=("max_presure",))
+
+
+def test_nothing_varied_is_refused():
+    with pytest.raises(nh.InputError, match="must vary something"):
+        nh.sweep(CASE)
+    with pytest.raises(nh.InputError, match="10000000 rows at most"):
+        nh.sweep(CASE, over={"load.load": "1 kN : 2 kN : 9000", "load.tilt": np.linspace(0.0, 1e-3, 9000)})
+
+
+def _square(number):
+    return number**2
+
+
+def _ends_at_three(number):
+    if number == 3:
+        os._exit(9)
+    return number**2
+
+
+@pytest.mark.slow
+def test_processes_find_all_in_any_order():
+    assert sorted(Processes(2).run(_square, range(20))) == [(number, number**2) for number in range(20)]
+
+
+@pytest.mark.slow
+def test_what_ends_its_process_is_given_up_and_nothing_else_is_lost():
+    found = dict(Processes(2).run(_ends_at_three, range(8)))
+    assert isinstance(found.pop(3), LostError)
+    assert found == {number: number**2 for number in (0, 1, 2, 4, 5, 6, 7)}
