@@ -14,7 +14,7 @@ import traceback
 from collections.abc import Sequence
 from pathlib import Path
 
-from nonhertz.errors import CaseError, InputError
+from nonhertz.errors import CaseError, InputError, Interrupted
 
 FINE, NOT_CONVERGED, BAD_INPUT, INTERNAL = range(4)
 NOT_VERIFIED = NOT_KEPT = NOT_CONVERGED
@@ -86,6 +86,8 @@ def _verdict(error: BaseException) -> tuple[int, list[str]]:
             verdict = BAD_INPUT, [f"{i}. {mistake}" for i, mistake in enumerate(error.mistakes, start=1)]
         case CaseError() | InputError():
             verdict = BAD_INPUT, [str(error)]
+        case Interrupted():
+            verdict = INTERRUPTED, [str(error)]
         case KeyboardInterrupt():
             verdict = INTERRUPTED, ["Interrupted."]
         case BrokenPipeError():

@@ -6,8 +6,9 @@ import contextlib
 from pathlib import Path
 from typing import Any
 
-from nonhertz.errors import ConvergenceError
+from nonhertz.errors import CaseError, ConvergenceError, InputError
 from nonhertz.io.casefile import case_in, case_text, holds_bearing, parsed
+from nonhertz.io.planfile import holds_plan, plan_in
 
 _UNITS = {
     **dict.fromkeys(("load", "radial", "axial"), "N"),
@@ -19,7 +20,7 @@ _UNITS = {
 
 
 def checked(path: Path) -> str:
-    """Read a case file or a bearing file, try whether it can be solved, and return what it holds in one line.
+    """Read a case file, a bearing file or a plan, try whether it can be solved, and return what it holds in one line.
 
     Raises
     ------
@@ -28,6 +29,8 @@ def checked(path: Path) -> str:
     """
     text = case_text(path)
     document = parsed(text, str(path))
+    if holds_plan(document):
+        return f"{path} is fine: {_plan(document, path)}."
     holds = _bearing if holds_bearing(document) else _contact
     return f"{path} is fine: {holds(document, path, text)}."
 
@@ -51,6 +54,20 @@ def _bearing(document: dict[str, Any], path: Path, text: str) -> str:
         case.solve("slices")
     kind, count = document["bearing"]["kind"], sum(row.bearing.rollers for row in case.bearing.rows)
     return f"{case.title!r}, a {kind} bearing of {count} rollers, {_listed(case.prescribed) or 'no load'}"
+
+
+def _plan(document: dict[str, Any], path: Path) -> str:
+    """Return what a plan holds; its case is read and its values are tried, nothing is solved."""
+    from nonhertz.study.points import Points
+    from nonhertz.study.quantities import chosen
+
+    plan = plan_in(document, path)
+    try:
+        chosen(plan.quantities, bearing=plan.template.is_bearing)
+        rows = len(Points.of(plan))
+    except InputError as error:
+        raise CaseError([str(error)], [error.field]) from None
+    return f"{plan.title!r}, a sweep of {rows} rows over {', '.join(plan.over)}"
 
 
 def _listed(prescribed: dict[str, Any]) -> str:

@@ -446,9 +446,59 @@ def contact_map(
     return FINE
 
 
+@app.command(name="sweep")
+def sweep_plan(
+    plan: Path,
+    /,
+    *,
+    over: Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)] = (),
+    quantities: Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)] = (),
+    out: Path | None = None,
+    workers: int | None = None,
+    scheduler: str | None = None,
+    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+) -> int:
+    """Solve a case or a bearing for many values of what its file holds.
+
+    Rows are kept as they are solved. A sweep that was stopped, however it was, goes on when the same command is given
+    again. A row that fails holds the sentence that says why, and does not stop the others.
+
+    Parameters
+    ----------
+    plan : Path
+        The plan file; or a case file or a bearing file, with --over.
+    over : tuple of str
+        A path of the file and what it runs over, such as load.load=5kN:40kN:8 for eight values, load.tilt=0,0.5mrad for
+        two, or 'body.b.diameter=normal(80mm,5um)' for samples; may be given several times.
+    quantities : tuple of str
+        Names of the numbers of a row, such as max_pressure life; by default the usual ones.
+    out : Path
+        Directory for the rows, rows.csv, rows.parquet (where polars is installed) and the figures; by default the
+        file's name with '-sweep', in the current directory.
+    workers : int
+        Number of processes; by default one for each core.
+    scheduler : str
+        Address of a Dask scheduler whose workers solve the rows, such as tcp://10.0.0.1:8786.
+    as_json : bool
+        Print one JSON object instead of the tables.
+    """
+    from nonhertz.cli.sweep import as_json as json_text
+    from nonhertz.cli.sweep import directory_for, planned, print_sweep, swept, written
+
+    asked = planned(plan, over, quantities)
+    directory = directory_for(plan) if out is None else out
+    found = swept(asked, directory, workers, scheduler)
+    files = written(found, directory)
+    if as_json:
+        print(json_text(found, files))
+    else:
+        print_sweep(found, files)
+    return FINE
+
+
 @app.command
 def check(file: Path, /) -> int:
-    """List all mistakes in a case file or a bearing file.
+    """List all mistakes in a case file, a bearing file or a plan.
 
     Parameters
     ----------

@@ -1,0 +1,149 @@
+"""What ``nonhertz sweep`` reads, solves, prints and writes."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from rich.table import Table
+from rich.text import Text
+
+from nonhertz.cli.printing import console, print_table
+from nonhertz.errors import InputError
+from nonhertz.inputs.files import legible
+from nonhertz.io.casefile import case_text, parsed
+from nonhertz.io.planfile import Plan, case_or_bearing_in, holds_plan, plan_in
+from nonhertz.show.studies import SWEEP_COLUMNS, failure_rows, sweep_rows, varied_rows
+from nonhertz.study.sweeps import Progress, Sweep, sweep
+
+
+def planned(file: Path, over: Sequence[str], quantities: Sequence[str]) -> Plan:
+    """Return the plan of a file, or of a case with what the command line varies.
+
+    Raises
+    ------
+    CaseError
+        If the file has mistakes.
+    InputError
+        If an option cannot be read, named as on the command line.
+    """
+    text = case_text(file, "plan file or case file")
+    document = parsed(text, str(file))
+    if not holds_plan(document):
+        plan = Plan(case_or_bearing_in(document, file, text), path=file)
+    elif over:
+        remedy = "write it into the plan, or give the case file in place of the plan"
+        raise InputError("--over", over[0], "vary a case file", remedy)
+    else:
+        plan = plan_in(document, file)
+    try:
+        return plan.changed(over=dict(map(_path_and_values, over)) or None, quantities=tuple(quantities) or None)
+    except InputError as error:
+        option = "--quantities" if error.field == "quantities" else f"--over {error.field}"
+        raise InputError(option, error.value, error.condition, error.remedy) from None
+
+
+def directory_for(file: Path) -> Path:
+    """Return where the rows of a plan are kept if nothing else is said."""
+    return Path(f"{legible(file.stem)}-sweep")
+
+
+def swept(plan: Plan, out: Path, workers: int | None, scheduler: str | None) -> Sweep:
+    """Return the sweep of a plan, with progress on a terminal.
+
+    Raises
+    ------
+    InputError
+        If an option is refused, named as on the command line.
+    """
+    with _progress() as announce:
+        try:
+            return sweep(plan, out=out, workers=workers, scheduler=scheduler, announce=announce)
+        except InputError as error:
+            if error.field == "threads":
+                raise InputError("--workers", error.value, error.condition, error.remedy) from None
+            raise
+
+
+def written(found: Sweep, out: Path) -> tuple[Path, ...]:
+    """Write the rows and the figures, and return the files."""
+    from nonhertz.plot import save
+    from nonhertz.study.pictures import sweep_figures
+
+    def draw(folder: Path) -> None:
+        for name, figure in sweep_figures(found).items():
+            save(figure, folder / name)
+
+    return found.write(out, draw)
+
+
+def as_json(found: Sweep, files: Sequence[Path]) -> str:
+    """Return what `print_sweep` prints as JSON text."""
+    ends = {quantity.name: found.extremes(quantity.name) for quantity in found.quantities}
+    content: dict[str, Any] = {
+        "title": found.plan.title,
+        "rows": len(found),
+        "failed": found.failed,
+        "over": list(found.paths),
+        "shape": list(found.shape),
+        "extremes": ends,
+        "failures": [{"sentence": why, "rows": times, "first": first} for why, times, first in found.reasons()],
+        "files": [str(path) for path in files],
+        "units": {name: found.unit(name) for name in (*found.paths, *ends)},
+    }
+    return json.dumps(content, indent=2, ensure_ascii=False)
+
+
+def print_sweep(found: Sweep, files: Sequence[Path]) -> None:
+    """Print what was varied, between which numbers the results lie, why rows failed, and the files."""
+    printing = console()
+    printing.print(Text(found.plan.title, style="bold"))
+    failed = f", {found.failed} of them failed" if found.failed else ""
+    printing.print(Text(f"{len(found)} rows{failed}"))
+    for rows, head, left in ((varied_rows(found), None, (0, 1, 2)), (sweep_rows(found), SWEEP_COLUMNS, (0, 3))):
+        table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=head is not None, header_style="dim")
+        for column, name in enumerate(head or ("", "", "")):
+            table.add_column(Text(name), justify="left" if column in left else "right")
+        for row in rows:
+            table.add_row(*map(Text, row))
+        printing.print()
+        print_table(printing, table)
+    for sentence in failure_rows(found):
+        printing.print(Text(sentence, style="yellow"), soft_wrap=True)
+    for path in files:
+        print(f"wrote {path}")
+
+
+def _path_and_values(word: str) -> tuple[str, str]:
+    path, equals, values = word.partition("=")
+    if not equals or not path.strip():
+        remedy = "write path and values, such as --over load.load=5kN:40kN:8"
+        raise InputError("", word, "have an equals sign between path and values", remedy)
+    return path.strip(), values.strip()
+
+
+@contextlib.contextmanager
+def _progress() -> Iterator[Callable[[Progress], object] | None]:
+    """Show a bar with the time to go, on a terminal."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
+    from rich.progress import Progress as Bar
+
+    columns = TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()
+    with Bar(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("rows", total=None)
+
+        def announce(come: Progress) -> None:
+            if bar.tasks[0].total is None:
+                # What was there before took no time.
+                bar.reset(task, total=come.total, completed=come.found)
+            bar.update(task, completed=come.done)
+
+        yield announce

@@ -1,0 +1,161 @@
+"""Drawings of studies: numbers against one or two parameters, and how they are distributed.
+
+They take plain arrays and labels, so that numbers of any origin can be drawn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.plot.style import BACKING, COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, PALE, SECOND, SMALL_SIZE, THIN
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Array = NDArray[np.float64]
+
+LEVELS, BINS_AT_MOST = 10, 60
+WIDE = 30.0
+FEW_MARKED = 30  # values on a line that are marked one by one
+DASHES: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (6, 1.2, 1.2, 1.2)), (0, (1.2, 1.2)), (0, (9, 2)), (0, (3, 3)))
+
+
+def study_lines(
+    x: ArrayLike, lines: Mapping[str, ArrayLike], ax: Axes, *, x_label: str, y_label: str, key: str = ""
+) -> Axes:
+    """Draw numbers against one parameter, a line for each name; a gap where there is no number.
+
+    If the largest is more than thirty times the smallest, as lives are, the axis is logarithmic.
+
+    Parameters
+    ----------
+    x : array_like, shape (n,)
+        Values of the parameter: numbers, or words.
+    lines : mapping of str to array_like, shape (n,)
+        Numbers by what the line is called; a single line needs no name.
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    x_label, y_label : str
+        Names of the axes, with units.
+    key : str
+        Heading of the names.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        ``ax``.
+    """
+    places = np.asarray(x)
+    words = places.dtype.kind not in "iuf"
+    at = np.arange(places.size) if words else places
+    shades = _shades(len(lines))
+    for number, (name, values) in enumerate(lines.items()):
+        numbers = np.asarray(values, dtype=float)
+        alone = at.size <= FEW_MARKED or np.count_nonzero(np.isfinite(numbers)) == 1
+        style = "" if words else DASHES[number % len(DASHES)]
+        mark = "o" if alone else ""
+        ax.plot(at, numbers, linestyle=style, color=shades[number], lw=LINE, label=name, marker=mark, ms=2.5)
+    if words:
+        ax.set_xticks(at, [str(word) for word in places.tolist()])
+    ax.set(xlabel=x_label, ylabel=y_label)
+    _open(ax)
+    every = np.concatenate([np.asarray(values, dtype=float) for values in lines.values()])
+    every = every[np.isfinite(every)]
+    if every.size and every.min() > 0.0 and every.max() > WIDE * every.min():
+        ax.set_yscale("log")
+    if len(lines) > 1:
+        ax.legend(fontsize=SMALL_SIZE, frameon=False, title=key, title_fontsize=SMALL_SIZE)
+    return ax
+
+
+def study_map(
+    x: ArrayLike, y: ArrayLike, values: ArrayLike, ax: Axes, *, x_label: str, y_label: str, label: str
+) -> Axes:
+    """Draw numbers over two parameters as a map with contours; white where there is no number.
+
+    Parameters
+    ----------
+    x, y : array_like, shape (m,), (n,)
+        Values of the parameters.
+    values : array_like, shape (n, m)
+        The numbers.
+    ax : matplotlib.axes.Axes
+        Where to draw; a colour bar is put beside it.
+    x_label, y_label, label : str
+        Names of the axes and of the numbers, with units.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        ``ax``.
+    """
+    numbers = np.ma.masked_invalid(np.asarray(values, dtype=float))
+    ax.set(xlabel=x_label, ylabel=y_label)
+    if not numbers.count() or np.ptp(numbers.compressed()) <= 1e-9 * np.abs(numbers).max():
+        value = f"{numbers.compressed()[0]:.5g} everywhere" if numbers.count() else "no row has a number"
+        ax.text(0.5, 0.5, f"{label}:\n{value}", transform=ax.transAxes, ha="center", va="center", fontsize=SMALL_SIZE)
+        return ax
+    field = ax.contourf(x, y, numbers, levels=LEVELS, cmap=COLOUR_MAP)
+    levels = np.asarray(field.levels)
+    inks = ["white" if level < np.median(levels) else INK for level in levels]
+    lines = ax.contour(x, y, numbers, levels=levels, colors=inks, linewidths=HAIR)
+    ax.clabel(lines, levels[1::2], fontsize=SMALL_SIZE - 1.0)
+    ax.figure.colorbar(field, ax=ax, label=label)
+    return ax
+
+
+def histogram(
+    values: ArrayLike, ax: Axes, *, label: str, quantiles: Mapping[float, tuple[float, float]] | None = None
+) -> Axes:
+    """Draw how numbers are distributed, with quantiles and the intervals in which they surely lie.
+
+    Parameters
+    ----------
+    values : array_like
+        The numbers; those that are not finite are left out.
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    label : str
+        Name of the numbers, with their unit.
+    quantiles : mapping of float to pair of float, optional
+        Intervals by share, such as ``{0.5: (1990.0, 2010.0)}``.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        ``ax``.
+    """
+    numbers = np.asarray(values, dtype=float).ravel()
+    numbers = numbers[np.isfinite(numbers)]
+    ax.set(xlabel=label, ylabel="Samples")
+    _open(ax)
+    if not numbers.size:
+        ax.text(0.5, 0.5, "no sample has a number", transform=ax.transAxes, ha="center", va="center")
+        return ax
+    bins = min(BINS_AT_MOST, max(5, round(2.0 * numbers.size ** (1.0 / 3.0))))
+    ax.hist(numbers, bins=bins, color=PALE, edgecolor=FAINT_INK, linewidth=HAIR)
+    for share, (low, high) in (quantiles or {}).items():
+        ax.axvspan(low, high, color=SECOND, alpha=0.25, linewidth=0.0)
+        place = 0.5 * (low + high)
+        ax.axvline(place, color=SECOND, linewidth=THIN)
+        at, words = ("data", "axes fraction"), f"{100.0 * share:g} %"
+        ax.annotate(words, (place, 0.98), xycoords=at, rotation=90, va="top", ha="right", size=SMALL_SIZE, bbox=BACKING)
+    return ax
+
+
+def _shades(count: int) -> Sequence[Any]:
+    """Return colours of lines: the usual ones of two, and shades from the map of more."""
+    if count <= 2:
+        return (FIRST, SECOND)[:count]
+    import matplotlib as mpl
+
+    return [mpl.colormaps[COLOUR_MAP](share) for share in np.linspace(0.0, 0.85, count)]
+
+
+def _open(ax: Axes) -> None:
+    for side in ("top", "right"):
+        ax.spines[side].set_visible(False)

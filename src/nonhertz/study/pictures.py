@@ -1,0 +1,141 @@
+"""Finished figures of studies."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.io.spreads import Distribution
+from nonhertz.plot.sheets import WIDTH
+from nonhertz.plot.studies import histogram, study_lines, study_map
+from nonhertz.plot.style import sheet_style
+from nonhertz.result.numerals import given
+from nonhertz.result.quantities import Quantity
+from nonhertz.study.sweeps import Sweep
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+PANELS, PANEL_HEIGHT = 6, 2.3  # in
+FEW = 6  # lines in one panel; of more values a map is drawn
+MOST_DRAWN = 100_000  # rows
+_PICTURED = {"approach", "load", "max_pressure", "max_half_width", "max_load", "reference", "modified"}
+_SMALL = 0.5  # mm, below which people read micrometres
+_THOUSANDS = {"N": "kN", "N mm": "N m", "MPa": "GPa"}
+
+
+def sweep_figures(sweep: Sweep) -> dict[str, Figure]:
+    """Return figures of a sweep by name: lines against one path, maps over two, histograms of samples.
+
+    Of more than two paths, and of more than 100,000 rows, there is none.
+    """
+    drawing = _drawing(sweep)
+    if drawing is None or len(sweep) > MOST_DRAWN:
+        return {}
+    shown = [quantity for quantity in _pictured(sweep) if sweep.extremes(quantity.name) is not None][:PANELS]
+    return {"sweep": panels([_panel(drawing, quantity) for quantity in shown], sweep.plan.title)} if shown else {}
+
+
+def panels(drawings: Sequence[Callable[[Axes], object]], title: str) -> Figure:
+    """Return a figure of several drawings, two side by side."""
+    from matplotlib.figure import Figure
+
+    columns = min(2, len(drawings))
+    rows = -(-len(drawings) // columns)
+    with sheet_style():
+        figure = Figure(figsize=(WIDTH, 0.4 + PANEL_HEIGHT * rows), layout="constrained")
+        figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+        for number, draw in enumerate(drawings, start=1):
+            draw(figure.add_subplot(rows, columns, number))
+        # Laid out while the style holds.
+        figure.draw_without_rendering()
+    return figure
+
+
+def scaled(name: str, unit: str, values: NDArray[Any]) -> tuple[NDArray[Any], str]:
+    """Return values of a path in a unit that people read them in, and the label of their axis."""
+    if values.dtype.kind not in "iuf":
+        return values, name
+    largest = float(np.nanmax(np.abs(values), initial=0.0))
+    factor, shown = 1.0, unit
+    if unit == "mm" and largest < _SMALL:
+        factor, shown = 1e3, "um"
+    elif unit == "rad" and largest < 1.0:
+        factor, shown = 1e3, "mrad"
+    elif unit in _THOUSANDS and largest >= 1e4:
+        factor, shown = 1e-3, _THOUSANDS[unit]
+    return factor * values, f"{name} [{shown}]" if shown else name
+
+
+def quantity_label(quantity: Quantity) -> str:
+    """Return the label of a quantity's axis."""
+    label = quantity.label[:1].upper() + quantity.label[1:]
+    return f"{label} [{quantity.shown_unit}]" if quantity.shown_unit else label
+
+
+def _panel(drawing: Callable[[Quantity, Axes], object], quantity: Quantity) -> Callable[[Axes], object]:
+    return lambda ax: drawing(quantity, ax)
+
+
+def _pictured(sweep: Sweep) -> tuple[Quantity, ...]:
+    """Return the quantities that are drawn: those asked for by name, or the main ones that are not given."""
+    if sweep.plan.quantities:
+        return sweep.quantities
+    given_ones = {path.partition(".")[2] for path in sweep.paths if path.startswith("load.")}
+    given_ones |= set(sweep.plan.template.document.get("load", {}))
+    return tuple(each for each in sweep.quantities if each.name in _PICTURED - given_ones)
+
+
+def _drawing(sweep: Sweep) -> Callable[[Quantity, Axes], object] | None:
+    """Return what draws a quantity; None if there is no picture of so many paths."""
+    if any(isinstance(spread, Distribution) for spread in sweep.plan.spreads.values()):
+        return _of_samples(sweep) if len(sweep.shape) == 1 else None
+    lists = [np.asarray(sweep.plan.spreads[path]) for path in sweep.paths]
+    longer = [(path, values) for path, values in zip(sweep.paths, lists, strict=True) if values.size > 1]
+    if len(longer) == 1:
+        return _of_one(sweep, *longer[0])
+    return _of_two(sweep, longer) if len(longer) == 2 else None
+
+
+def _of_samples(sweep: Sweep) -> Callable[[Quantity, Axes], object]:
+    return lambda quantity, ax: histogram(quantity.factor * sweep[quantity.name], ax, label=quantity_label(quantity))
+
+
+def _of_one(sweep: Sweep, path: str, values: NDArray[Any]) -> Callable[[Quantity, Axes], object]:
+    x, label = scaled(path, sweep.unit(path), values)
+
+    def draw(quantity: Quantity, ax: Axes) -> object:
+        numbers = quantity.factor * sweep[quantity.name].ravel()
+        return study_lines(x, {"": numbers}, ax, x_label=label, y_label=quantity_label(quantity))
+
+    return draw
+
+
+def _of_two(sweep: Sweep, axes: Sequence[tuple[str, NDArray[Any]]]) -> Callable[[Quantity, Axes], object]:
+    (first, one), (second, other) = axes
+    sizes = one.size, other.size
+    words = [values.dtype.kind not in "iuf" for values in (one, other)]
+    # Lines are named by the path with few values or words, the other is the axis below.
+    by_first = words[0] or (sizes[0] <= FEW and not words[1] and sizes[0] <= sizes[1])
+    named, below = ((first, one), (second, other)) if by_first else ((second, other), (first, one))
+    x, x_label = scaled(below[0], sweep.unit(below[0]), below[1])
+    y, y_label = scaled(named[0], sweep.unit(named[0]), named[1])
+
+    def draw(quantity: Quantity, ax: Axes) -> object:
+        numbers = quantity.factor * sweep[quantity.name].reshape(sizes)
+        numbers = numbers if by_first else numbers.T
+        if named[1].size > FEW and not any(words):
+            return study_map(x, y, numbers, ax, x_label=x_label, y_label=y_label, label=quantity_label(quantity))
+        key, _, unit = y_label.partition(" [")
+        unit = unit.rstrip("]")
+        names = [
+            str(value) if isinstance(value, str | bool) else f"{given(value)} {unit}".rstrip() for value in y.tolist()
+        ]
+        lines = dict(zip(names, numbers, strict=True))
+        return study_lines(x, lines, ax, x_label=x_label, y_label=quantity_label(quantity), key=key)
+
+    return draw

@@ -1,0 +1,201 @@
+"""``nonhertz sweep``: what people type, and what survives a crash."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import signal
+import sqlite3
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from nonhertz.cli import main
+
+CASE = """
+title = "A roller on a plate"
+[body.a]
+diameter = 20.0
+length = 20.0
+profile = [{ kind = "crown", radius = "4 m" }]
+side_faces = "none"
+depth = "none"
+[body.b]
+side_faces = "none"
+depth = "none"
+[load]
+load = "20 kN"
+"""
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "roller.toml").write_text(CASE, encoding="utf-8")
+    return tmp_path
+
+
+def test_a_case_is_swept_from_the_command_line(folder, capsys):
+    assert main(["sweep", "roller.toml", "--over", "load.load=5kN:20kN:4", "load.tilt=0,0.5mrad"]) == 0
+    out = capsys.readouterr().out
+    assert out.startswith("A roller on a plate\n8 rows\n")
+    assert "load.load  5000 to 20000 N  4 values" in out
+    assert "maximum pressure" in out
+    names = {path.name for path in (folder / "roller-sweep").iterdir()}
+    assert names == {"rows.sqlite3", "rows.csv", "rows.parquet", "sweep.svg", "sweep.png"}
+
+
+def test_a_plan_is_checked_and_swept(folder, capsys):
+    text = 'case = "roller.toml"\nquantities = ["approach"]\n[samples]\ncount = 5\n'
+    text += '[over]\n"load.load" = "normal(20 kN, 1 kN)"\n'
+    (folder / "plan.toml").write_text(text, encoding="utf-8")
+    assert main(["check", "plan.toml"]) == 0
+    assert capsys.readouterr().out == "plan.toml is fine: 'plan', a sweep of 5 rows over load.load.\n"
+    assert main(["sweep", "plan.toml", "--json", "--out", "found"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert (found["rows"], found["failed"], found["over"]) == (5, 0, ["load.load"])
+    assert found["extremes"]["approach"][0] < found["extremes"]["approach"][1]
+    assert (folder / "found" / "sweep.svg").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (["--over", "load.laod=1kN:2kN:3"], "--over load.laod = 'load.laod' must be a path to a value of the file"),
+        (["--over", "load.load"], "must have an equals sign between path and values"),
+        (["--over", "load.load=2kN:1kN:3"], "must ascend"),
+        (["--over", "load.load=5"], "--over load.load = '5' must have a unit: append a unit, such as 5N."),
+        (["--over", "load.load=1kN,2kN", "--quantities", "presure"], "the nearest is"),
+        (["--over", "load.load=1kN,2kN", "--workers", "0"], "--workers = 0 must"),
+        ([], "must vary something"),
+        (["--over", "load.load=-1N,2kN"], "must stay within what the case allows (at -1.0000 N: load.load"),
+    ],
+)  # fmt: skip
+def test_a_mistake_ends_in_one_sentence_and_leaves_nothing(folder, capsys, words, sentence):
+    assert main(["sweep", "roller.toml", *words]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.count("\n") == 1
+    assert sentence in captured.err
+    assert not (folder / "roller-sweep").exists()
+
+
+def test_mistakes_of_a_plan_are_listed(folder, capsys):
+    (folder / "plan.toml").write_text(
+        'case = "roller.toml"\n[over]\n"load.laod" = []\nload.tilt = []\n', encoding="utf-8"
+    )
+    assert main(["check", "plan.toml"]) == 2
+    said = capsys.readouterr().out.splitlines()
+    assert [line[:2] for line in said] == ["1.", "2."]
+    assert said[0].startswith("1. over.load.laod")
+
+
+def test_a_plan_that_has_changed_is_refused(folder, capsys):
+    assert main(["sweep", "roller.toml", "--over", "load.load=5kN,6kN", "--out", "x"]) == 0
+    capsys.readouterr()
+    assert main(["sweep", "roller.toml", "--over", "load.load=5kN,7kN", "--out", "x"]) == 2
+    assert "over.load.load was [5000.0, 6000.0], is [5000.0, 7000.0]" in capsys.readouterr().err
+
+
+def command(*words: str) -> list[str]:
+    over = ["--over", "load.load=1kN:30kN:40", "load.tilt=-1mrad:1mrad:41", "--quantities", "approach", "max_pressure"]
+    return [sys.executable, "-m", "nonhertz", "sweep", "roller.toml", *over, *words]
+
+
+def rows_in(file: Path) -> int:
+    """Return how many rows are there; 0 before there are any."""
+    if not file.exists():
+        return 0
+    rows = sqlite3.connect(f"file:{file}?mode=ro", uri=True)
+    try:
+        return int(rows.execute("select count(*) from rows").fetchone()[0])
+    except sqlite3.OperationalError:  # not yet made, or locked
+        return 0
+    finally:
+        rows.close()
+
+
+@pytest.mark.slow
+def test_killed_at_random_moments_no_row_is_lost_or_doubled(folder):
+    subprocess.run(command("--out", "whole"), check=True, stdout=subprocess.DEVNULL, timeout=300)
+    begun = time.monotonic()
+    subprocess.run(command("--out", "timed", "--workers", "1"), check=True, stdout=subprocess.DEVNULL, timeout=300)
+    longest, seed = time.monotonic() - begun, random.Random(5)
+    there = []
+    for _ in range(20):
+        running = subprocess.Popen(command("--out", "killed", "--workers", "1"), stdout=subprocess.DEVNULL)
+        time.sleep(seed.uniform(0.3, 0.8) * longest)
+        running.send_signal(signal.SIGKILL)
+        running.wait()
+        there.append(rows_in(folder / "killed" / "rows.sqlite3"))
+        if there[-1] == 1640:
+            break
+    assert there == sorted(there)
+    assert any(0 < count < 1640 for count in there)
+    subprocess.run(command("--out", "killed"), check=True, stdout=subprocess.DEVNULL, timeout=300)
+    assert (folder / "killed" / "rows.csv").read_bytes() == (folder / "whole" / "rows.csv").read_bytes()
+
+
+@pytest.fixture
+def cluster() -> Iterator[tuple[str, list[subprocess.Popen[bytes]]]]:
+    """Give the address of a scheduler and two workers, in processes of their own."""
+    quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "env": os.environ | {"OMP_NUM_THREADS": "1"}}
+    words = [
+        sys.executable,
+        "-m",
+        "distributed.cli.dask_scheduler",
+        "--port",
+        "0",
+        "--host",
+        "127.0.0.1",
+        "--no-dashboard",
+    ]
+    scheduler = subprocess.Popen(words, **quiet)
+    assert scheduler.stderr is not None
+    for line in scheduler.stderr:
+        if b"Scheduler at:" in line:
+            address = line.split(b"Scheduler at:")[1].strip().decode()
+            break
+    workers = [worker(address), worker(address)]
+    yield address, workers
+    for each in (*workers, scheduler):
+        each.kill()
+        each.wait()
+    scheduler.stderr.close()
+
+
+def worker(address: str) -> subprocess.Popen[bytes]:
+    """Return a running worker of one thread."""
+    words = ["--nthreads", "1", "--no-nanny", "--no-dashboard"]
+    command = [sys.executable, "-m", "distributed.cli.dask_worker", address, *words]
+    return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+
+@pytest.mark.slow
+def test_on_a_cluster_a_worker_may_be_killed_and_another_added(folder, cluster):
+    address, workers = cluster
+    subprocess.run(command("--out", "whole"), check=True, stdout=subprocess.DEVNULL, timeout=300)
+    running = subprocess.Popen(command("--out", "spread", "--scheduler", address), stdout=subprocess.DEVNULL)
+    until = time.monotonic() + 120.0
+    while rows_in(folder / "spread" / "rows.sqlite3") == 0 and not (folder / "spread" / "rows.csv").exists():
+        # The file is locked while it is written: a few seconds are enough for the first rows.
+        if time.monotonic() > until - 116.0:
+            break
+        time.sleep(0.1)
+    workers[0].kill()
+    workers.append(worker(address))
+    assert running.wait(timeout=300) == 0
+    assert (folder / "spread" / "rows.csv").read_bytes() == (folder / "whole" / "rows.csv").read_bytes()
+
+
+def test_an_address_where_nothing_answers_is_refused(folder, capsys, monkeypatch):
+    pytest.importorskip("distributed")
+    monkeypatch.setattr("nonhertz.study.crew.CONNECTING", "1s")
+    words = ["sweep", "roller.toml", "--over", "load.load=1kN,2kN", "--scheduler", "tcp://127.0.0.1:9"]
+    assert main(words) == 2
+    assert "--scheduler = 'tcp://127.0.0.1:9' must be the address of a scheduler" in capsys.readouterr().err
