@@ -69,6 +69,7 @@ if TYPE_CHECKING:
     from nonhertz.strip.element import PARABOLIC as PARABOLIC
     from nonhertz.strip.element import SEMI_ELLIPTIC as SEMI_ELLIPTIC
     from nonhertz.study.sweeps import sweep as sweep
+    from nonhertz.study.tolerances import tolerance as tolerance
 
     map = contact_map  # noqa: A001  (nothing in this module calls the builtin)
 
@@ -116,6 +117,7 @@ _HOMES = {
     "solve": "nonhertz.solver.one",
     "solve_many": "nonhertz.solver.many",
     "sweep": "nonhertz.study.sweeps",
+    "tolerance": "nonhertz.study.tolerances",
 }
 # Public names that differ from those where they are defined: a module that defined `map` would hide the builtin.
 _RENAMED = {"map": ("nonhertz.maps.verb", "contact_map")}

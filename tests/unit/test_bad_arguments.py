@@ -94,6 +94,7 @@ REFUSED: dict[str, set[str]] = {
     # Below the contact, of which half a millimetre is.
     "edge?": POSITIVE - {"none", "half", "tiny", "zero"},
     "optional": ALL - {"none"},
+    "seed?": NUMBER - {"none"} | {"minus one", "half"},
     "given options": ALL - {"none", "dictionary"},
     "given names": ALL - {"none", "empty"},
     # Which names there are is for the study to say.
@@ -101,6 +102,7 @@ REFUSED: dict[str, set[str]] = {
     "given any names": ALL - {"none", "empty", "words"},
     "spread": ALL - {"row"},
     "directory": ALL - {"none", "text", "empty text"},
+    "open shares": NO_NUMBERS | {"inf", "minus inf", "huge", "minus one", "three", "row", "square", "zero"},
     "shares": NO_NUMBERS | {"inf", "minus inf", "huge", "minus one", "three", "row", "square"},
     "endless": POSITIVE - {"inf"},
     "unbounded": POSITIVE - {"huge"},  # a contact knows its own bounds of a load
@@ -135,6 +137,9 @@ with warnings.catch_warnings():  # as coarse as it may be: nothing is read off t
     LIFE = life.assess(SOLUTION, "iso-16281", body="b")[0]
     EXPOSURE = life.exposure(SOLUTION, body="b")
 SWEPT = nh.sweep(nh.Case(CONTACT, {"load": 6e3}, {"strips": 11}), over={"load.load": [6e3]})
+TOLERANCE = nh.tolerance(
+    nh.Case(CONTACT, {"load": 6e3}, {"strips": 11}), over={"load.load": "uniform(6 kN, 7 kN)"}, samples=3
+)
 POINT = hertz.point_contact(load=1e3, radius_x=10.0, radius_y=100.0, compliance=2.8e-6)
 LINE = hertz.line_contact(line_load=1e3, radius=10.0, compliance=2.8e-6)
 ROW = bearing.CylindricalRollerBearing(
@@ -319,7 +324,7 @@ ENTRIES: dict[str, Entry] = {
         SOLUTION.gradient("load").along, family=(lambda value: CONTACT, "thing"), at=(1.0, "number"),
         step=(0.1, "positive?"),
     ),
-    "read_plan": entry(nh.read_plan, path=(written_plan(), "file"), raises=(nh.CaseError,)),
+    "read_plan": entry(nh.read_plan, path=(written_plan(), "file"), table=("over", "word"), raises=(nh.CaseError,)),
     "Plan": entry(
         nh.Plan, case=(UPRIGHT, "thing"), over=({}, "options"), samples=(nh.study.Sampling(), "thing"),
         quantities=((), "any names"), title=("one", "name"), path=(Path("plan.toml"), "thing"),
@@ -337,6 +342,18 @@ ENTRIES: dict[str, Entry] = {
     "study.Sweep.__getitem__": entry(SWEPT.__getitem__, name=("load.load", "word"), raises=(KeyError,)),
     "study.Sweep.extremes": entry(SWEPT.extremes, name=("approach", "word"), raises=(KeyError,)),
     "study.Sweep.unit": entry(SWEPT.unit, name=("approach", "word"), raises=(KeyError,)),
+    "tolerance": entry(
+        nh.tolerance, plan=(UPRIGHT, "thing"), over=({"load.load": "uniform(1 kN, 2 kN)"}, "optional"),
+        samples=(3, "whole?"), seed=(0, "seed?"), quantities=(None, "given names"), out=(None, "directory"),
+        workers=(1, "whole?"), scheduler=(None, "optional"), announce=(None, "function?"), raises=(nh.CaseError,),
+    ),
+    "study.Tolerance.samples": entry(TOLERANCE.samples, name=("load", "word"), raises=(KeyError,)),
+    "study.Tolerance.quantiles": entry(
+        TOLERANCE.quantiles, name=("load", "word"), shares=(0.5, "open shares"), raises=(KeyError,)
+    ),
+    "study.Tolerance.indices": entry(TOLERANCE.indices, name=("load", "word"), raises=(KeyError,)),
+    "study.Sampling.blocks": entry(nh.study.Sampling(30).blocks, dimensions=(2, "whole")),
+    "study.Sampling.size": entry(nh.study.Sampling(30, "saltelli").size, dimensions=(2, "whole")),
     "study.Sampling": entry(
         nh.study.Sampling, count=(10, "whole"), method=("sobol", "word"), seed=(0, "count"),
     ),
@@ -843,7 +860,7 @@ ENTRIES["profile.sum.relief"] = entry((TABLE.shifted(1.0) + TABLE.scaled(2.0)).r
 #: Of these only what must be refused is tried.
 SLOW = {
     "bearing.maps", "compare", "map", "life.assess", "life.exposure", "measured.fit", "measured.fit_best",
-    "measured.prepare", "subsurface.extremes", "sweep",
+    "measured.prepare", "subsurface.extremes", "sweep", "tolerance",
 }  # fmt: skip
 
 
@@ -921,7 +938,8 @@ def test_an_impossible_raceway_is_refused():
 # Nothing public is left out
 #: Made by the package and not by its users, who only read them.
 RESULTS = {
-    "Comparison", "ContactMap", "Portion", "study.Progress", "study.Sweep", "study.Gradient", "study.Partials",
+    "Comparison", "ContactMap", "Portion", "study.Progress", "study.Sweep", "study.Tolerance",
+    "study.Index", "study.Quantile", "study.Gradient", "study.Partials",
     "EdgeKind", "EdgePressure", "ErrorEstimate", "Result", "SingularEnd", "Solution", "Solutions",
     "Status",
     "hertz.LineContact", "hertz.PointContact",

@@ -61,13 +61,17 @@ def _plan(document: dict[str, Any], path: Path) -> str:
     from nonhertz.study.points import Points
     from nonhertz.study.quantities import chosen
 
-    plan = plan_in(document, path)
-    try:
-        chosen(plan.quantities, bearing=plan.template.is_bearing)
-        rows = len(Points.of(plan))
-    except InputError as error:
-        raise CaseError([str(error)], [error.field]) from None
-    return f"{plan.title!r}, a sweep of {rows} rows over {', '.join(plan.over)}"
+    said = []
+    for table, what in (("over", "a sweep"), ("tolerance", "a tolerance study")):
+        plan = plan_in(document, path, table)
+        try:
+            chosen(plan.quantities, bearing=plan.template.is_bearing)
+            if table in document:
+                rows = f" of {len(Points.of(plan))} rows" if table == "over" else ""
+                said.append(f"{what}{rows} over {', '.join(plan.over)}")
+        except InputError as error:
+            raise CaseError([str(error)], [error.field]) from None
+    return f"{plan.title!r}, {' and '.join(said) or 'which varies nothing'}"
 
 
 def _listed(prescribed: dict[str, Any]) -> str:

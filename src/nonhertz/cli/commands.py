@@ -485,14 +485,70 @@ def sweep_plan(
     from nonhertz.cli.sweep import as_json as json_text
     from nonhertz.cli.sweep import directory_for, planned, print_sweep, swept, written
 
-    asked = planned(plan, over, quantities)
-    directory = directory_for(plan) if out is None else out
+    asked = planned(plan, over, quantities, "over")
+    directory = directory_for(plan, "sweep") if out is None else out
     found = swept(asked, directory, workers, scheduler)
     files = written(found, directory)
     if as_json:
         print(json_text(found, files))
     else:
         print_sweep(found, files)
+    return FINE
+
+
+@app.command(name="tolerance")
+def study_tolerance(
+    plan: Path,
+    /,
+    *,
+    over: Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)] = (),
+    quantities: Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)] = (),
+    samples: int | None = None,
+    seed: int | None = None,
+    out: Path | None = None,
+    workers: int | None = None,
+    scheduler: str | None = None,
+    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+) -> int:
+    """Find how results are distributed when dimensions and loads are, and which tolerance matters.
+
+    Rows are kept as those of 'nonhertz sweep' are, and the same command goes on where it was stopped.
+
+    Parameters
+    ----------
+    plan : Path
+        The plan file, with a table tolerance; or a case file or a bearing file, with --over.
+    over : tuple of str
+        A path of the file and its distribution, such as 'body.b.diameter=normal(nominal,5um)'; may be given several
+        times.
+    quantities : tuple of str
+        Names of the numbers that matter, such as max_pressure life; by default the usual ones.
+    samples : int
+        How many rows at most, 10000 if neither this nor the plan says it.
+    seed : int
+        The same seed draws the same samples; 0 if neither this nor the plan says it.
+    out : Path
+        Directory for the rows, rows.csv, rows.parquet (where polars is installed), tolerance.json and the figures; by
+        default the file's name with '-tolerance', in the current directory.
+    workers : int
+        Number of processes; by default one for each core.
+    scheduler : str
+        Address of a Dask scheduler whose workers solve the rows.
+    as_json : bool
+        Print one JSON object instead of the tables.
+    """
+    from nonhertz.cli.sweep import directory_for, planned
+    from nonhertz.cli.tolerance import as_json as json_text
+    from nonhertz.cli.tolerance import print_tolerance, studied, written
+
+    asked = planned(plan, over, quantities, "tolerance")
+    directory = directory_for(plan, "tolerance") if out is None else out
+    found = studied(asked, samples, seed, directory, workers, scheduler)
+    files = written(found, directory)
+    if as_json:
+        print(json_text(found, files))
+    else:
+        print_tolerance(found, files)
     return FINE
 
 

@@ -21,8 +21,8 @@ from nonhertz.show.studies import SWEEP_COLUMNS, failure_rows, sweep_rows, varie
 from nonhertz.study.sweeps import Progress, Sweep, sweep
 
 
-def planned(file: Path, over: Sequence[str], quantities: Sequence[str]) -> Plan:
-    """Return the plan of a file, or of a case with what the command line varies.
+def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: str) -> Plan:
+    """Return the plan of a file, what it varies in one of its tables; or of a case, what the command line varies.
 
     Raises
     ------
@@ -39,7 +39,7 @@ def planned(file: Path, over: Sequence[str], quantities: Sequence[str]) -> Plan:
         remedy = "write it into the plan, or give the case file in place of the plan"
         raise InputError("--over", over[0], "vary a case file", remedy)
     else:
-        plan = plan_in(document, file)
+        plan = plan_in(document, file, table)
     try:
         return plan.changed(over=dict(map(_path_and_values, over)) or None, quantities=tuple(quantities) or None)
     except InputError as error:
@@ -47,9 +47,9 @@ def planned(file: Path, over: Sequence[str], quantities: Sequence[str]) -> Plan:
         raise InputError(option, error.value, error.condition, error.remedy) from None
 
 
-def directory_for(file: Path) -> Path:
-    """Return where the rows of a plan are kept if nothing else is said."""
-    return Path(f"{legible(file.stem)}-sweep")
+def directory_for(file: Path, study: str) -> Path:
+    """Return where the rows of a study of a plan are kept if nothing else is said."""
+    return Path(f"{legible(file.stem)}-{study}")
 
 
 def swept(plan: Plan, out: Path, workers: int | None, scheduler: str | None) -> Sweep:
@@ -60,7 +60,7 @@ def swept(plan: Plan, out: Path, workers: int | None, scheduler: str | None) -> 
     InputError
         If an option is refused, named as on the command line.
     """
-    with _progress() as announce:
+    with progress() as announce:
         try:
             return sweep(plan, out=out, workers=workers, scheduler=scheduler, announce=announce)
         except InputError as error:
@@ -127,7 +127,7 @@ def _path_and_values(word: str) -> tuple[str, str]:
 
 
 @contextlib.contextmanager
-def _progress() -> Iterator[Callable[[Progress], object] | None]:
+def progress() -> Iterator[Callable[[Progress], object] | None]:
     """Show a bar with the time to go, on a terminal."""
     if not sys.stderr.isatty():
         yield None

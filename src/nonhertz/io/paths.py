@@ -14,10 +14,13 @@ from typing import Any
 
 from nonhertz.errors import InputError
 from nonhertz.io.mistakes import nearest, path_of
+from nonhertz.io.origin import body_tables
 
 Keys = tuple[str | int, ...]
 Schema = Mapping[str, Any]
 
+#: The unit of a profile as a whole, whose values are random forms added to it.
+FORM = "form"
 #: Keys of tables that say what a table is; they are not to be varied on their own.
 _NAMES = ("kind", "format", "title")
 
@@ -33,7 +36,7 @@ class Parameter:
     keys : tuple of str and int
         The same in parts; positions in lists count from 1.
     unit : str or None
-        Base unit of a number, ``""`` of one without a unit; None of a word or a switch.
+        Base unit of a number, ``""`` of one without a unit; None of a word or a switch; `FORM` of a profile as a whole.
     whole : bool
         Whether it must be a whole number.
     """
@@ -69,6 +72,9 @@ def parameters(document: Mapping[str, Any], schema: Schema) -> dict[str, Paramet
     found: dict[str, Parameter] = {}
     for path, keys, leaf in _leaves(document, [schema], schema.get("$defs", {}), (), ()):
         found.setdefault(path, Parameter(path, keys, *leaf))
+    for place, _ in body_tables(document):
+        path = f"{place}.profile"
+        found[path] = Parameter(path, tuple(path.split(".")), FORM)
     return found
 
 

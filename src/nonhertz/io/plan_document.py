@@ -52,7 +52,7 @@ class SamplesTable(Table):
         default=Sampling.count, description="how many"
     )
     method: Annotated[Unread, WithJsonSchema({"enum": list(METHODS)})] = Field(
-        default=Sampling.method, description="'latin-hypercube', 'sobol' or 'random'"
+        default=Sampling.method, description="'latin-hypercube', 'sobol' or 'random'; 'saltelli' for indices"
     )
     seed: Annotated[Unread, WithJsonSchema({"type": "integer", "minimum": 0})] = Field(
         default=Sampling.seed, description="a whole number; the same draws the same samples"
@@ -76,6 +76,9 @@ class PlanTable(Table):
     case: str = Field(description="the case file or bearing file that is varied, relative to the plan")
     over: Varied = Field(
         default_factory=dict, description="of a sweep: what each path of the case runs over; all combinations are rows"
+    )
+    tolerance: Varied = Field(
+        default_factory=dict, description="of a tolerance study: the distribution of each path of the case"
     )
     samples: SamplesTable = Field(default_factory=SamplesTable, description="how samples are drawn from distributions")
     quantities: Annotated[Unread, WithJsonSchema({"type": "array", "items": {"type": "string"}})] = Field(

@@ -13,11 +13,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
-from nonhertz.inputs.checks import one_line
+from nonhertz.inputs.checks import one_line, one_of
 from nonhertz.inputs.files import legible
 from nonhertz.io.bearingfile import BearingCase, bearing_in, bearing_schema
 from nonhertz.io.casefile import Case, case_in, case_text, holds_bearing, named, parsed, schema
-from nonhertz.io.paths import Parameter, parameter, parameters
+from nonhertz.io.forms import with_form
+from nonhertz.io.paths import FORM, Parameter, parameter, parameters
 from nonhertz.io.sampling import Sampling
 from nonhertz.io.spreads import Distribution, Spread, spread_in
 from nonhertz.result.numerals import digits
@@ -25,8 +26,8 @@ from nonhertz.result.numerals import digits
 if TYPE_CHECKING:
     from nonhertz.io.mistakes import Mistake
 
-#: The tables of a plan that say what is varied.
-VARIED = ("over", "vary", "tolerance")
+#: The tables of a plan that say what is varied: in a sweep, and within tolerances.
+TABLES = ("over", "tolerance")
 TRIED = 50  # values of a list that are tried before the work starts
 
 
@@ -42,11 +43,14 @@ class Template:
         Where it is; the names of other files are relative to it.
     is_bearing : bool
         Whether it holds a bearing rather than a single contact.
+    forms : mapping
+        The random forms of profiles, by path.
     """
 
     document: dict[str, Any]
     path: Path
     is_bearing: bool
+    forms: Mapping[str, Distribution] = field(default_factory=dict)
 
     @cached_property
     def known(self) -> Mapping[str, Parameter]:
@@ -57,7 +61,10 @@ class Template:
         """Return the document with other values, by path."""
         document = self.document
         for path, value in values.items():
-            document = self.known[path].put(document, value)
+            parameter = self.known[path]
+            if parameter.unit == FORM:
+                value = with_form(document, parameter.keys, self.forms[path], value)  # noqa: PLW2901
+            document = parameter.put(document, value)
         return document
 
     def case(self, values: Mapping[str, Any]) -> Case | BearingCase:
@@ -140,16 +147,17 @@ class Plan:
         object.__setattr__(self, "quantities", tuple(names))
         object.__setattr__(self, "title", self.title or self.case.title)
         one_line("title", self.title, "give a short name")
+        template = Template(self.case.document, self.case.path, isinstance(self.case, BearingCase))
+        object.__setattr__(self, "template", template)
         spreads = {path: self.tried(path, given) for path, given in self.over.items()}
         object.__setattr__(self, "spreads", spreads)
+        forms = {path: each for path, each in spreads.items() if isinstance(each, Distribution) and each.kind == "form"}
+        object.__setattr__(self, "template", replace(template, forms=forms))
 
     #: What each path runs over: values in its base unit, or a distribution.
     spreads: Mapping[str, Spread] = field(init=False, repr=False, compare=False)
-
-    @cached_property
-    def template(self) -> Template:
-        """The case's file, with other values wherever a row has them."""
-        return Template(self.case.document, self.case.path, isinstance(self.case, BearingCase))
+    #: The case's file, with other values wherever a row has them.
+    template: Template = field(init=False, repr=False, compare=False)
 
     def changed(
         self,
@@ -179,9 +187,12 @@ class Plan:
         """
         which = parameter(path, self.template.known)
         spread = spread_in(which, given, self.template.document)
+        template = replace(self.template, forms={path: spread} if isinstance(spread, Distribution) else {})
         for value in _extremes(spread):
             try:
-                self.template.case({path: value})
+                template.case({path: value})
+            except InputError as error:  # of a form
+                raise InputError(path, given, f"have a {error.field} to {error.condition}", error.remedy) from None
             except CaseError as error:
                 shown = value if isinstance(value, str | bool) else f"{digits(float(value))} {which.unit}".rstrip()
                 condition = f"stay within what the case allows (at {shown}: {error.mistakes[0].rstrip('.')})"
@@ -208,7 +219,7 @@ def holds_plan(document: Mapping[str, Any]) -> bool:
     >>> holds_plan({"case": "roller.toml", "over": {}}), holds_plan({"body": {}, "load": {}})
     (True, False)
     """
-    return "case" in document or any(name in document for name in VARIED)
+    return "case" in document or any(name in document for name in TABLES)
 
 
 def read_any(path: str | Path) -> Case | BearingCase:
@@ -235,13 +246,15 @@ def case_or_bearing_in(document: dict[str, Any], path: Path, text: str) -> Case 
     return (bearing_in if holds_bearing(document) else case_in)(document, path, text)
 
 
-def read_plan(path: str | Path) -> Plan:
+def read_plan(path: str | Path, table: str = "over") -> Plan:
     """Return the plan in a file.
 
     Parameters
     ----------
     path : str or Path
         A TOML file; see docs/reference/plan-file.md.
+    table : {"over", "tolerance"}
+        Which of its tables says what is varied: that of sweeps or that of tolerances.
 
     Raises
     ------
@@ -252,12 +265,15 @@ def read_plan(path: str | Path) -> Plan:
     """
     if not isinstance(path, str | Path):
         raise InputError("path", path, "be the name of a plan file", "give a string or a Path")
+    one_of("table", table, TABLES, "name the one that is meant")
     path = Path(path)
-    return plan_in(parsed(case_text(path, "plan file"), str(path)), path)
+    return plan_in(parsed(case_text(path, "plan file"), str(path)), path, table)
 
 
-def plan_in(document: dict[str, Any], path: Path) -> Plan:
+def plan_in(document: dict[str, Any], path: Path, table: str = "over") -> Plan:
     """Return the plan in a document that has already been parsed; names of files are relative to ``path``.
+
+    All of its tables are read, whichever says what is varied.
 
     Raises
     ------
@@ -270,22 +286,23 @@ def plan_in(document: dict[str, Any], path: Path) -> Plan:
     from nonhertz.io.plan_document import PlanTable
 
     try:
-        table = PlanTable.model_validate(document)
+        read = PlanTable.model_validate(document)
     except ValidationError as error:
         raise case_error(in_order(mistakes_in(error, PlanTable), document)) from None
-    file = path.parent / table.case
+    file = path.parent / read.case
     with named(file):
         case = read_any(file)
     bare, mistakes = Plan(case), []
-    for varied in table.over.items():
-        mistakes += _mistake("over", bare, *varied)
+    for section in TABLES:
+        for varied in getattr(read, section).items():
+            mistakes += _mistake(section, bare, *varied)
     try:
-        plan = Plan(case, {}, table.samples.sampling(), table.quantities, table.title or legible(path.stem), path)
+        plan = Plan(case, {}, read.samples.sampling(), read.quantities, read.title or legible(path.stem), path)
     except InputError as error:
         mistakes.append(Mistake((error.field,), error))
     if mistakes:
         raise case_error(mistakes)
-    return Plan(plan.case, table.over, plan.samples, plan.quantities, plan.title, path)
+    return plan.changed(over=getattr(read, table))
 
 
 def _mistake(section: str, plan: Plan, path: str, given: Any) -> list[Mistake]:

@@ -13,7 +13,9 @@ from nonhertz.inputs.checks import one_of, whole
 from nonhertz.io.spreads import Distribution
 
 MOST_SAMPLES, MOST_DIMENSIONS = 10_000_000, 1000
-METHODS = ("latin-hypercube", "sobol", "random")
+SALTELLI = "saltelli"
+_DIMENSIONS = "give the number of parameters"
+METHODS = ("latin-hypercube", "sobol", "random", SALTELLI)
 
 
 @dataclass(frozen=True)
@@ -24,9 +26,10 @@ class Sampling:
     ----------
     count : int
         How many.
-    method : {"latin-hypercube", "sobol", "random"}
+    method : {"latin-hypercube", "sobol", "random", "saltelli"}
         A Latin hypercube has one sample in each of ``count`` layers of every parameter. Sobol's sequence, scrambled,
-        fills space evenly; best with a power of two. Random samples are independent.
+        fills space evenly; best with a power of two. Random samples are independent. Saltelli's arrangement, for
+        Sobol's indices, has in every block a sample a, for each parameter a with that one taken from b, and a sample b.
     seed : int
         The same seed draws the same samples.
 
@@ -36,7 +39,7 @@ class Sampling:
         If a value is out of range.
     """
 
-    count: int = 1000
+    count: int = 10_000
     method: str = "latin-hypercube"
     seed: int = 0
 
@@ -53,9 +56,11 @@ class Sampling:
         InputError
             If there is no dimension, or more than a thousand.
         """
-        dimensions = whole("dimensions", dimensions, 1, MOST_DIMENSIONS, "give the number of parameters")
+        dimensions = whole("dimensions", dimensions, 1, MOST_DIMENSIONS, _DIMENSIONS)
         from scipy.stats import qmc
 
+        if self.method == SALTELLI:
+            return self._in_blocks(dimensions)
         generator = np.random.default_rng(self.seed)
         if self.method == "random":
             return generator.random((self.count, dimensions))
@@ -63,6 +68,37 @@ class Sampling:
             sampler = qmc.Sobol(dimensions, rng=generator)
             return np.asarray(sampler.random_base2(math.ceil(math.log2(self.count)))[: self.count])
         return np.asarray(qmc.LatinHypercube(dimensions, rng=generator).random(self.count))
+
+    def blocks(self, dimensions: int) -> int:
+        """Return how many blocks Saltelli's arrangement of so many parameters has: as many as fit, one at least.
+
+        Raises
+        ------
+        InputError
+            As `shares` does.
+        """
+        dimensions = whole("dimensions", dimensions, 1, MOST_DIMENSIONS, _DIMENSIONS)
+        return max(1, self.count // (dimensions + 2))
+
+    def size(self, dimensions: int) -> int:
+        """Return how many samples of so many parameters are drawn: ``count``, or as many as fill blocks.
+
+        Raises
+        ------
+        InputError
+            As `shares` does.
+        """
+        return self.blocks(dimensions) * (dimensions + 2) if self.method == SALTELLI else self.count
+
+    def _in_blocks(self, dimensions: int) -> NDArray[np.float64]:
+        """Return Saltelli's arrangement, block after block, as SALib expects it."""
+        pairs = Sampling(self.blocks(dimensions), "sobol", self.seed).shares(2 * dimensions)
+        first, second = pairs[:, :dimensions], pairs[:, dimensions:]
+        found = np.repeat(first[:, None, :], dimensions + 2, axis=1)
+        for k in range(dimensions):
+            found[:, k + 1, k] = second[:, k]
+        found[:, -1] = second
+        return found.reshape(-1, dimensions)
 
     def drawn(self, distributions: Sequence[Distribution]) -> NDArray[np.float64]:
         """Return samples of several distributions, shape (count, distributions)."""

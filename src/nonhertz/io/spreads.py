@@ -8,6 +8,10 @@ In a file and on the command line each is a text or a list:
     "triangular(0, 2 um, 9 um)" lowest, likeliest, highest
     "normal(80 mm, 5 um)"       mean, standard deviation; perhaps "... within 79.99 mm : 80.01 mm"
 
+Of a profile, whose path is that of the list, such as ``body.a.profile``:
+
+    "form(0.5 um, 2 mm)"        a random deviation added to it: root mean square, correlation length
+
 In a distribution the word ``nominal`` stands for the value that the case has.
 """
 
@@ -22,8 +26,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, numbers, one_of
-from nonhertz.io.paths import Parameter
+from nonhertz.inputs.checks import finite, numbers, one_of, positive
+from nonhertz.io.paths import FORM, Parameter
 from nonhertz.io.ranges import MOST_VALUES, number_in, range_in
 from nonhertz.io.units import begins_with_digits, in_unit
 
@@ -38,6 +42,7 @@ DISTRIBUTIONS = {
     "normal": ("mean", "standard deviation"),
     "uniform": ("lowest", "highest"),
     "triangular": ("lowest", "likeliest", "highest"),
+    "form": ("root mean square", "correlation length"),
 }
 _CALL = re.compile(r"\s*([a-z]+)\s*\(([^()]*)\)\s*(?:within\s+(.*))?", re.DOTALL)
 _NOMINAL = "nominal"
@@ -51,9 +56,10 @@ class Distribution:
 
     Parameters
     ----------
-    kind : {"normal", "uniform", "triangular"}
+    kind : {"normal", "uniform", "triangular", "form"}
     numbers : tuple of float
-        Mean and standard deviation; lowest and highest; lowest, likeliest and highest.
+        Mean and standard deviation; lowest and highest; lowest, likeliest and highest; or, of the random form of a
+        profile, root mean square and correlation length [mm]: its values say which form, from 0 to 1.
     within : tuple of float, optional
         Of a normal distribution, the lowest and the highest value that pass; the rest is sorted out.
 
@@ -83,6 +89,9 @@ class Distribution:
             if not self.numbers[1] > 0.0:
                 remedy = "give one above zero, or leave the parameter out"
                 raise InputError("standard deviation", self.numbers[1], "be above zero", remedy)
+        elif self.kind == "form":
+            for name, number in zip(names, self.numbers, strict=True):
+                positive(name, number, "give one above zero in mm")
         elif not (self.numbers[0] < self.numbers[-1] and list(self.numbers) == sorted(self.numbers)):
             raise InputError("numbers", self.numbers, "ascend", f"give {' and '.join(names)}")
         if self.within is not None:
@@ -117,6 +126,8 @@ class Distribution:
         u = numbers("share", share, _SHARE_REMEDY)
         if not np.all((u >= 0.0) & (u <= 1.0)):
             raise InputError("share", share, "lie between 0 and 1", _SHARE_REMEDY)
+        if self.kind == "form":
+            return u
         if self.kind == "normal":
             return self._normal(u)
         if self.kind == "uniform":
@@ -144,6 +155,8 @@ class Distribution:
     @property
     def ends(self) -> tuple[float, float]:
         """Lowest and highest value; of a normal distribution without limits, where one sample in 10^9 lies beyond."""
+        if self.kind == "form":
+            return 0.25, 0.75
         if self.kind != "normal":
             return self.numbers[0], self.numbers[-1]
         mean, deviation = self.numbers
@@ -173,6 +186,7 @@ def spread_in(parameter: Parameter, given: Any, document: Mapping[str, Any]) -> 
         If it is neither, or empty.
     """
     if isinstance(given, Distribution):
+        _refuse_form(parameter, given.kind)
         if parameter.unit is None:
             raise _of_words(parameter, given)
         return given
@@ -182,10 +196,12 @@ def spread_in(parameter: Parameter, given: Any, document: Mapping[str, Any]) -> 
         called = _CALL.fullmatch(given)
         if called is not None:
             return _distribution(parameter, given, called, document)
+        _refuse_form(parameter, None)
         if ":" in given and parameter.unit is not None:
             return _evenly(parameter, given)
         # Of words a text is always a list; none of theirs has a comma.
         return tuple(_written(parameter, word.strip()) for word in given.split(","))
+    _refuse_form(parameter, None)
     if not isinstance(given, list | tuple) or not given:
         remedy = "write a list, a range such as '0 : 40 kN : 41', or a distribution such as 'normal(80 mm, 5 um)'"
         raise InputError(parameter.path, given, "hold values", remedy)
@@ -239,6 +255,16 @@ def _written(parameter: Parameter, word: str) -> Any:
     return int(value) if parameter.whole and value == int(value) else value
 
 
+def _refuse_form(parameter: Parameter, kind: str | None) -> None:
+    """Refuse a random form of anything but a profile, and anything but a form of a profile as a whole."""
+    if (kind == "form") != (parameter.unit == FORM):
+        if kind == "form":
+            condition, remedy = "be the form of a profile", "give it the path of the profile, such as 'body.a.profile'"
+        else:
+            condition, remedy = "be a random form", "write form(0.5 um, 2 mm), or the path of one of its keys"
+        raise InputError(parameter.path, kind or "values", condition, remedy)
+
+
 def _evenly(parameter: Parameter, text: str) -> tuple[float, ...]:
     assert parameter.unit is not None
     example = _example(parameter)
@@ -264,6 +290,7 @@ def _example(parameter: Parameter) -> str:
 def _distribution(parameter: Parameter, text: str, called: re.Match[str], document: Mapping[str, Any]) -> Distribution:
     """Return the distribution that a text such as ``"normal(80 mm, 5 um)"`` stands for."""
     kind, inside, limits = called.groups()
+    _refuse_form(parameter, kind)
     if parameter.unit is None or parameter.whole:
         raise InputError(parameter.path, text, "be a list, since it is no number that changes gradually", "write one")
     if kind not in DISTRIBUTIONS:
@@ -273,7 +300,10 @@ def _distribution(parameter: Parameter, text: str, called: re.Match[str], docume
     if len(parts) != len(names):
         remedy = f"write {kind}({', '.join(names)})"
         raise InputError(parameter.path, text, f"have {len(names)} numbers", remedy)
-    given_numbers = tuple(_number(parameter, part, document) for part in parts)
+    given_numbers = tuple(
+        number_in(parameter.path, part, "mm") if kind == "form" else _number(parameter, part, document)
+        for part in parts
+    )
     within = None if limits is None else range_in(parameter.path, limits, parameter.unit, _example(parameter))[:2]
     try:
         return Distribution(kind, given_numbers, within)

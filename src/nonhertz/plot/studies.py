@@ -147,6 +147,78 @@ def histogram(
     return ax
 
 
+def tornado(
+    names: Sequence[str],
+    first: ArrayLike,
+    total: ArrayLike,
+    ax: Axes,
+    *,
+    errors: tuple[ArrayLike, ArrayLike] | None = None,
+) -> Axes:
+    """Draw Sobol's indices as bars, the first name on top: the first index inside the total one.
+
+    Parameters
+    ----------
+    names : sequence of str
+        The parameters.
+    first, total : array_like, shape (n,)
+        Their indices.
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    errors : pair of array_like, shape (n,), optional
+        Half the widths of the intervals of both.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        ``ax``.
+    """
+    places = -np.arange(len(names), dtype=float)
+    line: dict[str, Any] = {"fmt": "none", "capsize": 2.0, "linewidth": THIN}
+    ax.barh(places, np.asarray(total), height=0.62, color=PALE, edgecolor=FAINT_INK, linewidth=HAIR, label="total")
+    ax.barh(places, np.asarray(first), height=0.34, color=FIRST, label="alone")
+    if errors is not None:
+        ax.errorbar(np.asarray(first), places, xerr=np.asarray(errors[0]), ecolor=INK, **line)
+        ax.errorbar(np.asarray(total), places + 0.24, xerr=np.asarray(errors[1]), ecolor=FAINT_INK, **line)
+    ax.set_yticks(places, list(names))
+    ax.set_xlabel("Share of the variance")
+    ax.set_xlim(left=min(0.0, ax.get_xlim()[0]))
+    ax.legend(fontsize=SMALL_SIZE, frameon=False, loc="lower right")
+    _open(ax)
+    return ax
+
+
+def profile_band(y: ArrayLike, nominal: ArrayLike, band: tuple[ArrayLike, ArrayLike], ax: Axes, *, label: str) -> Axes:
+    """Draw a profile with the band in which most of its samples lie; relief grows downwards, as material is taken away.
+
+    Parameters
+    ----------
+    y : array_like, shape (n,)
+        Positions along the body [mm].
+    nominal : array_like, shape (n,)
+        Relief of the nominal profile [mm].
+    band : pair of array_like, shape (n,)
+        Lowest and highest relief of the band [mm].
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    label : str
+        What the band is.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        ``ax``.
+    """
+    low, high = (1e3 * np.asarray(each) for each in band)
+    ax.fill_between(np.asarray(y), low, high, color=SECOND, alpha=0.25, linewidth=0.0, label=label)
+    ax.plot(y, 1e3 * np.asarray(nominal), color=INK, linewidth=LINE, label="nominal")
+    ax.invert_yaxis()
+    ax.set(xlabel="y [mm]", ylabel="Relief [um]")
+    ax.legend(fontsize=SMALL_SIZE, frameon=False, loc="lower center")
+    _open(ax)
+    return ax
+
+
 def _shades(count: int) -> Sequence[Any]:
     """Return colours of lines: the usual ones of two, and shades from the map of more."""
     if count <= 2:

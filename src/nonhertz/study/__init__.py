@@ -1,6 +1,7 @@
 """Studies: what the numbers of a contact or a bearing depend on.
 
-`nonhertz.sweep` solves a case for many values of what its file holds and returns a `Sweep`.
+`nonhertz.sweep` solves a case for many values of what its file holds and returns a `Sweep`; `nonhertz.tolerance` finds
+how its results are distributed when dimensions are, and returns a `Tolerance`.
 `nonhertz.Solution.gradient` makes a `Gradient` of a named number of a solution, or of one of these: `PressureAt`,
 `HalfWidthAt`, `PressureNorm`, `PowerIntegral`, or `damage` by a model of fatigue.
 """
@@ -17,8 +18,11 @@ from nonhertz.result.measures import PressureNorm as PressureNorm
 from nonhertz.study.lives import damage as damage
 from nonhertz.study.sweeps import Progress as Progress
 from nonhertz.study.sweeps import Sweep as Sweep
+from nonhertz.study.tolerances import Index as Index
+from nonhertz.study.tolerances import Quantile as Quantile
+from nonhertz.study.tolerances import Tolerance as Tolerance
 
 __all__ = [
-    "Distribution", "Gradient", "HalfWidthAt", "Measure", "Partials", "PowerIntegral", "PressureAt",
-    "PressureNorm", "Progress", "Sampling", "Sweep", "damage",
+    "Distribution", "Gradient", "HalfWidthAt", "Index", "Measure", "Partials", "PowerIntegral", "PressureAt",
+    "PressureNorm", "Progress", "Quantile", "Sampling", "Sweep", "Tolerance", "damage",
 ]  # fmt: skip

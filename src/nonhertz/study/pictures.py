@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.errors import NonhertzError
 from nonhertz.io.spreads import Distribution
 from nonhertz.plot.sheets import WIDTH
-from nonhertz.plot.studies import histogram, study_lines, study_map
+from nonhertz.plot.studies import histogram, profile_band, study_lines, study_map, tornado
 from nonhertz.plot.style import sheet_style
 from nonhertz.result.numerals import given
 from nonhertz.result.quantities import Quantity
 from nonhertz.study.sweeps import Sweep
+from nonhertz.study.tolerances import Index, Tolerance
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -23,6 +26,7 @@ if TYPE_CHECKING:
 PANELS, PANEL_HEIGHT = 6, 2.3  # in
 FEW = 6  # lines in one panel; of more values a map is drawn
 MOST_DRAWN = 100_000  # rows
+BAND, PLACES, MOST_PROFILES = (0.025, 0.975), 401, 400
 _PICTURED = {"approach", "load", "max_pressure", "max_half_width", "max_load", "reference", "modified"}
 _SMALL = 0.5  # mm, below which people read micrometres
 _THOUSANDS = {"N": "kN", "N mm": "N m", "MPa": "GPa"}
@@ -38,6 +42,80 @@ def sweep_figures(sweep: Sweep) -> dict[str, Figure]:
         return {}
     shown = [quantity for quantity in _pictured(sweep) if sweep.extremes(quantity.name) is not None][:PANELS]
     return {"sweep": panels([_panel(drawing, quantity) for quantity in shown], sweep.plan.title)} if shown else {}
+
+
+def tolerance_figures(found: Tolerance) -> dict[str, Figure]:
+    """Return figures of a tolerance study by name: how results are distributed, what matters, the band of profiles."""
+    sweep = found.sweep
+    shown = [each for each in _pictured(sweep) if sweep.extremes(each.name) is not None][:PANELS]
+    if not shown or len(sweep) > MOST_DRAWN:
+        return {}
+    figures = {"distribution": panels([_distribution(found, each) for each in shown], sweep.plan.title)}
+    indices = [(each, found.indices(each.name)) for each in shown]
+    bars = [_indices(each, of_each) for each, of_each in indices if of_each]
+    if bars:
+        figures["indices"] = panels(bars, sweep.plan.title)
+    bands = _bands(sweep)
+    if bands:
+        figures["profiles"] = panels(bands, sweep.plan.title)
+    return figures
+
+
+def _distribution(found: Tolerance, quantity: Quantity) -> Callable[[Axes], object]:
+    factor = quantity.factor
+    intervals = {each.share: (factor * each.low, factor * each.high) for each in found.quantiles(quantity.name)}
+    certain = {share: ends for share, ends in intervals.items() if np.all(np.isfinite(ends))}
+    values = factor * found.samples(quantity.name)
+    return lambda ax: histogram(values, ax, label=quantity_label(quantity), quantiles=certain)
+
+
+def _indices(quantity: Quantity, indices: Sequence[Index]) -> Callable[[Axes], object]:
+    columns = np.array([(each.first, each.total, each.first_error, each.total_error) for each in indices]).T
+    first, total, *errors = columns
+
+    def draw(ax: Axes) -> None:
+        tornado([each.path for each in indices], first, total, ax, errors=(errors[0], errors[1]))
+        ax.set_title(quantity.label, loc="left")
+
+    return draw
+
+
+def _bands(sweep: Sweep) -> list[Callable[[Axes], object]]:
+    """Return a drawing of the profiles of each body that is varied, those of a contact."""
+    template = sweep.plan.template
+    if template.is_bearing:
+        return []
+    found = []
+    for name in ("a", "b"):
+        mine = [path for path in sweep.paths if path.startswith(f"body.{name}.")]
+        if mine:
+            found += _band(sweep, name, mine)
+    return found
+
+
+def _band(sweep: Sweep, name: str, paths: Sequence[str]) -> list[Callable[[Axes], object]]:
+    template = sweep.plan.template
+    nominal = getattr(sweep.plan.case.contact, name)  # type: ignore[union-attr]
+    if nominal.length is None:
+        return []
+    low_end, high_end = nominal.faces
+    y = np.linspace(float(low_end), float(high_end), PLACES)
+    step = max(1, len(sweep) // MOST_PROFILES)
+    columns = [sweep[path].ravel()[::step].tolist() for path in paths]
+    reliefs = []
+    for values in zip(*columns, strict=True):
+        with contextlib.suppress(NonhertzError):
+            body = getattr(template.case(dict(zip(paths, values, strict=True))).contact, name)  # type: ignore[union-attr]
+            reliefs.append(body.relief(y))
+    if not reliefs:
+        return []
+    samples = np.where(np.isfinite(reliefs), reliefs, np.nan)
+    seen = np.all(np.isfinite(samples), axis=0) & np.isfinite(nominal.relief(y))
+    low, high = np.quantile(samples[:, seen], BAND, axis=0)
+    if np.ptp(high - low) <= 0.0 and not np.any(high > low):
+        return []
+    label = f"{100 * (BAND[1] - BAND[0]):g} % of the profiles of body {name}"
+    return [lambda ax: profile_band(y[seen], nominal.relief(y[seen]), (low, high), ax, label=label)]
 
 
 def panels(drawings: Sequence[Callable[[Axes], object]], title: str) -> Figure:

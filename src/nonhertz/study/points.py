@@ -68,7 +68,8 @@ class Points:
     @property
     def shape(self) -> tuple[int, ...]:
         """Number of values along each axis; samples are the last."""
-        return (*(len(each) for each in self.lists), *((self.sampling.count,) if self.distributions else ()))
+        samples = (self.sampling.size(len(self.distributions)),) if self.distributions else ()
+        return (*(len(each) for each in self.lists), *samples)
 
     def __len__(self) -> int:
         return math.prod(self.shape)

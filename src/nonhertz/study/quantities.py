@@ -81,7 +81,7 @@ def _of_contact() -> dict[str, Quantity]:
     for quantity in (
         Quantity("error", "estimated error of approach or load", "", "", _error, "%", 100.0),
         Quantity("warnings", "warnings", "", "", lambda solved: len(solved.solution.warnings), ""),
-        Quantity("relative_life", "life over that of the ideal pressure", "", "", lambda s: s.life.relative, ""),
+        Quantity("relative_life", "relative life", "", "", lambda s: s.life.relative, ""),
         Quantity("life", "life", "L10", _LIVES[0], lambda s: s.life.million_revolutions or math.nan, _LIVES[1]),
     ):
         found[quantity.name] = quantity

@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from nonhertz.bodies.whole_roller import interpolated_shapes
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
 from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.casefile import Case, placed
@@ -30,7 +31,6 @@ from nonhertz.study.quantities import SolvedBearing, SolvedContact, chosen
 Values = Mapping[str, Any]
 
 _PRESSED = tuple(f"load.{name}" for name in ("load", "approach", "tilt", "moment"))
-FEWEST_TOGETHER = 2
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ class Work:
             Of each row, the values of these.
         """
         named = [dict(zip(paths, each, strict=True)) for each in values]
-        with warnings.catch_warnings(), self._template_and_files() as template:
+        with warnings.catch_warnings(), interpolated_shapes(), self._template_and_files() as template:
             # What strains the model is a column of its own.
             warnings.simplefilter("ignore", AccuracyWarning)
             if template.is_bearing:
@@ -109,8 +109,7 @@ class Work:
             case = template.case(values[0])
             assert isinstance(case, Case)
             given = [_prescribed(case, each) for each in values]
-            if len(values) >= FEWEST_TOGETHER:
-                return self._together(case, given)
+            return self._together(case, given)
         except NonhertzError:
             pass  # solved alone, those that are refused get a sentence of their own
         return [self._alone(template, each) for each in values]

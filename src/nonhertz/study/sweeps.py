@@ -265,7 +265,7 @@ def sweep(
     ((4, 2), array([2090., 1990.]))
     """
     callback("announce", announce)
-    asked = _plan(plan, over, samples, quantities)
+    asked = planned(plan, over, samples, quantities)
     points = Points.of(asked)
     numbers = chosen(asked.quantities, bearing=asked.template.is_bearing)
     processes = thread_count(workers)
@@ -321,12 +321,16 @@ def _solved(work: Work, paths: tuple[str, ...], portion: tuple[int, list[int], l
     return work.rows(paths, portion[2])
 
 
-def _plan(
-    plan: object, over: Mapping[str, Any] | None, samples: Sampling | None, quantities: tuple[str, ...] | None
+def planned(
+    plan: object,
+    over: Mapping[str, Any] | None,
+    samples: Sampling | None,
+    quantities: tuple[str, ...] | None,
+    table: str = "over",
 ) -> Plan:
-    """Return the plan that is meant, with what is given beside it."""
+    """Return the plan that is meant, of the table of a file that says what is varied, with what is given beside it."""
     if isinstance(plan, str | Path):
-        plan = read_plan(plan)
+        plan = read_plan(plan, table)
     if isinstance(plan, Plan):
         return plan.changed(over=over, samples=samples, quantities=quantities)
     if not isinstance(plan, Case | BearingCase):

@@ -1,0 +1,80 @@
+"""``nonhertz tolerance``: what people type."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from nonhertz.cli import main
+
+CASE = """
+title = "A roller on a plate"
+[body.a]
+diameter = 20.0
+length = 20.0
+profile = [{ kind = "crown", radius = "4 m" }]
+side_faces = "none"
+depth = "none"
+[body.b]
+side_faces = "none"
+depth = "none"
+[load]
+load = "20 kN"
+[solver]
+strips = 31
+"""
+PLAN = """
+case = "roller.toml"
+quantities = ["max_pressure"]
+[tolerance]
+"load.load" = "normal(nominal, 1 kN)"
+"body.a.profile" = "form(0.5 um, 4 mm)"
+[samples]
+count = 80
+"""
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "roller.toml").write_text(CASE, encoding="utf-8")
+    (tmp_path / "plan.toml").write_text(PLAN, encoding="utf-8")
+    return tmp_path
+
+
+def test_a_plan_is_studied(folder, capsys):
+    assert main(["check", "plan.toml"]) == 0
+    assert capsys.readouterr().out == "plan.toml is fine: 'plan', a tolerance study over load.load, body.a.profile.\n"
+    assert main(["tolerance", "plan.toml"]) == 0
+    out = capsys.readouterr().out
+    assert out.startswith("plan\n80 rows; 40 independent samples\n")
+    assert "normal(nominal, 1 kN)" in out
+    assert "tighten this first" in out
+    names = {path.name for path in (folder / "plan-tolerance").iterdir()}
+    drawn = {f"{name}.{kind}" for name in ("distribution", "indices", "profiles") for kind in ("svg", "png")}
+    assert names == drawn | {"rows.sqlite3", "rows.csv", "rows.parquet", "tolerance.json"}
+    kept = json.loads((folder / "plan-tolerance" / "tolerance.json").read_text(encoding="utf-8"))
+    assert kept["independent_samples"] == 40
+    assert [each["path"] for each in kept["indices"]["max_pressure"]][0] == "load.load"
+    # Too few samples for the interval of 1 %: there is no infinity in JSON.
+    assert kept["quantiles"]["max_pressure"][0]["low"] is None
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (["roller.toml", "--over", "load.load=5kN,6kN"], "must be a distribution"),
+        (["roller.toml", "--over", "load.load=normal(nominal,1kN)", "--samples", "0"], "--samples = 0 must be"),
+        (["roller.toml"], "must vary something"),
+        (["plan.toml", "--over", "load.load=normal(1kN,1N)"], "write it into the plan"),
+    ],
+)
+def test_a_mistake_ends_in_one_sentence_and_leaves_nothing(folder, capsys, words, sentence):
+    before = sorted(folder.iterdir())
+    assert main(["tolerance", *words]) == 2
+    captured = capsys.readouterr()
+    assert captured.err.count("\n") == 1
+    assert sentence in captured.err
+    assert sorted(folder.iterdir()) == before

@@ -1,0 +1,183 @@
+"""Tolerances: quantiles and indices of functions whose are known, and random forms."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.io.forms import deviation, with_form
+from nonhertz.io.planfile import Plan
+from nonhertz.io.sampling import Sampling
+from nonhertz.io.spreads import Distribution
+from nonhertz.study.tolerances import quantile, sobol_indices
+
+ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000), side_faces="none", depth="none")
+PLATE = nh.Plate(side_faces="none", depth="none")
+CASE = nh.Case(nh.Contact(ROLLER, PLATE), {"load": 20e3}, {"strips": 31})
+
+
+def ishigami(x, a=7.0, b=0.1):
+    """Return Ishigami and Homma's function (1990), whose indices have closed forms."""
+    return np.sin(x[:, 0]) + a * np.sin(x[:, 1]) ** 2 + b * x[:, 2] ** 4 * np.sin(x[:, 0])
+
+
+def drawn(function, distributions, count, seed):
+    """Return the results of Saltelli's arrangement in blocks."""
+    sampling = Sampling(count, "saltelli", seed)
+    return function(sampling.drawn(distributions)).reshape(-1, len(distributions) + 2)
+
+
+def test_indices_of_the_ishigami_function_are_within_their_intervals():
+    a, b, pi = 7.0, 0.1, math.pi
+    variance = a**2 / 8.0 + b * pi**4 / 5.0 + b**2 * pi**8 / 18.0 + 0.5
+    alone = {"x1": 0.5 * (1.0 + b * pi**4 / 5.0) ** 2, "x2": a**2 / 8.0, "x3": 0.0}
+    together = 8.0 * b**2 * pi**8 / 225.0
+    total = {"x1": alone["x1"] + together, "x2": alone["x2"], "x3": together}
+    inside = 0
+    for seed in range(10):
+        blocks = drawn(ishigami, [Distribution("uniform", (-pi, pi))] * 3, 10_000, seed)
+        found = sobol_indices(("x1", "x2", "x3"), blocks)
+        assert [each.path for each in found] == ["x1", "x2", "x3"]
+        for each in found:
+            inside += abs(each.first - alone[each.path] / variance) <= each.first_error
+            inside += abs(each.total - total[each.path] / variance) <= each.total_error
+            assert each.total_error < 0.1
+    # Of 60 intervals of 95 %, that four or more are missed has a probability of 0.35 for independent samples; samples
+    # that fill space evenly are closer.
+    assert inside >= 57
+
+
+def test_indices_of_a_linear_function_are_its_squared_slopes():
+    slopes = np.array([3.0, 2.0, 1.0])
+    blocks = drawn(lambda x: x @ slopes, [Distribution("normal", (0.0, 1.0))] * 3, 10_000, 5)
+    for each, slope in zip(sobol_indices(("a", "b", "c"), blocks), slopes, strict=True):
+        assert each.first == pytest.approx(slope**2 / 14.0, abs=max(each.first_error, 1e-3))
+        assert each.total == pytest.approx(slope**2 / 14.0, abs=max(each.total_error, 1e-3))
+
+
+@pytest.mark.parametrize("share", [0.01, 0.5, 0.99])
+def test_intervals_hold_the_true_quantile_as_often_as_they_say(share):
+    generator = np.random.default_rng(3)
+    true = Distribution("normal", (0.0, 1.0)).quantile(share)
+    found = [quantile(generator.standard_normal(400), share) for _ in range(2000)]
+    held = np.mean([each.low <= true <= each.high for each in found])
+    # 95 % or a little more, as numbers are whole: three standard errors of 2000 trials are 1.5 %.
+    assert 0.935 <= held <= 0.99
+    assert all(each.low <= each.value <= each.high for each in found)
+
+
+def test_of_few_samples_the_interval_says_so():
+    found = quantile(np.arange(20.0), 0.99)
+    assert math.isinf(found.high)
+    assert math.isnan(quantile(np.zeros(0), 0.5).value)
+
+
+def test_intervals_of_quantiles_hold_for_the_samples_that_are_drawn():
+    slopes = np.array([3.0, 2.0, 1.0])
+    true = Distribution("normal", (0.0, math.sqrt(14.0))).quantile(0.9)
+    held = 0
+    for seed in range(40):
+        blocks = drawn(lambda x: x @ slopes, [Distribution("normal", (0.0, 1.0))] * 3, 2000, seed)
+        found = quantile(blocks[:, [0, -1]].ravel(), 0.9)
+        held += found.low <= true <= found.high
+    assert held >= 36
+
+
+def test_in_a_block_of_samples_one_parameter_differs_from_the_first():
+    found = Sampling(40, "saltelli", 2).shares(3).reshape(-1, 5, 3)
+    assert len(found) == 8
+    for k in range(3):
+        np.testing.assert_array_equal(found[:, k + 1, k], found[:, -1, k])
+        others = [j for j in range(3) if j != k]
+        np.testing.assert_array_equal(found[:, k + 1][:, others], found[:, 0][:, others])
+    assert np.all(found[:, 0] != found[:, -1])
+
+
+def test_a_tolerance_study_ranks_what_matters():
+    over = {"load.load": "normal(20 kN, 1 kN)", "body.a.diameter": "normal(nominal, 1 um)"}
+    found = nh.tolerance(CASE, over=over, samples=400, seed=3, quantities=("max_pressure", "load"))
+    assert [each.path for each in found.indices("max_pressure")] == ["load.load", "body.a.diameter"]
+    assert found.indices("max_pressure")[0].total == pytest.approx(1.0, abs=0.15)
+    assert found.tightened_first["max_pressure"] == "load.load"
+    low, middle, high = found.quantiles("load")
+    assert low.low <= 20e3 - 2.326e3 <= low.high or low.low == -math.inf
+    assert middle.low <= 20e3 <= middle.high
+    assert high.low <= 20e3 + 2.326e3
+    assert "1 %, 50 % and 99 %" in repr(found)
+
+
+def test_rows_that_fail_are_left_out_of_quantiles_and_indices():
+    over = {"load.load": "uniform(10 kN, 20 kN)", "body.a.length": "uniform(19 mm, 20 mm)"}
+    found = nh.tolerance(CASE, over=over, samples=80, quantities=("approach",))
+    values = found.sweep["approach"].copy()
+    assert np.isfinite(values).all()
+    found.sweep._store._rows.execute("update rows set n0 = null where number = 3")
+    assert len(found.indices("approach")) == 2
+    assert np.isnan(found.sweep["approach"]).sum() == 1
+
+
+def test_values_in_place_of_a_distribution_are_refused():
+    with pytest.raises(nh.InputError, match="must be a distribution"):
+        nh.tolerance(CASE, over={"load.load": "10 kN, 20 kN"})
+
+
+def test_a_random_form_has_its_root_mean_square_and_correlation():
+    lengths, count = 10.0, 121
+    forms = np.array([deviation(count, lengths, share) for share in np.random.default_rng(1).random(3000)])
+    assert np.mean(forms**2) == pytest.approx(1.0, rel=0.02)
+    # No straight line is left in it.
+    at = np.linspace(-1.0, 1.0, count)
+    np.testing.assert_allclose(forms @ at, 0.0, atol=1e-9)
+    np.testing.assert_allclose(forms.sum(axis=1), 0.0, atol=1e-9)
+    one, middle = 12, 60  # places in a correlation length
+    correlation = np.mean(forms[:, middle] * forms[:, middle + one]) / np.mean(forms[:, middle] ** 2)
+    assert correlation == pytest.approx(math.exp(-1.0), abs=0.15)
+    np.testing.assert_array_equal(deviation(count, lengths, 0.3), deviation(count, lengths, 0.3))
+    assert np.any(deviation(count, lengths, 0.3) != deviation(count, lengths, 0.4))
+
+
+def test_a_form_is_added_to_the_profile():
+    plan = Plan(CASE, over={"body.a.profile": "form(0.5 um, 4 mm)"})
+    case = plan.template.case({"body.a.profile": 0.3})
+    y = np.linspace(-10.0, 10.0, 31)
+    added = case.contact.a.relief(y) - ROLLER.relief(y)
+    np.testing.assert_allclose(added, 0.5e-3 * deviation(31, 5.0, 0.3), atol=1e-12)
+    found = nh.tolerance(plan, samples=30, quantities=("approach",))
+    assert np.ptp(found.sweep["approach"]) > 0.0
+
+
+@pytest.mark.parametrize(
+    ("path", "given", "what"),
+    [
+        ("body.a.profile", "form(0.5 um, 1 um)", "correlation length to be at least"),
+        ("body.a.profile", "normal(1 um, 1 um)", "be a random form"),
+        ("body.a.profile", [0.1], "be a random form"),
+        ("body.a.diameter", "form(1 um, 2 mm)", "be the form of a profile"),
+        ("body.b.profile", "form(1 um, 2 mm)", "be given for a random form"),
+        ("body.a.profile", "form(0, 2 mm)", "root mean square that must be positive"),
+    ],
+)
+def test_what_is_no_form_is_refused_in_one_sentence(path, given, what):
+    with pytest.raises(nh.InputError, match=what):
+        Plan(CASE, over={path: given})
+
+
+def test_a_form_needs_a_body_with_a_length():
+    with pytest.raises(nh.InputError, match=r"body\.b\.length = None must be given for a random form"):
+        with_form({"body": {"b": {}}}, ("body", "b", "profile"), Distribution("form", (1e-3, 2.0)), 0.5)
+
+
+@pytest.mark.slow
+def test_rollers_of_similar_shape_are_those_of_their_own():
+    roller = nh.Roller(diameter=15, length=20, profile=nh.profile.logarithmic(amplitude=2e-3, length=20, fraction=0.99))
+    case = nh.Case(nh.Contact(roller, nh.Ring(diameter=80, length=24)), {"load": 20e3})
+    diameters = [14.98, 15.0, 15.013]
+    found = nh.sweep(case, over={"body.a.diameter": diameters}, quantities=("approach", "max_pressure"))
+    for number, diameter in enumerate(diameters):
+        alone = nh.solve(nh.Contact(replace(roller, diameter=diameter), case.contact.b), load=20e3)
+        assert found["approach"][number] == pytest.approx(alone.approach, rel=3e-7)
+        assert found["max_pressure"][number] == pytest.approx(alone.max_pressure, rel=3e-7)
