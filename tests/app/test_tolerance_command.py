@@ -57,7 +57,7 @@ def test_a_plan_is_studied(folder, capsys):
     assert names == drawn | {"rows.sqlite3", "rows.csv", "rows.parquet", "tolerance.json"}
     kept = json.loads((folder / "plan-tolerance" / "tolerance.json").read_text(encoding="utf-8"))
     assert kept["independent_samples"] == 40
-    assert [each["path"] for each in kept["indices"]["max_pressure"]][0] == "load.load"
+    assert next(each["path"] for each in kept["indices"]["max_pressure"]) == "load.load"
     # Too few samples for the interval of 1 %: there is no infinity in JSON.
     assert kept["quantiles"]["max_pressure"][0]["low"] is None
 
