@@ -68,6 +68,7 @@ if TYPE_CHECKING:
     from nonhertz.solver.solutions import Solutions as Solutions
     from nonhertz.strip.element import PARABOLIC as PARABOLIC
     from nonhertz.strip.element import SEMI_ELLIPTIC as SEMI_ELLIPTIC
+    from nonhertz.study import design as design
     from nonhertz.study.sweeps import sweep as sweep
     from nonhertz.study.tolerances import tolerance as tolerance
 
@@ -123,6 +124,7 @@ _HOMES = {
 _RENAMED = {"map": ("nonhertz.maps.verb", "contact_map")}
 _MODULES = {
     "bearing": "nonhertz.bearing",
+    "design": "nonhertz.study.design",
     "hertz": "nonhertz.hertz",
     "io": "nonhertz.io",
     "life": "nonhertz.life",

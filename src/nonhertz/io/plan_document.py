@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import Field, PlainValidator, WithJsonSchema, field_validator
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_line
 from nonhertz.io.bounds import FORMAT
-from nonhertz.io.document import Format, Table
+from nonhertz.io.document import Angle, Force, Format, Number, Table, read_loads
+from nonhertz.io.mistakes import unknown
 from nonhertz.io.sampling import METHODS, Sampling
+
+if TYPE_CHECKING:
+    from nonhertz.life import LoadCase
 
 _VARIED_SCHEMA = {
     "type": "object",
@@ -68,6 +72,59 @@ class SamplesTable(Table):
         return Sampling(self.count, self.method, self.seed)
 
 
+class DesignLoadTable(Table):
+    """One load of a design."""
+
+    load: Force = Field(description="the load that presses the bodies together [N]")
+    tilt: Angle = Field(default=0.0, description="tilt [rad], positive loads the side of positive y")
+    share: Number | None = Field(default=None, description="its share of the revolutions; all equal if no load has one")
+
+
+def _read_loads(value: Any) -> tuple[DesignLoadTable, ...]:
+    return read_loads(value, DesignLoadTable)
+
+
+class DesignTable(Table):
+    """What a design is best for."""
+
+    goal: Unread = Field(
+        default=None,
+        description="'pressure': the least largest pressure; 'life': the longest life; pressure if left out",
+    )
+    model: Unread = Field(
+        default=None, description="name of the fatigue model of lives; 'lundberg-palmgren' if left out"
+    )
+    starts: Unread = Field(default=None, description="number of searches, 5 if left out")
+    loads: Annotated[
+        tuple[DesignLoadTable, ...],
+        PlainValidator(_read_loads),
+        WithJsonSchema({"type": "array", "items": DesignLoadTable.model_json_schema(), "minItems": 1}),
+    ] = Field(default=(), description="the loads; those of the case if left out")
+    where: Varied = Field(
+        default_factory=dict, description="what must hold under every load, such as approach = 'at most 30 um'"
+    )
+
+    @field_validator("model")
+    @classmethod
+    def _check_model(cls, value: Any) -> Any:
+        from nonhertz.life import MODELS
+
+        if not isinstance(value, str) or value not in MODELS:
+            raise unknown("model", value, "fatigue model", value, MODELS)
+        return value
+
+    def cases(self) -> tuple[LoadCase, ...]:
+        """Return the loads with their shares."""
+        from nonhertz.life import LoadCase
+
+        even = 1.0 / len(self.loads)
+        unsaid = all(each.share is None for each in self.loads)
+        return tuple(
+            LoadCase(load=each.load, tilt=each.tilt, share=even if unsaid else (each.share or 0.0))
+            for each in self.loads
+        )
+
+
 class PlanTable(Table):
     """A plan file."""
 
@@ -77,6 +134,10 @@ class PlanTable(Table):
     over: Varied = Field(
         default_factory=dict, description="of a sweep: what each path of the case runs over; all combinations are rows"
     )
+    vary: Varied = Field(
+        default_factory=dict, description="of a design: lowest and highest value of each path that it may choose"
+    )
+    design: DesignTable = Field(default_factory=DesignTable, description="what the design is best for")
     tolerance: Varied = Field(
         default_factory=dict, description="of a tolerance study: the distribution of each path of the case"
     )

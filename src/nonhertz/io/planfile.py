@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 #: The tables of a plan that say what is varied: in a sweep, and within tolerances.
 TABLES = ("over", "tolerance")
+DESIGN = "vary"
 TRIED = 50  # values of a list that are tried before the work starts
 
 
@@ -75,9 +76,19 @@ class Template:
         CaseError
             If a file could not hold them.
         """
+        return self.of_document(self.put(values))
+
+    def of_document(self, document: dict[str, Any]) -> Case | BearingCase:
+        """Return the case of a document that has been made of this one.
+
+        Raises
+        ------
+        CaseError
+            If a file could not hold it.
+        """
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", AccuracyWarning)
-            return (bearing_in if self.is_bearing else case_in)(self.put(values), self.path)
+            return (bearing_in if self.is_bearing else case_in)(document, self.path)
 
 
 @dataclass(frozen=True)
@@ -219,7 +230,7 @@ def holds_plan(document: Mapping[str, Any]) -> bool:
     >>> holds_plan({"case": "roller.toml", "over": {}}), holds_plan({"body": {}, "load": {}})
     (True, False)
     """
-    return "case" in document or any(name in document for name in TABLES)
+    return "case" in document or any(name in document for name in (*TABLES, DESIGN))
 
 
 def read_any(path: str | Path) -> Case | BearingCase:
@@ -314,3 +325,47 @@ def _mistake(section: str, plan: Plan, path: str, given: Any) -> list[Mistake]:
     except InputError as error:
         return [Mistake((section, *path.split(".")), InputError(path, given, error.condition, error.remedy))]
     return []
+
+
+def read_design(path: str | Path) -> tuple[Case, dict[str, Any]]:
+    """Return the case of a plan and what it says about a design: keywords for `nonhertz.design.best`.
+
+    Raises
+    ------
+    CaseError
+        With every mistake in the file.
+    InputError
+        If ``path`` is not the name of a file.
+    """
+    if not isinstance(path, str | Path):
+        raise InputError("path", path, "be the name of a plan file", "give a string or a Path")
+    path = Path(path)
+    return design_in(parsed(case_text(path, "plan file"), str(path)), path)
+
+
+def design_in(document: dict[str, Any], path: Path) -> tuple[Case, dict[str, Any]]:
+    """Return the case of a plan in a document and what it says about a design.
+
+    Raises
+    ------
+    CaseError
+        With every mistake in the document.
+    """
+    # All that is wrong with the rest of the plan is said, too.
+    case = plan_in(document, path).case
+    if not isinstance(case, Case):
+        raise CaseError(["case must be that of a single contact for a design: a bearing is swept over."], ["case"])
+    from nonhertz.io.plan_document import PlanTable
+
+    read = PlanTable.model_validate(document)
+    given: dict[str, Any] = {"vary": read.vary, "where": read.design.where}
+    for name in ("goal", "starts"):
+        if getattr(read.design, name) is not None:
+            given[name] = getattr(read.design, name)
+    if read.design.model is not None:
+        from nonhertz.life import model
+
+        given["model"] = model(read.design.model)
+    if read.design.loads:
+        given["loads"] = read.design.cases()
+    return case, given

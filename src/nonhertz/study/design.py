@@ -1,0 +1,730 @@
+"""Design: the dimensions of a contact for the least largest pressure or the longest life under all of its loads.
+
+The least largest pressure is found in the form: least t such that the largest pressure of every third of every contact
+is at most t, which is smooth where the largest one changes its place. Both goals are searched from several starts by
+sequential quadratic programming (SLSQP of SciPy) with exact gradients, each start in a process of its own.
+
+References
+----------
+D. Kraft, A software package for sequential quadratic programming, DFVLR-FB 88-28, 1988.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import warnings
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.bodies.whole_roller import interpolated_shapes
+from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
+from nonhertz.inputs.checks import listed, one_of, thread_count, whole
+from nonhertz.io.casefile import Case
+from nonhertz.io.free_forms import free_form_in
+from nonhertz.io.paths import parameter
+from nonhertz.io.planfile import Template, read_design
+from nonhertz.io.spreads import bounds_in
+from nonhertz.life import LoadCase, Model, lundberg_palmgren
+from nonhertz.life.spectrum import WHOLE
+from nonhertz.result.brief import plain_text
+from nonhertz.result.numerals import digits
+from nonhertz.solver.one import solve
+from nonhertz.study.crew import Here, LostError, Processes
+from nonhertz.study.objective import (
+    GOALS,
+    LIFE,
+    PRESSURE,
+    Judged,
+    Limit,
+    Task,
+    Variable,
+    named_loads,
+    point_or_none,
+    refuse_unlimited,
+)
+
+__all__ = ["Band", "Design", "Front", "Limit", "Start", "best", "front"]
+
+Array = NDArray[np.float64]
+
+STARTS, MOST_STARTS = 5, 100
+POINTS, MOST_POINTS = 9, 50  # of a front
+STEPS, CLOSE = 40, 1e-5  # of a search, and the change of the goal at which it ends
+SAME = 0.01  # of the goal: starts that come so close have found the same
+COSTS = (0.01, 0.05)  # for which the bands of variables are found
+BAND_STEPS, BAND_CLOSE = 10, 2e-3  # of the search for an end of a band, and its width in a variable
+_BAD = 10.0  # logarithm, of a point that is not allowed
+
+
+@dataclass(frozen=True)
+class Start:
+    """One search.
+
+    Attributes
+    ----------
+    begun, ended : dict
+        Values of the paths at its beginning and at its end.
+    value : float
+        The goal there: the largest pressure [MPa], or the life over that of the case as it was; nan if it failed.
+    history : tuple of float
+        The goal at every point it looked at.
+    meets : bool
+        Whether all limits are met.
+    failure : str
+        Why it failed; empty if it did not.
+    """
+
+    begun: dict[str, Any]
+    ended: dict[str, Any]
+    value: float
+    history: tuple[float, ...]
+    meets: bool
+    failure: str = ""
+
+
+@dataclass(frozen=True)
+class Band:
+    """Between which values one variable may lie if the goal is to be worse by no more than a cost.
+
+    Attributes
+    ----------
+    path : str
+        The variable.
+    cost : float
+        By how much the goal is worse at the ends, over itself.
+    low, high : float
+        The band, in the base unit; an end at a bound of the variable is that bound.
+    """
+
+    path: str
+    cost: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Design:
+    """What a design has found.
+
+    Attributes
+    ----------
+    goal : {"pressure", "life"}
+        What it is best for.
+    values : dict
+        The best value of every path, in its base unit; of a free profile, the square roots of its increments.
+    value, before : float
+        The goal of the best and of the case as it was: the largest pressure [MPa], or the life over that of the case.
+    starts : tuple of Start
+        The searches, the best first.
+    bands : tuple of Band
+        How flat the optimum is; none of free profiles.
+    worst : str
+        The load with the largest pressure, or with the largest share of the damage.
+    case : Case
+        The case as it is best.
+    was : Case
+        The case as it was.
+    loads : tuple of LoadCase
+        The loads.
+    """
+
+    goal: str
+    values: dict[str, Any]
+    value: float
+    before: float
+    starts: tuple[Start, ...]
+    bands: tuple[Band, ...]
+    worst: str
+    case: Case
+    was: Case
+    loads: tuple[LoadCase, ...]
+    units: dict[str, str] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        what, unit = ("largest pressure", " MPa") if self.goal == PRESSURE else ("life, times that before", "")
+        said = [f"{what} {digits(self.value)}{unit}, before {digits(self.before)}{unit}"]
+        for path, value in self.values.items():
+            if isinstance(value, float):
+                said.append(f"{path} = {digits(value)} {self.units.get(path, '')}".rstrip())
+        said.append(f"{self.agreeing} of {len(self.starts)} starts came within 1 %")
+        said.append(f"worst: {self.worst}")
+        return plain_text("Design", said)
+
+    @property
+    def agreeing(self) -> int:
+        """How many starts have found the same goal within 1 %."""
+        return sum(abs(start.value - self.value) <= SAME * abs(self.value) for start in self.starts)
+
+    @cached_property
+    def relief(self) -> tuple[Array, Array, Array]:
+        """Positions along body a, its relief as it is best and as it was, all [mm]; nan where it has none."""
+        return relief_of(self.case, self.was)
+
+
+PLACES = 401
+
+
+def relief_of(case: Case, was: Case) -> tuple[Array, Array, Array]:
+    """Return positions along body a, its relief in one case and in another, all [mm]; nan where it has none."""
+    low, high = case.contact.interval
+    y = np.linspace(low, high, PLACES)
+    new, old = (each.contact.a.relief(y) + each.contact.b.relief(y) for each in (case, was))
+    return y, *(np.where(np.isfinite(each), each, np.nan) for each in (new, old))  # type: ignore[return-value]
+
+
+@dataclass(frozen=True)
+class Front:
+    """A Pareto front: no design has less of one pressure without more of the other.
+
+    Attributes
+    ----------
+    values : tuple of dict
+        The values of the paths of each point, from the best for the second group to the best for the first.
+    first, second : tuple of float
+        The largest pressures under both groups [MPa].
+    """
+
+    values: tuple[dict[str, Any], ...]
+    first: tuple[float, ...]
+    second: tuple[float, ...]
+
+
+def best(
+    case: Case | str | Path,
+    *,
+    vary: Mapping[str, Any] | None = None,
+    goal: str | None = None,
+    loads: Sequence[LoadCase] | None = None,
+    where: Mapping[str, Any] | None = None,
+    model: Model | None = None,
+    starts: int | None = None,
+    workers: int | None = None,
+    announce: Callable[[int, int], object] | None = None,
+) -> Design:
+    """Find the dimensions with which a contact has the least largest pressure, or the longest life.
+
+    Parameters
+    ----------
+    case : Case or str or Path
+        The case, or the file of a plan that names it and holds the other arguments; those given here come first.
+    vary : mapping
+        Lowest and highest value of every path that may be chosen, such as ``{"body.a.profile.drop": "2 um : 60 um"}``;
+        of a profile as a whole ``"free(60 um, 8)"``: one that only grows from the middle to both ends, by at most so
+        much, in so many steps.
+    goal : {"pressure", "life"}
+        The least largest pressure under any load (the default), or the longest life under all of them.
+    loads : sequence of LoadCase, optional
+        The loads with their shares of the revolutions; by default the spectrum of the case, or its load.
+    where : mapping, optional
+        What must hold under every load, such as ``{"approach": "at most 30 um"}``, for quantities of a solution.
+    model : Model, optional
+        The fatigue model of lives; Lundberg and Palmgren's if left out. One without a limit.
+    starts : int
+        Number of searches, 5 if left out: one from the case as it is, if it lies within the bounds, the others spread
+        between them.
+    workers : int, optional
+        Number of processes; all cores if left out. The result does not depend on it.
+    announce : callable, optional
+        Called with how many searches have ended, and how many there are.
+
+    Returns
+    -------
+    Design
+
+    Raises
+    ------
+    CaseError
+        If a file has mistakes.
+    InputError
+        If an argument is out of range, or no start finds a design that meets the limits.
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))
+    >>> case = nh.Case(nh.Contact(roller, nh.Plate()), {"load": 20e3, "tilt": 0.5e-3}, {"strips": 41})
+    >>> found = best(case, vary={"body.a.profile.radius": (2e3, 2e4)}, starts=2, workers=1)
+    >>> found.value < found.before, found.agreeing
+    (True, 2)
+    """
+    asked = _asked(case, vary, goal, loads, where, model, starts)
+    processes = thread_count(workers)
+    task, begins = asked.task, asked.begins()
+    was = task.template.case({})
+    assert isinstance(was, Case)
+    before = _judged_as_it_was(task, was)
+    crew = Here() if processes == 1 or len(begins) == 1 else Processes(min(processes, len(begins)))
+    ended: list[tuple[int, _Search | LostError]] = []
+    for (number, _, _), found in crew.run(_searched, [(number, task, x) for number, x in enumerate(begins)]):
+        ended.append((number, found))
+        if announce is not None:
+            announce(len(ended), len(begins))
+    return _result(task, was, before, [found for _, found in sorted(ended, key=lambda pair: pair[0])], crew)
+
+
+def front(
+    case: Case | str | Path,
+    *,
+    first: Sequence[LoadCase],
+    second: Sequence[LoadCase],
+    vary: Mapping[str, Any] | None = None,
+    points: int = POINTS,
+    starts: int | None = None,
+    workers: int | None = None,
+) -> Front:
+    """Find the Pareto front of the largest pressures under two groups of loads, aligned and misaligned ones, say.
+
+    Every point has the least largest pressure under the first group for which that under the second stays below a cap;
+    the caps are evenly spread between what is best for the second group and what comes of the best for the first.
+
+    Parameters
+    ----------
+    case, vary, starts, workers
+        As in `best`.
+    first, second : sequence of LoadCase
+        The groups; their shares have no effect.
+    points : int
+        Number of points, 3 to 50.
+
+    Returns
+    -------
+    Front
+
+    Raises
+    ------
+    CaseError, InputError
+        As `best`.
+    """
+    points = whole("points", points, 3, MOST_POINTS, "give the number of points")
+    groups = [_group(name, each) for name, each in (("first", first), ("second", second))]
+    ends = [best(case, vary=vary, goal=PRESSURE, loads=group, starts=starts, workers=workers) for group in groups]
+    asked = _asked(case, vary, PRESSURE, groups[0], None, None, starts)
+    every = (*groups[0], *groups[1])
+    free, held = (None,) * len(groups[0]), len(groups[1])
+    lowest, highest = ends[1].value, _largest(ends[0].case, groups[1])
+    caps = np.linspace(lowest, highest, points)[1:-1].tolist()
+    begins = [np.array(_shares(asked.task, end.values)) for end in ends]
+    tasks = [
+        (k, replace(asked.task, loads=every, caps=(*free, *(cap,) * held)), x)
+        for k, cap in enumerate(caps)
+        for x in begins
+    ]
+    processes = thread_count(workers)
+    crew: Any = Here() if processes == 1 else Processes(processes)
+    found: dict[int, list[_Search]] = {}
+    for (k, _, _), search in crew.run(_searched, tasks):
+        if isinstance(search, _Search) and math.isfinite(search.value) and search.least_margin >= -1e-3:
+            found.setdefault(k, []).append(search)
+    rows = [(ends[1].values, _largest(ends[1].case, groups[0]), lowest)]
+    for k in sorted(found):
+        chosen = min(found[k], key=lambda each: each.value)
+        case_there = asked.task.case(chosen.ended)
+        rows.append((asked.task.values(chosen.ended), chosen.value, _largest(case_there, groups[1])))
+    rows.append((ends[0].values, ends[0].value, highest))
+    return Front(*(tuple(column) for column in zip(*rows, strict=True)))  # type: ignore[arg-type]
+
+
+def _group(name: str, loads: Sequence[LoadCase]) -> tuple[LoadCase, ...]:
+    found = listed(name, loads, "be loads", "give a list of nonhertz.life.LoadCase")
+    if not found or not all(isinstance(each, LoadCase) for each in found):
+        raise InputError(name, loads, "be loads", "give a list of nonhertz.life.LoadCase")
+    return tuple(replace(each, share=1.0 / len(found)) for each in found)
+
+
+def _largest(case: Case, loads: Sequence[LoadCase]) -> float:
+    with warnings.catch_warnings(), interpolated_shapes():
+        warnings.simplefilter("ignore", AccuracyWarning)
+        return max(solve(case.contact, load=each.load, tilt=each.tilt, **case.solver).max_pressure for each in loads)
+
+
+def _shares(task: Task, values: Mapping[str, Any]) -> list[float]:
+    """Return the variables of values."""
+    given = {path: iter(value) if isinstance(value, list) else iter([value]) for path, value in values.items()}
+    return [each.share(next(given[each.path])) for each in task.variables]
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """What is asked of a design, checked."""
+
+    task: Task
+    starts: int
+
+    def begins(self) -> list[Array]:
+        """Return where the searches begin: at the case as it is, and spread between the bounds."""
+        from scipy.stats import qmc
+
+        count = len(self.task.variables)
+        now = self._now()
+        spread = qmc.Sobol(count, rng=np.random.default_rng(1)).random_base2(math.ceil(math.log2(self.starts + 1)))
+        found = [] if now is None else [now]
+        return [*found, *(self._allowed(point) for point in spread[: self.starts - len(found)])]
+
+    def _now(self) -> Array | None:
+        """Return the case as it is; None if it lies outside the bounds, or does not say."""
+        from nonhertz.io.units import in_unit
+
+        found = []
+        for variable in self.task.variables:
+            parameter = self.task.template.known[variable.path]
+            value = parameter.value_in(self.task.template.document)
+            number = in_unit(variable.path, value, parameter.unit or "") if variable.form is None else None
+            if not isinstance(number, float) or not variable.low <= number <= variable.high:
+                return None
+            found.append(variable.share(number))
+        return np.array(found)
+
+    def _allowed(self, point: Array) -> Array:
+        """Return a start whose increments of free profiles add up to no more than they may."""
+        x = 0.05 + 0.9 * point
+        for path in {each.path for each in self.task.variables if each.form is not None}:
+            at = [k for k, each in enumerate(self.task.variables) if each.path == path]
+            # More towards the ends, as profiles are, and between a tenth and half of the deepest in all.
+            x[at] = (0.3 + x[at]) * np.linspace(0.1, 1.0, len(at)) ** 2
+            x[at] *= math.sqrt(0.1 + 0.4 * float(point[at[0]])) / np.linalg.norm(x[at])
+        return x
+
+
+def _asked(
+    case: object,
+    vary: Mapping[str, Any] | None,
+    goal: str | None,
+    loads: Sequence[LoadCase] | None,
+    where: Mapping[str, Any] | None,
+    model: Model | None,
+    starts: int | None,
+) -> _Asked:
+    plan: dict[str, Any] = {}
+    if isinstance(case, str | Path):
+        case, plan = read_design(case)
+    if not isinstance(case, Case):
+        remedy = "read one with nonhertz.read_case; a bearing is swept over"
+        raise InputError("case", case, "be a case of a single contact", remedy)
+    given = {"vary": vary, "goal": goal, "loads": loads, "where": where, "model": model, "starts": starts}
+    plan |= {name: value for name, value in given.items() if value is not None}
+    template = Template(case.document, case.path, is_bearing=False)
+    chosen = plan.get("goal", PRESSURE)
+    one_of("goal", chosen, GOALS, "say what is to be best")
+    fatigue = plan.get("model") or lundberg_palmgren()
+    if chosen == LIFE:
+        from nonhertz.study.lives import damage
+
+        damage(fatigue)  # refuses models with a limit
+    task = Task(
+        template,
+        _variables(template, plan.get("vary", {})),
+        _loads(case, plan.get("loads")),
+        chosen,
+        fatigue,
+        refuse_unlimited(_mapping("where", plan.get("where", {}))),
+    )
+    count = whole("starts", plan.get("starts", STARTS), 1, MOST_STARTS, "give the number of searches")
+    return _Asked(task, count)
+
+
+def _mapping(name: str, value: object) -> Mapping[str, Any]:
+    if not isinstance(value, Mapping) or not all(isinstance(each, str) for each in value):
+        raise InputError(name, value, "be a dictionary", "map paths or names to what they may be")
+    return value
+
+
+def _variables(template: Template, vary: object) -> tuple[Variable, ...]:
+    found: list[Variable] = []
+    for path, given in _mapping("vary", vary).items():
+        which = parameter(path, template.known)
+        form = free_form_in(path, given)
+        if form is not None:
+            found += [Variable(path, 0.0, 1.0, form)] * form.knots
+            continue
+        found.append(Variable(path, *bounds_in(which, given)))
+        for end in (found[-1].low, found[-1].high):
+            with _refused_as(path, given, end):
+                template.case({path: end})
+    if not found:
+        raise InputError("vary", vary, "name a path", 'write {"body.a.profile.drop": "2 um : 60 um"}, say')
+    return tuple(found)
+
+
+@contextlib.contextmanager
+def _refused_as(path: str, given: Any, end: float) -> Any:
+    try:
+        yield
+    except NonhertzError as error:
+        condition = f"stay within what the case allows (at {end:.6g}: {str(error).rstrip('.')})"
+        raise InputError(path, given, condition, "give closer bounds") from None
+
+
+def _loads(case: Case, loads: object) -> tuple[LoadCase, ...]:
+    if loads is None:
+        if case.life.spectrum:
+            return case.life.spectrum
+        if "load" not in case.prescribed or "moment" in case.prescribed:
+            remedy = "give loads, each with a tilt"
+            raise InputError("case", sorted(case.prescribed), "have a load, and no moment, for a design", remedy)
+        return (LoadCase(load=case.prescribed["load"], share=1.0, tilt=case.prescribed.get("tilt", 0.0)),)
+    remedy = "give a list of nonhertz.life.LoadCase"
+    found: list[LoadCase] = listed("loads", loads, "be loads", remedy)  # type: ignore[arg-type]
+    if not found or not all(isinstance(each, LoadCase) for each in found):
+        raise InputError("loads", loads, "be loads", remedy)
+    total = math.fsum(each.share for each in found)
+    if abs(total - 1.0) > WHOLE:
+        raise InputError("loads", round(total, 6), "have shares that add up to 1", "give each its share")
+    return tuple(found)
+
+
+def _judged_as_it_was(task: Task, was: Case) -> Judged | None:
+    """Return the case as it was under all loads; None if a load has no solution."""
+    try:
+        return Task(task.template, (), task.loads, task.goal, task.model, task.limits).at(np.zeros(0))
+    except NonhertzError:
+        return None
+
+
+@dataclass(frozen=True)
+class _Search:
+    """How a search has ended."""
+
+    begun: Array
+    ended: Array
+    value: float
+    history: tuple[float, ...]
+    least_margin: float
+    failure: str = ""
+
+
+def _searched(given: tuple[int, Task, Array]) -> _Search:
+    """Search from one start; called in other processes."""
+    _, task, x = given
+    return _Searching(task).run(x)
+
+
+class _Searching:
+    """A search, which remembers the point that it looked at last and the best one."""
+
+    def __init__(self, task: Task) -> None:
+        self._task = task
+        self._at: tuple[bytes, Judged | None] = (b"", None)
+        self._best: tuple[float, Array, float] | None = None
+        self._history: list[float] = []
+
+    def run(self, begun: Array) -> _Search:
+        """Return how it ends."""
+        if self._judged(begun) is None:
+            return _Search(begun, begun, math.nan, (), -math.inf, _why(self._task, begun))
+        (self._for_pressure if self._task.goal == PRESSURE else self._for_life)(begun)
+        assert self._best is not None
+        value, x, margin = self._best
+        return _Search(begun, x, value, tuple(self._history), margin)
+
+    def _judged(self, x: Array) -> Judged | None:
+        key = x.tobytes()
+        if self._at[0] != key:
+            judged = point_or_none(self._task, np.clip(x, 0.0, 1.0))
+            self._at = key, judged
+            if judged is not None:
+                self._note(judged)
+        return self._at[1]
+
+    def _note(self, judged: Judged) -> None:
+        margin = judged.spare
+        value = judged.value
+        self._history.append(value)
+        # A point that meets all limits is better than any that does not; noise of 1e-6 counts as met.
+        rank = (min(margin + 1e-6, 0.0), -value)
+        if self._best is None or rank > (min(self._best[2] + 1e-6, 0.0), -self._best[0]):
+            self._best = value, judged.x.copy(), margin
+
+    def _for_life(self, begun: Array) -> None:
+        from scipy.optimize import minimize
+
+        def value(x: Array) -> float:
+            judged = self._judged(x)
+            return _BAD if judged is None else math.log(judged.damage / self._scale)
+
+        def slope(x: Array) -> Array:
+            judged = self._judged(x)
+            return np.zeros(x.size) if judged is None else judged.slope_of_damage()
+
+        first = self._judged(begun)
+        assert first is not None
+        self._scale = first.damage
+        minimize(
+            value, begun, jac=slope, method="SLSQP", bounds=[(0.0, 1.0)] * begun.size,
+            constraints=self._limits(begun.size, 0), options={"maxiter": STEPS, "ftol": CLOSE},
+        )  # fmt: skip
+
+    def _for_pressure(self, begun: Array) -> None:
+        from scipy.optimize import minimize
+
+        first = self._judged(begun)
+        assert first is not None
+        scale = math.log(first.largest[0])
+        count = begun.size
+
+        def rows(z: Array) -> Array:
+            judged = self._judged(z[:count])
+            found = np.full(self._rows, z[-1] - _BAD)
+            if judged is not None:
+                peaks = judged.peaks()
+                found[: len(peaks)] = [top(number, z[-1]) - each for number, _, each in peaks]
+                found[len(peaks) :] = found[: len(peaks)].max()
+            return found
+
+        def top(number: int, t: float) -> float:
+            cap = self._task.cap(number)
+            return t + scale if cap is None else math.log(cap)
+
+        def slopes(z: Array) -> Array:
+            judged = self._judged(z[:count])
+            found = np.zeros((self._rows, count + 1))
+            if judged is not None:
+                peaks = judged.peaks()
+                found[: len(peaks), :count] = -judged.slopes_of_peaks(peaks)
+                found[: len(peaks), -1] = [self._task.cap(number) is None for number, _, _ in peaks]
+                # A zone without contact has no peak: its row repeats one that is met.
+                met = int(np.argmax([top(number, z[-1]) - each for number, _, each in peaks]))
+                found[len(peaks) :] = found[met]
+            return found
+
+        self._rows = self._task.zones * len(self._task.loads)
+        goal = np.zeros(count + 1)
+        goal[-1] = 1.0
+        minimize(
+            lambda z: float(z[-1]), np.append(begun, 0.0), jac=lambda z: goal, method="SLSQP",
+            bounds=[(0.0, 1.0)] * count + [(None, None)],
+            constraints=[{"type": "ineq", "fun": rows, "jac": slopes}, *self._limits(count, 1)],
+            options={"maxiter": STEPS, "ftol": CLOSE},
+        )  # fmt: skip
+
+    def _limits(self, count: int, more: int) -> list[dict[str, Any]]:
+        """Return the constraints, of variables and of so many more unknowns."""
+        found: list[dict[str, Any]] = []
+        for path in dict.fromkeys(each.path for each in self._task.variables if each.form is not None):
+            mine = np.array([each.path == path for each in self._task.variables] + [False] * more)
+            found.append(
+                {
+                    "type": "ineq",
+                    "fun": lambda z, mine=mine: 1.0 - float(np.sum(z[mine] ** 2)),
+                    "jac": lambda z, mine=mine: np.where(mine, -2.0 * z, 0.0),
+                }
+            )
+        if self._task.limits:
+            size = sum((limit.most is not None) + (limit.least is not None) for limit in self._task.limits)
+            rows = size * len(self._task.loads)
+
+            def margins(z: Array) -> Array:
+                judged = self._judged(z[:count])
+                return np.full(rows, -1.0) if judged is None else judged.margins()
+
+            def slopes(z: Array) -> Array:
+                judged = self._judged(z[:count])
+                exact = None if judged is None else judged.slopes_of_margins()
+                by_x = self._differences(z[:count], rows) if exact is None else exact
+                return np.hstack([by_x, np.zeros((rows, more))])
+
+            found.append({"type": "ineq", "fun": margins, "jac": slopes})
+        return found
+
+    def _differences(self, x: Array, rows: int) -> Array:
+        """Return derivatives of margins that have no gradient, by differences."""
+        found = np.zeros((rows, x.size))
+        here = self._judged(x)
+        for k in range(x.size if here is not None else 0):
+            moved = x.copy()
+            moved[k] += 0.01 if x[k] < 0.5 else -0.01
+            there = point_or_none(self._task, moved)
+            if there is not None and here is not None:
+                found[:, k] = (there.margins() - here.margins()) / (moved[k] - x[k])
+        return found
+
+
+def _why(task: Task, x: Array) -> str:
+    try:
+        task.at(x)
+    except NonhertzError as error:
+        return str(error)
+    return "It could not be solved."
+
+
+def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], crew: Any) -> Design:
+    good = [each for each in found if isinstance(each, _Search) and math.isfinite(each.value)]
+    met = [each for each in good if each.least_margin >= -1e-4]
+    if not good:
+        why = next((each.failure for each in found if isinstance(each, _Search)), "no process came back")
+        raise InputError("vary", list(task.template.known)[:0], f"allow a design, but {why.rstrip('.')}", "widen it")
+    if not met:
+        nearest = max(good, key=lambda each: each.least_margin)
+        names = ", ".join(limit.name for limit in task.limits)
+        short = f"by {100.0 * -nearest.least_margin:.3g} %"
+        raise InputError("where", names, f"be possible, but every start falls short, {short} at least", "relax a limit")
+    chosen = min(met, key=lambda each: each.value)
+    judged = task.at(chosen.ended)
+    reference = before.damage if before is not None and task.goal == LIFE else math.nan
+    goal = (lambda value: value) if task.goal == PRESSURE else (lambda value: reference / value)
+    starts = []
+    for each in found:
+        if isinstance(each, LostError):
+            starts.append(Start({}, {}, math.nan, (), False, str(each)))
+            continue
+        values, ended = task.values(each.begun), task.values(each.ended)
+        history = tuple(goal(value) for value in each.history)
+        starts.append(Start(values, ended, goal(each.value), history, each.least_margin >= -1e-4, each.failure))
+    starts.sort(key=lambda start: (math.isnan(start.value), start.value if task.goal == PRESSURE else -start.value))
+    if task.goal == PRESSURE:
+        worst = named_loads(task.loads)[judged.largest[1]]
+    else:
+        parts = np.array([each.share for each in task.loads]) * judged.damages
+        number = int(np.argmax(parts))
+        worst = f"{named_loads(task.loads)[number]}, {100.0 * parts[number] / parts.sum():.3g} % of the damage"
+    units = {each.path: task.template.known[each.path].unit or "" for each in task.variables}
+    return Design(
+        task.goal, task.values(chosen.ended), goal(judged.value),
+        before.value if task.goal == PRESSURE and before is not None else (1.0 if before is not None else math.nan),
+        tuple(starts), _bands(task, judged, crew), worst, judged.case, was, task.loads, units,
+    )  # fmt: skip
+
+
+def _bands(task: Task, judged: Judged, crew: Any) -> tuple[Band, ...]:
+    """Return how far each variable may go at each cost."""
+    asked = [
+        (task, judged.x, judged.value, k, cost)
+        for k, variable in enumerate(task.variables)
+        if variable.form is None
+        for cost in COSTS
+    ]
+    found = {(given[3], given[4]): band for given, band in crew.run(_band, asked) if isinstance(band, Band)}
+    return tuple(found[key] for key in sorted(found))
+
+
+def _band(given: tuple[Task, Array, float, int, float]) -> Band:
+    """Return how far a variable may go; called in other processes."""
+    task, x, value, k, cost = given
+    variable = task.variables[k]
+    # A life that is shorter by a cost is a damage that is larger by it.
+    allowed = value * (1.0 + cost) if task.goal == PRESSURE else value / (1.0 - cost)
+
+    def worse(share: float) -> bool:
+        moved = x.copy()
+        moved[k] = share
+        there = point_or_none(task, moved)
+        return there is None or there.value > allowed
+
+    def reach(end: float) -> float:
+        if abs(end - x[k]) < BAND_CLOSE or not worse(end):
+            return end
+        inside, outside = float(x[k]), end
+        for _ in range(BAND_STEPS):
+            if abs(outside - inside) < BAND_CLOSE:
+                break
+            middle = 0.5 * (inside + outside)
+            inside, outside = (inside, middle) if worse(middle) else (middle, outside)
+        return 0.5 * (inside + outside)
+
+    return Band(variable.path, cost, variable.value(reach(0.0)), variable.value(reach(1.0)))

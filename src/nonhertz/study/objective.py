@@ -1,0 +1,374 @@
+"""What a design is judged by: numbers of all its loads and their derivatives, at a point of its variables.
+
+Variables run from 0 to 1 between their bounds: in proportion, or, where the bounds are far apart, in their logarithm.
+Derivatives come from one adjoint solve for each number (`nonhertz.Solution.gradient`); of a profile, by what a step of
+the variable changes of the relief under every strip.
+"""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.bodies.whole_roller import interpolated_shapes
+from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
+from nonhertz.io.casefile import Case
+from nonhertz.io.free_forms import FreeForm
+from nonhertz.io.planfile import Template
+from nonhertz.life import LoadCase, Model
+from nonhertz.result.gradient import Gradient
+from nonhertz.result.measures import PressureAt
+from nonhertz.result.solution import Solution
+from nonhertz.solver.one import solve
+from nonhertz.study.lives import damage
+
+Array = NDArray[np.float64]
+
+WIDE = 10.0  # ratio of bounds from which a variable is taken in its logarithm
+STEP = 1e-4  # of a variable, for what it changes of the bodies
+FEWEST_ZONES, ZONES_PER_VARIABLE = 3, 2  # of the contact: the largest pressure of each is looked at
+PRESSURE, LIFE = "pressure", "life"
+GOALS = (PRESSURE, LIFE)
+_WITH_GRADIENT = ("approach", "load", "moment", "max_pressure", "max_half_width")
+
+
+@dataclass(frozen=True)
+class Variable:
+    """Something that a design may choose: a number between bounds, or an increment of a free profile.
+
+    Attributes
+    ----------
+    path : str
+        The path of the number, or that of the profile.
+    low, high : float
+        Bounds, in the base unit.
+    form : FreeForm or None
+        The free profile.
+    """
+
+    path: str
+    low: float
+    high: float
+    form: FreeForm | None = None
+
+    @property
+    def logarithmic(self) -> bool:
+        """Whether the variable is taken in its logarithm."""
+        return self.form is None and self.low > 0.0 and self.high > WIDE * self.low
+
+    def value(self, share: float) -> float:
+        """Return the number at a share of the way between the bounds."""
+        if self.logarithmic:
+            return self.low * (self.high / self.low) ** share
+        return self.low + (self.high - self.low) * share
+
+    def share(self, value: float) -> float:
+        """Return where a number lies between the bounds."""
+        if self.logarithmic:
+            return math.log(value / self.low) / math.log(self.high / self.low)
+        return (value - self.low) / (self.high - self.low)
+
+
+@dataclass(frozen=True)
+class Limit:
+    """What a quantity must be under every load.
+
+    Attributes
+    ----------
+    name : str
+        The quantity of a solution.
+    most : float or None
+        At most this, in its base unit.
+    least : float or None
+        At least this.
+    """
+
+    name: str
+    most: float | None = None
+    least: float | None = None
+
+
+@dataclass(frozen=True)
+class Task:
+    """A design's question, in a form that can be sent to other processes.
+
+    Attributes
+    ----------
+    template : Template
+        The case.
+    variables : tuple of Variable
+        What may be chosen.
+    loads : tuple of LoadCase
+        The loads, with their shares of the revolutions.
+    goal : {"pressure", "life"}
+        The least largest pressure, or the longest life.
+    model : Model
+        The fatigue model of lives.
+    limits : tuple of Limit
+        What must hold.
+    caps : tuple of float or None
+        The most pressure that each load may have [MPa]; None of those whose pressure is the goal, as all are if empty.
+    """
+
+    template: Template
+    variables: tuple[Variable, ...]
+    loads: tuple[LoadCase, ...]
+    goal: str
+    model: Model
+    limits: tuple[Limit, ...] = ()
+    caps: tuple[float | None, ...] = ()
+
+    @property
+    def zones(self) -> int:
+        """Into how many zones a contact is divided: more than variables, so that peaks cannot hide between them."""
+        return max(FEWEST_ZONES, ZONES_PER_VARIABLE * len(self.variables) + 1)
+
+    def cap(self, number: int) -> float | None:
+        """Return the most pressure that a load may have [MPa]; None of one whose pressure is the goal."""
+        return self.caps[number] if self.caps else None
+
+    def values(self, x: Array) -> dict[str, Any]:
+        """Return the value of each path; of a free profile its increments."""
+        found: dict[str, Any] = {}
+        for variable, share in zip(self.variables, x.tolist(), strict=True):
+            if variable.form is None:
+                found[variable.path] = variable.value(share)
+            else:
+                found.setdefault(variable.path, []).append(variable.value(share))
+        return found
+
+    def document(self, x: Array) -> dict[str, Any]:
+        """Return the document of the case at a point."""
+        document, forms = self.template.document, {each.path: each.form for each in self.variables}
+        for path, value in self.values(x).items():
+            parameter, form = self.template.known[path], forms[path]
+            given = value if form is None else form.tables(document, parameter.keys, value)
+            document = parameter.put(document, given)
+        return document
+
+    def case(self, x: Array) -> Case:
+        """Return the case at a point.
+
+        Raises
+        ------
+        CaseError
+            If no file could hold it.
+        """
+        found = self.template.of_document(self.document(x))
+        assert isinstance(found, Case)
+        return found
+
+    def at(self, x: Array) -> Judged:
+        """Return the case under all loads at a point.
+
+        Raises
+        ------
+        NonhertzError
+            If the case is not allowed, or a load has no solution.
+        """
+        case = self.case(x)
+        with warnings.catch_warnings(), interpolated_shapes():
+            warnings.simplefilter("ignore", AccuracyWarning)
+            solutions = tuple(solve(case.contact, load=each.load, tilt=each.tilt, **case.solver) for each in self.loads)
+        return Judged(self, x.copy(), case, solutions)
+
+
+@dataclass(frozen=True, eq=False)
+class Judged:
+    """A point of a design under all its loads."""
+
+    task: Task
+    x: Array
+    case: Case
+    solutions: tuple[Solution, ...]
+    _known: dict[tuple[int, str], Array] = field(default_factory=dict)
+
+    @property
+    def value(self) -> float:
+        """What is made small: the largest pressure [MPa], or the damage by which lives shorten."""
+        return self.largest[0] if self.task.goal == PRESSURE else self.damage
+
+    @property
+    def largest(self) -> tuple[float, int]:
+        """The largest pressure of all loads [MPa], and the number of the load."""
+        pressures = [
+            each.max_pressure if self.task.cap(number) is None else 0.0 for number, each in enumerate(self.solutions)
+        ]
+        return max(pressures), int(np.argmax(pressures))
+
+    @property
+    def damages(self) -> Array:
+        """What each load takes of the life per revolution of it, in any unit, shape (loads,)."""
+        measure = damage(self.task.model)
+        return np.array([measure.partials(each).value for each in self.solutions]) ** (1.0 / self.task.model.slope)
+
+    @property
+    def damage(self) -> float:
+        """What a revolution takes of the life, in any unit."""
+        return float(np.dot([each.share for each in self.task.loads], self.damages))
+
+    def peaks(self) -> list[tuple[int, float, float]]:
+        """Return number of the load, position and logarithm of the largest pressure of every zone."""
+        found = []
+        for number, solution in enumerate(self.solutions):
+            touching = np.flatnonzero(solution.centre_pressure > 0.0)
+            for zone in np.array_split(touching, self.task.zones):
+                if zone.size:
+                    at = int(zone[np.argmax(solution.centre_pressure[zone])])
+                    found.append((number, float(solution.y[at]), math.log(solution.centre_pressure[at])))
+        return found
+
+    def slopes_of_peaks(self, peaks: Sequence[tuple[int, float, float]]) -> Array:
+        """Return the derivatives of the logarithms of peaks by the variables, shape (peaks, variables)."""
+        return np.array([self.slopes(number, PressureAt(y)) / math.exp(value) for number, y, value in peaks])
+
+    def slope_of_damage(self) -> Array:
+        """Return the derivatives of the logarithm of the damage by the variables, shape (variables,)."""
+        measure, exponent = damage(self.task.model), 1.0 / self.task.model.slope
+        total = np.zeros(len(self.task.variables))
+        for number, (load, each) in enumerate(zip(self.task.loads, self.damages.tolist(), strict=True)):
+            value = measure.partials(self.solutions[number]).value
+            total += load.share * each * exponent / value * self.slopes(number, measure)
+        return total / self.damage
+
+    def slopes(self, number: int, quantity: Any) -> Array:
+        """Return the derivatives of a number of one load by the variables, shape (variables,)."""
+        gradient = self.solutions[number].gradient(quantity, holding=("load", "tilt"))
+        return np.array([self._by(gradient, number, k) for k in range(len(self.task.variables))])
+
+    def _by(self, gradient: Gradient, number: int, k: int) -> float:
+        variable = self.task.variables[k]
+        if ".profile" not in variable.path:
+
+            def family(share: float) -> Any:
+                moved = self.x.copy()
+                moved[k] = share
+                return self.task.case(moved).contact
+
+            with interpolated_shapes():
+                return gradient.along(family, float(self.x[k]), STEP)
+        return float(gradient.relief @ self._relief(number, k))
+
+    def _relief(self, number: int, k: int) -> Array:
+        """Return what a variable of a profile changes of the separation at the strips of a load."""
+        key = number, str(k)
+        if key not in self._known:
+            y = self.solutions[number].y
+            ends = self._stepped[k]
+            with np.errstate(invalid="ignore"):
+                change = (ends[1].separation_at(y) - ends[0].separation_at(y)) / ends[2]
+            self._known[key] = np.where(np.isfinite(change), change, 0.0)
+        return self._known[key]
+
+    @cached_property
+    def _stepped(self) -> dict[int, tuple[Any, Any, float]]:
+        """The contact a step below and above in each variable of a profile, and the distance."""
+        found = {}
+        for k, variable in enumerate(self.task.variables):
+            if ".profile" in variable.path:
+                low, high = max(self.x[k] - STEP, 0.0), min(self.x[k] + STEP, 1.0)
+                contacts = []
+                for share in (low, high):
+                    moved = self.x.copy()
+                    moved[k] = share
+                    contacts.append(self.task.case(moved).contact)
+                found[k] = contacts[0], contacts[1], float(high - low)
+        return found
+
+    def margins(self) -> Array:
+        """Return how far every limit is met under every load, over the limit; negative where it is not met."""
+        found = []
+        for limit in self.task.limits:
+            for solution in self.solutions:
+                value = _quantity(solution, limit.name)
+                if limit.most is not None:
+                    found.append((limit.most - value) / abs(limit.most))
+                if limit.least is not None:
+                    found.append((value - limit.least) / abs(limit.least))
+        return np.array(found)
+
+    @property
+    def spare(self) -> float:
+        """By how much the tightest limit or cap is met, over itself; infinite if there is none."""
+        caps = [(cap - each.max_pressure) / cap for each, cap in self._capped()]
+        return float(min((*self.margins(), *caps), default=math.inf))
+
+    def _capped(self) -> list[tuple[Solution, float]]:
+        found = ((each, self.task.cap(number)) for number, each in enumerate(self.solutions))
+        return [(each, cap) for each, cap in found if cap is not None]
+
+    def slopes_of_margins(self) -> Array | None:
+        """Return the derivatives of the margins, shape (margins, variables); None if a quantity has no gradient."""
+        if any(limit.name not in _WITH_GRADIENT for limit in self.task.limits):
+            return None
+        found = []
+        for limit in self.task.limits:
+            for number in range(len(self.solutions)):
+                slopes = self.slopes(number, limit.name)
+                if limit.most is not None:
+                    found.append(-slopes / abs(limit.most))
+                if limit.least is not None:
+                    found.append(slopes / abs(limit.least))
+        return np.array(found).reshape(-1, len(self.task.variables))
+
+
+def _quantity(solution: Solution, name: str) -> float:
+    from nonhertz.result.quantities import QUANTITIES
+
+    return float(QUANTITIES[name].get(solution))
+
+
+def point_or_none(task: Task, x: Array) -> Judged | None:
+    """Return a point judged; None where the case is not allowed or has no solution."""
+    try:
+        return task.at(x)
+    except NonhertzError:
+        return None
+
+
+def named_loads(loads: Sequence[LoadCase]) -> list[str]:
+    """Return each load in words."""
+    from nonhertz.result.numerals import given
+
+    return [f"{given(each.load)} N at {given(1e3 * each.tilt)} mrad" for each in loads]
+
+
+def refuse_unlimited(limits: Mapping[str, Any]) -> tuple[Limit, ...]:
+    """Return limits of texts such as ``"at most 30 um"``, by quantity.
+
+    Raises
+    ------
+    InputError
+        If there is no such quantity, or the text is not a limit.
+    """
+    from nonhertz.io.mistakes import nearest
+    from nonhertz.io.ranges import number_in
+    from nonhertz.result.quantities import QUANTITIES
+
+    found = []
+    for name, given in limits.items():
+        if name not in QUANTITIES:
+            match = nearest(str(name), QUANTITIES)
+            remedy = f"the nearest is '{match}'" if match else f"choose from {', '.join(QUANTITIES)}"
+            raise InputError(str(name), given, "be a limit of a quantity", remedy)
+        if isinstance(given, Limit):
+            found.append(given)
+            continue
+        kind = next((word for word in ("at most", "at least") if str(given).strip().startswith(word)), None)
+        if kind is None:
+            remedy = "write 'at most 30 um' or 'at least 500000', say"
+            raise InputError(str(name), given, "begin with 'at most' or 'at least'", remedy)
+        unit = QUANTITIES[name].unit
+        unit = unit if unit in {"mm", "N", "MPa", "rad", "N mm"} else ""
+        number = number_in(str(name), str(given).strip().removeprefix(kind), unit)
+        if number == 0.0:
+            raise InputError(str(name), given, "not be zero", "give a number that a margin can be taken of")
+        found.append(Limit(name, most=number) if kind == "at most" else Limit(name, least=number))
+    return tuple(found)
