@@ -8,7 +8,7 @@ from typing import Any
 
 from nonhertz.errors import CaseError, ConvergenceError, InputError
 from nonhertz.io.casefile import case_in, case_text, holds_bearing, parsed
-from nonhertz.io.planfile import holds_plan, plan_in
+from nonhertz.io.planfile import DESIGN, design_in, holds_plan, plan_in
 
 _UNITS = {
     **dict.fromkeys(("load", "radial", "axial"), "N"),
@@ -71,6 +71,8 @@ def _plan(document: dict[str, Any], path: Path) -> str:
                 said.append(f"{what}{rows} over {', '.join(plan.over)}")
         except InputError as error:
             raise CaseError([str(error)], [error.field]) from None
+    if DESIGN in document:
+        said.append(f"a design over {', '.join(design_in(document, path)[1]['vary'])}")
     return f"{plan.title!r}, {' and '.join(said) or 'which varies nothing'}"
 
 

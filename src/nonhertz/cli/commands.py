@@ -446,6 +446,47 @@ def contact_map(
     return FINE
 
 
+@app.command
+def design(
+    plan: Path,
+    /,
+    *,
+    starts: int | None = None,
+    out: Path | None = None,
+    workers: int | None = None,
+    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+) -> int:
+    """Find the profile or the dimensions with the least largest pressure, or the longest life.
+
+    Parameters
+    ----------
+    plan : Path
+        The plan file, with tables vary and design.
+    starts : int
+        Number of searches, each from another place; by default that of the plan, or 5.
+    out : Path
+        Directory for case.toml (the case as it is best), profile.csv, design.json and the figures; by default the
+        file's name with '-design', in the current directory.
+    workers : int
+        Number of processes; by default one for each core.
+    as_json : bool
+        Print one JSON object instead of the tables.
+    """
+    from nonhertz.cli.design import as_json as json_text
+    from nonhertz.cli.design import designed, directory_for, print_design, written
+    from nonhertz.io.folder import refuse_unwritable
+
+    directory = directory_for(plan) if out is None else out
+    refuse_unwritable(directory)
+    found = designed(plan, starts, workers)
+    files = written(found, directory)
+    if as_json:
+        print(json_text(found, files))
+    else:
+        print_design(found, files)
+    return FINE
+
+
 @app.command(name="sweep")
 def sweep_plan(
     plan: Path,

@@ -3,15 +3,23 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
 
 from nonhertz.io.spreads import Distribution, Spread
 from nonhertz.result.numerals import digits, given
 from nonhertz.show.summary import Row
+from nonhertz.study.design import Design
 from nonhertz.study.sweeps import Sweep
 from nonhertz.study.tolerances import Tolerance
 
 QUANTILE_COLUMNS = ("", "share", "below", "", "95 % certain between")
 INDEX_COLUMNS = ("share of the variance due to", "alone", "in total", "")
+BAND_COLUMNS = ("as good within", "from", "to", "")
+START_COLUMNS = ("searches", "looked at", "from", "to")
+SMALL = 0.5  # mm, below which people read micrometres
 SWEEP_COLUMNS = ("", "smallest", "largest", "")
 
 
@@ -102,3 +110,56 @@ def _ends(spread: Spread, unit: str) -> str:
     if len(spread) == 1:
         return f"{given(float(spread[0]))} {unit}".rstrip()
     return f"{given(float(spread[0]))} to {given(float(spread[-1]))} {unit}".rstrip()
+
+
+def design_rows(found: Design) -> list[Row]:
+    """Return the goal before and after, what is best, and the worst load."""
+    if found.goal == "pressure":
+        before = f"{digits(found.before)} MPa" if math.isfinite(found.before) else "no solution"
+        rows = [("largest pressure", f"{digits(found.value)} MPa", f"before: {before}")]
+    else:
+        rows = [("life", f"{digits(found.value)} times that before", "")]
+    for path, value in found.values.items():
+        if isinstance(value, float):
+            rows.append((path, _of_path(found, path, value), ""))
+        else:
+            deepest = float(np.nanmax(found.relief[1]))
+            rows.append((path, "free", f"{len(value)} steps, up to {digits(1e3 * deepest)} um"))
+    agreeing = f"{found.agreeing} of {len(found.starts)}"
+    return [*rows, ("worst load", found.worst, ""), ("searches that agree", agreeing, "within 1 %")]
+
+
+def band_rows(found: Design) -> list[tuple[str, ...]]:
+    """Return the cells of `BAND_COLUMNS`: between which values each variable may lie at a cost."""
+    return [
+        (
+            f"{100.0 * band.cost:g} %",
+            _of_path(found, band.path, band.low),
+            _of_path(found, band.path, band.high),
+            band.path,
+        )
+        for band in found.bands
+    ]
+
+
+def start_rows(found: Design) -> list[tuple[str, ...]]:
+    """Return the cells of `START_COLUMNS`: what every search has found, from where, and in how many points."""
+    unit = " MPa" if found.goal == "pressure" else ""
+    rows: list[tuple[str, ...]] = []
+    for start in found.starts:
+        value = f"{digits(start.value)}{unit}" if math.isfinite(start.value) else f"failed: {start.failure}"
+        short = "" if start.meets or not math.isfinite(start.value) else ", limits not met"
+        rows.append(
+            (value + short, f"{len(start.history)} points", _values(found, start.begun), _values(found, start.ended))
+        )
+    return rows
+
+
+def _values(found: Design, values: Mapping[str, Any]) -> str:
+    return ", ".join(_of_path(found, path, value) for path, value in values.items() if isinstance(value, float))
+
+
+def _of_path(found: Design, path: str, value: float) -> str:
+    unit = found.units.get(path, "")
+    factor, shown = (1e3, "um") if unit == "mm" and abs(value) < SMALL else (1.0, unit)
+    return f"{digits(factor * value, 4)} {shown}".rstrip()

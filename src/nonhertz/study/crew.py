@@ -42,6 +42,9 @@ class Crew(Protocol):
     def run(self, solve: Callable[[Given], Found], each: Iterable[Given]) -> Iterator[tuple[Given, Found | LostError]]:
         """Yield what is given with what is found of it, in the order in which it is found."""
 
+    def close(self) -> None:
+        """Let processes end."""
+
 
 class Here:
     """The process that calls."""
@@ -51,9 +54,12 @@ class Here:
         for given in each:
             yield given, solve(given)
 
+    def close(self) -> None:
+        """Do nothing."""
+
 
 class Processes:
-    """Processes on this machine.
+    """Processes on this machine, which wait for more work until they are closed.
 
     Parameters
     ----------
@@ -63,18 +69,28 @@ class Processes:
 
     def __init__(self, workers: int) -> None:
         self._workers = workers
+        self._open = contextlib.ExitStack()
+        self._pool: ProcessPoolExecutor | None = None
+
+    def close(self) -> None:
+        """Let processes end."""
+        self._pool = None
+        self._open.close()
 
     def run(self, solve: Callable[[Given], Found], each: Iterable[Given]) -> Iterator[tuple[Given, Found | LostError]]:
         """Yield what is given with what is found of it, in the order in which it is found."""
         source, left = iter(each), True
         while left:
             lost: list[Given] = []
-            with _pool(self._workers) as pool:
-                for given, future in _flow(pool, solve, source, lambda: AHEAD * self._workers):
-                    if isinstance(future.exception(), BrokenProcessPool):
-                        lost.append(given)
-                    else:
-                        yield given, future.result()
+            if self._pool is None:
+                self._pool = self._open.enter_context(_pool(self._workers))
+            for given, future in _flow(self._pool, solve, source, lambda: AHEAD * self._workers):
+                if isinstance(future.exception(), BrokenProcessPool):
+                    lost.append(given)
+                else:
+                    yield given, future.result()
+            if lost:
+                self.close()
             for given in lost:
                 yield given, _alone(solve, given)
             left = bool(lost)
@@ -110,10 +126,14 @@ class Cluster:
         """Yield what is given with what is found of it, in the order in which it is found."""
         from distributed import KilledWorker
 
-        with self._client, self._client.get_executor(pure=False) as executor:
+        with self._client.get_executor(pure=False) as executor:
             for given, future in _flow(executor, solve, iter(each), self._ahead):
                 error = future.exception()
                 yield given, LostError() if isinstance(error, KilledWorker) else future.result()
+
+    def close(self) -> None:
+        """Leave the scheduler; its workers stay."""
+        self._client.close()
 
     def _ahead(self) -> int:
         return AHEAD * max(1, sum(map(int, self._client.ncores().values())))

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from nonhertz.bodies.whole_roller import interpolated_shapes
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
-from nonhertz.inputs.checks import listed, one_of, thread_count, whole
+from nonhertz.inputs.checks import callback, listed, one_of, thread_count, whole
 from nonhertz.io.casefile import Case
 from nonhertz.io.free_forms import free_form_in
 from nonhertz.io.paths import parameter
@@ -36,7 +36,7 @@ from nonhertz.life.spectrum import WHOLE
 from nonhertz.result.brief import plain_text
 from nonhertz.result.numerals import digits
 from nonhertz.solver.one import solve
-from nonhertz.study.crew import Here, LostError, Processes
+from nonhertz.study.crew import Crew, Here, LostError, Processes
 from nonhertz.study.objective import (
     GOALS,
     LIFE,
@@ -56,9 +56,11 @@ Array = NDArray[np.float64]
 
 STARTS, MOST_STARTS = 5, 100
 POINTS, MOST_POINTS = 9, 50  # of a front
-STEPS, CLOSE = 40, 1e-5  # of a search, and the change of the goal at which it ends
+# Of a search: steps, the change of the goal at which it ends, and how often it is begun again.
+STEPS, CLOSE, AGAIN = 20, 1e-4, 2
 SAME = 0.01  # of the goal: starts that come so close have found the same
 COSTS = (0.01, 0.05)  # for which the bands of variables are found
+PLACES = 401  # of a relief
 BAND_STEPS, BAND_CLOSE = 10, 2e-3  # of the search for an end of a band, and its width in a variable
 _BAD = 10.0  # logarithm, of a point that is not allowed
 
@@ -168,15 +170,13 @@ class Design:
         return relief_of(self.case, self.was)
 
 
-PLACES = 401
-
-
 def relief_of(case: Case, was: Case) -> tuple[Array, Array, Array]:
     """Return positions along body a, its relief in one case and in another, all [mm]; nan where it has none."""
     low, high = case.contact.interval
     y = np.linspace(low, high, PLACES)
     new, old = (each.contact.a.relief(y) + each.contact.b.relief(y) for each in (case, was))
-    return y, *(np.where(np.isfinite(each), each, np.nan) for each in (new, old))  # type: ignore[return-value]
+    new, old = (np.where(np.isfinite(each), each, np.nan) for each in (new, old))
+    return y, new, old
 
 
 @dataclass(frozen=True)
@@ -254,19 +254,20 @@ def best(
     >>> found.value < found.before, found.agreeing
     (True, 2)
     """
+    callback("announce", announce)
     asked = _asked(case, vary, goal, loads, where, model, starts)
     processes = thread_count(workers)
     task, begins = asked.task, asked.begins()
     was = task.template.case({})
     assert isinstance(was, Case)
     before = _judged_as_it_was(task, was)
-    crew = Here() if processes == 1 or len(begins) == 1 else Processes(min(processes, len(begins)))
-    ended: list[tuple[int, _Search | LostError]] = []
-    for (number, _, _), found in crew.run(_searched, [(number, task, x) for number, x in enumerate(begins)]):
-        ended.append((number, found))
-        if announce is not None:
-            announce(len(ended), len(begins))
-    return _result(task, was, before, [found for _, found in sorted(ended, key=lambda pair: pair[0])], crew)
+    ended: dict[int, _Search | LostError] = {}
+    with contextlib.closing(_crew(processes, len(begins))) as crew:
+        for (number, _, _), found in crew.run(_searched, [(number, task, x) for number, x in enumerate(begins)]):
+            ended[number] = found
+            if announce is not None:
+                announce(len(ended), len(begins))
+        return _result(task, was, before, [ended[number] for number in sorted(ended)], crew)
 
 
 def front(
@@ -282,7 +283,8 @@ def front(
     """Find the Pareto front of the largest pressures under two groups of loads, aligned and misaligned ones, say.
 
     Every point has the least largest pressure under the first group for which that under the second stays below a cap;
-    the caps are evenly spread between what is best for the second group and what comes of the best for the first.
+    the caps are evenly spread between what is best for the second group and what comes of the best for the first. A
+    point that is no better than another in either is left out.
 
     Parameters
     ----------
@@ -291,7 +293,7 @@ def front(
     first, second : sequence of LoadCase
         The groups; their shares have no effect.
     points : int
-        Number of points, 3 to 50.
+        Number of points at most, 3 to 50.
 
     Returns
     -------
@@ -311,28 +313,38 @@ def front(
     lowest, highest = ends[1].value, _largest(ends[0].case, groups[1])
     caps = np.linspace(lowest, highest, points)[1:-1].tolist()
     begins = [np.array(_shares(asked.task, end.values)) for end in ends]
-    tasks = [
-        (k, replace(asked.task, loads=every, caps=(*free, *(cap,) * held)), x)
-        for k, cap in enumerate(caps)
-        for x in begins
-    ]
-    processes = thread_count(workers)
-    crew: Any = Here() if processes == 1 else Processes(processes)
+    tasks = []
+    for k, cap in enumerate(caps):
+        task = replace(asked.task, loads=every, caps=(*free, *(cap,) * held))
+        # From both ends, and from as far between them as the cap is.
+        share = (k + 1.0) / (points - 1.0)
+        tasks += [(k, task, x) for x in (*begins, (1.0 - share) * begins[1] + share * begins[0])]
     found: dict[int, list[_Search]] = {}
-    for (k, _, _), search in crew.run(_searched, tasks):
-        if isinstance(search, _Search) and math.isfinite(search.value) and search.least_margin >= -1e-3:
-            found.setdefault(k, []).append(search)
+    with contextlib.closing(_crew(thread_count(workers), len(tasks))) as crew:
+        for (k, _, _), search in crew.run(_searched, tasks):
+            if isinstance(search, _Search) and math.isfinite(search.value) and search.least_margin >= -1e-3:
+                found.setdefault(k, []).append(search)
     rows = [(ends[1].values, _largest(ends[1].case, groups[0]), lowest)]
     for k in sorted(found):
         chosen = min(found[k], key=lambda each: each.value)
         case_there = asked.task.case(chosen.ended)
         rows.append((asked.task.values(chosen.ended), chosen.value, _largest(case_there, groups[1])))
     rows.append((ends[0].values, ends[0].value, highest))
-    return Front(*(tuple(column) for column in zip(*rows, strict=True)))  # type: ignore[arg-type]
+    rows = [row for row in rows if not any(_better(other, row) for other in rows)]
+    return Front(*(tuple(column) for column in zip(*rows, strict=True)))
+
+
+def _better(one: tuple[Any, float, float], other: tuple[Any, float, float]) -> bool:
+    """Return whether a point has no more of either pressure than another, and less of one."""
+    return one[1] <= other[1] and one[2] <= other[2] and one[1:] != other[1:]
+
+
+def _crew(processes: int, tasks: int) -> Crew:
+    return Here() if processes == 1 or tasks == 1 else Processes(min(processes, tasks))
 
 
 def _group(name: str, loads: Sequence[LoadCase]) -> tuple[LoadCase, ...]:
-    found = listed(name, loads, "be loads", "give a list of nonhertz.life.LoadCase")
+    found: list[LoadCase] = listed(name, loads, "be loads", "give a list of nonhertz.life.LoadCase")
     if not found or not all(isinstance(each, LoadCase) for each in found):
         raise InputError(name, loads, "be loads", "give a list of nonhertz.life.LoadCase")
     return tuple(replace(each, share=1.0 / len(found)) for each in found)
@@ -461,7 +473,7 @@ def _refused_as(path: str, given: Any, end: float) -> Any:
         raise InputError(path, given, condition, "give closer bounds") from None
 
 
-def _loads(case: Case, loads: object) -> tuple[LoadCase, ...]:
+def _loads(case: Case, loads: Any) -> tuple[LoadCase, ...]:
     if loads is None:
         if case.life.spectrum:
             return case.life.spectrum
@@ -470,7 +482,7 @@ def _loads(case: Case, loads: object) -> tuple[LoadCase, ...]:
             raise InputError("case", sorted(case.prescribed), "have a load, and no moment, for a design", remedy)
         return (LoadCase(load=case.prescribed["load"], share=1.0, tilt=case.prescribed.get("tilt", 0.0)),)
     remedy = "give a list of nonhertz.life.LoadCase"
-    found: list[LoadCase] = listed("loads", loads, "be loads", remedy)  # type: ignore[arg-type]
+    found: list[LoadCase] = listed("loads", loads, "be loads", remedy)
     if not found or not all(isinstance(each, LoadCase) for each in found):
         raise InputError("loads", loads, "be loads", remedy)
     total = math.fsum(each.share for each in found)
@@ -518,7 +530,13 @@ class _Searching:
         """Return how it ends."""
         if self._judged(begun) is None:
             return _Search(begun, begun, math.nan, (), -math.inf, _why(self._task, begun))
-        (self._for_pressure if self._task.goal == PRESSURE else self._for_life)(begun)
+        search = self._for_pressure if self._task.goal == PRESSURE else self._for_life
+        done = search(begun)
+        for _ in range(AGAIN):
+            if done or self._best is None:
+                break
+            # A search that has lost its way begins again from the best point, with nothing learnt of the curvature.
+            done = search(self._best[1])
         assert self._best is not None
         value, x, margin = self._best
         return _Search(begun, x, value, tuple(self._history), margin)
@@ -541,7 +559,7 @@ class _Searching:
         if self._best is None or rank > (min(self._best[2] + 1e-6, 0.0), -self._best[0]):
             self._best = value, judged.x.copy(), margin
 
-    def _for_life(self, begun: Array) -> None:
+    def _for_life(self, begun: Array) -> bool:
         from scipy.optimize import minimize
 
         def value(x: Array) -> float:
@@ -555,12 +573,13 @@ class _Searching:
         first = self._judged(begun)
         assert first is not None
         self._scale = first.damage
-        minimize(
+        found = minimize(
             value, begun, jac=slope, method="SLSQP", bounds=[(0.0, 1.0)] * begun.size,
             constraints=self._limits(begun.size, 0), options={"maxiter": STEPS, "ftol": CLOSE},
         )  # fmt: skip
+        return bool(found.success)
 
-    def _for_pressure(self, begun: Array) -> None:
+    def _for_pressure(self, begun: Array) -> bool:
         from scipy.optimize import minimize
 
         first = self._judged(begun)
@@ -596,12 +615,13 @@ class _Searching:
         self._rows = self._task.zones * len(self._task.loads)
         goal = np.zeros(count + 1)
         goal[-1] = 1.0
-        minimize(
+        found = minimize(
             lambda z: float(z[-1]), np.append(begun, 0.0), jac=lambda z: goal, method="SLSQP",
             bounds=[(0.0, 1.0)] * count + [(None, None)],
             constraints=[{"type": "ineq", "fun": rows, "jac": slopes}, *self._limits(count, 1)],
             options={"maxiter": STEPS, "ftol": CLOSE},
         )  # fmt: skip
+        return bool(found.success)
 
     def _limits(self, count: int, more: int) -> list[dict[str, Any]]:
         """Return the constraints, of variables and of so many more unknowns."""
@@ -653,7 +673,7 @@ def _why(task: Task, x: Array) -> str:
     return "It could not be solved."
 
 
-def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], crew: Any) -> Design:
+def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], crew: Crew) -> Design:
     good = [each for each in found if isinstance(each, _Search) and math.isfinite(each.value)]
     met = [each for each in good if each.least_margin >= -1e-4]
     if not good:
@@ -667,7 +687,10 @@ def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], 
     chosen = min(met, key=lambda each: each.value)
     judged = task.at(chosen.ended)
     reference = before.damage if before is not None and task.goal == LIFE else math.nan
-    goal = (lambda value: value) if task.goal == PRESSURE else (lambda value: reference / value)
+
+    def goal(value: float) -> float:
+        return value if task.goal == PRESSURE else reference / value
+
     starts = []
     for each in found:
         if isinstance(each, LostError):
@@ -691,7 +714,7 @@ def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], 
     )  # fmt: skip
 
 
-def _bands(task: Task, judged: Judged, crew: Any) -> tuple[Band, ...]:
+def _bands(task: Task, judged: Judged, crew: Crew) -> tuple[Band, ...]:
     """Return how far each variable may go at each cost."""
     asked = [
         (task, judged.x, judged.value, k, cost)

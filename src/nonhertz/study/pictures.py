@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import contextlib
+import warnings
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.errors import NonhertzError
+from nonhertz.errors import AccuracyWarning, NonhertzError
 from nonhertz.io.spreads import Distribution
 from nonhertz.plot.sheets import WIDTH
 from nonhertz.plot.studies import histogram, profile_band, study_lines, study_map, tornado
 from nonhertz.plot.style import sheet_style
 from nonhertz.result.numerals import given
 from nonhertz.result.quantities import Quantity
+from nonhertz.solver.one import solve
+from nonhertz.study.design import Design, Front
+from nonhertz.study.objective import named_loads
 from nonhertz.study.sweeps import Sweep
 from nonhertz.study.tolerances import Index, Tolerance
 
@@ -26,6 +30,7 @@ if TYPE_CHECKING:
 PANELS, PANEL_HEIGHT = 6, 2.3  # in
 FEW = 6  # lines in one panel; of more values a map is drawn
 MOST_DRAWN = 100_000  # rows
+LAND = 0.94  # of the length, on which a relief is looked at for the height of its drawing
 BAND, PLACES, MOST_PROFILES = (0.025, 0.975), 401, 400
 _PICTURED = {"approach", "load", "max_pressure", "max_half_width", "max_load", "reference", "modified"}
 _SMALL = 0.5  # mm, below which people read micrometres
@@ -116,6 +121,76 @@ def _band(sweep: Sweep, name: str, paths: Sequence[str]) -> list[Callable[[Axes]
         return []
     label = f"{100 * (BAND[1] - BAND[0]):g} % of the profiles of body {name}"
     return [lambda ax: profile_band(y[seen], nominal.relief(y[seen]), (low, high), ax, label=label)]
+
+
+def design_figures(found: Design) -> dict[str, Figure]:
+    """Return figures of a design by name: pressure and relief before and after, and how the searches went."""
+    numbers = _worst_loads(found)
+    drawings: list[Callable[[Axes], object]] = [_before_and_after(found, number) for number in numbers]
+    y, best, was = found.relief
+    # Corners are many times as deep as a profile.
+    inner = np.abs(y - y.mean()) < LAND * 0.5 * np.ptp(y)
+    deepest = 1.5e3 * float(np.nanmax(np.stack([best, was])[:, inner]))
+
+    def relief(ax: Axes) -> None:
+        lines = {"designed": 1e3 * best, "before": 1e3 * was}
+        study_lines(y, lines, ax, x_label="y [mm]", y_label="Relief [um]")
+        ax.set_yscale("linear")
+        ax.set_ylim(deepest, -0.05 * deepest)
+
+    def convergence(ax: Axes) -> None:
+        lines = {
+            f"start {k}": np.fmin.accumulate(start.history)
+            if found.goal == "pressure"
+            else np.fmax.accumulate(start.history)
+            for k, start in enumerate(found.starts, start=1)
+            if start.history
+        }
+        longest = max(len(values) for values in lines.values())
+        padded = {name: np.pad(values, (0, longest - len(values)), mode="edge") for name, values in lines.items()}
+        label = "Largest pressure [MPa]" if found.goal == "pressure" else "Life over that before"
+        study_lines(np.arange(1, longest + 1), padded, ax, x_label="Points looked at", y_label=label)
+
+    return {"design": panels([*drawings, relief, convergence], found.was.title)}
+
+
+def front_figure(found: Front, labels: tuple[str, str] = ("first loads", "second loads")) -> Figure:
+    """Return a figure of a Pareto front."""
+    names = [f"Largest pressure, {label} [MPa]" for label in labels]
+
+    def draw(ax: Axes) -> None:
+        study_lines(found.first, {"": found.second}, ax, x_label=names[0], y_label=names[1])
+
+    return panels([draw], "")
+
+
+def _worst_loads(found: Design) -> list[int]:
+    """Return the numbers of the largest load without tilt, if there is one, and of the largest with the most tilt."""
+    upright = [k for k, load in enumerate(found.loads) if load.tilt == 0.0]
+    largest = [max(upright, key=lambda k: found.loads[k].load)] if upright else []
+    tilted = max(range(len(found.loads)), key=lambda k: (abs(found.loads[k].tilt), found.loads[k].load))
+    return [*largest, *([tilted] if tilted not in largest else [])]
+
+
+def _before_and_after(found: Design, number: int) -> Callable[[Axes], object]:
+    load = found.loads[number]
+
+    def draw(ax: Axes) -> None:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", AccuracyWarning)
+            after = solve(found.case.contact, load=load.load, tilt=load.tilt, **found.case.solver)
+            lines = {"designed": (after.y, after.centre_pressure)}
+            with contextlib.suppress(NonhertzError):
+                before = solve(found.was.contact, load=load.load, tilt=load.tilt, **found.was.solver)
+                lines["before"] = (before.y, before.centre_pressure)
+        y = np.unique(np.concatenate([each for each, _ in lines.values()]))
+        values = {name: np.interp(y, *each, left=0.0, right=0.0) for name, each in lines.items()}
+        study_lines(y, values, ax, x_label="y [mm]", y_label="Pressure [MPa]")
+        ax.set_yscale("linear")
+        ax.set_ylim(bottom=0.0)
+        ax.set_title(named_loads([load])[0], loc="left")
+
+    return draw
 
 
 def panels(drawings: Sequence[Callable[[Axes], object]], title: str) -> Figure:

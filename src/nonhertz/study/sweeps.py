@@ -278,7 +278,7 @@ def sweep(
     crew = cluster or (Here() if processes == 1 or len(points) - len(store) <= most else Processes(processes))
     work = Work(asked.template, asked.case.attachments, tuple(each.name for each in numbers))
     try:
-        with contextlib.closing(_Run(points, store, size)) as run:
+        with contextlib.closing(crew), contextlib.closing(_Run(points, store, size)) as run:
             run.solve(crew, work, announce)
     except KeyboardInterrupt:
         kept = "" if directory is None else f", which are kept in {directory}; the same call goes on from there"

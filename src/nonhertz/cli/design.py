@@ -1,0 +1,142 @@
+"""What ``nonhertz design`` reads, prints and writes."""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import io
+import json
+import math
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from rich.table import Table
+from rich.text import Text
+
+from nonhertz.cli.printing import console, print_table
+from nonhertz.errors import InputError
+from nonhertz.inputs.files import legible
+from nonhertz.io.casefile import as_toml
+from nonhertz.io.folder import write_files
+from nonhertz.io.planfile import read_design
+from nonhertz.show.studies import BAND_COLUMNS, START_COLUMNS, band_rows, design_rows, start_rows
+from nonhertz.study.design import Design, best
+
+
+def designed(plan: Path, starts: int | None, workers: int | None) -> Design:
+    """Return the design of a plan, with progress on a terminal.
+
+    Raises
+    ------
+    CaseError
+        If the plan has mistakes.
+    InputError
+        If an option is refused, named as on the command line.
+    """
+    case, given = read_design(plan)
+    given |= {} if starts is None else {"starts": starts}
+    options = {"threads": "--workers", "starts": "--starts"}
+    with _progress() as announce:
+        try:
+            return best(case, **given, workers=workers, announce=announce)
+        except InputError as error:
+            if error.field in options:
+                raise InputError(options[error.field], error.value, error.condition, error.remedy) from None
+            raise
+
+
+def directory_for(plan: Path) -> Path:
+    """Return where a design is written if nothing else is said."""
+    return Path(f"{legible(plan.stem)}-design")
+
+
+def written(found: Design, out: Path) -> tuple[Path, ...]:
+    """Write the case as it is best, its profile, all numbers and the figures; return the files."""
+    from nonhertz.plot import save
+    from nonhertz.study.pictures import design_figures
+
+    def draw(folder: Path) -> None:
+        for name, figure in design_figures(found).items():
+            save(figure, folder / name)
+
+    texts = {
+        "case.toml": as_toml(found.case.document | {"title": f"{found.was.title}, designed"}),
+        "profile.csv": _profile(found),
+        "design.json": as_json(found, ()) + "\n",
+    }
+    return write_files(out, texts, draw)
+
+
+def as_json(found: Design, files: Sequence[Path]) -> str:
+    """Return what `print_design` prints as JSON text."""
+    content: dict[str, Any] = {
+        "title": found.was.title,
+        "goal": found.goal,
+        "values": found.values,
+        "value": _finite(found.value),
+        "before": _finite(found.before),
+        "worst": found.worst,
+        "agreeing_starts": found.agreeing,
+        "starts": [
+            vars(start) | {"value": _finite(start.value), "history": [_finite(value) for value in start.history]}
+            for start in found.starts
+        ],
+        "bands": [vars(band) for band in found.bands],
+        "loads": [vars(load) for load in found.loads],
+        "files": [str(path) for path in files],
+        "units": found.units | {"value": "MPa" if found.goal == "pressure" else ""},
+    }
+    return json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)
+
+
+def print_design(found: Design, files: Sequence[Path]) -> None:
+    """Print the goal before and after, what is best, how flat that is, the searches, and the files."""
+    printing = console()
+    printing.print(Text(found.was.title, style="bold"))
+    for head, rows in (
+        (None, design_rows(found)),
+        (BAND_COLUMNS, band_rows(found)),
+        (START_COLUMNS, start_rows(found)),
+    ):
+        if not rows:
+            continue
+        table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=head is not None, header_style="dim")
+        for name in head or [""] * len(rows[0]):
+            table.add_column(Text(name))
+        for row in rows:
+            table.add_row(*map(Text, row))
+        print_table(printing, table)
+        printing.print()
+    for path in files:
+        print(f"wrote {path}")
+
+
+def _profile(found: Design) -> str:
+    """Return the relief of both bodies together as CSV, as it is best and as it was."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(["y [mm]", "relief [mm]", "relief before [mm]"])
+    rows = np.column_stack(found.relief).tolist()
+    writer.writerows([f"{y:.9g}", *("" if math.isnan(each) else f"{each:.9f}" for each in rest)] for y, *rest in rows)
+    return text.getvalue()
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+@contextlib.contextmanager
+def _progress() -> Iterator[Callable[[int, int], object] | None]:
+    """Show how many searches have ended, on a terminal."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import Progress
+
+    with Progress(console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("searches", total=None)
+        yield lambda ended, starts: bar.update(task, completed=ended, total=starts)

@@ -1,0 +1,99 @@
+"""``nonhertz design``: what people type."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+import nonhertz as nh
+from nonhertz.cli import main
+
+CASE = """
+title = "A roller on a plate"
+[body.a]
+diameter = 20.0
+length = 20.0
+profile = [{ kind = "crown", radius = "4 m" }]
+side_faces = "none"
+depth = "none"
+[body.b]
+side_faces = "none"
+depth = "none"
+[load]
+load = "20 kN"
+[solver]
+strips = 41
+"""
+PLAN = """
+case = "roller.toml"
+[vary]
+"body.a.profile.radius" = "1500 mm : 30 m"
+[design]
+starts = 2
+loads = [{ load = "20 kN" }, { load = "20 kN", tilt = "2 arcmin" }]
+"""
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "roller.toml").write_text(CASE, encoding="utf-8")
+    (tmp_path / "plan.toml").write_text(PLAN, encoding="utf-8")
+    return tmp_path
+
+
+def test_a_plan_is_designed(folder, capsys):
+    assert main(["check", "plan.toml"]) == 0
+    assert capsys.readouterr().out == "plan.toml is fine: 'plan', a design over body.a.profile.radius.\n"
+    assert main(["design", "plan.toml", "--workers", "1"]) == 0
+    out = capsys.readouterr().out
+    assert out.startswith("A roller on a plate\nlargest pressure")
+    assert "searches that agree" in out
+    names = {path.name for path in (folder / "plan-design").iterdir()}
+    assert names == {"case.toml", "profile.csv", "design.json", "design.svg", "design.png"}
+    found = json.loads((folder / "plan-design" / "design.json").read_text(encoding="utf-8"))
+    assert found["value"] < found["before"]
+    # The case that is written is the one that was found.
+    case = nh.read_case(folder / "plan-design" / "case.toml")
+    assert case.title == "A roller on a plate, designed"
+    with pytest.warns(nh.AccuracyWarning):
+        tilted = nh.solve(case.contact, load=20e3, tilt=found["loads"][1]["tilt"], strips=41)
+    assert tilted.max_pressure == pytest.approx(found["value"], rel=0.02)
+    lines = (folder / "plan-design" / "profile.csv").read_text(encoding="utf-8").splitlines()
+    assert lines[0] == "y [mm],relief [mm],relief before [mm]"
+    assert len(lines) == 402
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        (('"1500 mm : 30 m"', '"30 m : 1500 mm"'), "must ascend"),
+        (("body.a.profile.radius", "body.a.profile.radios"), "the nearest is 'body.a.profile.radius'"),
+        (("starts = 2", "starts = 0"), "starts = 0 must be"),
+        (("starts = 2", 'goal = "price"'), "goal = 'price' must be one of"),
+        (("starts = 2", 'model = "lundberg"'), "design.model = 'lundberg' must be a known fatigue model"),
+        (("starts = 2", 'where = { approach = "30 um" }'), "begin with 'at most'"),
+        (('{ load = "20 kN" }', '{ load = "20 kN", share = 0.2 }'), "share"),
+        (("[vary]", "[varied]"), "varied"),
+    ],
+)
+def test_a_mistake_ends_in_a_sentence_and_leaves_nothing(folder, capsys, change, sentence):
+    (folder / "plan.toml").write_text(PLAN.replace(*change), encoding="utf-8")
+    before = sorted(folder.iterdir())
+    assert main(["design", "plan.toml"]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert sentence in captured.err
+    assert sorted(folder.iterdir()) == before
+
+
+def test_a_bearing_is_no_case_of_a_design(folder, capsys):
+    assert main(["new", "--bearing", "bearing.toml"]) == 0
+    (folder / "plan.toml").write_text(
+        'case = "bearing.toml"\n[vary]\n"load.radial" = "1 kN : 2 kN"\n', encoding="utf-8"
+    )
+    capsys.readouterr()
+    assert main(["design", "plan.toml"]) == 2
+    assert "a bearing is swept over" in capsys.readouterr().err
