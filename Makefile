@@ -77,6 +77,7 @@ bench: $(READY)
 	$(BIN)/python benchmarks/stopwatch.py
 	$(BIN)/python benchmarks/bearings.py
 	$(BIN)/python benchmarks/gradients.py
+	$(BIN)/python benchmarks/studies.py
 
 docs-numbers: $(READY)
 	$(BIN)/python docs/figures.py

@@ -257,7 +257,7 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield ""
     yield "Beside other programs: [the race](race.md). Against an earlier state: [before and now](against.md). How long"
     yield "[the page](page.md) and [a newcomer](first-picture.md) wait. [Whole bearings](bearings.md),"
-    yield "[gradients](gradients.md)."
+    yield "[gradients](gradients.md), [studies](studies.md)."
     yield ""
     yield from targets(results)
     yield "## Cost against strips"

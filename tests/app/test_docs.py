@@ -117,6 +117,7 @@ MODULES = {"nonhertz.profile": nh.profile} | {
         "plot",
         "rotor",
         "study",
+        "study.design",
         "subsurface",
     )
 }

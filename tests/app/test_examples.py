@@ -19,12 +19,14 @@ import nonhertz as nh
 from nonhertz.cli import main
 from nonhertz.io.bearingfile import read_bearing
 from nonhertz.io.casefile import Case, holds_bearing, read_case
+from nonhertz.io.planfile import holds_plan
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
 FILES = sorted(EXAMPLES.glob("*.toml"))
 BEARINGS = [path for path in FILES if holds_bearing(tomllib.loads(path.read_text(encoding="utf-8")))]
-CASES = [path for path in FILES if path not in BEARINGS]
+PLANS = [path for path in FILES if holds_plan(tomllib.loads(path.read_text(encoding="utf-8")))]
+CASES = [path for path in FILES if path not in BEARINGS + PLANS]
 TABULATED = "tabulated-profile.csv"
 MEASURED = "measured-roller.txt"
 
@@ -230,3 +232,9 @@ def test_tutorials_show_what_the_program_prints(name, monkeypatch):
     for line, old in zip(tells, told, strict=True):
         numbers, before = ([float(n) for n in number.findall(text)] for text in (line, old))
         assert_allclose(numbers, before, rtol=2e-4, err_msg="run: python docs/figures.py")
+
+
+@pytest.mark.parametrize("path", PLANS, ids=lambda path: path.stem)
+def test_every_plan_is_fine(path, capsys):
+    assert main(["check", str(path)]) == 0
+    assert "roller-15x20" in capsys.readouterr().out

@@ -202,3 +202,35 @@ def test_tapered_pair():
     assert_allclose(gone.force[0] / script.thrusts(rest)[0], 2**1.5, rtol=0.01)
     # Thin rings yield as the load: a little more.
     assert 1.0 < script.let_go / script.preload / 2**1.5 < 1.07
+
+
+def test_design_a_profile():
+    script = run("design_a_profile")
+    assert script.crown.agreeing == script.free.agreeing == 2
+    # A free form can do what a crown does.
+    assert script.free.value < script.crown.value < script.crown.before
+    # Hertz's line pressure with the load spread evenly over the land bounds the best from below.
+    reduced = 1 / (2 / 20 + 2 / 80)
+    hertz = nh.hertz.line_contact(line_load=20e3 / 19, radius=reduced, compliance=script.case.contact.compliance)
+    assert 1.0 < script.free.value / hertz.max_pressure < 1.15
+
+
+def test_sweep_of_a_bearing():
+    script = run("sweep_of_a_bearing")
+    assert script.found.failed == 0
+    row = dataclasses.replace(script.bearing, clearance=0.02)
+    alone = nh.bearing.solve(row, radial=11e3, tilt=0.75e-3, method="slices")
+    at = int(np.argmin(np.abs(script.found["bearing.clearance"][:, 0] - 0.02)))
+    assert_allclose(script.found["max_load"][at, 4], alone.load.max(), rtol=1e-12)
+    assert np.all(np.diff(script.life, axis=1) < 0.0)
+
+
+def test_which_tolerance():
+    script = run("which_tolerance")
+    low, middle, high = script.quantiles
+    assert low.value < middle.value < high.value
+    # The load by itself: p is about as its power 0.4 of a crown, so that 0.5 of 15 kN make 1.3 %.
+    of_load = next(each for each in script.indices if each.path == "load.load")
+    values = script.found.samples("max_pressure")
+    assert_allclose(np.sqrt(of_load.first) * values.std() / values.mean(), 0.4 * 0.5 / 15, rtol=0.35)
+    assert abs(sum(each.first for each in script.indices) - 1.0) < 0.35

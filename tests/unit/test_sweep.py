@@ -5,6 +5,8 @@ from __future__ import annotations
 import contextlib
 import os
 import sqlite3
+import subprocess
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -216,3 +218,19 @@ def test_what_ends_its_process_is_given_up_and_nothing_else_is_lost():
     found = dict(Processes(2).run(_ends_at_three, range(8)))
     assert isinstance(found.pop(3), LostError)
     assert found == {number: number**2 for number in (0, 1, 2, 4, 5, 6, 7)}
+
+
+@pytest.mark.slow
+def test_a_script_needs_no_guard_against_processes_that_start(tmp_path):
+    script = tmp_path / "script.py"
+    script.write_text(
+        "import nonhertz as nh\n"
+        "roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))\n"
+        "case = nh.Case(nh.Contact(roller, nh.Plate()), {'load': 20e3}, {'strips': 21})\n"
+        "found = nh.sweep(case, over={'load.load': '1 kN : 20 kN : 300'}, quantities=('approach',), workers=2)\n"
+        "print(found.complete, found.failed)\n",
+        encoding="utf-8",
+    )
+    ended = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=120, check=True)
+    assert ended.stdout == "True 0\n"
+    assert ended.stderr == ""

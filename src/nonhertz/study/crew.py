@@ -11,6 +11,7 @@ import contextlib
 import multiprocessing
 import os
 import signal
+import sys
 import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
@@ -167,9 +168,26 @@ def _flow(
             future.cancel()
 
 
+@contextlib.contextmanager
+def _without_the_script() -> Iterator[None]:
+    """Hide the script that runs from processes that start: they would run it, too, unless it is guarded against that.
+
+    What they are to call is in this package.
+    """
+    main = sys.modules["__main__"]
+    hidden: dict[str, Any] = {name: vars(main)[name] for name in ("__file__", "__spec__") if name in vars(main)}
+    try:
+        vars(main).pop("__file__", None)
+        main.__spec__ = None
+        yield
+    finally:
+        vars(main).update(hidden)
+
+
 def _submitted(executor: Executor, solve: Callable[[Given], Found], given: Given) -> Future[Found]:
     try:
-        return executor.submit(solve, given)
+        with _without_the_script():
+            return executor.submit(solve, given)
     except BrokenProcessPool as error:
         refused: Future[Found] = Future()
         refused.set_exception(error)
@@ -180,7 +198,7 @@ def _alone(solve: Callable[[Given], Found], given: Given) -> Found | LostError:
     """Return what a process of its own finds."""
     for _ in range(ATTEMPTS):
         with _pool(1) as pool, contextlib.suppress(BrokenProcessPool):
-            return pool.submit(solve, given).result()
+            return _submitted(pool, solve, given).result()
     return LostError()
 
 

@@ -678,7 +678,8 @@ def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], 
     met = [each for each in good if each.least_margin >= -1e-4]
     if not good:
         why = next((each.failure for each in found if isinstance(each, _Search)), "no process came back")
-        raise InputError("vary", list(task.template.known)[:0], f"allow a design, but {why.rstrip('.')}", "widen it")
+        paths = ", ".join(dict.fromkeys(each.path for each in task.variables))
+        raise InputError("vary", paths, f"be possible at a start ({why.rstrip('.')})", "change the bounds or the loads")
     if not met:
         nearest = max(good, key=lambda each: each.least_margin)
         names = ", ".join(limit.name for limit in task.limits)

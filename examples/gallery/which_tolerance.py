@@ -1,0 +1,61 @@
+"""
+Which tolerance matters?
+========================
+
+The radius of a crown, its form, the load and the misalignment of a roller scatter. How much does the largest pressure,
+and which of them is worth tightening?
+"""
+
+import numpy as np
+from matplotlib.figure import Figure
+
+import nonhertz as nh
+from nonhertz.plot.studies import histogram, tornado
+from nonhertz.plot.style import sheet_style
+
+roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=3000))
+case = nh.Case(
+    nh.Contact(roller, nh.Ring(diameter=80, length=30)), {"load": 15e3}, {"strips": 61}, title="Roller 20 x 20"
+)
+DISTRIBUTIONS = {
+    "load.load": "normal(nominal, 0.5 kN)",
+    "load.tilt": "normal(0, 0.25 mrad)",
+    "body.a.profile.radius": "uniform(2600 mm, 3400 mm)",
+    "body.a.profile": "form(0.3 um, 4 mm)",
+}
+found = nh.tolerance(case, over=DISTRIBUTIONS, samples=1500, quantities=("max_pressure",), workers=1)
+
+# %%
+# The distribution
+# ----------------
+# Each quantile lies within its interval with 95 % certainty, whatever the distribution is like.
+
+quantiles = found.quantiles("max_pressure")
+for each in quantiles:
+    print(
+        f"{100 * each.share:3.0f} % below {each.value:4.0f} MPa, certainly between {each.low:4.0f} and {each.high:4.0f}"
+    )
+
+# %%
+# What it is due to
+# -----------------
+# The first index is the share of the variance that a parameter has alone, the total one with all that it does together
+# with the others.
+
+indices = found.indices("max_pressure")
+for each in indices:
+    print(f"{each.path:22} alone {each.first:5.2f} +- {each.first_error:.2f}, in total {each.total:5.2f}")
+print("tighten first:", found.tightened_first["max_pressure"])
+
+with sheet_style():
+    figure = Figure(figsize=(6.7, 2.7), layout="constrained")
+    histogram(
+        found.samples("max_pressure"),
+        figure.add_subplot(1, 2, 1),
+        label="Largest pressure [MPa]",
+        quantiles={each.share: (each.low, each.high) for each in quantiles if np.isfinite(each.low + each.high)},
+    )
+    first, total, errors = (
+        np.array([getattr(each, name) for each in indices]) for name in ("first", "total", "first_error")
+    )
+    tornado([each.path for each in indices], first, total, figure.add_subplot(1, 2, 2), errors=(errors, 0 * errors))
