@@ -24,7 +24,7 @@ LOADS = [nh.life.LoadCase(load=load, share=0.25, tilt=tilt) for load in (10e3, 2
 # Its radius is searched from two starts. Around the optimum the pressure hardly changes: the bands say how far the
 # radius may go if it is to cost one and five per cent.
 
-crown = nh.design.best(case, vary={"body.a.profile.radius": (2000, 20000)}, loads=LOADS, starts=2, workers=1)
+crown = nh.design.best(case, vary={"body.a.profile.radius": (400, 20000)}, loads=LOADS, starts=2, workers=1)
 print(crown)
 for band in crown.bands:
     print(f"{100 * band.cost:.0f} % more pressure: radius from {1e-3 * band.low:.1f} to {1e-3 * band.high:.1f} m")

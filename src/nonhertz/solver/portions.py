@@ -175,7 +175,7 @@ class Run:
         self._shape, self._works, self._threads = shape, works, threads
         self._futures: list[Future[list[Block]]] = []
 
-    def solutions(self, announce: Callable[[Portion], object] | None) -> Solutions:
+    def _finished(self, announce: Callable[[Portion], object] | None) -> Solutions:
         """Solve all portions, announce each, and return the solutions of all."""
         stopped, total, done = Event(), sum(len(work) for work in self._works), 0
         pool = ThreadPoolExecutor(self._threads)
@@ -204,7 +204,7 @@ class Run:
             On Ctrl-C.
         """
         try:
-            solutions = self.solutions(announce)
+            solutions = self._finished(announce)
             return solutions, tuple(solutions.sentences())
         except KeyboardInterrupt:
             raise self._interrupted() from None

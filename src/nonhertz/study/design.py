@@ -41,6 +41,7 @@ from nonhertz.study.objective import (
     GOALS,
     LIFE,
     PRESSURE,
+    SEARCHING,
     Judged,
     Limit,
     Task,
@@ -525,26 +526,36 @@ class _Searching:
         self._at: tuple[bytes, Judged | None] = (b"", None)
         self._best: tuple[float, Array, float] | None = None
         self._history: list[float] = []
+        self._accuracy: float | None = None
 
     def run(self, begun: Array) -> _Search:
         """Return how it ends."""
-        if self._judged(begun) is None:
-            return _Search(begun, begun, math.nan, (), -math.inf, _why(self._task, begun))
-        search = self._for_pressure if self._task.goal == PRESSURE else self._for_life
-        done = search(begun)
-        for _ in range(AGAIN):
-            if done or self._best is None:
-                break
-            # A search that has lost its way begins again from the best point, with nothing learnt of the curvature.
-            done = search(self._best[1])
+        x = begun
+        for accuracy in (SEARCHING, None) if self._task.is_automatic else (None,):
+            self._accuracy, self._best, self._at = accuracy, None, (b"", None)
+            if self._judged(x) is None:
+                return _Search(begun, x, math.nan, tuple(self._history), -math.inf, _why(self._task, x))
+            x = self._improved(x)
         assert self._best is not None
         value, x, margin = self._best
         return _Search(begun, x, value, tuple(self._history), margin)
 
+    def _improved(self, x: Array) -> Array:
+        """Return the best point that a search from ``x`` finds."""
+        search = self._for_pressure if self._task.goal == PRESSURE else self._for_life
+        for _ in range(1 + AGAIN):
+            done = search(x)
+            assert self._best is not None
+            x = self._best[1]
+            if done:
+                break
+            # A search that has lost its way begins again from the best point, with nothing learnt of the curvature.
+        return x
+
     def _judged(self, x: Array) -> Judged | None:
         key = x.tobytes()
         if self._at[0] != key:
-            judged = point_or_none(self._task, np.clip(x, 0.0, 1.0))
+            judged = point_or_none(self._task, np.clip(x, 0.0, 1.0), self._accuracy)
             self._at = key, judged
             if judged is not None:
                 self._note(judged)
@@ -659,7 +670,7 @@ class _Searching:
         for k in range(x.size if here is not None else 0):
             moved = x.copy()
             moved[k] += 0.01 if x[k] < 0.5 else -0.01
-            there = point_or_none(self._task, moved)
+            there = point_or_none(self._task, moved, self._accuracy)
             if there is not None and here is not None:
                 found[:, k] = (there.margins() - here.margins()) / (moved[k] - x[k])
         return found
