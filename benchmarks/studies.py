@@ -146,8 +146,8 @@ def page(found: dict[str, Any]) -> str:
         "",
         "## Designs",
         "",
-        "A roller 15 x 20 with corners of 0.5 mm on a ring of 80, under 5, 15 and 30 kN at 0, 1 and 2 arc-minutes, from",
-        "five starts. The target is 10 s, and the same from five starts within 1 %.",
+        "A roller 15 x 20 with corners of 0.5 mm on a ring of 80, under 5, 15 and 30 kN at 0, 1 and 2 arc-minutes,",
+        "from five starts. The target is 10 s, and the same from five starts within 1 %.",
         "",
         "| | goal | found | before | starts differ by | points | time |",
         "|---|---|--:|--:|--:|--:|--:|",
@@ -159,22 +159,21 @@ def page(found: dict[str, Any]) -> str:
     even = found["uniform"]
     lines += [
         "",
-        f"The free form for 15 kN without tilt: the pressure differs by {100 * even['unevenness']:.2g} % over 90 % of the land, on which "
-        f"it is {even['largest']:.5g} MPa at most.",
+        f"The free form for 15 kN without tilt: the pressure differs by {100 * even['unevenness']:.2g} % over 90 % of",
+        f"the land, on which it is {even['largest']:.5g} MPa at most.",
         "",
         "## Rows",
         "",
-        "The targets are 100,000 rows over two parameters in 60 s, and 10,000 samples of five in 15 s. *Memory* is the most that",
-        "the process has taken, which keeps the rows of all studies in memory.",
+        "The targets are 100,000 rows over two parameters in 60 s, and 10,000 samples of five in 15 s. *Memory* is the",
+        "most that the process has taken, which keeps the rows of all studies in memory.",
         "",
         "| | rows | time | per row | memory |",
         "|---|--:|--:|--:|--:|",
     ]
     for each in found["rows"]:
         per_row = 1e3 * each["seconds"] / each["rows"]
-        lines.append(
-            f"| {each['name']} | {each['rows']} | {each['seconds']:.3g} s | {per_row:.2g} ms | {each['memory']:.0f} MB |"
-        )
+        numbers = f"{each['rows']} | {each['seconds']:.3g} s | {per_row:.2g} ms | {each['memory']:.0f} MB"
+        lines.append(f"| {each['name']} | {numbers} |")
     return "\n".join([*lines, ""])
 
 

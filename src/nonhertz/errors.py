@@ -109,8 +109,8 @@ class Interrupted(KeyboardInterrupt):
     ----------
     message : str
         One sentence on how far the run had come.
-    solutions : nonhertz.Solutions
-        All cases; those that were not solved are among its ``failures``.
+    solutions : nonhertz.Solutions or nonhertz.study.Sweep
+        All cases; those that were not solved are among its ``failures``. Of a sweep, the rows that are there.
     """
 
     def __init__(self, message: str, solutions: Any) -> None:

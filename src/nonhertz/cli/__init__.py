@@ -22,9 +22,13 @@ NOT_VERIFIED = NOT_KEPT = NOT_CONVERGED
 INTERRUPTED, BROKEN_PIPE = 130, 141
 
 _EXTRAS = {
-    **dict.fromkeys(("cyclopts", "jinja2", "matplotlib", "pint", "pydantic", "rich", "tomli_w", "x3pio"), "cli"),
+    **dict.fromkeys(
+        ("SALib", "cyclopts", "jinja2", "matplotlib", "pint", "pydantic", "rich", "tomli_w", "x3pio"), "cli"
+    ),
     **dict.fromkeys(("starlette", "uvicorn"), "web"),
+    "distributed": "cluster",
 }
+_NEEDS = {"cli": "the command line", "web": "the page", "cluster": "a Dask scheduler"}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -97,8 +101,7 @@ def _verdict(error: BaseException) -> tuple[int, list[str]]:
         case ModuleNotFoundError(name=str(name)) if name.partition(".")[0] in _EXTRAS:
             package = name.partition(".")[0]
             extra = _EXTRAS[package]
-            what = "the page" if extra == "web" else "the command line"
-            way_out = f"install what {what} needs with: pip install 'nonhertz[{extra}]'"
+            way_out = f"install what {_NEEDS[extra]} needs with: pip install 'nonhertz[{extra}]'"
             verdict = BAD_INPUT, [f"The package {package} is not installed; {way_out}"]
         case _:
             what = f"{type(error).__name__}: {error}".replace("\n", " ").rstrip(".")
