@@ -15,10 +15,11 @@ from typing import NamedTuple
 import numpy as np
 
 from nonhertz.compiled import compiled, entry
-from nonhertz.strip.element import evaluate
+from nonhertz.strip.element import POWERS, POWERS_AT, evaluate
+from nonhertz.strip.free_end import AWAY, far_terms, far_whole
 from nonhertz.strip.influence import added_by_face
 from nonhertz.strip.problem import Problem, row_of
-from nonhertz.strip.records import Array, Flags, Given, Grids, Law, States, Strips
+from nonhertz.strip.records import Array, Flags, Given, Grids, Indices, Law, States, Strips
 from nonhertz.strip.settle import strips_of
 
 MET, NOT_FINITE, FIRST, SECOND, TENSION, UNCLOSED, OVERLAP, BENT, HIDDEN = range(9)
@@ -128,17 +129,17 @@ def first_unmet(strips: Strips, given: Given, law: Law, answer: Answer) -> tuple
         return HIDDEN, deepest, 0
     q, gap, motion = answer.q, answer.gap, answer.motion
     allowed = TOLERANCE * deepest + ROUNDING * longest
+    lift, bend = _lift_and_bend(strips, law, answer)
     for i in range(q.size):
         if not math.isfinite(strips.separation[i]) and q[i] == 0.0:
             continue
-        lift, bend = _lift_and_bend(i, strips, law, answer)
-        opening = lift - (motion[0] + motion[1] * strips.y[i] - strips.separation[i])
+        opening = lift[i] - (motion[0] + motion[1] * strips.y[i] - strips.separation[i])
         if not abs(opening - gap[i]) <= allowed + TOLERANCE * abs(opening) or (q[i] > 0.0 and abs(opening) > allowed):
             return UNCLOSED, opening, i
         if opening < -allowed:
             return OVERLAP, -opening, i
-        if q[i] > 0.0 and not abs(bend - strips.curvature[i]) <= CURVATURE_TOLERANCE * strips.curvature[i]:
-            return BENT, bend / strips.curvature[i] - 1.0, i
+        if q[i] > 0.0 and not abs(bend[i] - strips.curvature[i]) <= CURVATURE_TOLERANCE * strips.curvature[i]:
+            return BENT, bend[i] / strips.curvature[i] - 1.0, i
     return MET, 0.0, 0
 
 
@@ -224,26 +225,87 @@ def _lengths(strips: Strips, answer: Answer) -> tuple[float, float]:
 
 
 @compiled
-def _lift_and_bend(i: int, strips: Strips, law: Law, answer: Answer) -> tuple[float, float]:
-    """Return displacement [mm] and curvature [1/mm] of both surfaces together at strip ``i``, on the centre line."""
-    lift = bend = 0.0
-    terms, q = law.terms, answer.q
-    for j in range(q.size):
+def _lift_and_bend(strips: Strips, law: Law, answer: Answer) -> tuple[Array, Array]:
+    """Return displacement [mm] and curvature [1/mm] of both surfaces together at every strip, on the centre line."""
+    y, terms, q, n = strips.y, law.terms, answer.q, strips.y.size
+    lift, bend, places = np.zeros(n), np.zeros(n), _looked_at(strips, answer)
+    for j in range(n):
         if q[j] > 0.0:
             inverse = 1.0 / answer.half_width[j]
-            risen = curved = 0.0
+            by_bend = q[j] * inverse * inverse
             for k in range(terms.shape[0]):
-                sign, offset = terms[k, 0], terms[k, 1] - strips.y[i]
-                upper = evaluate((sign * strips.high[j] + offset) * inverse, law.table)
-                lower = evaluate((sign * strips.low[j] + offset) * inverse, law.table)
-                risen += sign * terms[k, 2] * (upper[0] - lower[0])
-                curved += sign * terms[k, 2] * (upper[2] - lower[2])
-            for k in range(law.faces.shape[0]):
-                added = added_by_face(strips.y[i], strips.low[j], strips.high[j], inverse, law, k)
-                risen += law.faces[k, 2] * added[0]
-                curved += law.faces[k, 2] * added[2]
+                sign, offset = terms[k, 0], terms[k, 1]
+                weight, high, low = sign * terms[k, 2], sign * strips.high[j] + offset, sign * strips.low[j] + offset
+                for i in places:
+                    upper, lower = (
+                        evaluate((high - y[i]) * inverse, law.table),
+                        evaluate((low - y[i]) * inverse, law.table),
+                    )
+                    lift[i] += q[j] * weight * (upper[0] - lower[0])
+                    bend[i] += by_bend * weight * (upper[2] - lower[2])
             if strips.at_depth.size:
-                risen -= strips.at_depth[i, j]
-            lift += q[j] * risen
-            bend += q[j] * curved * inverse * inverse
+                for i in places:
+                    lift[i] -= q[j] * strips.at_depth[i, j]
+    for k in range(law.faces.shape[0]):
+        _add_face(strips, law, answer, k, lift, bend)
     return lift, bend
+
+
+@compiled
+def _looked_at(strips: Strips, answer: Answer) -> Indices:
+    """Return the strips where the bodies bear load or have a separation."""
+    n, count = strips.y.size, 0
+    found = np.empty(n, np.int64)
+    for i in range(n):
+        if answer.q[i] > 0.0 or math.isfinite(strips.separation[i]):
+            found[count] = i
+            count += 1
+    return found[:count]
+
+
+@compiled
+def _add_face(strips: Strips, law: Law, answer: Answer, k: int, lift: Array, bend: Array) -> None:
+    """Add what a free side face adds: by its table where place and source are close to it, else by its series."""
+    y, q, half_width, table, n = strips.y, answer.q, answer.half_width, law.table, strips.y.size
+    place, side, share, first = law.faces[k, 0], law.faces[k, 1], law.faces[k, 2], int(law.faces[k, 3])
+    unit = 0.0
+    for j in range(n):
+        unit = max(unit, half_width[j] if q[j] > 0.0 else 0.0)
+    u, of_edges, work = np.empty(n), np.empty((2, 1 + POWERS, n)), np.empty((2, n))
+    for i in range(n):
+        u[i] = max(side * (place - y[i]), 0.0) / unit
+    # Strips adjoin, so that the upper edge of one is the lower edge of the next.
+    at_low = max(side * (place - strips.low[0]), 0.0) / unit
+    far_terms(u, at_low, law.face_tables, first, of_edges[0], work)
+    for j in range(n):
+        at_high, of_low, of_high = (
+            max(side * (place - strips.high[j]), 0.0) / unit,
+            of_edges[j % 2],
+            of_edges[1 - j % 2],
+        )
+        far_terms(u, at_high, law.face_tables, first, of_high, work)
+        inner, outer = min(at_low, at_high), max(at_low, at_high)
+        at_low = at_high
+        if not q[j] > 0.0:
+            continue
+        inverse, ratio = 1.0 / half_width[j], (half_width[j] / unit) ** 2
+        by_bend = share * q[j] * inverse * inverse
+        for i in range(n):
+            if (u[i] + inner) * unit * inverse < AWAY:
+                near = added_by_face(y[i], strips.low[j], strips.high[j], inverse, law, k)
+                lift[i] += share * q[j] * near[0]
+                bend[i] += by_bend * near[2]
+                continue
+            within, power, risen, curved = inner <= u[i] < outer, 1.0, 0.0, 0.0
+            for p in range(1 + POWERS):
+                part = side * (of_low[p, i] - of_high[p, i])
+                if within:
+                    part += far_whole(u[i], p, law.face_tables, first)
+                if p == 0:
+                    risen = part
+                else:
+                    power *= ratio
+                    risen += power * part * table[POWERS_AT + 2 * p - 2]
+                    curved += power * part * table[POWERS_AT + 2 * p - 1]
+            lift[i] += share * q[j] * risen
+            bend[i] += by_bend * curved

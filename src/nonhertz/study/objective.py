@@ -27,7 +27,8 @@ from nonhertz.result.gradient import Gradient
 from nonhertz.result.maximum import counted, singular_y
 from nonhertz.result.measures import PressureAt
 from nonhertz.result.solution import Solution
-from nonhertz.solver.one import is_automatic, solve
+from nonhertz.solver.many import solve_in_silence
+from nonhertz.solver.one import is_automatic
 from nonhertz.study.lives import damage
 
 Array = NDArray[np.float64]
@@ -187,7 +188,8 @@ class Task:
         with warnings.catch_warnings(), interpolated_shapes():
             warnings.simplefilter("ignore", AccuracyWarning)
             solver = case.solver | ({"accuracy": accuracy} if self.is_automatic else {})
-            solutions = tuple(solve(case.contact, load=each.load, tilt=each.tilt, **solver) for each in self.loads)
+            pressed = {name: [getattr(each, name) for each in self.loads] for name in ("load", "tilt")}
+            solutions = tuple(solve_in_silence(case.contact, pressed, **solver))
         return Judged(self, x.copy(), case, solutions)
 
 
