@@ -327,7 +327,7 @@ def case_in(document: dict[str, Any], path: Path, text: str | None = None, *, fi
         raise case_error(in_order(mistakes_in(error, CaseTable), document)) from None
     case = Case(
         title=table.title or legible(path.stem),
-        contact=table.body.contact(),
+        contact=table.body.contact,
         prescribed=table.load.prescribed(),
         solver=vars(table.solver) | {"element": ELEMENTS[table.solver.element]},
         path=path,

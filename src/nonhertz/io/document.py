@@ -11,6 +11,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Callable, Iterable
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Self, TypeVar
 
@@ -403,14 +404,14 @@ class BodiesTable(Table):
     @model_validator(mode="after")
     def _check(self) -> Self:
         try:
-            contact = self.contact()
-            contact.curvature(sampled(contact.interval))
+            self.contact.curvature(sampled(self.contact.interval))
         except InputError as error:
             raise TableError([of_both(error)]) from None
         return self
 
+    @cached_property
     def contact(self) -> Contact:
-        """Return the contact of both bodies."""
+        """The contact of both bodies."""
         return Contact(self.a.body(), self.b.body())
 
 

@@ -209,7 +209,7 @@ def sweep(
     plan: Plan | Case | BearingCase | str | Path,
     *,
     over: Mapping[str, Any] | None = None,
-    samples: Sampling | None = None,
+    samples: Sampling | int | None = None,
     quantities: tuple[str, ...] | None = None,
     out: str | Path | None = None,
     workers: int | None = None,
@@ -224,8 +224,8 @@ def sweep(
         A plan, or the file of one; or a case, with ``over``.
     over : mapping, optional
         What each path of the case's file runs over, as in `Plan`.
-    samples : Sampling, optional
-        How samples of distributions are drawn, as in `Plan`.
+    samples : Sampling or int, optional
+        How samples of distributions are drawn, as in `Plan`, or how many.
     quantities : tuple of str, optional
         Names of the numbers wanted, such as ``("max_pressure", "life")``; by default those of the plan, or the usual
         ones.
@@ -324,13 +324,15 @@ def _solved(work: Work, paths: tuple[str, ...], portion: tuple[int, list[int], l
 def planned(
     plan: object,
     over: Mapping[str, Any] | None,
-    samples: Sampling | None,
+    samples: Sampling | int | None,
     quantities: tuple[str, ...] | None,
     table: str = "over",
 ) -> Plan:
     """Return the plan that is meant, of the table of a file that says what is varied, with what is given beside it."""
     if isinstance(plan, str | Path):
         plan = read_plan(plan, table)
+    if samples is not None and not isinstance(samples, Sampling):
+        samples = Sampling(count=samples)
     if isinstance(plan, Plan):
         return plan.changed(over=over, samples=samples, quantities=quantities)
     if not isinstance(plan, Case | BearingCase):
