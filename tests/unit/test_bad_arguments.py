@@ -336,7 +336,7 @@ ENTRIES: dict[str, Entry] = {
     "Plan.tried": entry(nh.Plan(UPRIGHT).tried, path=("load.load", "word"), given=([1e3], "spread")),
     "sweep": entry(
         nh.sweep, plan=(nh.Plan(UPRIGHT, over={"load.load": [1e3]}), "thing"), over=(None, "optional"),
-        samples=(None, "optional"), quantities=(None, "given names"), out=(None, "directory"), workers=(1, "whole?"),
+        samples=(None, "whole?"), quantities=(None, "given names"), out=(None, "directory"), workers=(1, "whole?"),
         scheduler=(None, "optional"), announce=(None, "function?"), raises=(nh.CaseError,),
     ),
     "study.Sweep.__getitem__": entry(SWEPT.__getitem__, name=("load.load", "word"), raises=(KeyError,)),
