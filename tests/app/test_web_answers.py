@@ -16,7 +16,7 @@ from nonhertz.cli import main
 from nonhertz.io.casefile import case_in, starting_case
 from nonhertz.subsurface import extremes
 from nonhertz.web import limits
-from nonhertz.web.view import jobs
+from nonhertz.web.view import curves, jobs
 from nonhertz.web.view.jobs import as_json_has_it
 
 STARTING = tomllib.loads(starting_case())
@@ -264,3 +264,49 @@ def test_the_how_to_tells_the_limits():
     assert f"a case that takes longer than {limits.LIVE_SECONDS} s is abandoned" in text
     assert f"uploaded, {limits.UPLOAD_BYTES // 2**20} MB at most" in text
     assert f"more than {limits.UPLOAD_POINTS:,} points, neighbours are averaged" in text
+
+
+def curve(document, path, values):
+    return json.loads(curves.curve(document, path, values))
+
+
+@pytest.mark.parametrize(("path", "values"), [("load.load", [1e4, 3e4]), ("body.a.profile[1].amplitude", [2e-3, 6e-3])])
+def test_a_curve_has_the_numbers_of_single_cases(path, values):
+    found = curve(STARTING, path, values)
+    names = [each["name"] for each in found["quantities"]]
+    keys = ("load__load",) if path == "load.load" else ("body__a__profile",)
+    for point, value in zip(found["points"], values, strict=True):
+        given = value if path == "load.load" else [STARTING["body"]["a"]["profile"][0] | {"amplitude": value}]
+        solution = solution_of(changed(**{keys[0]: given}))
+        numbers = dict(zip(names, point["numbers"], strict=True))
+        assert point["value"] == value
+        assert numbers["max_pressure"] == solution.max_pressure
+        assert numbers["approach"] == 1e3 * solution.approach
+
+
+def test_a_value_without_a_solution_is_a_sentence_on_the_curve():
+    good, bad = curve(STARTING, "body.a.length", [18.0, -1.0])["points"]
+    assert good["numbers"]
+    assert "positive" in bad["sentence"]
+
+
+def test_a_curve_over_nothing_names_the_nearest():
+    found = curve(STARTING, "body.a.diametre", [1.0])
+    assert not found["ok"]
+    assert "body.a.diameter" in found["mistakes"][0]["sentence"]
+
+
+def test_a_curve_obeys_the_limits_of_the_page():
+    (point,) = curve(STARTING | {"solver": {"strips": 20}}, "solver.strips", [limits.STRIPS + 1])["points"]
+    assert f"at most {limits.STRIPS}" in point["sentence"]
+
+
+def test_a_curve_has_a_life_where_the_case_has():
+    names = [each["name"] for each in curve(STARTING | {"life": {"rollers": 14}}, "load.load", [1e4])["quantities"]]
+    assert "life" in names
+    assert "life" not in [each["name"] for each in curve(STARTING, "load.load", [1e4])["quantities"]]
+
+
+def test_points_for_which_there_is_no_time_are_left_to_the_next_request(monkeypatch):
+    monkeypatch.setattr(curves, "CURVE_SECONDS", 0.0)
+    assert [point["value"] for point in curve(STARTING, "load.load", [1e4, 2e4, 3e4])["points"]] == [1e4]

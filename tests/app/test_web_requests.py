@@ -386,7 +386,7 @@ def test_requests_of_other_sites_are_refused(client):
     refused(client.get("/status", headers=link), 403)
 
 
-POSTS = ["/solve", "/form", "/download/case.toml"]
+POSTS = ["/solve", "/form", "/curve", "/download/case.toml"]
 
 
 @pytest.mark.parametrize("kind", ["text/plain", "application/x-www-form-urlencoded", "multipart/form-data", ""])
@@ -429,6 +429,29 @@ def test_malformed_requests(client, text):
 @pytest.mark.parametrize("more", [{"stress": 1}, {"stress": None}, {"body": "c"}, {"body": ["a"]}, {"body": 1}])
 def test_malformed_wishes(client, more):
     refused(client.post("/solve", json={"document": STARTING} | more), 400)
+
+
+def test_a_curve_in_pieces(client):
+    wanted = {"document": STARTING, "path": "load.load", "values": [1e4, 2e4]}
+    found = client.post("/curve", json=wanted).json()
+    assert [point["value"] for point in found["points"]] == [1e4, 2e4]
+    wanted["document"] = STARTING | {"load": {"load": "20 kg"}}
+    assert [each["path"] for each in client.post("/curve", json=wanted).json()["mistakes"]] == ["load.load"]
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        {}, {"path": "load.load"}, {"values": [1.0]}, {"path": 1, "values": [1.0]},
+        {"path": "load.load", "values": 1.0},
+        {"path": "load.load", "values": []}, {"path": "load.load", "values": [1.0] * (limits.CURVE_POINTS + 1)},
+        {"path": "load.load", "values": ["1"]}, {"path": "load.load", "values": [True]},
+        {"path": "load.load", "values": [10**400]}, {"path": "load.load", "values": [[1.0]]},
+    ],
+    ids=range(11),
+)  # fmt: skip
+def test_malformed_curves(client, more):
+    refused(client.post("/curve", json={"document": STARTING} | more), 400)
 
 
 def test_numbers_beyond_all_numbers(client):

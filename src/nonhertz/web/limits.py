@@ -29,6 +29,10 @@ LAMINAE: Final = 200
 
 LIVE_SECONDS: Final = 1.3
 """Time limit of a case."""
+CURVE_SECONDS: Final = 0.5
+"""After which no further point of a curve is begun; two points take less than the time limit of a case."""
+CURVE_POINTS: Final = 12
+"""In one request."""
 UPLOAD_SECONDS: Final = 1.5
 HEAD_SECONDS: Final = 20.0
 """Time limit for the headers of a request to arrive."""

@@ -19,8 +19,10 @@ from starlette.routing import Route
 
 from nonhertz import __version__
 from nonhertz.io.casefile import parsed, starting_case
+from nonhertz.web.form.fields import is_number
 from nonhertz.web.form.form import form
 from nonhertz.web.limits import (
+    CURVE_POINTS,
     DOCUMENT_BYTES,
     LIVE_SECONDS,
     PATIENT_SECONDS,
@@ -35,6 +37,7 @@ from nonhertz.web.server.guard import Guard
 from nonhertz.web.server.intake import RefusedError, content, json_object
 from nonhertz.web.server.workers import EndedError, FailedError, TooSlowError, Workers
 from nonhertz.web.view import jobs
+from nonhertz.web.view.curves import curve
 from nonhertz.web.view.replies import broken, excess, refusal, reply
 
 _TYPES: Final = {".css": "text/css", ".js": "text/javascript", ".svg": "image/svg+xml", ".html": "text/html"}
@@ -123,6 +126,19 @@ class Page:
         text = await self.workers.run(jobs.solve, document, stress, body, seconds=LIVE_SECONDS)
         return Response(text, media_type="application/json")
 
+    async def curve(self, request: Request) -> Response:
+        """Answer with points of a curve over one value of a document."""
+        asked = await self._asked(request)
+        document, path, values = document_in(asked), asked.get("path"), asked.get("values")
+        if not isinstance(path, str) or not isinstance(values, list) or not 1 <= len(values) <= CURVE_POINTS:
+            raise RefusedError(400, f"path must be text, and values a list of 1 to {CURVE_POINTS} numbers.")
+        if not all(type(each) in {int, float} and is_number(each) for each in values):
+            raise RefusedError(400, "values must be finite numbers.")
+        if await request.is_disconnected():
+            return Response(status_code=204)
+        text = await self.workers.run(curve, document, path, values, seconds=LIVE_SECONDS)
+        return Response(text, media_type="application/json")
+
     async def open(self, request: Request) -> Response:
         """Answer with the document parsed from the text of a case file."""
         content_of_file = await content(request, "application/toml", DOCUMENT_BYTES)
@@ -182,6 +198,7 @@ class Page:
             Route("/static/{name:path}", self.static),
             Route("/form", self.form, methods=["POST"]),
             Route("/solve", self.solve, methods=["POST"]),
+            Route("/curve", self.curve, methods=["POST"]),
             Route("/open", self.open, methods=["POST"]),
             Route("/upload", self.upload, methods=["POST"]),
             Route("/download/{name}", self.download, methods=["POST"]),

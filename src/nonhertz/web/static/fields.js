@@ -81,12 +81,25 @@ export function follow(slider, control) {
   slider.value = String(Math.round(STEPS * Math.min(1, Math.max(0, share))));
 }
 
+/**
+ * The value of a field in the unit of its slider, NaN if it is no number in the unit that the field is written in.
+ * @param {HTMLInputElement} slider
+ * @param {Control} control
+ */
+export function valueOf(slider, control) {
+  const { factor, unit } = written(slider, control);
+  const text = control.value.trim();
+  const number = text.slice(0, text.length - unit.trim().length).trim();
+  return number === "" ? NaN : Number(number) * factor;
+}
+
 /** The ends of a slider, which the program gives in the unit of the quantity. @param {HTMLInputElement} slider */
-function ends(slider) {
+export function ends(slider) {
   return [Number(slider.dataset.min), Number(slider.dataset.max)];
 }
 
-function isLogarithmic(slider) {
+/** Whether a slider's steps are ratios. @param {HTMLInputElement} slider */
+export function isLogarithmic(slider) {
   return slider.dataset.sliderScale === "log";
 }
 

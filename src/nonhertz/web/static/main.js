@@ -2,6 +2,7 @@
 
 import { watchHelp, watchKeys } from "./anywhere.js";
 import { Edits } from "./edits.js";
+import { Curve } from "./curve.js";
 import { byId } from "./elements.js";
 import { opened, saved } from "./files.js";
 import { Form } from "./form.js";
@@ -26,6 +27,7 @@ const live = new Live({
     if (answer.ok) view.show(document, answer);
     else view.refuse(document, answer);
     if (stress) showStress(answer, false);
+    if (answer.ok) curve.at(document, answer.key);
     roundTrip(since, begun, answer);
   },
   stressed(answer) {
@@ -38,6 +40,7 @@ const live = new Live({
     byId("stress-figures").classList.add("stale");
   },
   rested(complete) {
+    if (live.latest) curve.rested();
     if (complete) refining = window.setTimeout(() => view.drawStress(), STILL);
     if (complete || !view.shownBody() || !live.latest) document.documentElement.dataset.state = "settled";
   },
@@ -50,6 +53,8 @@ function showStress(answer, fine) {
   if (answer.ok) view.stress(answer, fine);
 }
 
+const curve = new Curve(byId("case"));
+
 const form = new Form(start.document, {
   edited(document, since) {
     notice("link", "");
@@ -59,6 +64,7 @@ const form = new Form(start.document, {
   },
   fresh: freshForm,
   drawn() {
+    curve.offer();
     placeProfiles((body) => measured.open(body));
     drawProfiles(view.profiles, view.pinned?.answer.profiles);
   },

@@ -1,0 +1,89 @@
+"""What one value of a case does to its results: the points of a curve, a few at a time."""
+
+from __future__ import annotations
+
+import math
+import time
+from typing import Any, Final
+
+from nonhertz.errors import CaseError, InputError, NonhertzError
+from nonhertz.io.paths import Parameter, parameter, parameters
+from nonhertz.result.quantities import Quantity
+from nonhertz.study.quantities import SolvedContact, chosen
+from nonhertz.web.form.keys import case_schema
+from nonhertz.web.limits import CURVE_SECONDS
+from nonhertz.web.view.jobs import calmly, sound, worked_out
+from nonhertz.web.view.replies import as_bytes, broken, misfit
+
+_NAMES: Final = ("max_pressure", "approach", "load", "moment", "tilt", "max_half_width", "contact_length")
+_LIFE: Final = "life"
+
+
+def curve(document: dict[str, Any], path: str, values: list[float]) -> bytes:
+    """Return points of a curve as JSON, or what is wrong with the case.
+
+    As many as there is time for, at least one: those that are missing are to be asked for again.
+
+    Parameters
+    ----------
+    document : dict
+        The case.
+    path : str
+        Which of its values is varied, such as ``"body.a.profile[1].drop"``.
+    values : list of float
+        The values, in their base unit.
+    """
+    begun = time.perf_counter()
+    with calmly():
+        try:
+            sound(document)
+            varied = parameter(path, parameters(document, case_schema()))
+        except CaseError as error:
+            return as_bytes(misfit(error))
+        except InputError as error:
+            return as_bytes(broken([("", str(error))]))
+        quantities = _quantities(document)
+        points: list[dict[str, Any]] = []
+        for value in values:
+            points.append(_point(document, varied, value, quantities))
+            if time.perf_counter() - begun > CURVE_SECONDS:
+                break
+    named = [
+        {
+            "name": each.name,
+            "label": each.label,
+            "unit": each.shown_unit.replace("um", "\u00b5m"),
+            "factor": each.factor,
+        }
+        for each in quantities
+    ]
+    return as_bytes({"ok": True, "quantities": named, "points": points})
+
+
+def _quantities(document: dict[str, Any]) -> tuple[Quantity, ...]:
+    life = document.get("life")
+    # Under a spectrum every point would be a dozen solutions.
+    with_life = isinstance(life, dict) and "spectrum" not in life
+    return chosen((*_NAMES, _LIFE) if with_life else _NAMES, bearing=False)
+
+
+def _point(
+    document: dict[str, Any], varied: Parameter, value: float, quantities: tuple[Quantity, ...]
+) -> dict[str, Any]:
+    """Return the numbers at one value, in their shown units, or a sentence why there are none."""
+    try:
+        case, solution, complaint = worked_out(varied.put(document, value))
+    except CaseError as error:
+        return {"value": value, "sentence": error.mistakes[0]}
+    if complaint:
+        return {"value": value, "sentence": complaint}
+    solved = SolvedContact(case, solution)
+    numbers = [_number(quantity, solved) for quantity in quantities]
+    return {"value": value, "numbers": [each if math.isfinite(each) else None for each in numbers]}
+
+
+def _number(quantity: Quantity, solved: SolvedContact) -> float:
+    try:
+        return quantity.factor * float(quantity.get(solved))
+    except NonhertzError:
+        return math.nan

@@ -1,0 +1,89 @@
+"""What a slider does: drawn while it is worked out, and kept while the slider is dragged."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from desk import Desk
+
+pytestmark = pytest.mark.browser
+
+
+def drawn(desk: Desk) -> None:
+    desk.page.locator("#curve[data-state=done]").wait_for(state="attached")
+
+
+def points(desk: Desk) -> int:
+    return desk.page.locator('[data-figure="curve"] circle').count()
+
+
+def words(desk: Desk) -> str:
+    return desk.page.locator('[data-figure="curve"] svg[role=img]').get_attribute("aria-label")
+
+
+def test_a_slider_becomes_a_curve(desk: Desk) -> None:
+    desk.settle()
+    assert desk.page.locator("#curve-choices").is_hidden()
+    desk.page.locator("#curve-on").check()
+    drawn(desk)
+    assert desk.page.locator("#curve-path").input_value() == "load.load"
+    assert points(desk) == 33 + 1  # and the case that is shown
+    assert re.match(
+        r"Maximum pressure over load: least 15\d\d MPa at 10000 N, largest 28\d\d MPa at 40000 N\.", words(desk)
+    )
+    desk.page.locator("#curve-quantity").select_option("approach")
+    assert words(desk).startswith("Approach over load")
+    desk.photograph("curve", whole=True)
+
+
+def test_while_its_slider_is_dragged_the_curve_stays_and_the_mark_moves(desk: Desk) -> None:
+    desk.settle()
+    desk.page.locator("#curve-on").check()
+    drawn(desk)
+    asked: list[str] = []
+    desk.page.on("request", lambda request: asked.append(request.url))
+    mark = desk.page.locator('[data-figure="curve"] circle[r="4"]')
+    before = mark.get_attribute("cx")
+    desk.write("load.load", "15000")
+    assert mark.get_attribute("cx") != before
+    assert not [url for url in asked if url.endswith("/curve")]
+    desk.write("load.tilt", "0.0002")  # another case
+    desk.page.wait_for_timeout(200)
+    drawn(desk)
+    assert [url for url in asked if url.endswith("/curve")]
+
+
+def test_another_slider_that_is_dragged_is_the_next_curve(desk: Desk) -> None:
+    desk.settle()
+    desk.page.locator("#curve-on").check()
+    drawn(desk)
+    desk.slider("load.tilt").press("ArrowRight")
+    assert desk.page.locator("#curve-path").input_value() == "load.tilt"
+    drawn(desk)
+    assert "over tilt" in words(desk)
+
+
+def test_ends_that_are_no_numbers_are_told(desk: Desk) -> None:
+    desk.settle()
+    desk.page.locator("#curve-on").check()
+    drawn(desk)
+    desk.page.locator("#curve-low").fill("none")
+    desk.page.locator("#curve-low").press("Tab")
+    assert "numbers" in desk.page.locator("#curve-note").inner_text()
+    desk.page.locator("#curve-low").fill("-5")
+    desk.page.locator("#curve-low").press("Tab")
+    assert "one sign" in desk.page.locator("#curve-note").inner_text()
+
+
+def test_values_without_a_solution_are_told(desk: Desk) -> None:
+    desk.settle()
+    desk.page.locator("#curve-on").check()
+    drawn(desk)
+    desk.page.locator("#curve-path").select_option("body.a.profile[1].fraction")
+    desk.page.locator("#curve-low").fill("0.9")
+    desk.page.locator("#curve-high").fill("1.5")
+    desk.page.locator("#curve-high").press("Tab")
+    desk.page.wait_for_timeout(100)
+    drawn(desk)
+    assert "have no solution" in desk.page.locator("#curve-note").inner_text()
