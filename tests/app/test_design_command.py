@@ -97,3 +97,33 @@ def test_a_bearing_is_no_case_of_a_design(folder, capsys):
     capsys.readouterr()
     assert main(["design", "plan.toml"]) == 2
     assert "a bearing is swept over" in capsys.readouterr().err
+
+
+def test_a_front_of_aligned_and_misaligned_loads(folder, capsys):
+    assert main(["design", "plan.toml", "--workers", "1", "--starts", "1", "--front", "3"]) == 0
+    out = capsys.readouterr().out
+    assert out.startswith("point  MPa without tilt  MPa with tilt  body.a.profile.radius")
+    files = {path.name for path in (folder / "plan-design").iterdir()}
+    points = json.loads((folder / "plan-design" / "front.json").read_text(encoding="utf-8"))["points"]
+    assert files == {"front.csv", "front.json", "front.svg", "front.png"} | {
+        f"case-{k}.toml" for k in range(1, len(points) + 1)
+    }
+    case = nh.read_case(folder / "plan-design" / "case-1.toml")
+    again = nh.solve(case.contact, load=20e3, strips=41)
+    assert again.max_pressure == pytest.approx(points[0]["max_pressure_without_tilt"], rel=1e-6)
+    assert len((folder / "plan-design" / "front.csv").read_text(encoding="utf-8").splitlines()) == 1 + len(points)
+
+
+@pytest.mark.parametrize(
+    ("change", "arguments", "sentence"),
+    [
+        ((', tilt = "2 arcmin"', ""), ("3",), "must hold loads without tilt and loads with tilt for a front"),
+        (("starts = 2", 'goal = "life"'), ("3",), "goal = 'life' must be 'pressure' for a front"),
+        (("starts = 2", "starts = 1"), ("2",), "--front = 2 must be a whole number from 3 to 50"),
+    ],
+)
+def test_what_has_no_front_is_told(folder, capsys, change, arguments, sentence):
+    (folder / "plan.toml").write_text(PLAN.replace(*change), encoding="utf-8")
+    assert main(["design", "plan.toml", "--front", *arguments]) == 2
+    assert sentence in capsys.readouterr().err
+    assert not (folder / "plan-design").exists()

@@ -452,6 +452,7 @@ def design(
     /,
     *,
     starts: int | None = None,
+    front: int | None = None,
     out: Path | None = None,
     workers: int | None = None,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
@@ -464,9 +465,13 @@ def design(
         The plan file, with tables vary and design.
     starts : int
         Number of searches, each from another place; by default that of the plan, or 5.
+    front : int
+        In place of a goal, so many points of the Pareto front of the largest pressures under the loads without tilt and
+        under those with tilt.
     out : Path
-        Directory for case.toml (the case as it is best), profile.csv, design.json and the figures; by default the
-        file's name with '-design', in the current directory.
+        Directory for case.toml (the case as it is best), profile.csv, design.json and the figures, or of a front for
+        front.csv, front.json, a case file for each point and the figure; by default the file's name with '-design', in
+        the current directory.
     workers : int
         Number of processes; by default one for each core.
     as_json : bool
@@ -478,6 +483,17 @@ def design(
 
     directory = directory_for(plan) if out is None else out
     refuse_unwritable(directory)
+    if front is not None:
+        from nonhertz.cli.front import as_json as front_json
+        from nonhertz.cli.front import print_front, searched, written_front
+
+        points = searched(plan, front, starts, workers)
+        files = written_front(points, directory)
+        if as_json:
+            print(front_json(points, files))
+        else:
+            print_front(points, files)
+        return FINE
     found = designed(plan, starts, workers)
     files = written(found, directory)
     if as_json:

@@ -190,11 +190,17 @@ class Front:
         The values of the paths of each point, from the best for the second group to the best for the first.
     first, second : tuple of float
         The largest pressures under both groups [MPa].
+    cases : tuple of Case
+        The cases of the points.
+    units : dict
+        The units of the paths.
     """
 
     values: tuple[dict[str, Any], ...]
     first: tuple[float, ...]
     second: tuple[float, ...]
+    cases: tuple[Case, ...]
+    units: dict[str, str] = field(default_factory=dict)
 
 
 def best(
@@ -277,6 +283,7 @@ def front(
     first: Sequence[LoadCase],
     second: Sequence[LoadCase],
     vary: Mapping[str, Any] | None = None,
+    where: Mapping[str, Any] | None = None,
     points: int = POINTS,
     starts: int | None = None,
     workers: int | None = None,
@@ -289,7 +296,7 @@ def front(
 
     Parameters
     ----------
-    case, vary, starts, workers
+    case, vary, where, starts, workers
         As in `best`.
     first, second : sequence of LoadCase
         The groups; their shares have no effect.
@@ -307,8 +314,11 @@ def front(
     """
     points = whole("points", points, 3, MOST_POINTS, "give the number of points")
     groups = [_group(name, each) for name, each in (("first", first), ("second", second))]
-    ends = [best(case, vary=vary, goal=PRESSURE, loads=group, starts=starts, workers=workers) for group in groups]
-    asked = _asked(case, vary, PRESSURE, groups[0], None, None, starts)
+    ends = [
+        best(case, vary=vary, goal=PRESSURE, loads=group, where=where, starts=starts, workers=workers)
+        for group in groups
+    ]
+    asked = _asked(case, vary, PRESSURE, groups[0], where, None, starts)
     every = (*groups[0], *groups[1])
     free, held = (None,) * len(groups[0]), len(groups[1])
     lowest, highest = ends[1].value, _largest(ends[0].case, groups[1])
@@ -325,19 +335,20 @@ def front(
         for (k, _, _), search in crew.run(_searched, tasks):
             if isinstance(search, _Search) and math.isfinite(search.value) and search.least_margin >= -1e-3:
                 found.setdefault(k, []).append(search)
-    rows = [(ends[1].values, _largest(ends[1].case, groups[0]), lowest)]
+    rows = [(ends[1].values, _largest(ends[1].case, groups[0]), lowest, ends[1].case)]
     for k in sorted(found):
         chosen = min(found[k], key=lambda each: each.value)
         case_there = asked.task.case(chosen.ended)
-        rows.append((asked.task.values(chosen.ended), chosen.value, _largest(case_there, groups[1])))
-    rows.append((ends[0].values, ends[0].value, highest))
+        rows.append((asked.task.values(chosen.ended), chosen.value, _largest(case_there, groups[1]), case_there))
+    rows.append((ends[0].values, ends[0].value, highest, ends[0].case))
     rows = [row for row in rows if not any(_better(other, row) for other in rows)]
-    return Front(*(tuple(column) for column in zip(*rows, strict=True)))
+    values, largest, others, cases = (tuple(column) for column in zip(*rows, strict=True))
+    return Front(values, largest, others, cases, ends[0].units)
 
 
-def _better(one: tuple[Any, float, float], other: tuple[Any, float, float]) -> bool:
+def _better(one: tuple[Any, float, float, Case], other: tuple[Any, float, float, Case]) -> bool:
     """Return whether a point has no more of either pressure than another, and less of one."""
-    return one[1] <= other[1] and one[2] <= other[2] and one[1:] != other[1:]
+    return one[1] <= other[1] and one[2] <= other[2] and one[1:3] != other[1:3]
 
 
 def _crew(processes: int, tasks: int) -> Crew:

@@ -1,0 +1,110 @@
+"""What ``nonhertz design --front`` reads, prints and writes."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from rich.table import Table
+from rich.text import Text
+
+from nonhertz.cli.printing import console, print_table
+from nonhertz.errors import InputError
+from nonhertz.io.casefile import as_toml
+from nonhertz.io.folder import write_files
+from nonhertz.io.planfile import read_design
+from nonhertz.result.numerals import digits
+from nonhertz.study.design import Front, front
+from nonhertz.study.pictures import front_figure
+
+GROUPS = ("without tilt", "with tilt")
+
+
+def searched(plan: Path, points: int, starts: int | None, workers: int | None) -> Front:
+    """Return the Pareto front of the loads of a plan without tilt and of those with tilt.
+
+    Raises
+    ------
+    CaseError
+        If the plan has mistakes.
+    InputError
+        If one of the groups is empty, the plan is for lives, or an option is refused.
+    """
+    case, given = read_design(plan)
+    loads = given.get("loads") or ()
+    aligned = [each for each in loads if each.tilt == 0.0]
+    tilted = [each for each in loads if each.tilt != 0.0]
+    if not aligned or not tilted:
+        condition, remedy = "hold loads without tilt and loads with tilt for a front", "give the design both"
+        raise InputError("loads", f"{len(aligned)} without tilt and {len(tilted)} with", condition, remedy)
+    if given.get("goal", "pressure") != "pressure":
+        raise InputError("goal", given["goal"], "be 'pressure' for a front", "leave it out")
+    options = {"threads": "--workers", "starts": "--starts", "points": "--front"}
+    try:
+        return front(
+            case, first=aligned, second=tilted, vary=given.get("vary"), where=given.get("where"), points=points,
+            starts=given.get("starts") if starts is None else starts, workers=workers,
+        )  # fmt: skip
+    except InputError as error:
+        if error.field in options:
+            raise InputError(options[error.field], error.value, error.condition, error.remedy) from None
+        raise
+
+
+def written_front(found: Front, out: Path) -> tuple[Path, ...]:
+    """Write the points as a table, as numbers and as case files, and the figure; return the files."""
+    from nonhertz.plot import save
+
+    def draw(folder: Path) -> None:
+        save(front_figure(found, (f"loads {GROUPS[0]}", f"loads {GROUPS[1]}")), folder / "front")
+
+    texts = {"front.csv": _table(found), "front.json": as_json(found, ()) + "\n"}
+    for number, case in enumerate(found.cases, start=1):
+        texts[f"case-{number}.toml"] = as_toml(case.document | {"title": f"{case.title}, point {number} of a front"})
+    return write_files(out, texts, draw)
+
+
+def as_json(found: Front, files: Sequence[Path]) -> str:
+    """Return what `print_front` prints as JSON text."""
+    points = [
+        {"values": values, "max_pressure_without_tilt": first, "max_pressure_with_tilt": second}
+        for values, first, second in zip(found.values, found.first, found.second, strict=True)
+    ]
+    content: dict[str, Any] = {"points": points, "units": found.units, "files": [str(path) for path in files]}
+    return json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)
+
+
+def print_front(found: Front, files: Sequence[Path]) -> None:
+    """Print the points and the files."""
+    numbers = _numbers(found)
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
+    for name in ("point", *(f"MPa {group}" for group in GROUPS), *numbers):
+        table.add_column(Text(name))
+    for k, (first, second) in enumerate(zip(found.first, found.second, strict=True)):
+        cells = [f"{digits(values[k])} {found.units.get(path, '')}".rstrip() for path, values in numbers.items()]
+        table.add_row(str(k + 1), digits(first), digits(second), *cells)
+    print_table(console(), table)
+    print()
+    for path in files:
+        print(f"wrote {path}")
+
+
+def _numbers(found: Front) -> dict[str, list[float]]:
+    """Return the values of each path that is a number; free profiles are in the case files."""
+    paths = [path for path, value in found.values[0].items() if isinstance(value, float)]
+    return {path: [values[path] for values in found.values] for path in paths}
+
+
+def _table(found: Front) -> str:
+    numbers = _numbers(found)
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    named = [f"{path} [{found.units[path]}]" if found.units.get(path) else path for path in numbers]
+    writer.writerow(["point", *(f"largest pressure {group} [MPa]" for group in GROUPS), *named])
+    for k, (first, second) in enumerate(zip(found.first, found.second, strict=True)):
+        writer.writerow([k + 1, f"{first:.9g}", f"{second:.9g}", *(f"{values[k]:.9g}" for values in numbers.values())])
+    return text.getvalue()
