@@ -141,13 +141,55 @@ def test_no_point_of_a_front_is_better_than_another_in_both():
     assert found.second[0] < found.second[-1]
 
 
+def test_bounds_of_a_free_profile_are_those_of_its_steps():
+    form, half, rng = FreeForm(0.06, 5, steepest=0.004, roundest=300.0), 9.5, np.random.default_rng(1)
+    shares = 0.4 * rng.random(5)
+    y, relief = form.places(half), form.relief(shares)
+    slopes = np.diff(relief) / np.diff(y)
+    both = np.concatenate([-slopes[:1], slopes])
+    middles = np.concatenate([-0.5 * y[1:2], 0.5 * (y[1:] + y[:-1])])
+    curvatures = np.diff(both) / np.diff(middles)
+    margins, gradient = form.margins(shares, half)
+    expected = [1.0 - relief[-1:] / 0.06, 1.0 - slopes / 0.004, 1.0 - 300.0 * curvatures, 1.0 + 300.0 * curvatures]
+    np.testing.assert_allclose(margins, np.concatenate(expected), rtol=1e-12)
+    for k in range(5):
+        step = 1e-6 * np.eye(5)[k]
+        change = (form.margins(shares + step, half)[0] - form.margins(shares - step, half)[0]) / 2e-6
+        np.testing.assert_allclose(gradient[:, k], change, atol=1e-6 * np.abs(gradient).max())
+
+
+def test_a_free_profile_stays_within_the_slope_and_the_curvature_that_it_may_have():
+    loose, bound = (
+        best(CASE, vary={"body.a.profile": text}, loads=LOADS, starts=2, workers=1)
+        for text in ("free(60 um, 5)", "free(60 um, 5, slope 2 mrad, radius 2000 mm)")
+    )
+    (tables,) = bound.case.document["body"]["a"]["profile"]
+    y, relief = np.array(tables["y"]), np.array(tables["relief"])
+    slopes = np.diff(relief) / np.diff(y)
+    curvatures = np.diff(slopes) / np.diff(0.5 * (y[1:] + y[:-1]))
+    assert np.abs(slopes).max() <= 2e-3 * (1.0 + 1e-3)
+    assert np.abs(curvatures).max() <= 1.0 / 2000.0 * (1.0 + 1e-3)
+    assert loose.value < bound.value < bound.before
+
+
 def test_a_free_profile_grows_from_the_middle():
     form = free_form_in("body.a.profile", "free(60 um, 4)")
     assert form == FreeForm(0.06, 4)
     np.testing.assert_allclose(form.relief([0.1, 0.2, 0.3, 0.4]), 0.06 * np.cumsum([0.0, 0.01, 0.04, 0.09, 0.16]))
     assert form.places(10.0)[-1] == pytest.approx(10.0)
     assert free_form_in("x", "1 um : 2 um") is None
-    for text in ("free(0)", "free(60 um, 1)", "free(60)"):
+    assert free_form_in("x", "free(60 um, slope 5 mrad)") == FreeForm(0.06, 8, 0.005)
+    assert free_form_in("x", "free(60 um, 4, radius 0.2 m, slope 5 mrad)") == FreeForm(0.06, 4, 0.005, 200.0)
+    for text in (
+        *(
+            "free(0)",
+            "free(60 um, 1)",
+            "free(60)",
+            "free(60 um, 8, slope 0)",
+            "free(60 um, slope 1 mrad, slope 2 mrad)",
+        ),
+        *("free(60 um, slope 1 mm)", "free(60 um, 8, 3)", "free(60 um, 8, steep 1 mrad)", "free()"),
+    ):
         with pytest.raises(nh.InputError):
             free_form_in("x", text)
 

@@ -63,6 +63,7 @@ SAME = 0.01  # of the goal: starts that come so close have found the same
 COSTS = (0.01, 0.05)  # for which the bands of variables are found
 PLACES = 401  # of a relief
 BAND_STEPS, BAND_CLOSE = 10, 2e-3  # of the search for an end of a band, and its width in a variable
+BEYOND = 1.2  # by how much slopes and curvatures of a start stay below their bounds at least
 _BAD = 10.0  # logarithm, of a point that is not allowed
 
 
@@ -406,13 +407,16 @@ class _Asked:
         return np.array(found)
 
     def _allowed(self, point: Array) -> Array:
-        """Return a start whose increments of free profiles add up to no more than they may."""
+        """Return a start whose free profiles are within their bounds."""
         x = 0.05 + 0.9 * point
         for path in {each.path for each in self.task.variables if each.form is not None}:
             at = [k for k, each in enumerate(self.task.variables) if each.path == path]
             # More towards the ends, as profiles are, and between a tenth and half of the deepest in all.
             x[at] = (0.3 + x[at]) * np.linspace(0.1, 1.0, len(at)) ** 2
             x[at] *= math.sqrt(0.1 + 0.4 * float(point[at[0]])) / np.linalg.norm(x[at])
+        for mine, margins, _ in self.task.of_forms(x):
+            # Margins are 1 less something that grows with the squares.
+            x[mine] /= math.sqrt(max(1.0, BEYOND * (1.0 - float(margins.min()))))
         return x
 
 
@@ -648,15 +652,19 @@ class _Searching:
     def _limits(self, count: int, more: int) -> list[dict[str, Any]]:
         """Return the constraints, of variables and of so many more unknowns."""
         found: list[dict[str, Any]] = []
-        for path in dict.fromkeys(each.path for each in self._task.variables if each.form is not None):
-            mine = np.array([each.path == path for each in self._task.variables] + [False] * more)
-            found.append(
-                {
-                    "type": "ineq",
-                    "fun": lambda z, mine=mine: 1.0 - float(np.sum(z[mine] ** 2)),
-                    "jac": lambda z, mine=mine: np.where(mine, -2.0 * z, 0.0),
-                }
-            )
+        if any(each.form is not None for each in self._task.variables):
+
+            def of_forms(z: Array) -> Array:
+                return np.concatenate([margins for _, margins, _ in self._task.of_forms(z[:count])])
+
+            def slopes_of_forms(z: Array) -> Array:
+                parts = []
+                for mine, _, own in self._task.of_forms(z[:count]):
+                    parts.append(np.zeros((len(own), count + more)))
+                    parts[-1][:, np.flatnonzero(mine)] = own
+                return np.concatenate(parts)
+
+            found.append({"type": "ineq", "fun": of_forms, "jac": slopes_of_forms})
         if self._task.limits:
             size = sum((limit.most is not None) + (limit.least is not None) for limit in self._task.limits)
             rows = size * len(self._task.loads)
@@ -704,7 +712,7 @@ def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], 
         raise InputError("vary", paths, f"be possible at a start ({why.rstrip('.')})", "change the bounds or the loads")
     if not met:
         nearest = max(good, key=lambda each: each.least_margin)
-        names = ", ".join(limit.name for limit in task.limits)
+        names = ", ".join(limit.name for limit in task.limits) or "bounds of free profiles"
         short = f"by {100.0 * -nearest.least_margin:.3g} %"
         raise InputError("where", names, f"be possible, but every start falls short, {short} at least", "relax a limit")
     chosen = min(met, key=lambda each: each.value)

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from nonhertz.bodies.whole_roller import interpolated_shapes
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
 from nonhertz.io.casefile import Case
-from nonhertz.io.free_forms import FreeForm
+from nonhertz.io.free_forms import FreeForm, half_length
 from nonhertz.io.planfile import Template
 from nonhertz.life import LoadCase, Model
 from nonhertz.result.gradient import Gradient
@@ -153,6 +153,15 @@ class Task:
                 found[variable.path] = variable.value(share)
             else:
                 found.setdefault(variable.path, []).append(variable.value(share))
+        return found
+
+    def of_forms(self, x: Array) -> list[tuple[NDArray[np.bool_], Array, Array]]:
+        """Return of every free profile which variables are its own, the margins of its bounds, and their slopes."""
+        found = []
+        for path, form in {each.path: each.form for each in self.variables if each.form is not None}.items():
+            mine = np.array([each.path == path for each in self.variables])
+            half = half_length(self.template.document, self.template.known[path].keys)
+            found.append((mine, *form.margins(x[mine], half)))
         return found
 
     def document(self, x: Array) -> dict[str, Any]:
@@ -315,9 +324,10 @@ class Judged:
 
     @property
     def spare(self) -> float:
-        """By how much the tightest limit or cap is met, over itself; infinite if there is none."""
+        """By how much the tightest limit, cap or bound of a free profile is met, over itself; infinite without any."""
         caps = [(cap - each.max_pressure) / cap for each, cap in self._capped()]
-        return float(min((*self.margins(), *caps), default=math.inf))
+        forms = [margin for _, margins, _ in self.task.of_forms(self.x) for margin in margins.tolist()]
+        return float(min((*self.margins(), *caps, *forms), default=math.inf))
 
     def _capped(self) -> list[tuple[Solution, float]]:
         found = ((each, self.task.cap(number)) for number, each in enumerate(self.solutions))
