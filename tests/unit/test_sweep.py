@@ -46,6 +46,28 @@ def test_a_row_is_what_the_case_alone_gives():
         )
 
 
+def test_no_load_is_a_row_of_zeros_and_not_a_failure():
+    found = nh.sweep(
+        CASE, over={"load.load": "0 : 2 N : 3", "load.tilt": [0.0, 1e-3]},
+        quantities=("max_pressure", "approach", "max_half_width", "penetration", "load_by_approach"),
+    )  # fmt: skip
+    assert not found.failures
+    for name in ("max_pressure", "max_half_width", "penetration"):
+        assert (found[name][0] == 0.0).all()
+    assert np.isnan(found["load_by_approach"][0]).all()
+    # The circle of 4 m touches where its slope is the tilt, here nearly 4 mm from the middle.
+    np.testing.assert_allclose(found["approach"][0], [0.0, -4000.0 * (np.sqrt(1.0 + 1e-6) - 1.0)], atol=1e-12)
+    assert (found["approach"][1] > found["approach"][0]).all()
+    assert (found["approach"][1] - found["approach"][0] < 5e-5).all()
+
+
+def test_no_load_bears_no_moment():
+    case = nh.Case(nh.Contact(ROLLER, PLATE), {"load": 20e3, "moment": 100.0}, {"strips": 41})
+    found = nh.sweep(case, over={"load.load": [0.0, 1e4]}, quantities=("approach",))
+    assert list(found.failures) == [0]
+    assert "moment" in found.failures[0]
+
+
 def test_rows_that_fail_say_why_and_stop_no_others():
     loads = [20e3, 1e12]
     found = nh.sweep(CASE, over={"load.load": loads, "body.a.length": ["20 mm", "10 mm"]}, quantities=("approach",))

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from nonhertz.io.mistakes import Mistake
 
 #: The tables of a plan that say what is varied: in a sweep, and within tolerances.
+LOAD = "load.load"
 TABLES = ("over", "tolerance")
 DESIGN = "vary"
 TRIED = 50  # values of a list that are tried before the work starts
@@ -77,6 +78,10 @@ class Template:
             If a file could not hold them.
         """
         return self.of_document(self.put(values))
+
+    def is_unloaded(self, values: Mapping[str, Any]) -> bool:
+        """Return whether the load is among the values, and zero: what no file may hold, but rows may come down to."""
+        return not self.is_bearing and values.get(LOAD) == 0.0
 
     def of_document(self, document: dict[str, Any]) -> Case | BearingCase:
         """Return the case of a document that has been made of this one.
@@ -206,6 +211,8 @@ class Plan:
         spread = spread_in(which, given, self.template.document)
         template = replace(self.template, forms={path: spread} if isinstance(spread, Distribution) else {})
         for value in _extremes(spread):
+            if self.template.is_unloaded({path: value}):
+                continue
             try:
                 template.case({path: value})
             except InputError as error:  # of a form

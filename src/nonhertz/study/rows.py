@@ -22,14 +22,19 @@ from nonhertz.bodies.whole_roller import interpolated_shapes
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
 from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.casefile import Case, placed
-from nonhertz.io.planfile import Template
+from nonhertz.io.planfile import LOAD, Template
 from nonhertz.model.prescription import Prescription
+from nonhertz.result.penetration import penetrations
 from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.solver.many import solve_in_silence
+from nonhertz.solver.one import problem_of
+from nonhertz.strip.levels import bounded
 from nonhertz.study.quantities import SolvedBearing, SolvedContact, chosen
 
 Values = Mapping[str, Any]
 
+_NOTHING = ("load", "moment", "max_pressure", "max_half_width", "contact_length", "penetration", "error", "warnings")
+TOUCHING = 400  # places along the bodies at which they are looked at for their first touch, beside crests
 _PRESSED = tuple(f"load.{name}" for name in ("load", "approach", "tilt", "moment"))
 
 
@@ -99,8 +104,11 @@ class Work:
             groups.setdefault(bodies, []).append(number)
         found: dict[int, Row] = {}
         for numbers in groups.values():
-            rows = self._of_one_contact(template, [values[number] for number in numbers])
-            found.update(zip(numbers, rows, strict=True))
+            unloaded = [number for number in numbers if template.is_unloaded(values[number])]
+            found.update((number, self._unloaded(template, values[number])) for number in unloaded)
+            if pressed := sorted(set(numbers).difference(unloaded)):
+                rows = self._of_one_contact(template, [values[number] for number in pressed])
+                found.update(zip(pressed, rows, strict=True))
         return [found[number] for number in range(len(values))]
 
     def _of_one_contact(self, template: Template, values: Sequence[Values]) -> list[Row]:
@@ -149,6 +157,23 @@ class Work:
         except NonhertzError as error:
             return self._failed(error)
         return Row(tuple(_number(quantity, solved) for quantity in self.quantities))
+
+    def _unloaded(self, template: Template, values: Values) -> Row:
+        """Return the row of bodies that just touch: the limit of ever smaller loads."""
+        try:
+            case = template.case({path: value for path, value in values.items() if path != LOAD})
+            assert isinstance(case, Case)
+            if case.prescribed.get("moment", 0.0) != 0.0:
+                condition = "be zero where there is no load"
+                raise InputError("moment", case.prescribed["moment"], condition, "leave it out, or give a load")
+            tilt = case.prescribed.get("tilt", 0.0)
+            problem = problem_of(case.contact, Prescription.checked(None, 1.0, tilt, None), case.solver["element"])
+            edges = np.linspace(*bounded(problem, case.contact.interval), TOUCHING + 1)
+            touched = -float(penetrations(case.contact, edges, np.array([0.0, tilt])))
+        except NonhertzError as error:
+            return self._failed(error)
+        known = dict.fromkeys(_NOTHING, 0.0) | {"approach": touched, "tilt": tilt}
+        return Row(tuple(known.get(quantity.name, math.nan) for quantity in self.quantities))
 
     def _failed(self, error: Exception) -> Row:
         sentence = str(placed(error)) if isinstance(error, InputError) else str(error)
