@@ -178,12 +178,9 @@ def _parameter(fit: Fit, name: str) -> str:
     value = fit.parameters.get(name, fit.shift)
     unit = PARAMETER_UNITS.get(name, "mm")
     error = fit.standard_errors.get(name)
-    if error is None:
-        uncertainty = ""
-    elif math.isfinite(error):
-        uncertainty = f" +- {error:.2g}"
-    else:
-        uncertainty = " (undetermined)"
+    if error is not None and not math.isfinite(error):
+        return f"{name} not determined by the points"  # any value fits as well
+    uncertainty = "" if error is None else f" +- {error:.2g}"
     return f"{name} {digits(value)}{uncertainty}{' ' + unit if unit else ''}"
 
 

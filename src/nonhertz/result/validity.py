@@ -160,6 +160,7 @@ def _next_to_contact(state: States, y: Array) -> Flags:
     return found
 
 
+ROUND_IT = "round it as it is in reality, by a corner_radius or a chamfer with a blend_radius beside the profile"
 _NO_LIMIT = (
     "the value there is that of a strip {:.3g} mm wide, not a limit, and the maximum pressure is taken more than a "
     "half-width from it"
@@ -181,7 +182,7 @@ def singularities(solution: Solution) -> tuple[str, ...]:
         else:
             sentences.append(
                 f"The contact ends at a corner of the profile at y = {end.y:.6g} mm, where the pressure is singular: "
-                f"{no_limit}; give the corner a radius."
+                f"{no_limit}; {ROUND_IT}."
             )
     return tuple(sentences)
 
@@ -198,7 +199,7 @@ def _without_limit(solution: Solution) -> list[str]:
         width = float(solution.strip_width[np.abs(solution.y - solution.max_pressure_y).argmin()])
         sentences.append(
             f"The largest pressure is at a corner of the profile near y = {solution.max_pressure_y:.6g} mm, where it "
-            f"is singular: it is that of a strip {width:.3g} mm wide, not a limit; give the corner a radius."
+            f"is singular: it is that of a strip {width:.3g} mm wide, not a limit; {ROUND_IT}."
         )
     return sentences
 
