@@ -267,7 +267,11 @@ def test_the_how_to_tells_the_limits():
 
 
 def curve(document, path, values):
-    return json.loads(curves.curve(document, path, values))
+    """Return a whole curve, which the page asks for piece by piece if there is no time for it at once."""
+    found = json.loads(curves.curve(document, path, values))
+    while found["ok"] and len(found["points"]) < len(values):
+        found["points"] += json.loads(curves.curve(document, path, values[len(found["points"]) :]))["points"]
+    return found
 
 
 @pytest.mark.parametrize(("path", "values"), [("load.load", [1e4, 3e4]), ("body.a.profile[1].amplitude", [2e-3, 6e-3])])
@@ -309,4 +313,5 @@ def test_a_curve_has_a_life_where_the_case_has():
 
 def test_points_for_which_there_is_no_time_are_left_to_the_next_request(monkeypatch):
     monkeypatch.setattr(curves, "CURVE_SECONDS", 0.0)
-    assert [point["value"] for point in curve(STARTING, "load.load", [1e4, 2e4, 3e4])["points"]] == [1e4]
+    found = json.loads(curves.curve(STARTING, "load.load", [1e4, 2e4, 3e4]))
+    assert [point["value"] for point in found["points"]] == [1e4]
