@@ -48,8 +48,14 @@ class Inputs(HTMLParser):
 def document_in(html: str) -> dict[str, Any]:
     """Return the document that a form shows."""
     document: dict[str, Any] = {}
-    for each in Inputs(html).fields:
+    found = Inputs(html)
+    units = {each["data-unit-of"]: each["value"] for each in found.found if "data-unit-of" in each}
+    for each in found.fields:
         value = value_of(each["data-kind"], each["value"])
+        if each.get("data-stands-for"):
+            value = json.loads(each["data-stands-for"])
+        elif isinstance(value, float) and units.get(each.get("id"), each.get("data-unit")) != each.get("data-unit"):
+            value = f"{each['value'].strip()} {units[each['id']]}"
         if value is not ABSENT:
             set_at(document, each["name"], value)
     return document

@@ -10,15 +10,17 @@ from typing import Any
 
 import jinja2
 import pytest
-from form_reading import Inputs, document_in, parts_of, set_at
+from form_reading import Inputs, document_in, parts_of, set_at, value_of
 
 from nonhertz.io.casefile import case_in, schema, starting_case
 from nonhertz.io.mistakes import path_of
+from nonhertz.io.units import in_unit
 from nonhertz.life import MODELS, iso_16281
 from nonhertz.model.material import MATERIALS
 from nonhertz.strip.element import ELEMENTS
 from nonhertz.web.form.form import form
 from nonhertz.web.form.ranges import RANGES, Range
+from nonhertz.web.form.units import CHOICES, SLOPE
 from nonhertz.web.view import jobs
 
 TEMPLATES = jinja2.Environment(
@@ -298,23 +300,71 @@ def test_what_is_no_number_has_no_slider(value):
     assert next(field for field in form(document).fields if field.path == "body.a.diameter").slider is None
 
 
-def test_a_slope_keeps_its_slider_s_unit_where_the_angle_is_nearly_proportional_to_it():
-    def slider(angle: str) -> Any:
-        document = {"body": {"a": {"profile": [{"kind": "conical", "angle": angle}]}}}
-        return next(field.slider for field in form(document).fields if field.path.endswith("angle"))
+def field_of(path: str, value: Any) -> Any:
+    fields = form(nested(path, value)).fields
+    return next(field for field in fields if field.path == path and field.kind != "switch")
 
-    flat, steep = slider("8 um/25 mm"), slider("1 mm/1 mm")
-    assert (flat.written, flat.factor) == ("um/25 mm", pytest.approx(4e-5, rel=1e-8))
-    assert flat.position == RANGES["angle"].position(0.00032)
-    # At 45 degrees twice the slope is not twice the angle.
-    assert slider("2 mm/1 mm").written == ""
-    assert (steep.written, steep.position) == ("mm/1 mm", RANGES["angle"].position(0.7853981633974483))
+
+def nested(path: str, value: Any) -> dict[str, Any]:
+    for part in reversed(path.split(".")):
+        value = {part: value}
+    return value
+
+
+def chosen(field: Any) -> str:
+    return next(unit.word for unit in field.units if unit.chosen)
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "text", "unit"),
+    [
+        ("load.load", 20000.0, "20", "kN"),
+        ("load.load", 800, "800", "N"),
+        ("load.load", "4.2 kN", "4.2", "kN"),
+        ("load.load", "4500 lbf", "4500", "lbf"),
+        ("load.load", "3 MN", "3", "MN"),
+        ("load.tilt", 0.0005, "0.5", "mrad"),
+        ("load.tilt", "2 arcmin", "2", "arcmin"),
+        ("load.tilt", "0.5 um/mm", "0.5", "um/mm"),
+        ("load.tilt", "8 um/25 mm", "8", "um/25 mm"),
+        ("load.approach", 0.02, "20", "um"),
+        ("load.moment", 5000.0, "5000", "N mm"),
+        ("load.moment", 2.5e5, "250", "N m"),
+        ("body.a.diameter", 15.0, "15", "mm"),
+        ("body.a.diameter", "0.5 in", "0.5", "in"),
+        ("body.a.length", "20 kg", "20 kg", "mm"),
+        ("load.load", "a lot", "a lot", "N"),
+    ],
+)
+def test_a_value_is_shown_in_the_unit_in_which_people_read_it(path, value, text, unit):
+    field = field_of(path, value)
+    assert (field.value, chosen(field)) == (text, unit)
+    said = value_of(field.kind, text)
+    if isinstance(said, float) and unit != field.unit:
+        said = f"{text} {unit}"
+    if isinstance(said, float | str) and text not in {"20 kg", "a lot"}:
+        # What the field says is the value, even if it is written in another way.
+        assert in_unit("x", said, field.unit) == pytest.approx(in_unit("x", value, field.unit))
+    assert field.stands_for == ("" if said == value else json.dumps(value))
+
+
+def test_sizes_of_units_are_those_of_files():
+    for base, words in CHOICES.items():
+        for word, factor in words.items():
+            if word != SLOPE:
+                assert in_unit("x", f"1 {word}", base) == pytest.approx(factor, rel=1e-12)
+    assert in_unit("x", "1e-3 um/mm", "rad") == pytest.approx(1e-3 * CHOICES["rad"][SLOPE], rel=1e-9)
+
+
+def test_a_steep_slope_has_no_unit_that_a_slider_could_move_in():
+    flat, steep = (field_of("load.tilt", text) for text in ("8 um/25 mm", "2 mm/1 mm"))
+    assert next(unit for unit in flat.units if unit.chosen).factor == pytest.approx(4e-5, rel=1e-8)
+    assert next(unit for unit in steep.units if unit.chosen).factor is None
 
 
 def test_sliders_stand_where_the_value_is():
     fields = {field.path: field for field in form(with_life()).fields}
     slider = fields["life.spectrum[1].load"].slider
-    assert (slider.written, slider.factor) == ("kN", 1000.0)
     assert slider.position == RANGES["load"].position(20000.0)
     assert RANGES["load"].position(1e-9) == 0
     assert RANGES["load"].position(1e9) == 1000

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import base64
 import json
+import re
 import zlib
 from pathlib import Path
 from typing import Any
+
+PLAIN = re.compile(r"[-+.\d]+(e[-+]?\d+)?")
 
 
 class Desk:
@@ -31,10 +34,21 @@ class Desk:
         return self.page.locator(f'#case .field[data-path="{path}"] .slider')
 
     def write(self, path: str, text: str) -> None:
-        """Write into a field and wait for what comes of it."""
+        """Write into a field and wait for what comes of it; a plain number is in the base unit of the quantity."""
         before = self.answers
-        self.field(path).fill(text)
+        base = self.field(path).get_attribute("data-unit")
+        self.field(path).fill(f"{text} {base}" if base and PLAIN.fullmatch(text) else text)
         self.wait_for_answer(before)
+
+    def value(self, path: str) -> float:
+        """The number in a field, in the base unit of the quantity."""
+        units = self.page.locator(f'#case .field[data-path="{path}"] select.unit option:checked')
+        return float(self.field(path).input_value()) * float(units.get_attribute("data-factor"))
+
+    def shown(self, path: str) -> str:
+        """The number in a field and the unit beside it, as files have them."""
+        unit = self.page.locator(f'#case .field[data-path="{path}"] select.unit').input_value()
+        return f"{self.field(path).input_value()} {unit}"
 
     def press(self, selector: str) -> None:
         """Press a button that changes the case, and wait for what comes of it."""

@@ -30,7 +30,7 @@ def test_a_slider_becomes_a_curve(desk: Desk) -> None:
     assert desk.page.locator("#curve-path").input_value() == "load.load"
     assert points(desk) == 33 + 1  # and the case that is shown
     assert re.match(
-        r"Maximum pressure over load: least 15\d\d MPa at 10000 N, largest 28\d\d MPa at 40000 N\.", words(desk)
+        r"Maximum pressure over load: least 15\d\d MPa at 10.00 kN, largest 28\d\d MPa at 40.00 kN\.", words(desk)
     )
     desk.page.locator("#curve-quantity").select_option("approach")
     assert words(desk).startswith("Approach over load")

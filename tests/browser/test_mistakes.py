@@ -99,7 +99,7 @@ def test_the_program_may_be_away_for_a_while(open_desk: Any) -> None:
     desk = open_desk()
     desk.page.route("**/solve", lambda route: route.abort(), times=1)
     before = desk.answers
-    desk.field("load.load").fill("25000")
+    desk.field("load.load").fill("25 kN")
     desk.page.locator("#notice:visible").wait_for()
     assert "nonhertz serve" in desk.page.locator("#notice").inner_text()
     desk.wait_for_answer(before)  # asked again by itself

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any, Final
 
 from nonhertz.web.form.ranges import Range
+from nonhertz.web.form.units import Unit
 
 Edits = list[tuple[str, Any]]
 
@@ -20,12 +21,10 @@ _PLAIN_NUMBER: Final = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 
 @dataclass(frozen=True)
 class Slider:
-    """A slider for a number: its range, its position, and the unit that the number is written in."""
+    """A slider for a number: its range, and its position."""
 
     range: Range
     position: int
-    factor: float = 1.0
-    written: str = ""
 
 
 @dataclass(frozen=True)
@@ -57,7 +56,11 @@ class FormField:
         (of these, separated by blanks, or JSON), ``"text"``, ``"choice"``, ``"boolean"``, ``"json"`` (JSON if valid,
         else text), ``"hidden-json"``. If the text is empty, the key is left out.
     value : str
-        The text in it.
+        The text in it; of a quantity with units, the number in the one that is chosen.
+    units : tuple of Unit
+        The units to choose from.
+    stands_for : str
+        The value in the document as JSON, where it is not what the text in its unit would say.
     default : str
         What leaving it empty means.
     options : tuple of Option
@@ -79,6 +82,8 @@ class FormField:
     default: str = ""
     options: tuple[Option, ...] = ()
     slider: Slider | None = None
+    units: tuple[Unit, ...] = ()
+    stands_for: str = ""
     structural: bool = False
     removable: bool = False
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import re
 from dataclasses import replace
 from typing import Any, Final
 
@@ -14,13 +13,12 @@ from nonhertz.io.units import in_unit
 from nonhertz.web.form.fields import FormField, Option, Slider, text_of
 from nonhertz.web.form.keys import Schema, alternatives, default_of, is_quantity, meaning_of, unit_of, words_for
 from nonhertz.web.form.ranges import range_of
+from nonhertz.web.form.units import units_of
 
 ABSENT: Final = object()
 """Stands for the value of a missing key."""
 
 _LONG_LIST: Final = 24
-_WRITTEN: Final = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S.*)")
-_LINEAR: Final = 1e-3  # relative: the angle of a slope is not proportional to it, which a slider takes for granted
 
 
 def input_for(part: Schema, value: Any, place: Place) -> FormField:
@@ -47,12 +45,12 @@ def input_for(part: Schema, value: Any, place: Place) -> FormField:
 def _filled(made: FormField, value: Any, name: str) -> FormField:
     """Return an input with a value in it, changed to another kind if it cannot hold the value."""
     if made.kind in {"quantity", "integer-or-word"}:
-        made = replace(made, slider=_slider(name, made.unit, value))
-    if value is ABSENT:
+        made = _with_units(replace(made, slider=_slider(name, made.unit, value)), value, name)
+    if value is ABSENT or made.value:
         return made
     text = text_of(made.kind, value)
     if text is None:
-        return replace(made, kind="json", value=json.dumps(value), options=(), slider=None)
+        return replace(made, kind="json", value=json.dumps(value), options=(), slider=None, units=())
     if made.kind == "list" and isinstance(value, list) and len(value) > _LONG_LIST:
         return replace(made, kind="hidden-json", value=json.dumps(value))
     if made.kind == "choice" and text not in [option.value for option in made.options]:
@@ -60,8 +58,29 @@ def _filled(made: FormField, value: Any, name: str) -> FormField:
     return replace(made, value=text)
 
 
+def _with_units(made: FormField, value: Any, name: str) -> FormField:
+    """Return an input with the units to choose from, and the number in the one in which it is shown."""
+    if text_of(made.kind, value) is None and value is not ABSENT:
+        return made
+    text, units = units_of(made.unit, name, None if value is ABSENT else value)
+    chosen = next((unit.word for unit in units if unit.chosen), "")
+    default = f"{made.default} {made.unit}" if _is_number(made.default) and chosen != made.unit else made.default
+    made = replace(made, units=units, default=default)
+    if text is None:
+        return made
+    stands_for = "" if value == (float(text) if chosen == made.unit else f"{text} {chosen}") else json.dumps(value)
+    return replace(made, value=text, stands_for=stands_for)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        return float(text) != 0.0
+    except ValueError:
+        return False
+
+
 def _slider(name: str, unit: str, value: Any) -> Slider | None:
-    """Return the slider for a quantity, at its present value and in its written unit."""
+    """Return the slider for a quantity, at its present value."""
     absent = value is ABSENT
     try:
         number = 0.0 if absent else in_unit(name, value, unit)
@@ -72,15 +91,7 @@ def _slider(name: str, unit: str, value: Any) -> Slider | None:
     found = range_of(name, None if absent else number)
     if found is None:
         return None
-    if absent:
-        return Slider(found, found.position(found.start))
-    plain = Slider(found, found.position(number))
-    written = _WRITTEN.fullmatch(value) if isinstance(value, str) else None
-    if written is None:
-        return plain
-    factor = in_unit(name, f"1 {written[2]}", unit)
-    proportional = math.isclose(factor * float(written[1]), number, rel_tol=_LINEAR)
-    return Slider(plain.range, plain.position, factor, written[2]) if proportional else plain
+    return Slider(found, found.position(found.start if absent else number))
 
 
 def options_of(words: tuple[str, ...]) -> tuple[Option, ...]:

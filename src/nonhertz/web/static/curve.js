@@ -5,7 +5,7 @@
 
 import { FIRST, INK, MARGINS, NAMED, PLAIN, draw, figure, head, line, reading, uprightAxis } from "./chart.js";
 import { byId, element } from "./elements.js";
-import { ends, isLogarithmic, sliderOf, valueOf } from "./fields.js";
+import { ends, factorOf, isLogarithmic, unitOf, valueOf } from "./fields.js";
 import { AWAY, post } from "./live.js";
 import { digits, rounded } from "./numbers.js";
 import { withValue } from "./paths.js";
@@ -40,6 +40,8 @@ export class Curve {
     this.asking = null;
     form.addEventListener("input", ({ target }) => {
       if (target instanceof HTMLInputElement && target.type === "range") this.follow(target);
+      if (target instanceof HTMLSelectElement && target.dataset.unitOf === this.chosen()?.control.id)
+        this.choose(this.path);
     });
     byId("curve-on").addEventListener("change", () => this.toggled());
     byId("curve-path").addEventListener("change", ({ target }) => this.choose(target.value));
@@ -91,10 +93,10 @@ export class Curve {
     const wide = SHARE * (most - least);
     const around = isLogarithmic(slider) ? [value / AROUND, value * AROUND] : [value - wide, value + wide];
     const [low, high] = [Math.min(...around), Math.max(...around)].map((end) => Math.min(Math.max(end, least), most));
-    const factor = factorOf(choice);
+    const factor = factorOf(choice.control);
     byId("curve-low").value = rounded(low / factor, (high - low) / 100 / factor);
     byId("curve-high").value = rounded(high / factor, (high - low) / 100 / factor);
-    byId("curve-unit").textContent = unitOf(choice);
+    byId("curve-unit").textContent = unitOf(choice.control);
     this.rested();
   }
 
@@ -180,7 +182,7 @@ export class Curve {
   /** The values of the points in the order in which they are asked for; null if the ends are no numbers. */
   values() {
     const choice = /** @type {Choice} */ (this.chosen());
-    const factor = factorOf(choice);
+    const factor = factorOf(choice.control);
     const [low, high] = ["curve-low", "curve-high"].map((end) => factor * Number(byId(end).value || NaN));
     const ratios = isLogarithmic(choice.slider);
     if (!Number.isFinite(low) || !Number.isFinite(high) || low === high || (ratios && !(low / high > 0))) return null;
@@ -202,17 +204,17 @@ export class Curve {
     const choice = this.chosen();
     const number = this.quantities.findIndex(({ name }) => name === byId("curve-quantity").value);
     if (!choice || number < 0 || byId("curve-figures").hidden) return;
-    const factor = factorOf(choice);
+    const factor = factorOf(choice.control);
     const along = [...this.points.values()].sort((one, other) => one.value - other.value);
     const x = along.map(({ value }) => value / factor);
     const y = along.map(({ numbers }) => numbers?.[number] ?? null);
     const failed = along.filter(({ sentence }) => sentence);
-    const first = failed[0] && `${digits(failed[0].value / factor)} ${unitOf(choice)}: ${failed[0].sentence}`;
+    const first = failed[0] && `${digits(failed[0].value / factor)} ${unitOf(choice.control)}: ${failed[0].sentence}`;
     byId("curve-note").textContent = first
       ? `${failed.length} of ${along.length} values have no solution, the first at ${first}`
       : "";
     const quantity = this.quantities[number];
-    const [sideways, upright] = [titled(choice.label, unitOf(choice)), titled(quantity.label, quantity.unit)];
+    const [sideways, upright] = [titled(choice.label, unitOf(choice.control)), titled(quantity.label, quantity.unit)];
     head(figure("curve"), capital(`${quantity.label} over ${choice.label}`), []);
     draw(
       figure("curve"),
@@ -235,7 +237,7 @@ export class Curve {
           ...this.mark(choice, quantity, factor),
           line(x, y, { stroke: FIRST }),
           Plot.dot(x, { x, y, r: 2, fill: FIRST }),
-          ...reading(x, y, (place) => `${digits(x[place])} ${unitOf(choice)}\n${digits(y[place])} ${quantity.unit}`),
+          ...reading(x, y, (place) => `${digits(x[place])} ${unitOf(choice.control)}\n${digits(y[place])} ${quantity.unit}`),
         ],
       },
       words(quantity, choice, x, y),
@@ -272,22 +274,6 @@ function labelOf(control) {
   return [...told, name].join(", ");
 }
 
-/** @param {Choice} choice */
-function isWritten({ slider, control }) {
-  const unit = slider.dataset.writtenUnit;
-  return Boolean(unit) && control.value.trim().endsWith(/** @type {string} */ (unit));
-}
-
-/** The unit that a field is written in. @param {Choice} choice */
-function unitOf(choice) {
-  return (isWritten(choice) ? choice.slider.dataset.writtenUnit : choice.control.dataset.unit) ?? "";
-}
-
-/** Its size in units of the slider. @param {Choice} choice */
-function factorOf(choice) {
-  return isWritten(choice) ? Number(choice.slider.dataset.factor) : 1;
-}
-
 /** @param {string} text */
 function capital(text) {
   return text.charAt(0).toUpperCase() + text.slice(1);
@@ -302,7 +288,7 @@ function titled(label, unit) {
 function words(quantity, choice, x, y) {
   const solved = y.flatMap((value, place) => (value === null ? [] : [{ value, at: x[place] }]));
   if (!solved.length) return `${capital(quantity.label)} over ${choice.label}: no value has a solution.`;
-  const told = (each) => `${digits(each.value)} ${quantity.unit} at ${digits(each.at)} ${unitOf(choice)}`;
+  const told = (each) => `${digits(each.value)} ${quantity.unit} at ${digits(each.at)} ${unitOf(choice.control)}`;
   const sorted = [...solved].sort((one, other) => one.value - other.value);
   return `${capital(quantity.label)} over ${choice.label}: least ${told(sorted[0])}, largest ${told(sorted[sorted.length - 1])}.`;
 }

@@ -2,7 +2,7 @@
 // requested when an edit changes which fields there are.
 
 import { byId } from "./elements.js";
-import { follow, said, slid, sliderOf } from "./fields.js";
+import { convert, follow, said, settle, slid, sliderOf, unitsOf } from "./fields.js";
 import { outer, valueAt, withValue } from "./paths.js";
 
 /** @typedef {import("./fields.js").Control} Control */
@@ -23,6 +23,7 @@ export class Form {
     this.form = /** @type {HTMLFormElement} */ (byId("case"));
     this.form.addEventListener("submit", (event) => event.preventDefault());
     this.form.addEventListener("input", (event) => this.input(event));
+    this.form.addEventListener("change", (event) => this.change(event));
     this.form.addEventListener("click", (event) => this.click(event));
     this.wire();
   }
@@ -35,13 +36,31 @@ export class Form {
       control.value = slid(target, control);
       follow(target, control);
       this.take(control, event.timeStamp);
+    } else if (target instanceof HTMLSelectElement && target.dataset.unitOf !== undefined) {
+      const control = /** @type {Control} */ (document.getElementById(target.dataset.unitOf));
+      convert(target, control);
+      if (control.value.trim() !== "") this.take(control, event.timeStamp);
+      this.followed(control);
     } else if (target instanceof HTMLSelectElement && target.dataset.structure !== undefined) {
       void this.open(restructured(this.document, target), event.timeStamp);
     } else if (target.dataset.kind !== undefined) {
-      const slider = sliderOf(target);
-      if (slider) follow(slider, target);
+      this.followed(target);
       this.take(target, event.timeStamp);
     }
+  }
+
+  /** A number that was written with its unit is split when its field is left. @param {Event} event */
+  change(event) {
+    const target = /** @type {Control} */ (event.target);
+    if (target.dataset.kind === undefined || !unitsOf(target)) return;
+    settle(target);
+    this.followed(target);
+  }
+
+  /** @param {Control} control */
+  followed(control) {
+    const slider = sliderOf(control);
+    if (slider) follow(slider, control);
   }
 
   /** @param {Control} control @param {number} since */
@@ -89,6 +108,8 @@ export class Form {
   }
 
   wire() {
+    const units = /** @type {NodeListOf<HTMLSelectElement>} */ (this.form.querySelectorAll("select[data-unit-of]"));
+    for (const each of units) each.dataset.before = each.value;
     for (const slider of /** @type {NodeListOf<HTMLInputElement>} */ (
       this.form.querySelectorAll('input[type="range"]')
     )) {

@@ -1,6 +1,9 @@
 // Numbers as people read and write them.
 
 const PLAIN = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+const WITH_UNIT = /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*([^\d\s.+-].*)$/i;
+/** @type {Record<string, string>} */
+const UNITS = { "°": "deg", "\u2032": "arcmin", "'": "arcmin", Nm: "N m", Nmm: "N mm", '"': "in" };
 const MINUS = "\u2212";
 
 /**
@@ -13,6 +16,16 @@ export function quantity(text) {
   const trimmed = text.trim();
   if (trimmed === "") return undefined;
   return PLAIN.test(trimmed) && Number.isFinite(Number(trimmed)) ? Number(trimmed) : trimmed;
+}
+
+/**
+ * Return number and unit of text such as "4.2 kN", with the unit as files have it; null if it is nothing of the kind.
+ * @param {string} text
+ * @returns {{number: string, unit: string} | null}
+ */
+export function split(text) {
+  const found = WITH_UNIT.exec(text.trim());
+  return found ? { number: found[1], unit: UNITS[found[2]] ?? found[2].replace(/[\u00b5\u03bc]/g, "u") } : null;
 }
 
 /**

@@ -98,8 +98,6 @@ export class Sliders {
       "data-min": String(slider.low),
       "data-max": String(slider.high),
       "data-slider-scale": slider.scale,
-      "data-factor": "1",
-      "data-written-unit": "",
       "aria-label": `${slider.label}, slider`,
       input: () => {
         control.value = slid(range, control);

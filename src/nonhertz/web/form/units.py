@@ -1,0 +1,118 @@
+"""The units of a field: those to choose from, and the one in which its value is shown."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass, replace
+from typing import Any, Final
+
+from nonhertz.errors import InputError
+from nonhertz.io.units import in_unit
+
+_INCH, _POUND = 25.4, 4.4482216152605  # mm, N
+#: Per base unit, words as files have them and their size.
+CHOICES: Final[dict[str, dict[str, float]]] = {
+    "mm": {"um": 1e-3, "mm": 1.0, "m": 1e3, "in": _INCH},
+    "N": {"N": 1.0, "kN": 1e3, "lbf": _POUND},
+    "MPa": {"MPa": 1.0, "GPa": 1e3, "psi": _POUND / _INCH**2},
+    "rad": {"mrad": 1e-3, "arcmin": math.pi / 10800.0, "deg": math.pi / 180.0, "um/mm": 1e-3, "rad": 1.0},
+    "N mm": {"N mm": 1.0, "N m": 1e3, "lbf in": _POUND * _INCH},
+}
+SLOPE: Final = "um/mm"
+"""Of this the angle is not proportional to the number."""
+#: Lengths that people read in micrometres.
+_SMALL: Final = {"amplitude", "approach", "drop", "zm"}
+_LARGE: Final = {"N": (1e3, "kN"), "MPa": (1e4, "GPa"), "N mm": (1e4, "N m")}
+_SMALL_ANGLE: Final = 0.05
+_FIGURES: Final = 12
+_WRITTEN: Final = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S.*)")
+_LINEAR: Final = 1e-3  # relative: the angle of a slope is not proportional to it, which a slider takes for granted
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit to choose.
+
+    Attributes
+    ----------
+    word : str
+        As files have it.
+    factor : float or None
+        Its size in the base unit; None where the value is not proportional to the number.
+    chosen : bool
+        Whether the value is shown in it.
+    """
+
+    word: str
+    factor: float | None
+    chosen: bool = False
+
+    @property
+    def label(self) -> str:
+        """As people read it."""
+        return self.word.replace("um", "µm").replace("deg", "°").replace("arcmin", "′")
+
+
+def units_of(base: str, name: str, value: Any) -> tuple[str | None, tuple[Unit, ...]]:
+    """Return the number of a value in the unit in which it is shown, and the units to choose from.
+
+    Parameters
+    ----------
+    base : str
+        The unit of plain numbers.
+    name : str
+        The key, by which a plain number is shown in micrometres, say.
+    value : object
+        The value in the document; None if there is none.
+
+    Returns
+    -------
+    text : str or None
+        None for a value that is no number, with a unit or without.
+    units : tuple of Unit
+        Empty where there is nothing to choose.
+    """
+    known = CHOICES.get(base)
+    if known is None:
+        return None, ()
+    units = tuple(Unit(word, factor) for word, factor in known.items())
+    if isinstance(value, str):
+        written = _WRITTEN.fullmatch(value)
+        if written is None:
+            return None, _chosen(units, base)
+        number, word = written[1], written[2].replace("µ", "u").replace("μ", "u")
+        if word not in known:
+            try:
+                size = in_unit(name, value, base)
+                one = in_unit(name, f"1 {written[2]}", base)
+            except InputError:
+                return None, _chosen(units, base)
+            word = written[2]
+            units += (Unit(word, one if math.isclose(one * float(number), size, rel_tol=_LINEAR) else None),)
+        return number, _chosen(units, word)
+    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+        return None, _chosen(units, _usual(base, name, None))
+    word = _usual(base, name, float(value))
+    return _shown(float(value) / known[word]), _chosen(units, word)
+
+
+def _usual(base: str, name: str, value: float | None) -> str:
+    """Return the unit in which people write a quantity of this name and size."""
+    size = abs(value) if value is not None else 0.0
+    if base == "mm":
+        return "um" if name in _SMALL and size < 1.0 else "mm"
+    if base == "rad":
+        return "mrad" if size < _SMALL_ANGLE else "deg"
+    from_, word = _LARGE[base]
+    return word if size >= from_ else base
+
+
+def _chosen(units: tuple[Unit, ...], word: str) -> tuple[Unit, ...]:
+    return tuple(replace(unit, chosen=unit.word == word) for unit in units)
+
+
+def _shown(number: float) -> str:
+    """Return a number without the digits that dividing by a unit has added."""
+    rounded = float(f"{number:.{_FIGURES}g}")
+    return str(int(rounded)) if rounded == int(rounded) and abs(rounded) < 1e9 else repr(rounded)
