@@ -26,6 +26,7 @@ import nonhertz.show.analysis
 import nonhertz.solver.one
 from nonhertz.cli import main
 from nonhertz.cli.printing import print_table
+from nonhertz.io.casefile import TEMPLATES, starting_case
 from nonhertz.result.solution import Solution
 
 CASE = Path(__file__).parents[2].joinpath("examples", "crowned-roller.toml").read_text(encoding="utf-8")
@@ -268,6 +269,34 @@ def test_new_prints_a_case_that_solves(
     capsys.readouterr()
     assert main(["solve", "first.toml", "--json"]) == 0
     assert parsed(capsys.readouterr().out)["warnings"] == []
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_templates_solve_without_a_warning(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["new", "case.toml", "--template", name]) == 0
+    assert Path("case.toml").read_text(encoding="utf-8") == starting_case(name)
+    capsys.readouterr()
+    assert main(["solve", "case.toml", "--json"]) == 0
+    found = parsed(capsys.readouterr().out)
+    assert found["warnings"] == []
+    assert len(found["contact_y"]) == 1
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("--template", "needles"), "--template = 'needles' must be one of"),
+        (("--template", "cam", "--bearing"), "--template = 'cam' must not be given with --bearing"),
+    ],
+)
+def test_templates_that_there_are_not(
+    words: tuple[str, ...], sentence: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["new", *words]) == 2
+    assert sentence in capsys.readouterr().err
 
 
 def test_new_never_overwrites(case: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -17,7 +17,7 @@ from numpy.testing import assert_allclose
 from serving import raw, running
 
 import nonhertz as nh
-from nonhertz.io.casefile import read_case, starting_case
+from nonhertz.io.casefile import TEMPLATES, read_case, starting_case
 from nonhertz.web import limits
 from nonhertz.web.server import app, intake, serving, workers
 from nonhertz.web.server.guard import HEADERS
@@ -143,6 +143,17 @@ def test_a_form_has_an_end(client):
     response = client.post("/form", json={"document": document})
     assert response.status_code == 422
     assert response.json()["mistakes"][0]["path"] == "body.a.profile"
+
+
+def test_templates(client):
+    page = client.get("/").text
+    for name in TEMPLATES:
+        assert f'data-template="{name}"' in page
+        document = client.get(f"/template/{name}").json()["document"]
+        assert document == tomllib.loads(starting_case(name))
+        assert client.post("/solve", json={"document": document}).json()["ok"]
+    for name in ("ball", "../starting_case", "cam.toml", "%2e%2e"):
+        assert client.get(f"/template/{name}").status_code == 404
 
 
 def test_opening_a_case_file(client):

@@ -88,6 +88,16 @@ def test_a_slider_keeps_the_unit_that_its_field_is_written_in(desk: Desk) -> Non
     assert_allclose(float(number), 20000.0, rtol=0.03)  # a step of the slider is a thousandth of five decades
 
 
+def test_a_template_is_where_to_start_from(desk: Desk) -> None:
+    desk.page.locator("#templates summary").click()
+    desk.press('[data-template="needle"]')
+    assert desk.page.locator("h1").inner_text() == "Needle 3 x 15.8 on a shaft of 25"
+    assert desk.shown("body.a.diameter") == "3 mm"
+    assert not desk.page.locator("#templates [data-template]").first.is_visible()
+    desk.press("#undo")
+    assert_shows(desk, solution_of())
+
+
 def test_what_is_written_with_a_unit_is_taken_apart_when_the_field_is_left(desk: Desk) -> None:
     desk.write("load.load", "4.2 kN")
     assert desk.field("load.load").input_value() == "4.2 kN"  # while it is being written

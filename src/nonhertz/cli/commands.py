@@ -631,20 +631,34 @@ def check(file: Path, /) -> int:
 
 
 @app.command
-def new(path: Path | None = None, /, *, bearing: Annotated[bool, Parameter(negative="")] = False) -> int:
+def new(
+    path: Path | None = None,
+    /,
+    *,
+    template: str | None = None,
+    bearing: Annotated[bool, Parameter(negative="")] = False,
+) -> int:
     """Write a commented case file to start from.
 
     Parameters
     ----------
     path : Path
         The file to write; an existing file is never overwritten. By default the text is printed.
+    template : str
+        A machine element: cylindrical, tapered, spherical, needle, wheel-on-rail, gear-flank or cam. By default a
+        roller on a plate, with all that a case file may hold.
     bearing : bool
         Write a bearing file instead.
     """
     from nonhertz.io.bearingfile import starting_bearing
     from nonhertz.io.casefile import starting_case, write_new
 
-    text = starting_bearing() if bearing else starting_case()
+    if bearing and template is not None:
+        raise InputError("--template", template, "not be given with --bearing", "leave one out")
+    try:
+        text = starting_bearing() if bearing else starting_case(template)
+    except InputError as error:
+        raise InputError("--template", error.value, error.condition, error.remedy) from None
     if path is None:
         print(text, end="")
     else:

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from nonhertz.errors import CaseError, InputError
-from nonhertz.inputs.checks import one_line
+from nonhertz.inputs.checks import one_line, one_of
 from nonhertz.inputs.files import content, legible
 from nonhertz.io.bounds import LARGEST_CASE, TOO_DEEP, excess, has_long_key
 from nonhertz.model.contact import Contact
@@ -369,6 +369,18 @@ def as_toml(document: dict[str, Any]) -> str:
     return tomli_w.dumps(document)
 
 
+#: Machine elements whose cases `starting_case` returns, by name, in words.
+TEMPLATES = {
+    "cylindrical": "cylindrical roller on a ring",
+    "tapered": "tapered roller on a ring",
+    "spherical": "barrel of a spherical roller bearing",
+    "needle": "needle on a shaft",
+    "wheel-on-rail": "crowned wheel on a rail",
+    "gear-flank": "flanks of spur gears",
+    "cam": "cam and roller follower",
+}
+
+
 def schema() -> dict[str, Any]:
     """Return the JSON schema of a case file, with the meaning and the unit of every key."""
     from nonhertz.io.document import CaseTable
@@ -376,9 +388,23 @@ def schema() -> dict[str, Any]:
     return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | CaseTable.model_json_schema()
 
 
-def starting_case() -> str:
-    """Return a commented case file to start from."""
-    return resources.files("nonhertz.io").joinpath("starting_case.toml").read_text(encoding="utf-8")
+def starting_case(template: str | None = None) -> str:
+    """Return a commented case file to start from.
+
+    Parameters
+    ----------
+    template : str, optional
+        One of `TEMPLATES`, each an example of a machine element; one with all that a case may hold if left out.
+
+    Raises
+    ------
+    InputError
+        If there is no such template.
+    """
+    if template is not None:
+        one_of("template", template, tuple(TEMPLATES), "choose one of them")
+    name = "starting_case.toml" if template is None else f"templates/{template}.toml"
+    return resources.files("nonhertz.io").joinpath(name).read_text(encoding="utf-8")
 
 
 def write_new(text: str, path: str | Path) -> None:

@@ -18,7 +18,7 @@ from starlette.responses import HTMLResponse, Response
 from starlette.routing import Route
 
 from nonhertz import __version__
-from nonhertz.io.casefile import parsed, starting_case
+from nonhertz.io.casefile import TEMPLATES, parsed, starting_case
 from nonhertz.web.form.fields import is_number
 from nonhertz.web.form.form import form
 from nonhertz.web.limits import (
@@ -100,6 +100,7 @@ class Page:
             version=__version__,
             title=str(self.document.get("title", "")),
             form=Markup(self._form_text(self.document)),
+            templates=TEMPLATES,
         )
         return HTMLResponse(text)
 
@@ -138,6 +139,13 @@ class Page:
             return Response(status_code=204)
         text = await self.workers.run(curve, document, path, values, seconds=LIVE_SECONDS)
         return Response(text, media_type="application/json")
+
+    async def template(self, request: Request) -> Response:
+        """Answer with the document of a template."""
+        name = request.path_params["name"]
+        if name not in TEMPLATES:
+            raise HTTPException(404)
+        return reply({"ok": True, "document": parsed(starting_case(name), name)})
 
     async def open(self, request: Request) -> Response:
         """Answer with the document parsed from the text of a case file."""
@@ -199,6 +207,7 @@ class Page:
             Route("/form", self.form, methods=["POST"]),
             Route("/solve", self.solve, methods=["POST"]),
             Route("/curve", self.curve, methods=["POST"]),
+            Route("/template/{name}", self.template),
             Route("/open", self.open, methods=["POST"]),
             Route("/upload", self.upload, methods=["POST"]),
             Route("/download/{name}", self.download, methods=["POST"]),

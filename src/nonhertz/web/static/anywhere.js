@@ -1,4 +1,4 @@
-// What works anywhere on the page: keyboard shortcuts, closing the menu, and the meaning of the current field.
+// What works anywhere on the page: keyboard shortcuts, closing menus, and the meaning of the current field.
 
 import { byId } from "./elements.js";
 
@@ -9,9 +9,9 @@ const WRITTEN_IN = "textarea, input:not([type=range], [type=checkbox], [type=rad
  * @param {(by: -1 | 1) => void} step
  */
 export function watchKeys(step) {
-  const menu = byId("downloads");
+  const menus = /** @type {NodeListOf<HTMLDetailsElement>} */ (document.querySelectorAll("details.menu"));
   document.addEventListener("keydown", (event) => {
-    if (event.key === "Escape") menu.open = false;
+    if (event.key === "Escape") for (const menu of menus) menu.open = false;
     const key = event.key.toLowerCase();
     const target = /** @type {HTMLElement} */ (event.target);
     if (!(event.ctrlKey || event.metaKey) || (key !== "z" && key !== "y") || target.matches(WRITTEN_IN)) return;
@@ -19,7 +19,7 @@ export function watchKeys(step) {
     step(key === "y" || event.shiftKey ? 1 : -1);
   });
   document.addEventListener("click", (event) => {
-    if (!menu.contains(/** @type {Node} */ (event.target))) menu.open = false;
+    for (const menu of menus) if (!menu.contains(/** @type {Node} */ (event.target))) menu.open = false;
   });
 }
 

@@ -153,6 +153,17 @@ async function openFile(file) {
   }
 }
 
+/** Start from a machine element. @param {string} name */
+async function startFrom(name) {
+  byId("templates").open = false;
+  try {
+    const response = await fetch(`template/${name}`);
+    await form.open((await response.json()).document);
+  } catch {
+    notice("program", AWAY);
+  }
+}
+
 function wire() {
   /** @type {HTMLElement} */ (document.querySelector(".skip")).addEventListener("click", (event) => {
     event.preventDefault(); // the fragment of the address holds the case
@@ -170,6 +181,9 @@ function wire() {
   });
   for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-download]"))) {
     button.addEventListener("click", () => void download(button.dataset.download ?? ""));
+  }
+  for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-template]"))) {
+    button.addEventListener("click", () => void startFrom(button.dataset.template ?? ""));
   }
   for (const choice of document.querySelectorAll("[name=stress-unit]"))
     choice.addEventListener("change", () => view.drawStress());
