@@ -6,6 +6,7 @@ import statistics
 import tomllib
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 from desk import Desk
@@ -190,3 +191,39 @@ def test_stress_of_either_body_or_none(desk: Desk) -> None:
     desk.page.locator("#stress-on").uncheck()
     assert not section.is_visible()
     assert desk.page.locator('[data-key="von Mises stress"] .value').inner_text() == "–"
+
+
+def test_a_table_is_pasted_into_the_points_of_a_profile(desk: Desk) -> None:
+    desk.page.locator('[data-additions="body.a.profile"]').select_option("tabulated")
+    desk.press('button[data-action="add"][data-path="body.a.profile"]')
+    assert desk.field("body.a.profile[2].file").count() == 0
+    before = desk.answers
+    desk.field("body.a.profile[2].y").evaluate(
+        """target => {
+          const clipboardData = new DataTransfer();
+          clipboardData.setData("text/plain", "y\\trelief\\n-10\\t0,02\\n0\\t0\\n10\\t0,02\\n");
+          target.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+        }"""
+    )
+    desk.wait_for_answer(before)
+    assert desk.field("body.a.profile[2].y").input_value() == "-10 0 10"
+    assert desk.field("body.a.profile[2].relief").input_value() == "0.02 0 0.02"
+
+
+@pytest.mark.parametrize("kind", ["SVG", "PNG"])
+def test_every_figure_is_saved(desk: Desk, tmp_path: Path, kind: str) -> None:
+    desk.settle()
+    figures = desk.page.locator(f'figure .savers button:has-text("{kind}")')
+    assert figures.count() == 6
+    for number in range(6):
+        with desk.page.expect_download() as waiting:
+            figures.nth(number).click()
+        content = Path(waiting.value.path()).read_bytes()
+        assert waiting.value.suggested_filename.endswith(f".{kind.lower()}")
+        if kind == "SVG":
+            root = ElementTree.fromstring(content)
+            assert root.tag == "{http://www.w3.org/2000/svg}svg"
+            assert b"var(--" not in content
+        else:
+            assert content.startswith(b"\x89PNG")
+            assert len(content) > 5000

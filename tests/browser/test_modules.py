@@ -55,6 +55,36 @@ def test_list(anywhere: Desk, text: str, value: Any) -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "table"),
+    [
+        ("1\n2\n3", [[1, 2, 3]]),
+        ("-1\t0.5\r\n0\t0\r\n1\t0.5\r\n", [[-1, 0, 1], [0.5, 0, 0.5]]),
+        ("y [mm];relief [mm]\n-1,5;0,02\n0;0", [[-1.5, 0], [0.02, 0]]),
+        ("-1.5,0.02\n0,0", [[-1.5, 0], [0.02, 0]]),
+        ("-1.5, 0.02\n0, 0", [[-1.5, 0], [0.02, 0]]),
+        ("-1,5 0,02\n0 0", [[-1.5, 0], [0.02, 0]]),
+        ("1e-3 2\n3 4", [[1e-3, 3], [2, 4]]),
+        ("1 2 3", None), ("1\n2 3", None), ("a\nb", None), ("1\n\n2", None), ("", None), ("1\nx", None),
+    ],
+)  # fmt: skip
+def test_columns(anywhere: Desk, text: str, table: Any) -> None:
+    assert calling(anywhere, "numbers", "columns", text) == table
+
+
+@pytest.mark.parametrize(
+    ("text", "parts"),
+    [
+        ("4.2 kN", ["4.2", "kN"]), ("12um", ["12", "um"]), ("12 \u00b5m", ["12", "um"]), ("2\u00b0", ["2", "deg"]),
+        ("5 Nm", ["5", "N m"]), ("-.5e-3 mrad", ["-.5e-3", "mrad"]), ("8 um/25 mm", ["8", "um/25 mm"]), ("20", None),
+        ("auto", None), ("", None), ("1e3", None),
+    ],
+)  # fmt: skip
+def test_split(anywhere: Desk, text: str, parts: list[str] | None) -> None:
+    found = calling(anywhere, "numbers", "split", text)
+    assert (found and [found["number"], found["unit"]]) == parts
+
+
+@pytest.mark.parametrize(
     ("number", "text"),
     [
         (2086.34, "2086"),

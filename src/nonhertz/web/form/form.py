@@ -47,6 +47,7 @@ FOLDED: Final = (
 #: Keys that are a number in the form, unless a file has a table in their place.
 MOSTLY_NUMBERS: Final = ("bore",)
 #: The most frequently changed keys come first; the rest in the order of the schema.
+UNREAD: Final = "file"
 FIRST: Final = ("title", "kind", "load", "body", "diameter", "length", "profile", "material")
 
 
@@ -72,6 +73,8 @@ def _group(part: Schema, given: dict[str, Any], place: Place, legend: str, *, th
     hidden = _unchosen(pairs, given)
     members: list[FormField | FormGroup] = [*_switches(pairs, given, place)]
     folded: list[FormField | FormGroup] = []
+    # Points are pasted or dropped: the page reads no files.
+    hidden |= {UNREAD} - set(given)
     for name in sorted(set(known) - hidden, key=_rank(known)):
         entry = _member(name, known[name], given.get(name, ABSENT), (*place, name), given)
         (folded if name in FOLDED else members).append(entry)

@@ -1,5 +1,8 @@
 // What all figures share: margins, axes, common marks, and text alternatives.
 
+import { element } from "./elements.js";
+import { save } from "./save.js";
+
 export const INK = "currentColor";
 export const FIRST = "var(--first)";
 export const SECOND = "var(--second)";
@@ -93,7 +96,18 @@ export function head(host, heading, key, remark = "") {
   const note = document.createElement("span");
   note.className = "remark";
   note.textContent = remark;
-  caption.replaceChildren(title, ...entries, ...(remark ? [note] : []));
+  const savers = caption.querySelector(".savers") ?? saversOf(host);
+  caption.replaceChildren(title, ...entries, ...(remark ? [note] : []), savers);
+}
+
+/** Buttons that save a figure. @param {HTMLElement} host */
+function saversOf(host) {
+  const buttons = /** @type {("svg" | "png")[]} */ (["svg", "png"]).map((kind) =>
+    element("button", { type: "button", "aria-label": `Save as ${kind.toUpperCase()}`, click: () => void save(host, kind) }, [
+      kind.toUpperCase(),
+    ]),
+  );
+  return element("span", { class: "savers" }, buttons);
 }
 
 /** The axis along the contact. @param {[number, number]} span @param {boolean} [named] */

@@ -3,6 +3,7 @@
 
 import { byId } from "./elements.js";
 import { convert, follow, said, settle, slid, sliderOf, unitsOf } from "./fields.js";
+import { columns } from "./numbers.js";
 import { outer, valueAt, withValue } from "./paths.js";
 
 /** @typedef {import("./fields.js").Control} Control */
@@ -25,6 +26,7 @@ export class Form {
     this.form.addEventListener("input", (event) => this.input(event));
     this.form.addEventListener("change", (event) => this.change(event));
     this.form.addEventListener("click", (event) => this.click(event));
+    this.form.addEventListener("paste", (event) => this.paste(event));
     this.wire();
   }
 
@@ -67,6 +69,24 @@ export class Form {
   take(control, since) {
     this.document = withValue(this.document, control.name, said(control));
     this.listener.edited(this.document, since);
+  }
+
+  /**
+   * A column that is pasted into a list is one entry a row; two columns pasted into points are places and reliefs.
+   * @param {ClipboardEvent} event
+   */
+  paste(event) {
+    const target = /** @type {Control} */ (event.target);
+    if (target.dataset.kind !== "list") return;
+    const table = columns(event.clipboardData?.getData("text/plain") ?? "");
+    if (!table) return; // a single row goes in as it is
+    event.preventDefault();
+    const within = outer(target.name);
+    const isProfile = valueAt(this.document, within)?.kind === "tabulated";
+    const paths = table.length === 2 && isProfile ? [`${within}.y`, `${within}.relief`] : [target.name];
+    if (paths.length !== table.length) return;
+    const changed = paths.reduce((document, path, place) => withValue(document, path, table[place]), this.document);
+    void this.open(changed, event.timeStamp);
   }
 
   /** @param {MouseEvent} event */

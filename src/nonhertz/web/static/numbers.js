@@ -24,7 +24,7 @@ export function quantity(text) {
  * @returns {{number: string, unit: string} | null}
  */
 export function split(text) {
-  const found = WITH_UNIT.exec(text.trim());
+  const found = PLAIN.test(text.trim()) ? null : WITH_UNIT.exec(text.trim());
   return found ? { number: found[1], unit: UNITS[found[2]] ?? found[2].replace(/[\u00b5\u03bc]/g, "u") } : null;
 }
 
@@ -37,6 +37,23 @@ export function list(text) {
   const items = text.split(/[,;]/.test(text) ? /\s*[,;]\s*/ : /\s+/);
   const values = items.map(quantity).filter((value) => value !== undefined);
   return values.length ? values : undefined;
+}
+
+/**
+ * Return the columns of a table of numbers, as spreadsheets and files have them; null if it is no table, or a single row.
+ * Columns are divided by tabs or semicolons, else by blanks, else by commas; where commas do not divide, they are decimal
+ * commas. A head of words is left out.
+ * @param {string} text
+ * @returns {number[][] | null}
+ */
+export function columns(text) {
+  const rows = text.trim().split(/\r?\n/);
+  const divider = /[\t;]/.test(text) ? /\s*[\t;]\s*/ : /\S[ ,]*[ ]+\S/.test(rows[rows.length - 1]) ? /,?\s+/ : ",";
+  const table = rows.map((row) => row.trim().split(divider).map((cell) => Number(cell.trim().replace(",", ".") || NaN)));
+  if (table[0].every(Number.isNaN)) table.shift();
+  const count = table[0]?.length ?? 0;
+  if (rows.length < 2 || table.some((row) => row.length !== count || !row.every(Number.isFinite))) return null;
+  return table[0].map((_, place) => table.map((row) => row[place]));
 }
 
 /**

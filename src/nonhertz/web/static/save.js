@@ -1,0 +1,136 @@
+// A figure as a file: SVG as it is drawn, or PNG at twice the size, with heading and legend, in the colours of the page.
+
+import { element } from "./elements.js";
+
+const SVG = "http://www.w3.org/2000/svg";
+const SCALE = 2; // pixels of a PNG per pixel of the page
+const TOP = 26; // pixels for heading and legend
+/** What of the page's styles has to be written into a drawing that stands alone. */
+const STYLES = ["fill", "stroke", "color", "stop-color", "font-family", "font-size", "font-weight", "font-style"];
+
+/**
+ * Save the drawing of a figure.
+ * @param {HTMLElement} host
+ * @param {"svg" | "png"} kind
+ */
+export async function save(host, kind) {
+  const text = standing(host);
+  if (!text) return;
+  const drawing = new Blob([text], { type: "image/svg+xml" });
+  const name = `${host.dataset.figure ?? "figure"}.${kind}`;
+  hand(kind === "svg" ? drawing : await painted(drawing), name);
+}
+
+/** A drawing as an SVG file; null if nothing is drawn. @param {HTMLElement} host */
+export function standing(host) {
+  // A colour scale is a drawing of its own above the figure's.
+  const drawn = /** @type {SVGSVGElement[]} */ ([...host.querySelectorAll(".drawing svg")]);
+  if (!drawn.length) return null;
+  const width = Math.max(...drawn.map((each) => sizeOf(each, "width")));
+  let height = TOP;
+  const copies = drawn.map((each) => {
+    const copy = /** @type {SVGSVGElement} */ (each.cloneNode(true));
+    dress(each, copy);
+    for (const aside of copy.querySelectorAll("style")) aside.remove();
+    copy.setAttribute("y", String(height));
+    height += sizeOf(each, "height");
+    return copy;
+  });
+  const whole = document.createElementNS(SVG, "svg");
+  whole.setAttribute("width", String(width));
+  whole.setAttribute("height", String(height));
+  whole.setAttribute("viewBox", `0 0 ${width} ${height}`);
+  const style = getComputedStyle(host);
+  const ground = document.createElementNS(SVG, "rect");
+  ground.setAttribute("width", "100%");
+  ground.setAttribute("height", "100%");
+  ground.setAttribute("fill", style.backgroundColor);
+  whole.append(ground, ...captions(host, width), ...copies);
+  return new XMLSerializer().serializeToString(whole);
+}
+
+/** @param {SVGSVGElement} drawing @param {"width" | "height"} side */
+function sizeOf(drawing, side) {
+  return Number(drawing.getAttribute(side)) || drawing.getBoundingClientRect()[side];
+}
+
+/** Heading, legend and remark as texts in a row. @param {HTMLElement} host @param {number} width */
+function captions(host, width) {
+  const texts = [];
+  let x = 8;
+  for (const part of host.querySelectorAll("figcaption > :is(.heading, .entry)")) {
+    const swatch = part.querySelector(".swatch");
+    if (swatch) texts.push(bar(x, swatch));
+    texts.push(written(swatch ? x + 28 : x, part.textContent?.trim() ?? "", part, "start"));
+    x += part.getBoundingClientRect().width + 14;
+  }
+  const remark = host.querySelector("figcaption > .remark");
+  if (remark?.textContent) texts.push(written(width - 8, remark.textContent, remark, "end"));
+  return texts;
+}
+
+function written(x, words, part, anchor) {
+  const text = document.createElementNS(SVG, "text");
+  const style = getComputedStyle(part);
+  const attributes = {
+    x: String(x),
+    y: "17",
+    "font-family": style.fontFamily,
+    "font-size": style.fontSize,
+    "font-weight": style.fontWeight,
+    "font-style": style.fontStyle,
+    "text-anchor": anchor,
+    fill: style.color,
+  };
+  for (const [name, value] of Object.entries(attributes)) text.setAttribute(name, value);
+  text.textContent = words;
+  return text;
+}
+
+/** The swatch of a legend as a line. */
+function bar(x, swatch) {
+  const line = document.createElementNS(SVG, "line");
+  const style = getComputedStyle(swatch);
+  const attributes = { x1: x, x2: x + 22, y1: 13, y2: 13, stroke: style.borderTopColor, "stroke-width": 2 };
+  for (const [name, value] of Object.entries(attributes)) line.setAttribute(name, String(value));
+  if (style.borderTopStyle === "dashed") line.setAttribute("stroke-dasharray", "5 3");
+  if (style.borderTopStyle === "dotted") line.setAttribute("stroke-dasharray", "2 3");
+  return line;
+}
+
+/** Write styles that come from the page into a copy, element by element. @param {Element} drawn @param {Element} copy */
+function dress(drawn, copy) {
+  const style = getComputedStyle(drawn);
+  for (const name of STYLES) {
+    const value = style.getPropertyValue(name);
+    if (value) /** @type {SVGElement} */ (copy).style.setProperty(name, value);
+    copy.removeAttribute(name);
+  }
+  for (const [place, child] of [...drawn.children].entries()) dress(child, copy.children[place]);
+}
+
+/** @param {Blob} drawing @returns {Promise<Blob>} */
+async function painted(drawing) {
+  const address = URL.createObjectURL(drawing);
+  try {
+    const image = new Image();
+    image.src = address;
+    await image.decode();
+    const canvas = document.createElement("canvas");
+    canvas.width = SCALE * image.width;
+    canvas.height = SCALE * image.height;
+    /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")).drawImage(image, 0, 0, canvas.width, canvas.height);
+    return await new Promise((done, failed) =>
+      canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error("no picture"))), "image/png"),
+    );
+  } finally {
+    URL.revokeObjectURL(address);
+  }
+}
+
+/** @param {Blob} content @param {string} name */
+function hand(content, name) {
+  const address = URL.createObjectURL(content);
+  element("a", { href: address, download: name }).click();
+  window.setTimeout(() => URL.revokeObjectURL(address), 60_000);
+}
