@@ -1,0 +1,76 @@
+"""axe finds nothing to complain of, in any state of the page."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from desk import Desk
+
+axe = pytest.importorskip("axe_playwright_python.sync_playwright")
+pytestmark = pytest.mark.browser
+
+
+def violations(desk: Desk) -> list[str]:
+    found = axe.Axe().run(desk.page).response["violations"]
+    return [f"{each['id']}: {each['help']} {[node['target'] for node in each['nodes']]}" for each in found]
+
+
+def curve(desk: Desk) -> None:
+    desk.page.locator("#curve-on").check()
+    desk.page.locator("#curve[data-state=done]").wait_for(state="attached")
+
+
+def measured(desk: Desk) -> None:
+    desk.page.locator('button:has-text("Measured")').first.click()
+    desk.page.locator("#measured[open]").wait_for()
+
+
+def pinned(desk: Desk) -> None:
+    desk.page.locator("#pin").click()
+    desk.write("load.load", "30 kN")
+
+
+def unfolded(desk: Desk) -> None:
+    for fold in desk.page.locator("#case details > summary").all():
+        fold.click()
+
+
+def sharp(desk: Desk) -> None:
+    desk.press('button[data-action="remove"][data-path="body.a.profile[1]"]')
+
+
+STATES: dict[str, Callable[[Desk], Any]] = {
+    "as it opens": lambda desk: None,
+    "dark": lambda desk: desk.page.locator("#theme").click(),
+    "curve": curve,
+    "menu": lambda desk: desk.page.locator("#templates summary").click(),
+    "downloads": lambda desk: desk.page.locator("#downloads summary").click(),
+    "pinned": pinned,
+    "mistake": lambda desk: desk.write("load.load", "30 kg"),
+    "unfolded": unfolded,
+    "sharp ends": sharp,
+    "measured": measured,
+}
+
+
+@pytest.mark.parametrize("state", STATES)
+def test_of_a_contact(desk: Desk, state: str) -> None:
+    STATES[state](desk)
+    assert violations(desk) == []
+
+
+def test_of_a_contact_on_a_phone(open_desk: Any) -> None:
+    desk = open_desk(viewport={"width": 390, "height": 844})
+    assert violations(desk) == []
+    desk.page.locator("#editor > summary").click()
+    assert violations(desk) == []
+
+
+@pytest.mark.parametrize("width", [1400, 390])
+def test_of_a_bearing(open_desk: Any, width: int) -> None:
+    desk = open_desk("bearing", viewport={"width": width, "height": 900})
+    assert violations(desk) == []
+    desk.page.locator("#theme").click()
+    assert violations(desk) == []
