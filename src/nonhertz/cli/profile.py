@@ -20,7 +20,7 @@ from nonhertz.io.prepared import files
 from nonhertz.measured import Fit, Measured
 from nonhertz.measured.fit import KINDS
 from nonhertz.model.profile import PARAMETER_UNITS
-from nonhertz.result.numerals import digits
+from nonhertz.result.numerals import digits, with_error
 
 BEST = "best"
 _PLAIN_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
@@ -180,8 +180,8 @@ def _parameter(fit: Fit, name: str) -> str:
     error = fit.standard_errors.get(name)
     if error is not None and not math.isfinite(error):
         return f"{name} not determined by the points"  # any value fits as well
-    uncertainty = "" if error is None else f" +- {error:.2g}"
-    return f"{name} {digits(value)}{uncertainty}{' ' + unit if unit else ''}"
+    number = digits(value) if error is None else with_error(value, error)
+    return f"{name} {number} {unit}".rstrip()
 
 
 def _meant(name: str, word: str | bool) -> Any:

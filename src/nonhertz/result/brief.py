@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import html
-import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +12,7 @@ from numpy.typing import NDArray
 
 from nonhertz.model.body import Body
 from nonhertz.result.maximum import places_of_largest
-from nonhertz.result.numerals import digits, given
+from nonhertz.result.numerals import digits, error_words, given
 from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.quantities import QUANTITIES
 
@@ -65,9 +64,8 @@ def _pressure(solution: Solved) -> str:
 
 def _numbers(solution: Solved, names: tuple[str, ...], error: float = 0.0, where: str = "") -> str:
     said = ", ".join(f"{QUANTITIES[name].label} {QUANTITIES[name].text(solution)}" for name in names)
-    if error > 1e-12:  # less is rounding
-        where += f", error about {digits(100.0 * error, 1)} %" if math.isfinite(error) else ", error unknown"
-    return said + where
+    words = error_words(error)
+    return said + where + (f", {words}" if words else "")
 
 
 def body_line(body: Body) -> str:

@@ -10,6 +10,8 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+ROUNDING = 1e-12  # relative: a prescribed load, say, is met to that
+
 
 def digits(value: float, significant: int = 5) -> str:
     """Return a number with this many significant digits, without an exponent unless it is very small or large.
@@ -37,6 +39,54 @@ def given(value: float, significant: int = 6) -> str:
     """
     mantissa, exponent, power = digits(value, significant).partition("e")
     return (mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa) + exponent + power
+
+
+#: Units in which people write large numbers of these: from which value on, and their size.
+_LARGER = {"N": (1e3, "kN"), "N mm": (1e3, "N m")}
+
+
+def sized(value: float, unit: str) -> str:
+    """Return a number with its unit, a force in kN and a moment in N m where it is large.
+
+    Examples
+    --------
+    >>> sized(20000.0, "N"), sized(820.0, "N"), sized(-15.8e3, "N mm"), sized(2086.34, "MPa")
+    ('20.000 kN', '820.00 N', '-15.800 N m', '2086.3 MPa')
+    """
+    least, larger = _LARGER.get(unit, (math.inf, unit))
+    if abs(value) < least:
+        return f"{digits(value)} {unit}".rstrip()
+    return f"{digits(1e-3 * value)} {larger}"
+
+
+def with_error(value: float, error: float) -> str:
+    """Return a number with its standard error, both to the second digit of that.
+
+    Examples
+    --------
+    >>> with_error(4361.8, 1034.0), with_error(0.0123456, 0.000789), with_error(12.0, 0.0)
+    ('4400 +- 1000', '0.01235 +- 0.00079', '12.000 +- 0')
+    """
+    if not (math.isfinite(error) and error > 0.0):
+        return f"{digits(value)} +- {digits(error)}"
+    place = 1 - math.floor(math.log10(error))
+    shown = [f"{round(each, place):.{max(place, 0)}f}" for each in (value, error)]
+    return " +- ".join(shown)
+
+
+def error_words(relative: float) -> str:
+    """Return words about an estimated relative error; none where it is only rounding.
+
+    Examples
+    --------
+    >>> error_words(0.0042), error_words(0.53), error_words(1.7), error_words(1e-15), error_words(math.inf)
+    ('error about 0.4 %', 'error about 50 %', 'error as large as the number', '', 'error unknown')
+    """
+    if not math.isfinite(relative):
+        return "error unknown"
+    if relative >= 1.0:
+        return "error as large as the number"
+    return f"error about {given(float(f'{100.0 * relative:.1g}'), 1)} %" if relative > ROUNDING else ""
 
 
 def as_csv(columns: Mapping[str, NDArray[np.float64]]) -> str:

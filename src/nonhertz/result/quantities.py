@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonhertz.result.numerals import digits
+from nonhertz.result.numerals import sized
 
 if TYPE_CHECKING:
     from nonhertz.result.protocol import Solved
@@ -66,7 +66,7 @@ class Quantity:
 
     def text(self, solution: Solved) -> str:
         """Return the value as people read it, with its unit."""
-        return f"{digits(self.shown(solution))} {self.shown_unit}"
+        return sized(self.shown(solution), self.shown_unit)
 
 
 def reach(solution: Solved) -> float:
@@ -88,14 +88,16 @@ def _own(
     return Quantity(name, label, symbol, unit, get, shown_unit, factor, scale)
 
 
-def _slope(row: int, column: int, name: str, unit: str, scale: Callable[[Any], float] | None = None) -> Quantity:
+def _slope(
+    row: int, column: int, name: str, unit: str, shown: tuple[str, float], scale: Callable[[Any], float] | None = None
+) -> Quantity:
     """Return the quantity that is an entry of the stiffness."""
     force, _, motion = name.partition("_by_")
 
     def get(solution: Any) -> Any:  # works on Solutions too, all cases at once
         return solution.stiffness[..., row, column]
 
-    return Quantity(name, f"d {force} / d {motion}", "", unit, get, unit, scale=scale)
+    return Quantity(name, f"d {force} / d {motion}", "", unit, get, *shown, scale)
 
 
 def _by_approach_on_lever(solution: Solution) -> float:
@@ -112,10 +114,10 @@ _ALL = (
     _own("max_pressure_y", "position of the maximum", "", "mm"),
     _own("max_half_width", "largest half-width", "", "mm"),
     _own("contact_length", "length of contact", "", "mm"),
-    _slope(0, 0, "load_by_approach", "N/mm"),
-    _slope(0, 1, "load_by_tilt", "N/rad", _by_approach_on_lever),
-    _slope(1, 0, "moment_by_approach", "N mm/mm", _by_approach_on_lever),
-    _slope(1, 1, "moment_by_tilt", "N mm/rad"),
+    _slope(0, 0, "load_by_approach", "N/mm", ("N/um", 1e-3)),
+    _slope(0, 1, "load_by_tilt", "N/rad", ("N/mrad", 1e-3), _by_approach_on_lever),
+    _slope(1, 0, "moment_by_approach", "N mm/mm", ("N mm/um", 1e-3), _by_approach_on_lever),
+    _slope(1, 1, "moment_by_tilt", "N mm/rad", ("N m/mrad", 1e-6)),
 )
 
 #: Every number of a solution, by name.

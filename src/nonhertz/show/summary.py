@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 
 from nonhertz.model.body import BODIES
 from nonhertz.result.brief import where_largest
 from nonhertz.result.ends import leaves_stress
-from nonhertz.result.numerals import digits
+from nonhertz.result.numerals import digits, error_words
 from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
@@ -29,21 +28,19 @@ def summary_rows(solution: Solution) -> list[Row]:
 
 
 def _approach_rows(solution: Solution) -> list[Row]:
-    shown = QUANTITIES["approach"].text(solution)
-    error = _error(solution.error_estimate.approach)
     told = is_noticeable(solution.approach, solution.penetration)
-    return [("approach", f"{digits(solution.approach)} mm", "" if told else error), ("", shown, "")]
+    return [_row("approach", solution, "" if told else error_words(solution.error_estimate.approach))]
 
 
 def _penetration_rows(solution: Solution) -> list[Row]:
     """Return the penetration, to which the error of the approach relates, unless it is nearly the approach."""
     if not is_noticeable(solution.approach, solution.penetration):
         return []
-    return [_row("penetration", solution, _error(solution.error_estimate.approach))]
+    return [_row("penetration", solution, error_words(solution.error_estimate.approach))]
 
 
 def _load_rows(solution: Solution) -> list[Row]:
-    return [_row("load", solution, _error(solution.error_estimate.load))]
+    return [_row("load", solution, error_words(solution.error_estimate.load))]
 
 
 def _contact_rows(solution: Solution) -> list[Row]:
@@ -68,7 +65,7 @@ def _pressure_rows(solution: Solution) -> list[Row]:
     """Return the maximum pressure and where it is."""
     if not solution.contact_y:
         return []
-    remark = _error(solution.error_estimate.max_pressure)
+    remark = error_words(solution.error_estimate.max_pressure)
     if solution.peaks_at_corner:
         remark = "no limit, at a corner of the profile"
     elif any(edge.kind is EdgeKind.CUT_OFF and _at(edge, solution) for edge in solution.edge_pressure):
@@ -94,13 +91,6 @@ def _convention(edge: EdgePressure, solution: Solution) -> tuple[str, str]:
             return "no limit", "at a corner of the profile"
         case EdgeKind.CUT_OFF:
             return f"{digits(edge.pressure)} MPa", "cut off by the strips"
-
-
-def _error(relative: float) -> str:
-    if not math.isfinite(relative):
-        return "error unknown"
-    # A prescribed load, for example, is met to rounding error.
-    return f"error about {100.0 * relative:.1g} %" if relative > 1e-12 else ""
 
 
 # Quantities that need more than their number, or that another row covers.

@@ -101,7 +101,8 @@ def _of_bearing() -> dict[str, Quantity]:
         return Quantity(name, label, "", unit, lambda solved: solved.solution.force[index], unit)
 
     def stiffness(name: str, label: str, unit: str, index: int) -> Quantity:
-        return Quantity(name, label, "", unit, lambda solved: solved.solution.stiffness[index, index], unit)
+        shown = ("N/um", 1e-3) if unit == "N/mm" else ("N m/mrad", 1e-6)
+        return Quantity(name, label, "", unit, lambda solved: solved.solution.stiffness[index, index], *shown)
 
     def life(name: str, label: str, symbol: str) -> Quantity:
         return Quantity(name, label, symbol, _LIVES[0], lambda solved: getattr(solved.life, name), _LIVES[1])
