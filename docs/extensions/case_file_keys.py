@@ -147,7 +147,8 @@ def _default(value: Schema, required: bool) -> str:
     if required:
         return "must be there"
     if isinstance(default, dict):
-        return "{ " + ", ".join(f"{key} = {each:g}" for key, each in default.items()) + " }"
+        known = {key: each for key, each in default.items() if each is not None}
+        return "{ " + ", ".join(f"{key} = {each:g}" for key, each in known.items()) + " }"
     return "" if default in (None, "", []) else f"``{default}``"
 
 

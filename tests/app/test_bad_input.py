@@ -28,7 +28,9 @@ NOT_CONVEX = (
 )
 PLAIN = "must be a plain number: write it without quotes and without a unit."
 STRIPS = "be 'auto' or a whole number from 1 to 2000: leave it out for an automatic grid"
-KEYS_OF_MATERIAL = "choose from 'modulus', 'poisson'"
+KEYS_OF_MATERIAL = (
+    "choose from 'modulus', 'poisson', 'yield_strength', 'core_yield_strength', 'hardness', 'pressure_limit'"
+)
 
 
 def profile(table: str) -> str:
@@ -230,6 +232,17 @@ MISTAKES = {
     "unknown key like no other": (
         f"{A}material = {{ modulus = 1, poisson = 0, x = 2 }}\n{B}{LOAD}",
         [f"body.a.material.x = 2 must be a known key: {KEYS_OF_MATERIAL}."],
+    ),
+    "strengths of a material": (
+        f"{A}case_depth = -1\n"
+        f"material = {{ modulus = 1, poisson = 0, hardness = '60', yield_strength = 0 }}\n{B}{LOAD}",
+        [
+            "body.a.case_depth = -1.0 must be positive: give the depth of the case in mm, or leave it out.",
+            "body.a.material.hardness = '60' must be a number with its scale, HV, HRC or HBW: "
+            "write a number and its scale such as '60 HRC', '700 HV' or '280 HBW', or leave it out.",
+            "body.a.material.yield_strength = 0.0 must be positive: "
+            "give the stress in MPa, or leave it out where it is not known.",
+        ],
     ),
     "unknown section": (
         f"{A}{B}{LOAD}[sovler]\n",

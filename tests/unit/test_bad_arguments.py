@@ -228,6 +228,7 @@ BODY = {
     "side_faces": ("mirror", "rule"),
     "images": (1, "images"),
     "depth": ("none", "depth"),
+    "case_depth": (None, "positive?"),
 }
 PRESCRIBED = {
     "approach": (None, "number?"),
@@ -385,7 +386,15 @@ ENTRIES: dict[str, Entry] = {
     "Comparison.along": entry(COMPARISON.along, solution=(COMPARISON.semi_elliptic, "thing")),
     "PatchSolution.across": entry(PATCH.across, y=(0.0, "number")),
     "EdgePressure.at": entry(SHARP.at, distance=(0.1, "positive numbers")),
-    "Material": entry(nh.Material, modulus=(2e5, "positive"), poisson=(0.3, "number")),
+    "Material": entry(
+        nh.Material,
+        modulus=(2e5, "positive"),
+        poisson=(0.3, "number"),
+        yield_strength=(None, "positive?"),
+        core_yield_strength=(None, "positive?"),
+        hardness=(None, "optional"),
+        pressure_limit=(None, "positive?"),
+    ),
     "Contact": entry(nh.Contact, a=(ROLLER, "thing"), b=(RING, "thing")),
     "Body": entry(nh.Body, **BODY),
     "Roller": entry(nh.Roller, **BODY | {"length": (20.0, "positive")}),

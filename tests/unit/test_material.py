@@ -60,6 +60,37 @@ def test_a_material_is_a_value():
         steel.modulus = 1.0
 
 
+def test_what_a_material_bears_is_left_out_where_it_is_not_known():
+    plain = nh.Material(207000, 0.3)
+    known = nh.Material(207000, 0.3, yield_strength=1800, hardness="60HRC", pressure_limit=4000)
+    assert plain == nh.MATERIALS["steel"]
+    assert hash(plain) == hash(nh.MATERIALS["steel"])
+    assert repr(plain) == "Material(modulus=207000, poisson=0.3)"
+    assert plain != known
+    assert known.hardness == "60 HRC"
+    assert plain.shear_yield_strength is None
+    # Pure shear k: von Mises stress sqrt(3) k.
+    assert abs(known.shear_yield_strength - 1039.23048) < 1e-5
+
+
+@pytest.mark.parametrize(
+    ("given", "complaint"),
+    [
+        ({"yield_strength": 0.0}, "yield_strength = 0.0 must be positive: give the stress in MPa"),
+        ({"core_yield_strength": math.nan}, "core_yield_strength = nan must be a finite number"),
+        ({"pressure_limit": "4000"}, "pressure_limit = '4000' must be a finite number"),
+        ({"hardness": 60}, "hardness = 60 must be a number with its scale, HV, HRC or HBW"),
+        ({"hardness": "60 Shore D"}, "hardness = '60 Shore D' must be a number with its scale"),
+        ({"hardness": "75 HRC"}, "hardness = '75 HRC' must lie between 20 and 70 HRC"),
+        ({"hardness": "700 HBW"}, "hardness = '700 HBW' must lie between 1 and 650 HBW"),
+    ],
+)
+def test_impossible_strengths_are_refused(given, complaint):
+    with pytest.raises(nh.InputError) as refusal:
+        nh.Material(207000, 0.3, **given)
+    assert str(refusal.value).startswith(complaint)
+
+
 # Handbook ranges at room temperature [GPa]: wide enough for grades, too narrow for a slip of a digit.
 @pytest.mark.parametrize(
     ("name", "low", "high"),

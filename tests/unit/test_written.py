@@ -253,3 +253,28 @@ def test_a_missing_file_and_a_wrong_argument_are_named(tmp_path):
         nh.read_result(tmp_path / "nothing.json")
     with pytest.raises(nh.InputError, match="path = 3 must be the name of a result file"):
         nh.read_result(3)
+
+
+def test_what_materials_bear_is_written_as_it_was_given(tmp_path):
+    strong = nh.Material(
+        210000, 0.3, yield_strength=1800, core_yield_strength=800.0, hardness="60 HRC", pressure_limit=4000
+    )
+    case, path = made(material=strong, case_depth=1.2), tmp_path / "case.toml"
+    case.write(path)
+    found = read_case(path)
+    assert found.contact == case.contact
+    assert found.contact.a.material.hardness == "60 HRC"
+    assert found.contact.a.case_depth == 1.2
+
+
+def test_what_is_not_known_is_not_written():
+    table = document(made(material=nh.Material(210000, 0.3)))["body"]["a"]
+    assert table["material"] == {"modulus": 210000.0, "poisson": 0.3}
+    assert "case_depth" not in table
+
+
+def test_strength_does_not_change_the_solution():
+    strong = nh.Material(207000, 0.3, yield_strength=1800, core_yield_strength=800)
+    plain, changed = made().solve(), made(material=strong, case_depth=1.0).solve()
+    np.testing.assert_array_equal(changed.centre_pressure, plain.centre_pressure)
+    assert changed.approach == plain.approach

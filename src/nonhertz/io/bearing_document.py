@@ -439,7 +439,7 @@ class SeatTable(Table):
         default=0.0, description="what pressing flattens of the roughness of both surfaces, on the diameter [mm]"
     )
     material: Annotated[Material, PlainValidator(read_material, json_schema_input_type=Word | MaterialTable)] = Field(
-        default=STEEL, description="name of a material, or a table of modulus and poisson"
+        default=STEEL, description="name of a material, or a table of modulus, poisson and what it bears"
     )
     expansion: Number = Field(default=EXPANSION, description="thermal expansion [1/K], a plain number")
     temperature: Number = Field(default=REFERENCE, description="temperature [degrees Celsius], a plain number")

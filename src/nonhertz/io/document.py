@@ -136,23 +136,38 @@ Word = Annotated[str, PlainValidator(lambda value: value), WithJsonSchema({"type
 
 
 class MaterialTable(Table):
-    """A linear elastic material."""
+    """A linear elastic material, and what it bears."""
 
     modulus: Stress = Field(description="Young's modulus [MPa]")
     poisson: Number = Field(description="Poisson's ratio, in (-1, 0.5]")
+    yield_strength: Stress | None = Field(
+        default=None, description="yield strength or 0.2 % proof strength, of a hardened case that of the case [MPa]"
+    )
+    core_yield_strength: Stress | None = Field(
+        default=None, description="yield strength of the core below a hardened case [MPa]"
+    )
+    hardness: Word | None = Field(
+        default=None, description="hardness at the surface with its scale, HV, HRC or HBW; shown, not computed with"
+    )
+    pressure_limit: Stress | None = Field(
+        default=None, description="largest pressure of a contact at rest [MPa]; 4000 MPa in roller bearings by ISO 76"
+    )
 
-    @field_validator("modulus", "poisson")
+    @field_validator("*")
     @classmethod
-    def _check(cls, value: float, info: ValidationInfo) -> float:
+    def _check(cls, value: Any, info: ValidationInfo) -> Any:
         dataclasses.replace(STEEL, **{str(info.field_name): value})
         return value
+
+    def material(self) -> Material:
+        """Return the material."""
+        return Material(**{name: getattr(self, name) for name in type(self).model_fields})
 
 
 def read_material(value: Any) -> Material:
     """Return the material that a name or a table stands for."""
     if isinstance(value, dict):
-        table = read_table(MaterialTable, value)
-        return Material(modulus=table.modulus, poisson=table.poisson)
+        return read_table(MaterialTable, value).material()
     if not isinstance(value, str):
         remedy = "give a name such as 'steel' or a table { modulus = 207000, poisson = 0.3 }"
         raise InputError("material", value, "be a name or a table", remedy)
@@ -294,7 +309,7 @@ class BodyTable(Table):
     chamfer: ChamferTable | None = Field(default=None, description="chamfers in place of a corner radius")
     position: Length = Field(default=Body.position, description="axial position of the middle of the body [mm]")
     material: Annotated[Material, PlainValidator(read_material, json_schema_input_type=Word | MaterialTable)] = Field(
-        default=STEEL, description="name of a material, or a table of modulus and poisson"
+        default=STEEL, description="name of a material, or a table of modulus, poisson and what it bears"
     )
     profile: Annotated[Profile, PlainValidator(_read_profile), WithJsonSchema(profile_schema())] = Field(
         default_factory=straight, description="relief along the axis: a list of profiles, which add"
@@ -312,6 +327,11 @@ class BodyTable(Table):
         default=Body.images,
         description="mirror images per side face: a number, or 'series' for all of them, which needs a depth",
     )
+    case_depth: Length | None = Field(
+        default=None,
+        description="depth to which the body is case-hardened or surface-hardened [mm]; below it the core's strength "
+        "counts",
+    )
 
     @field_validator(
         *(
@@ -324,6 +344,7 @@ class BodyTable(Table):
             "depth",
             "bore",
             "images",
+            "case_depth",
         )
     )
     @classmethod

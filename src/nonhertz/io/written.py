@@ -54,7 +54,7 @@ def body_table(body: Body) -> dict[str, Any]:
     for name, value in (("diameter", body.diameter), ("bore", body.bore)):
         if value is not None:
             table[name] = _diameter(name, value)
-    for name in ("length", "effective_length", "corner_radius", "position"):
+    for name in ("length", "effective_length", "corner_radius", "position", "case_depth"):
         value = getattr(body, name)
         if value is not None:
             table[name] = float(value)
@@ -79,10 +79,13 @@ def _diameter(name: str, value: object) -> float | dict[str, Any]:
     raise InputError(name, value, "be a number or a table to go into a case file", remedy)
 
 
-def material_table(material: Material) -> str | dict[str, float]:
-    """Return the name of a material, or its constants."""
+def material_table(material: Material) -> str | dict[str, float | str]:
+    """Return the name of a material, or what is known of it."""
     named = [name for name, known in MATERIALS.items() if known == material]
-    return named[0] if named else {"modulus": float(material.modulus), "poisson": float(material.poisson)}
+    if named:
+        return named[0]
+    known = {name: value for name, value in asdict(material).items() if value is not None}
+    return {name: value if isinstance(value, str) else float(value) for name, value in known.items()}
 
 
 def profile_tables(profile: Profile) -> list[dict[str, Any]]:

@@ -130,6 +130,10 @@ class Body:
         surface (``"diameter"``), at a given depth [mm], such as the thickness of a ring; or the axis of a solid
         cylinder of infinite length (``"cylinder"``), or of a roller that deforms as a whole (``"finite"``), whose side
         faces are ``"free"``. None for what suits the body: ``"none"``, and of a roller the last of these.
+    case_depth : float or None
+        Depth below the surface [mm] to which the body is case-hardened or surface-hardened, such as the case-hardening
+        depth CHD of ISO 18203 (to 550 HV); None for one that is alike throughout. It changes no solution; see
+        `nonhertz.strength.assess`.
 
     Raises
     ------
@@ -154,6 +158,7 @@ class Body:
     side_faces: FaceRule | tuple[FaceRule, FaceRule] = "free"
     images: int | Literal["series"] = FEWEST_IMAGES
     depth: DepthRule | None = None
+    case_depth: float | None = None
 
     def __post_init__(self) -> None:
         if not isinstance(self.material, Material):
@@ -173,6 +178,8 @@ class Body:
         if self.effective_length is not None:
             self._check_effective_length(self.effective_length)
         self._check_corner()
+        if self.case_depth is not None:
+            positive("case_depth", self.case_depth, "give the depth of the case in mm, or leave it out")
         finite("position", self.position, "give the axial position of the body's middle in mm")
         if isinstance(self.side_faces, list) or (isinstance(self.side_faces, np.ndarray) and self.side_faces.ndim):
             object.__setattr__(self, "side_faces", tuple(self.side_faces))

@@ -1,15 +1,25 @@
-"""Linear elastic, isotropic materials."""
+"""Linear elastic, isotropic materials, and what they bear as far as that is known."""
 
 from __future__ import annotations
 
+import dataclasses
 import math
+import re
 from dataclasses import dataclass
+from typing import Final
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, positive
 
+#: Scales of hardness, each with the range in which its test is made: ISO 6507, 6508 and 6506.
+SCALES: Final = {"HV": (1.0, 3000.0), "HRC": (20.0, 70.0), "HBW": (1.0, 650.0)}
+_HARDNESS: Final = re.compile(r"(\d+(?:\.\d+)?) ?(HV|HRC|HBW)")
+_HARDNESS_REMEDY: Final = "write a number and its scale such as '60 HRC', '700 HV' or '280 HBW', or leave it out"
+_STRENGTH_REMEDY: Final = "give the stress in MPa, or leave it out where it is not known"
+_SQRT_3: Final = math.sqrt(3.0)
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, repr=False)
 class Material:
     """A linear elastic, isotropic material.
 
@@ -19,25 +29,54 @@ class Material:
         Young's modulus E [MPa], positive.
     poisson : float
         Poisson's ratio nu [-], in (-1, 0.5].
+    yield_strength : float, optional
+        Yield strength in tension, or 0.2 % proof strength, Y [MPa]; of a case-hardened material that of the case.
+    core_yield_strength : float, optional
+        The same of the core of a case-hardened material [MPa]. How deep the case is, its body knows: `Body.case_depth`.
+    hardness : str, optional
+        Hardness at the surface with its scale: ``"60 HRC"``, ``"700 HV"``, ``"280 HBW"``. It is shown, not computed
+        with: no strength is derived from it.
+    pressure_limit : float, optional
+        Largest pressure that a contact at rest may have [MPa]; 4000 MPa is that of roller bearings by ISO 76.
 
     Raises
     ------
     InputError
         If a value is not finite or outside its range.
 
+    Notes
+    -----
+    What a material bears does not change how it deforms: contacts are solved as elastic.
+    `nonhertz.strength.assess` compares solutions with it.
+
     Examples
     --------
     >>> steel = Material(modulus=207000, poisson=0.3)
     >>> round(steel.shear_modulus)
     79615
+    >>> Material(modulus=207000, poisson=0.3, yield_strength=1800, hardness="60 HRC")
+    Material(modulus=207000, poisson=0.3, yield_strength=1800, hardness='60 HRC')
     """
 
     modulus: float
     poisson: float
+    yield_strength: float | None = None
+    core_yield_strength: float | None = None
+    hardness: str | None = None
+    pressure_limit: float | None = None
 
     def __post_init__(self) -> None:
         positive("modulus", self.modulus, "give Young's modulus in MPa, 207000 for steel")
         check_poisson(self.poisson)
+        for name in ("yield_strength", "core_yield_strength", "pressure_limit"):
+            if getattr(self, name) is not None:
+                positive(name, getattr(self, name), _STRENGTH_REMEDY)
+        if self.hardness is not None:
+            object.__setattr__(self, "hardness", _read_hardness(self.hardness))
+
+    def __repr__(self) -> str:
+        known = {each.name: getattr(self, each.name) for each in dataclasses.fields(self)}
+        return f"Material({', '.join(f'{name}={value!r}' for name, value in known.items() if value is not None)})"
 
     @property
     def shear_modulus(self) -> float:
@@ -48,6 +87,23 @@ class Material:
     def compliance(self) -> float:
         """Half-space compliance K = (1 - nu^2) / (pi E) [1/MPa]."""
         return (1.0 - self.poisson**2) / (math.pi * self.modulus)
+
+    @property
+    def shear_yield_strength(self) -> float | None:
+        """Yield strength in pure shear k = Y / sqrt(3) [MPa], by the criterion of von Mises; None without Y."""
+        return None if self.yield_strength is None else self.yield_strength / _SQRT_3
+
+
+def _read_hardness(hardness: object) -> str:
+    """Return a hardness as number, space and scale."""
+    found = _HARDNESS.fullmatch(hardness.strip()) if isinstance(hardness, str) else None
+    if found is None:
+        raise InputError("hardness", hardness, "be a number with its scale, HV, HRC or HBW", _HARDNESS_REMEDY)
+    number, scale = found.groups()
+    low, high = SCALES[scale]
+    if not low <= float(number) <= high:
+        raise InputError("hardness", hardness, f"lie between {low:g} and {high:g} {scale}", _HARDNESS_REMEDY)
+    return f"{number} {scale}"
 
 
 def check_poisson(poisson: float) -> None:

@@ -32,6 +32,14 @@ _ABSENT = {
     "effective_length": "the whole length",
     "corner_radius": "none",
     "chamfer": "none",
+    "case_depth": "none",
+}
+# What is known of a material beside its elastic constants: words before the value, and unit.
+_BORNE = {
+    "yield_strength": ("yield strength", " MPa"),
+    "core_yield_strength": ("core", " MPa"),
+    "hardness": ("hardness", ""),
+    "pressure_limit": ("limit of pressure", " MPa"),
 }
 _OF_THE_BODY, _OF_BOTH, _AT_THE_END = "from the body", "from both bodies", "the end of the land"
 
@@ -222,8 +230,13 @@ def _sequence(values: Sequence[Any]) -> str:
 
 def _material(material: Material) -> str:
     name = next((name for name, known in MATERIALS.items() if known == material), "")
-    constants = f"E = {shown(material.modulus)} MPa, ν = {shown(material.poisson)}"
-    return f"{name} ({constants})" if name else constants
+    constants = [f"E = {shown(material.modulus)} MPa", f"ν = {shown(material.poisson)}"]
+    constants += [
+        f"{words} {shown(getattr(material, field))}{unit}"
+        for field, (words, unit) in _BORNE.items()
+        if getattr(material, field) is not None
+    ]
+    return f"{name} ({', '.join(constants)})" if name else ", ".join(constants)
 
 
 def as_written(table: Mapping[str, Any], name: str) -> str:

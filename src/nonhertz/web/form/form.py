@@ -41,6 +41,7 @@ COMMON: Final = ("shift", "scale", "flip")
 #: Keys that most cases leave at their defaults, folded away.
 FOLDED: Final = (
     *("effective_length", "corner_radius", "chamfer", "position", "side_faces", "images", "depth", "bore"),
+    *("case_depth", "yield_strength", "core_yield_strength", "hardness", "pressure_limit"),
     *("drop", "at", *COMMON),
     *("solver", "life"),
 )
@@ -203,6 +204,7 @@ def _value_or_table(table: Schema, part: Schema, value: Any, place: Place) -> Fo
     several = {
         key: start_list(key) if inner.get("type") == "array" else start(key)
         for key, inner in table["properties"].items()
+        if key in table["required"]
     }
     keys = " and ".join(several)
     options = (

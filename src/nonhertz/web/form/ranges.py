@@ -57,9 +57,11 @@ RANGES: Final[dict[str, Range]] = {
     "approach": Range(1e-4, 1.0, "log", 0.02),
     "at": Range(0.25, 250.0, "log", 9.0),
     "blend_radius": Range(0.0, 20.0, "linear", 1.0),
+    "case_depth": Range(0.05, 20.0, "log", 1.0),
     "centre": Range(-20.0, 20.0, "linear", 0.0),
     "compliance": Range(1e-7, 1e-4, "log", 2.8e-6),
     "bore": Range(0.5, 500.0, "log", 8.0),
+    "core_yield_strength": Range(10.0, 5000.0, "log", 800.0),
     "corner_radius": Range(0.05, 10.0, "log", 0.5),
     "depth": LENGTH,
     "diameter": Range(1.0, 2000.0, "log", 20.0),
@@ -77,6 +79,7 @@ RANGES: Final[dict[str, Range]] = {
     "moment": Range(-1e5, 1e5, "linear", 0.0),
     "poisson": Range(0.0, 0.5, "linear", 0.3),
     "position": Range(-20.0, 20.0, "linear", 0.0),
+    "pressure_limit": Range(10.0, 10000.0, "log", 4000.0),
     "radius": Range(10.0, 1e6, "log", 4000.0),
     "radius across": Range(0.5, 1000.0, "log", 10.0),
     "scale": Range(0.0, 3.0, "linear", 1.0),
@@ -86,6 +89,7 @@ RANGES: Final[dict[str, Range]] = {
     "straight": Range(0.0, 100.0, "linear", 10.0),
     "tilt": Range(-0.005, 0.005, "linear", 0.0),
     "width": Range(0.01, 10.0, "log", 0.5),
+    "yield_strength": Range(10.0, 5000.0, "log", 1500.0),
     "zm": Range(1e-4, 1.0, "log", 0.01),
 }
 # Initial values of lists, which have no sliders.
