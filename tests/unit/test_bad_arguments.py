@@ -445,7 +445,9 @@ ENTRIES: dict[str, Entry] = {
     "subsurface.volume": entry(subsurface.volume, **STRESS, **dict.fromkeys("xyz", ([0.0], "row"))),
     "subsurface.memory": entry(subsurface.memory, points=(10, "count"), displacement=(False, "flag")),
     "subsurface.passage": entry(subsurface.passage, **WITHIN, y=(0.0, "numbers"), z=(0.1, "numbers")),
-    "subsurface.extremes": entry(subsurface.extremes, **WITHIN, station=(0.0, "number?")),
+    "subsurface.extremes": entry(
+        subsurface.extremes, **WITHIN, station=(0.0, "number?"), depths=((0.0, 1.0), "table")
+    ),
     "bearing.RollerBearing": entry(bearing.RollerBearing, **PARTS),
     "bearing.CylindricalRollerBearing": entry(
         bearing.CylindricalRollerBearing, **PARTS, **RIBBED

@@ -398,3 +398,27 @@ def test_the_largest_shear_is_found_between_the_depths_of_the_net(plane_strain):
     assert found.max == pytest.approx(-best.fun, rel=1e-7)
     assert found.z == pytest.approx(best.x, rel=1e-3)
     assert found.z == pytest.approx(0.786 * half_width, rel=0.01)
+
+
+@pytest.mark.parametrize("depths", [(1.2, np.inf), (0.0, 0.4), (0.4, 1.0)])
+def test_the_largest_stresses_within_depths(plane_strain, depths):
+    half_width, pressure = plane_strain.max_half_width, plane_strain.max_pressure
+    low, high = depths[0] * half_width, depths[1] * half_width
+    found = extremes(plane_strain, depths=(low, high))
+    # The exact field of Hertz's line contact, on a grid whose steps cost less than 1e-5.
+    line = nh.hertz.line_contact(line_load=1e3, radius=5.0, compliance=plane_strain.contact.compliance)
+    assert line.max_pressure == pytest.approx(pressure, rel=1e-6)
+    x, z = np.meshgrid(
+        np.linspace(0.0, 2.0 * half_width, 801), np.linspace(low, min(high, low + 2.0 * half_width), 401)
+    )
+    exact = Field("a", x, 0.0 * x, z, line.stress(x, z, 0.3))
+    assert found.von_mises.max == pytest.approx(exact.von_mises.max(), rel=1e-4)
+    assert found.shear.max == pytest.approx(exact.max_shear.max(), rel=1e-4)
+    assert found.orthogonal_shear.max == pytest.approx(np.abs(exact.tau_xz).max(), rel=1e-4)
+    assert all(low <= each.z <= high for each in (found.von_mises, found.shear, found.orthogonal_shear))
+
+
+@pytest.mark.parametrize("depths", [(1.0, 0.5), (0.5, 0.5), (-1.0, 1.0), (np.inf, np.inf), (0.0,), 1.0, "ab"])
+def test_depths_that_are_none_are_refused(plane_strain, depths):
+    with pytest.raises(nh.InputError, match=r"^depths = "):
+        extremes(plane_strain, depths=depths)

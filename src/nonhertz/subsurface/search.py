@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.checks import listed, not_negative, positive
 from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.ends import ends_in_words, outermost
@@ -31,6 +32,17 @@ FEW = 60  # strips: with fewer, their edges are searched too
 CRESTS, WORTH = 3, 0.7  # local maxima to refine, and their least height over the highest
 EQUAL, ROUNDING = 1e-6, 1e-9
 MESHES, ROUNDS, SHRINKING = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]), 12, 0.5
+
+
+EVERYWHERE = (0.0, np.inf)
+
+
+@dataclass(frozen=True)
+class _Region:
+    """Where to search: stretches along y [mm], and the least and largest depth [mm]."""
+
+    stretches: list[tuple[float, float]]
+    depths: tuple[float, float]
 
 
 @dataclass(frozen=True, repr=False)
@@ -72,7 +84,13 @@ class Extremes(ReadOnly):
     warnings: tuple[str, ...]
 
 
-def extremes(solution: Solved, station: float | None = None, **options: Unpack[Within]) -> Extremes:
+def extremes(
+    solution: Solved,
+    station: float | None = None,
+    *,
+    depths: tuple[float, float] = EVERYWHERE,
+    **options: Unpack[Within],
+) -> Extremes:
     """Return the largest stresses below a contact, or those in the cross-section at a station.
 
     Parameters
@@ -81,6 +99,9 @@ def extremes(solution: Solved, station: float | None = None, **options: Unpack[W
         A solved contact.
     station : float, optional
         Position along y [mm]; the whole body if left out.
+    depths : tuple of two float
+        The least and the largest depth z [mm] to search, such as those of a hardened case or of the core below it; the
+        largest may be infinite.
     **options
         ``body``, ``threads`` and ``announce`` as in `stress`.
 
@@ -91,7 +112,7 @@ def extremes(solution: Solved, station: float | None = None, **options: Unpack[W
     Raises
     ------
     InputError
-        As `stress` does.
+        As `stress` does, or if ``depths`` are not two that ascend.
 
     Notes
     -----
@@ -111,6 +132,7 @@ def extremes(solution: Solved, station: float | None = None, **options: Unpack[W
     """
     refuse_options("extremes", options, Within)
     checked_solution(solution)
+    depths = _checked_depths(depths)
     if station is not None:
         sections = np.array([one_station(station) + 0.0])
         stretches = [(float(sections[0]), float(sections[0]))]
@@ -118,14 +140,28 @@ def extremes(solution: Solved, station: float | None = None, **options: Unpack[W
     else:
         stretches = _stretches(solution)
         sections = _sections(solution, stretches)
-    depths = across_at(solution, sections)[1][:, None] * DEPTHS
+    below = across_at(solution, sections)[1][:, None] * DEPTHS
     if station is not None:  # outside the contact the stress comes from further away and peaks further down
-        depths = np.unique(np.concatenate([depths, _distances(solution, sections) * DEPTHS], axis=None))[None, :]
-    coarse = passage(solution, sections[:, None], depths, **options)
+        below = np.unique(np.concatenate([below, _distances(solution, sections) * DEPTHS], axis=None))[None, :]
+    coarse = passage(solution, sections[:, None], np.minimum(depths[0] + below, depths[1]), **options)
     options.pop("announce", None)  # the rest is quick
-    largest = {name: _largest(solution, name, coarse, stretches, options) for name in QUANTITIES}
+    region = _Region(stretches, depths)
+    largest = {name: _largest(solution, name, coarse, region, options) for name in QUANTITIES}
     warnings = tuple(_warnings(solution)) if station is None else ()
     return Extremes(body=options.get("body", "a"), warnings=warnings, **largest)
+
+
+def _checked_depths(depths: tuple[float, float]) -> tuple[float, float]:
+    remedy = "give the least and the largest depth in mm, the latter may be infinite"
+    pair = listed("depths", depths, "be a pair of depths", remedy)
+    if len(pair) != 2:
+        raise InputError("depths", depths, "be a pair of depths", remedy)
+    not_negative("depths", pair[0], remedy)
+    if pair[1] != np.inf:
+        positive("depths", pair[1], remedy)
+    if not pair[0] < pair[1]:
+        raise InputError("depths", depths, "ascend", remedy)
+    return float(pair[0]), float(pair[1])
 
 
 def _refuse_outside(solution: Solved, station: float, body: BodyName) -> None:
@@ -176,13 +212,11 @@ def _within(y: Array, stretches: list[tuple[float, float]]) -> NDArray[np.bool_]
     return found
 
 
-def _largest(
-    solution: Solved, name: str, coarse: Passage, stretches: list[tuple[float, float]], options: Within
-) -> Extreme:
+def _largest(solution: Solved, name: str, coarse: Passage, region: _Region, options: Within) -> Extreme:
     """Return the largest value near the best points of a grid."""
     values = getattr(coarse, name)
     found = [
-        _refined(solution, name, coarse, stretches, place, options)
+        _refined(solution, name, coarse, region, place, options)
         for place in [_first_of_equals(values, coarse.y), *_other_crests(values)]
     ]
     # The first among equals.
@@ -218,7 +252,7 @@ def _refined(
     solution: Solved,
     name: str,
     coarse: Passage,
-    stretches: list[tuple[float, float]],
+    region: _Region,
     place: tuple[int, int],
     options: Within,
 ) -> Extreme:
@@ -226,7 +260,7 @@ def _refined(
     row, column = place
     best = np.array([getattr(coarse, f"{name}_x")[place], coarse.y[place], coarse.z[place]])
     top, sections = float(getattr(coarse, name)[place]), coarse.y[:, 0]
-    limits = next(each for each in stretches if each[0] <= best[1] <= each[1])
+    limits = next(each for each in region.stretches if each[0] <= best[1] <= each[1])
     half_width = float(across_at(solution, sections[row])[1])
     neighbours = sections[max(row - 1, 0) : row + 2]
     step = np.diff(coarse.z[row])[max(column - 1, 0) : column + 1].max()
@@ -235,7 +269,7 @@ def _refined(
     quantity: StressMeasure = QUANTITIES[name]
     for _ in range(ROUNDS):
         x, y, z = (np.unique(centre + reach * MESHES) for centre, reach in zip(best, span, strict=True))
-        y, z = np.unique(np.clip(y, *limits)), np.unique(np.maximum(z, 0.0))
+        y, z = np.unique(np.clip(y, *limits)), np.unique(np.clip(z, *region.depths))
         net = np.stack(np.meshgrid(x, y, z, indexing="ij"), axis=-1).reshape(-1, 3)
         found = quantity(stress(solution, *net.T, **options).stress)
         if found.max() > top:
