@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from nonhertz import patch as patch
     from nonhertz import plot as plot
     from nonhertz import rotor as rotor
+    from nonhertz import strength as strength
     from nonhertz import study as study
     from nonhertz import subsurface as subsurface
     from nonhertz.comparison import Comparison as Comparison
@@ -134,6 +135,7 @@ _MODULES = {
     "plot": "nonhertz.plot",
     "profile": "nonhertz.model.profile",
     "rotor": "nonhertz.rotor",
+    "strength": "nonhertz.strength",
     "study": "nonhertz.study",
     "subsurface": "nonhertz.subsurface",
 }

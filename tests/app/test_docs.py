@@ -116,6 +116,7 @@ MODULES = {"nonhertz.profile": nh.profile} | {
         "patch",
         "plot",
         "rotor",
+        "strength",
         "study",
         "study.design",
         "subsurface",

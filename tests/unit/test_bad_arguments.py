@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz import bearing, hertz, life, measured, profile, rotor, subsurface
+from nonhertz import bearing, hertz, life, measured, profile, rotor, strength, subsurface
 from nonhertz.io.casefile import LifeCase
 from nonhertz.io.results import as_json
 
@@ -702,6 +702,9 @@ ENTRIES: dict[str, Entry] = {
         dynamic=(None, "positive?"),
     ),
     "bearing.pressure_safety": entry(bearing.pressure_safety, solution=(LOADED, "thing"), limit=(4e3, "positive")),
+    "strength.assess": entry(
+        strength.assess, **WITHIN, criterion=("tresca", "word"), largest=(None, "optional")
+    ),
     "life.assess": entry(
         life.assess,
         **WITHIN,
@@ -871,7 +874,7 @@ ENTRIES["profile.sum.relief"] = entry((TABLE.shifted(1.0) + TABLE.scaled(2.0)).r
 #: Of these only what must be refused is tried.
 SLOW = {
     "bearing.maps", "compare", "map", "life.assess", "life.exposure", "measured.fit", "measured.fit_best",
-    "measured.prepare", "subsurface.extremes", "sweep", "tolerance",
+    "measured.prepare", "strength.assess", "subsurface.extremes", "sweep", "tolerance",
 }  # fmt: skip
 
 

@@ -30,6 +30,8 @@ CLASSES = {
     "`subsurface.Passage`": nh.subsurface.Passage,
     "`subsurface.Extreme`": nh.subsurface.Extreme,
     "`life.Life`": nh.life.Life,
+    "`strength.Strength`": nh.strength.Strength,
+    "`strength.Check`": nh.strength.Check,
     "`bearing.Rating`": nh.bearing.Rating,
     "`maps.MapPoint`": nh.maps.MapPoint,
     "`maps.Bounds`": nh.maps.Bounds,

@@ -190,6 +190,11 @@ def _stretches(solution: Solved) -> list[tuple[float, float]]:
     return stretches or [outermost(solution)]
 
 
+def clear_of_ends(solution: Solved) -> bool:
+    """Return whether some of the contact lies more than a half-width from all singular ends; only that is searched."""
+    return not solution.singular_ends or _stretches(solution) != [outermost(solution)]
+
+
 def _sections(solution: Solved, stretches: list[tuple[float, float]]) -> Array:
     """Return the stations to search: strips and their edges, or rows, and the ends of the search."""
     searched = _within(solution.y, stretches)
@@ -301,7 +306,7 @@ def _warnings(solution: Solved) -> list[str]:
         searched = f"within a half-width of {'them' if len(ends) > 1 else 'it'}"
         sentences.append(
             f"{what} {searched} nothing was searched."
-            if _stretches(solution) != [outermost(solution)]
+            if clear_of_ends(solution)
             else f"{what} all of the contact lies {searched}, and the values depend on the strips."
         )
     if solution.peaks_at_corner and not any(end.kind is EdgeKind.CORNER for end in ends):

@@ -1,0 +1,350 @@
+"""Whether the bodies of a solved contact bear it: yielding, hardened cases, pressure at rest.
+
+`assess` compares a solution with what the material of a body bears (`nonhertz.Material`): the largest pressure with its
+limit, the largest equivalent stress of the actual field below the surface with the yield strength, in a hardened case
+and in the core below it, and the depth of the case with the depths of the largest shear stresses. Each comparison is
+one `Check` with one sentence; where a strength is not known, or the stress has no limit, it says so.
+
+The solution is elastic and knows neither friction nor residual stress: a ratio above 1 says that yielding begins, not
+how far it goes, nor what a compressive residual stress in a case would carry.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Final, Unpack
+
+import numpy as np
+
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import one_of
+from nonhertz.model.body import Body, BodyName
+from nonhertz.result.ends import ends_in_words, outermost
+from nonhertz.result.numerals import digits, given
+from nonhertz.result.protocol import Solved
+from nonhertz.result.solution import ReadOnly
+from nonhertz.subsurface import Extreme, Extremes, extremes
+from nonhertz.subsurface.evaluation import Within, refuse_options
+from nonhertz.subsurface.inside import checked_solution
+from nonhertz.subsurface.search import clear_of_ends
+
+__all__ = ["CRITERIA", "Check", "Strength", "Verdict", "assess"]
+
+#: Criteria of yielding: what the equivalent stress of each is called.
+CRITERIA: Final = {"von-mises": "von Mises stress", "tresca": "Tresca stress (twice the maximum shear stress)"}
+
+EQUAL = 1e-6  # relative: half-widths that differ by less are one
+
+
+class Verdict(StrEnum):
+    """How a comparison ends."""
+
+    FINE = "fine"
+    OVER = "over"
+    UNKNOWN = "not known"
+
+
+@dataclass(frozen=True, repr=False)
+class Check(ReadOnly):
+    """What acts, compared with what the material bears.
+
+    Attributes
+    ----------
+    name : str
+        ``"pressure"``, ``"yield"``, ``"core"`` or ``"case depth"``.
+    verdict : Verdict
+        Whether the material bears it.
+    ratio : float
+        What acts over what is borne [-], above 1 where it is too much; NaN where it is not known.
+    sentence : str
+        All of it in one sentence.
+    """
+
+    name: str
+    verdict: Verdict
+    ratio: float
+    sentence: str
+
+
+@dataclass(frozen=True, repr=False)
+class Strength(ReadOnly):
+    """Whether one body of a contact bears it.
+
+    Attributes
+    ----------
+    body : {"a", "b"}
+        Which body.
+    criterion : str
+        The criterion of yielding, a key of `CRITERIA`.
+    checks : tuple of Check
+        The pressure, yielding, and of a case-hardened body the core and the depth of the case.
+    largest : Extremes
+        The largest stresses in the body, with their positions.
+    core : Extremes or None
+        The largest stresses below the case; None without one.
+    warnings : tuple of str
+        What was left out of the search for the largest stresses, and other limitations.
+    """
+
+    body: BodyName
+    criterion: str
+    checks: tuple[Check, ...]
+    largest: Extremes
+    core: Extremes | None
+    warnings: tuple[str, ...]
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """One sentence for each check."""
+        return tuple(check.sentence for check in self.checks)
+
+    @property
+    def static_safety(self) -> float:
+        """S_0 = (limit of pressure / largest pressure)^2 [-], that of a line contact; NaN where it is not known."""
+        return 1.0 / self._ratio("pressure") ** 2
+
+    @property
+    def yield_ratio(self) -> float:
+        """Largest equivalent stress over the yield strength [-], in the case of a hardened body; NaN if not known."""
+        return self._ratio("yield")
+
+    @property
+    def core_yield_ratio(self) -> float:
+        """Largest equivalent stress below the case over the yield strength of the core [-]; NaN if not known."""
+        return self._ratio("core")
+
+    @property
+    def verdict(self) -> Verdict:
+        """Over if any check is, else not known if any is, else fine."""
+        found = {check.verdict for check in self.checks}
+        return next(each for each in (Verdict.OVER, Verdict.UNKNOWN, Verdict.FINE) if each in found)
+
+    def _ratio(self, name: str) -> float:
+        return next((check.ratio for check in self.checks if check.name == name), math.nan)
+
+
+def assess(
+    solution: Solved, *, criterion: str = "von-mises", largest: Extremes | None = None, **options: Unpack[Within]
+) -> Strength:
+    """Return whether one body of a solved contact bears it.
+
+    Parameters
+    ----------
+    solution : Solution or PatchSolution
+        A solved contact, whose materials say what they bear.
+    criterion : str
+        ``"von-mises"``, or ``"tresca"``, by which a body yields at loads that are the same or smaller.
+    largest : Extremes, optional
+        The largest stresses of the body if they are at hand, from `nonhertz.subsurface.extremes`; searched otherwise.
+    **options
+        ``body``, ``threads`` and ``announce`` as in `nonhertz.subsurface.stress`.
+
+    Returns
+    -------
+    Strength
+
+    Raises
+    ------
+    InputError
+        If nothing is in contact, the criterion is unknown, or ``largest`` is of the other body.
+
+    Notes
+    -----
+    The static safety of ISO 76 is a ratio of loads. Under Hertz's line contact the load grows with the square of the
+    pressure, hence the square here; in a point contact it grows with the cube, and at an end or under a tilt by no
+    power at all: `nonhertz.bearing.pressure_safety` solves for the load.
+
+    Yielding begins where the equivalent stress reaches the yield strength Y. Of Hertz's line contact that is at a
+    pressure of 1.67 Y by Tresca and 1.79 Y by von Mises [1]_. A hardened body has its own yield strength down to
+    ``case_depth`` and that of the core below: a step, where hardness falls gradually. The case has to reach below the
+    largest shear stresses of the whole body and of the cross-section where the contact is widest, which is where they
+    lie deepest.
+
+    References
+    ----------
+    .. [1] K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, section 6.1, for nu = 0.3.
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> steel = nh.Material(207000, 0.3, yield_strength=1500, pressure_limit=4000)
+    >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=2000), material=steel)
+    >>> found = assess(nh.solve(nh.Contact(roller, nh.Plate()), load=6e3))
+    >>> found.sentences[0]
+    'The largest pressure of 1509.4 MPa is 37.7 % of the limit of 4000 MPa: static safety 7.02.'
+    >>> found.yield_ratio < 1.0
+    True
+    """
+    refuse_options("assess", options, Within)
+    checked_solution(solution)
+    one_of("criterion", criterion, tuple(CRITERIA), "choose how the material yields")
+    name = options.get("body", "a")
+    if largest is None:
+        largest = extremes(solution, **options)
+    elif not isinstance(largest, Extremes) or largest.body != name:
+        remedy = "leave it out, or give what nonhertz.subsurface.extremes returns for this body"
+        raise InputError("largest", largest, f"be the largest stresses of body {name}", remedy)
+    body = solution.contact.a if name == "a" else solution.contact.b
+    case, core = largest, None
+    if body.case_depth is not None:
+        options.pop("announce", None)
+        at = (largest.von_mises.z, largest.shear.z)
+        # A largest value of the whole body need not be searched again in the part that it lies in.
+        case = largest if max(at) <= body.case_depth else extremes(solution, depths=(0.0, body.case_depth), **options)
+        below = (body.case_depth, math.inf)
+        core = largest if min(at) >= body.case_depth else extremes(solution, depths=below, **options)
+    asked = _Question(name, body, criterion, _Limit.of(solution))
+    # A narrow peak of pressure has its largest stress near the surface; below a wide contact it is deepest.
+    widest = [extremes(solution, _widest(solution), **options)] if body.case_depth is not None else []
+    checks = (
+        asked.pressure(solution.max_pressure),
+        asked.yields(case),
+        *asked.of_core(core),
+        *asked.of_case([largest, *widest]),
+    )
+    return Strength(name, criterion, checks, largest, core, largest.warnings)
+
+
+@dataclass(frozen=True)
+class _Limit:
+    """Whether pressure and stress have a limit everywhere.
+
+    Attributes
+    ----------
+    towards : str
+        The places towards which they have none, in words; empty if there are none.
+    away : bool
+        Whether the largest values are those more than a half-width away from these places, which refinement does not
+        change, so that a strength that they exceed is exceeded.
+    """
+
+    towards: str
+    away: bool
+
+    @classmethod
+    def of(cls, solution: Solved) -> _Limit:
+        """Return that of a solution."""
+        places = [ends_in_words(solution.singular_ends)] if solution.singular_ends else []
+        if solution.peaks_at_corner:
+            places.append(f"the corner of the profile at y = {solution.max_pressure_y:.5g} mm")
+        return cls(" and ".join(places), clear_of_ends(solution) and not solution.peaks_at_corner)
+
+    def __bool__(self) -> bool:
+        return not self.towards
+
+
+@dataclass(frozen=True)
+class _Question:
+    """What is asked of a body."""
+
+    name: BodyName
+    body: Body
+    criterion: str
+    limit: _Limit
+
+    def pressure(self, found: float) -> Check:
+        """Return the check of the largest pressure [MPa]."""
+        allowed = self.body.material.pressure_limit
+        if allowed is None:
+            return _unknown(
+                "pressure", f"Static safety is not known: the material of body {self.name} has no pressure_limit."
+            )
+        ratio = found / allowed
+        safety = f"static safety {digits(ratio**-2.0, 3)}"
+        if self.limit:
+            return _known("pressure", ratio, f"The largest pressure of {digits(found)} MPa", allowed, "limit", safety)
+        towards = f"the pressure has no limit towards {self.limit.towards}"
+        if ratio <= 1.0 or not self.limit.away:
+            return _unknown("pressure", f"Static safety is not known: {towards}.")
+        what = f"{_begin(towards)}; more than a half-width away {digits(found)} MPa"
+        return _known("pressure", ratio, what, allowed, "limit", safety)
+
+    def yields(self, case: Extremes) -> Check:
+        """Return the check of the yield strength, of a hardened body in its case."""
+        hardened = self.body.case_depth is not None
+        what = f"the case of body {self.name}" if hardened else f"body {self.name}"
+        return self._against("yield", what, self._equivalent(case), "yield_strength")
+
+    def of_core(self, core: Extremes | None) -> Iterator[Check]:
+        """Yield the check of the core, if the body or its material has one."""
+        what = f"the core of body {self.name}"
+        if core is not None:
+            yield self._against("core", what, self._equivalent(core), "core_yield_strength")
+        elif self.body.material.core_yield_strength is not None:
+            yield _unknown("core", f"Whether {what} yields is not known: the body has no case_depth.")
+
+    def of_case(self, largest: list[Extremes]) -> Iterator[Check]:
+        """Yield the check of how deep the case is, if there is one: below the deepest of the largest shear stresses."""
+        name, depth, case = "case depth", self.body.case_depth, f"the case of body {self.name}"
+        if depth is None:
+            return
+        if not self.limit:
+            reason = f"the stress has no limit towards {self.limit.towards}"
+            yield _unknown(name, f"Whether {case} is deep enough is not known: {reason}.")
+            return
+        shear = max(each.shear.z for each in largest)
+        orthogonal = max(each.orthogonal_shear.z for each in largest)
+        ratio = max(shear, orthogonal) / depth
+        enough = "reaches below" if ratio <= 1.0 else "does not reach below"
+        yield Check(
+            name,
+            _verdict(ratio),
+            ratio,
+            f"{_begin(case)}, {given(depth)} mm deep, {enough} the largest maximum shear stress, at "
+            f"z = {digits(shear, 3)} mm or less, and the largest orthogonal one, at z = {digits(orthogonal, 3)} mm or "
+            "less.",
+        )
+
+    def _equivalent(self, found: Extremes) -> Extreme:
+        if self.criterion == "von-mises":
+            return found.von_mises
+        shear = found.shear
+        return Extreme(2.0 * shear.max, shear.x, shear.y, shear.z)
+
+    def _against(self, name: str, what: str, found: Extreme, strength: str) -> Check:
+        """Return the check of an equivalent stress with a strength of the material."""
+        allowed = getattr(self.body.material, strength)
+        open_question = f"Whether {what} yields is not known"
+        place = f"at y = {digits(found.y, 3)} mm and z = {digits(found.z, 3)} mm"
+        stress = f"its largest {CRITERIA[self.criterion]}, {digits(found.max)} MPa {place}"
+        towards = f"the stress has no limit towards {self.limit.towards}"
+        if allowed is None:
+            known = f"; {stress}" if self.limit else ""
+            return _unknown(name, f"{open_question}: the material has no {strength}{known}.")
+        ratio = found.max / allowed
+        if self.limit:
+            answer = "does not yield" if ratio <= 1.0 else "yields"
+            return _known(name, ratio, f"{_begin(what)} {answer}: {stress},", allowed, "yield strength")
+        if ratio <= 1.0 or not self.limit.away:
+            return _unknown(name, f"{open_question}: {towards}.")
+        stress = f"more than a half-width away the largest {CRITERIA[self.criterion]}, {digits(found.max)} MPa {place},"
+        return _known(name, ratio, f"{_begin(what)} yields: {towards}; {stress}", allowed, "yield strength")
+
+
+def _known(name: str, ratio: float, what: str, allowed: float, noun: str, then: str = "") -> Check:
+    borne = f"the {noun} of {given(allowed)} MPa"
+    percent = given(100.0 * (ratio if ratio <= 1.0 else ratio - 1.0), 3)
+    compared = f"is {percent} % of {borne}" if ratio <= 1.0 else f"exceeds {borne} by {percent} %"
+    return Check(name, _verdict(ratio), ratio, f"{what} {compared}{f': {then}' if then else ''}.")
+
+
+def _verdict(ratio: float) -> Verdict:
+    return Verdict.FINE if ratio <= 1.0 else Verdict.OVER
+
+
+def _widest(solution: Solved) -> float:
+    """Return the place along y where the contact is widest; of several the one nearest to the middle."""
+    width = solution.extent_across[1]
+    places = solution.y[width >= (1.0 - EQUAL) * width.max()]
+    return float(places[np.abs(places - 0.5 * np.sum(outermost(solution))).argmin()])
+
+
+def _unknown(name: str, sentence: str) -> Check:
+    return Check(name, Verdict.UNKNOWN, math.nan, sentence)
+
+
+def _begin(text: str) -> str:
+    return text[:1].upper() + text[1:]
