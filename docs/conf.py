@@ -33,6 +33,7 @@ extensions = [
     "sphinx_gallery.gen_gallery",
     "cyclopts.ext.sphinx",
     "case_file_keys",
+    "material_library",
     "mathml",
     "public_names",
     "repository_links",

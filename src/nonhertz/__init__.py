@@ -55,8 +55,8 @@ if TYPE_CHECKING:
     from nonhertz.model.body import TabulatedDiameter as TabulatedDiameter
     from nonhertz.model.contact import Contact as Contact
     from nonhertz.model.corner import Chamfer as Chamfer
-    from nonhertz.model.material import MATERIALS as MATERIALS
     from nonhertz.model.material import Material as Material
+    from nonhertz.model.materials import MATERIALS as MATERIALS
     from nonhertz.result.solution import EdgeKind as EdgeKind
     from nonhertz.result.solution import EdgePressure as EdgePressure
     from nonhertz.result.solution import ErrorEstimate as ErrorEstimate
@@ -94,7 +94,7 @@ _HOMES = {
     "ErrorEstimate": "nonhertz.result.solution",
     "InputError": "nonhertz.errors",
     "Interrupted": "nonhertz.errors",
-    "MATERIALS": "nonhertz.model.material",
+    "MATERIALS": "nonhertz.model.materials",
     "Material": "nonhertz.model.material",
     "NonhertzError": "nonhertz.errors",
     "PARABOLIC": "nonhertz.strip.element",

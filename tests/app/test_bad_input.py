@@ -456,8 +456,7 @@ MISTAKES = {
         f"{A}lenght = 3\n{B}material = 'bras'\n[load]\nload = -1\ntilt = '5 kg'\n",
         [
             "body.a.lenght = 3 must be a known key: the nearest is 'length'.",
-            "body.b.material = 'bras' must be a known material: "
-            "choose from 'steel', 'silicon-nitride', 'cast-iron', 'bronze', 'aluminium'.",
+            "body.b.material = 'bras' must be a known material: 'nonhertz materials' lists them all.",
             "load.load = -1.0 must be positive: give the force in N that presses the bodies together.",
             "load.tilt = '5 kg' must have a unit of angle: "
             "write a number in rad, or text with a unit of angle such as '0.5 mrad' or '8 um/25 mm'.",

@@ -16,7 +16,7 @@ from nonhertz.io.casefile import case_in, schema, starting_case
 from nonhertz.io.mistakes import path_of
 from nonhertz.io.units import in_unit
 from nonhertz.life import MODELS, iso_16281
-from nonhertz.model.material import MATERIALS
+from nonhertz.model.materials import MATERIALS
 from nonhertz.strip.element import ELEMENTS
 from nonhertz.web.form.form import form
 from nonhertz.web.form.ranges import RANGES, Range

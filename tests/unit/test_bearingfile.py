@@ -274,6 +274,20 @@ def test_what_is_written_is_read_back(text, tmp_path):
     assert read(dataclasses.replace(case).text) == again
 
 
+def test_what_its_parts_bear_is_read_back(tmp_path):
+    hardened = 'case_depth = "0.8 mm"\nmaterial = "18CrNiMo7-6"'
+    text = changed(
+        PLAIN,
+        ("[roller]", f"[roller]\n{hardened}"),
+        (RING, RING + "material = { modulus = 210000, poisson = 0.3, yield_strength = 1800 }\n"),
+    )
+    case = read(text)
+    assert case.bearing.roller.case_depth == 0.8
+    assert case.bearing.roller.material == nh.MATERIALS["18CrNiMo7-6"]
+    case.write(tmp_path / "again.toml")
+    assert read_bearing(tmp_path / "again.toml").bearing == case.bearing
+
+
 def test_a_preloaded_pair_with_ribs_is_read_back(tmp_path):
     row = read(TAPERED).bearing
     row = dataclasses.replace(row, rib=nh.bearing.Rib(100.0, 4.0), clearance=0.01, density=7e-9, pitch_diameter=51.5)

@@ -15,9 +15,11 @@ from nonhertz.hertz import (
 )
 from nonhertz.model.body import Plate, Roller
 from nonhertz.model.contact import Contact
-from nonhertz.model.material import SILICON_NITRIDE, STEEL
+from nonhertz.model.material import STEEL
+from nonhertz.model.materials import MATERIALS
 
 COMPLIANCE = 2.0 * STEEL.compliance
+SILICON_NITRIDE = MATERIALS["silicon-nitride"]
 # Slender both ways, nearly circular and circular.
 RADII_Y = [1e-11, 1e-7, 0.3, 10.0 - 1e-9, 10.0, 10.0 + 1e-9, 85.0, 1e9, 1e13]
 

@@ -6,6 +6,9 @@ import math
 import pytest
 
 import nonhertz as nh
+from nonhertz.io.document import read_material
+from nonhertz.io.written import material_table
+from nonhertz.model.materials import LIBRARY, listed_as
 
 
 def test_compliance_and_shear_modulus_of_steel():
@@ -91,6 +94,36 @@ def test_impossible_strengths_are_refused(given, complaint):
     assert str(refusal.value).startswith(complaint)
 
 
+def test_every_material_of_the_library_has_a_source_and_numbers_of_its_own():
+    assert all(each.source for each in LIBRARY)
+    names = [name for each in LIBRARY for name in (each.name, *each.others)]
+    assert len(set(names)) == len(names)
+    assert set(names) == set(nh.MATERIALS)
+    # A case file that is written back names the first that is equal.
+    assert len({each.material for each in LIBRARY}) == len(LIBRARY)
+    for each in LIBRARY:
+        assert material_table(each.material) == each.name
+        assert read_material(each.name) == each.material
+
+
+def test_other_names_stand_for_the_same():
+    assert nh.MATERIALS["52100"] is nh.MATERIALS["100Cr6"]
+    assert listed_as("440C").name == "X105CrMo17"
+
+
+def test_polymers_are_said_to_be_viscoelastic():
+    polymers = [each for each in LIBRARY if each.group == "polymers"]
+    assert {each.name for each in polymers} == {"POM", "PA66", "PEEK"}
+    assert all("viscoelastic: short-term values" in each.note for each in polymers)
+
+
+def test_strengths_are_in_proportion_to_stiffness():
+    # The elastic limit of engineering materials is a strain between 1e-3 and 5e-2: a slip of a digit is outside.
+    for each in LIBRARY:
+        for strength in (each.material.yield_strength, each.material.core_yield_strength):
+            assert strength is None or 1e-3 < strength / each.material.modulus < 5e-2, each.name
+
+
 # Handbook ranges at room temperature [GPa]: wide enough for grades, too narrow for a slip of a digit.
 @pytest.mark.parametrize(
     ("name", "low", "high"),
@@ -100,6 +133,18 @@ def test_impossible_strengths_are_refused(given, complaint):
         ("cast-iron", 90, 170),
         ("bronze", 95, 125),
         ("aluminium", 68, 75),
+        ("100Cr6", 200, 215),
+        ("X105CrMo17", 195, 220),
+        ("16MnCr5", 200, 215),
+        ("18CrNiMo7-6", 200, 215),
+        ("R260", 200, 215),
+        ("R350HT", 200, 215),
+        ("EN-GJL-250", 103, 118),
+        ("EN-GJS-600-3", 160, 180),
+        ("CuSn11P-C", 90, 110),
+        ("EN-AW-6082-T6", 68, 72),
+        ("zirconia", 200, 220),
+        ("alumina", 350, 420),
     ],
 )
 def test_named_materials_have_handbook_moduli(name, low, high):

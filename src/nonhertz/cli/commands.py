@@ -631,6 +631,25 @@ def check(file: Path, /) -> int:
 
 
 @app.command
+def materials(
+    name: str | None = None, /, *, as_json: Annotated[bool, Parameter(name="--json", negative="")] = False
+) -> int:
+    """List the materials that a case file may name, with what they bear.
+
+    Parameters
+    ----------
+    name : str
+        One of them, with the source of its numbers and what limits their use; by default all.
+    as_json : bool
+        Print one JSON object with all numbers, sources and notes instead of the table.
+    """
+    from nonhertz.cli.materials import report_materials
+
+    report_materials(name, as_json)
+    return FINE
+
+
+@app.command
 def new(
     path: Path | None = None,
     /,

@@ -47,7 +47,8 @@ from nonhertz.io.units import begins_with_digits, in_unit
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter, convex
 from nonhertz.model.contact import Contact
 from nonhertz.model.corner import Chamfer
-from nonhertz.model.material import MATERIALS, STEEL, Material
+from nonhertz.model.material import STEEL, Material
+from nonhertz.model.materials import MATERIALS
 from nonhertz.model.profile import Profile, straight
 
 _FAR_AWAY = 1e3  # mm; how far out an unbounded contact is checked before it is solved
@@ -172,7 +173,7 @@ def read_material(value: Any) -> Material:
         remedy = "give a name such as 'steel' or a table { modulus = 207000, poisson = 0.3 }"
         raise InputError("material", value, "be a name or a table", remedy)
     if value not in MATERIALS:
-        raise unknown("material", value, "material", value, MATERIALS)
+        raise unknown("material", value, "material", value, MATERIALS, "'nonhertz materials' lists them all")
     return MATERIALS[value]
 
 

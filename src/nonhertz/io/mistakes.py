@@ -138,11 +138,17 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
     return spelled[matches[0]] if matches else None
 
 
-def unknown(field: str, value: object, what: str, word: object, known: Iterable[str]) -> InputError:
-    """Return the error for a word, or another value in its place, that is not known; it suggests the closest match."""
+def unknown(
+    field: str, value: object, what: str, word: object, known: Iterable[str], otherwise: str = ""
+) -> InputError:
+    """Return the error for a word, or another value in its place, that is not known; it suggests the closest match.
+
+    Where there is none it lists all that are known, or says ``otherwise`` where these are too many.
+    """
     known = tuple(known)
     match = nearest(word, known) if isinstance(word, str) else None
-    remedy = f"the nearest is '{match}'" if match else "choose from " + ", ".join(f"'{name}'" for name in known)
+    others = otherwise or "choose from " + ", ".join(f"'{name}'" for name in known)
+    remedy = f"the nearest is '{match}'" if match else others
     return InputError(field, value, f"be a known {what}", remedy)
 
 

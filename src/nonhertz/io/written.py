@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any
 from nonhertz.errors import InputError
 from nonhertz.io.bounds import FORMAT
 from nonhertz.model.body import Body, TabulatedDiameter
-from nonhertz.model.material import MATERIALS, Material
+from nonhertz.model.material import Material
+from nonhertz.model.materials import MATERIALS
 from nonhertz.model.profile import Flipped, Profile, Scaled, Shifted, Straight, Sum
 
 if TYPE_CHECKING:

@@ -23,7 +23,7 @@ import numpy as np
 
 from nonhertz.measured.filters import gaussian, shortest_cutoff
 from nonhertz.measured.trace import Array, Points
-from nonhertz.model.material import MATERIALS
+from nonhertz.model.materials import MATERIALS
 
 #: For a typical roller bearing under load: half-width [mm] and pressure [MPa].
 HALF_WIDTH, PRESSURE = 0.1, 1500.0

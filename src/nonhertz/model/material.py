@@ -32,7 +32,7 @@ class Material:
     yield_strength : float, optional
         Yield strength in tension, or 0.2 % proof strength, Y [MPa]; of a case-hardened material that of the case.
     core_yield_strength : float, optional
-        The same of the core of a case-hardened material [MPa]. How deep the case is, its body knows: `Body.case_depth`.
+        The same of the core of a case-hardened material [MPa]. How deep the case is, its body knows: ``case_depth``.
     hardness : str, optional
         Hardness at the surface with its scale: ``"60 HRC"``, ``"700 HV"``, ``"280 HBW"``. It is shown, not computed
         with: no strength is derived from it.
@@ -114,18 +114,5 @@ def check_poisson(poisson: float) -> None:
         raise InputError("poisson", poisson, "lie in (-1, 0.5]", remedy)
 
 
-# Handbook values at room temperature; a datasheet for the actual grade takes precedence.
+#: Handbook values of steel at room temperature, of no particular grade.
 STEEL = Material(modulus=207000.0, poisson=0.3)
-SILICON_NITRIDE = Material(modulus=310000.0, poisson=0.26)
-CAST_IRON = Material(modulus=110000.0, poisson=0.26)
-BRONZE = Material(modulus=110000.0, poisson=0.34)
-ALUMINIUM = Material(modulus=70000.0, poisson=0.33)
-
-#: Materials that a case file may refer to by name.
-MATERIALS = {
-    "steel": STEEL,
-    "silicon-nitride": SILICON_NITRIDE,
-    "cast-iron": CAST_IRON,
-    "bronze": BRONZE,
-    "aluminium": ALUMINIUM,
-}

@@ -18,7 +18,8 @@ from nonhertz.io.profiles import profile_tables
 from nonhertz.measured import prepare
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.corner import Chamfer
-from nonhertz.model.material import MATERIALS, Material
+from nonhertz.model.material import Material
+from nonhertz.model.materials import MATERIALS
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.model.profile.drop import determined
 from nonhertz.report.method import formula, source

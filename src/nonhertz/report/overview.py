@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nonhertz.model.body import Body, TabulatedDiameter
-from nonhertz.model.material import MATERIALS
+from nonhertz.model.materials import MATERIALS
 from nonhertz.report.results import CaseResults
 from nonhertz.result.brief import where_largest
 from nonhertz.result.maximum import largest_half_width, singular_y

@@ -14,7 +14,7 @@ from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.io.bearingfile import BearingCase
 from nonhertz.model.body import Body, TabulatedDiameter
-from nonhertz.model.material import MATERIALS
+from nonhertz.model.materials import MATERIALS
 from nonhertz.report.bearing.results import BearingResults
 from nonhertz.report.inputs import shown
 from nonhertz.report.overview import Key

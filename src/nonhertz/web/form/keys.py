@@ -9,7 +9,7 @@ from dataclasses import asdict
 from typing import Any, Final
 
 from nonhertz.io.casefile import schema
-from nonhertz.model.material import MATERIALS
+from nonhertz.model.materials import MATERIALS
 from nonhertz.web.form.fields import number_or_words
 
 Schema = dict[str, Any]

@@ -1,0 +1,158 @@
+"""Materials by name, with where their numbers come from.
+
+What has no source is left out, such as the yield strength of hardened steels, which depends on their heat treatment. A
+data sheet of the actual grade takes precedence.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import text
+from nonhertz.model.material import STEEL, Material
+
+
+@dataclass(frozen=True)
+class Listed:
+    """A material of the library.
+
+    Attributes
+    ----------
+    name : str
+        The name by which a case file refers to it.
+    group : str
+        What kind of material it is.
+    material : Material
+        What is known of it, at room temperature.
+    source : str
+        Where each number comes from.
+    note : str
+        What limits its use; empty if nothing does.
+    others : tuple of str
+        Other names of the same.
+    """
+
+    name: str
+    group: str
+    material: Material
+    source: str
+    note: str = ""
+    others: tuple[str, ...] = ()
+
+
+_HANDBOOK = "handbook values at room temperature, of no particular grade"
+_GEAR_STEEL = "E and nu of steel: ISO 6336-2; hardness, least of a case-hardened surface of quality MQ: ISO 6336-5"
+_RAIL = "E and nu: EN 1993-1-1, 3.2.6, of structural steels; hardness, least of the running surface: EN 13674-1"
+_CASE = "the yield strength of the case depends on its heat treatment: give your own, and the body its case_depth"
+_THROUGH = "the yield strength depends on the heat treatment: give your own"
+_UNSTATED = "the standard states no yield strength: give that of your rail"
+_FLAKES = (
+    "flake graphite: neither linear nor alike in tension and compression; the yield strength is that of 0.1 % proof"
+)
+_DUCTILE = "EN 1563, separately cast samples: least 0.2 % proof strength; E and nu: its informative annex"
+_VISCOELASTIC = (
+    "viscoelastic: short-term values at 23 °C; under a lasting load it creeps, at another temperature or rate it is "
+    "another material"
+)
+
+#: All materials that have a name, in groups.
+LIBRARY: tuple[Listed, ...] = (
+    Listed("steel", "general", STEEL, _HANDBOOK),
+    Listed(
+        "silicon-nitride", "general", Material(modulus=310000.0, poisson=0.26),
+        f"{_HANDBOOK}; within ASTM F2094 for bearing balls, E = 270 to 330 GPa and nu = 0.23 to 0.29",
+    ),
+    Listed("cast-iron", "general", Material(modulus=110000.0, poisson=0.26), _HANDBOOK),
+    Listed("bronze", "general", Material(modulus=110000.0, poisson=0.34), _HANDBOOK),
+    Listed("aluminium", "general", Material(modulus=70000.0, poisson=0.33), _HANDBOOK),
+    Listed(
+        "100Cr6", "bearing and stainless steels",
+        Material(modulus=210000.0, poisson=0.3, hardness="58 HRC", pressure_limit=4000.0),
+        "ISO 683-17 (grade); E, and hardness from 58 to 65 HRC: SKF, Rolling bearings, materials; nu of steel; largest "
+        "pressure in roller bearings: ISO 76",
+        _THROUGH, ("52100",),
+    ),
+    Listed(
+        "X105CrMo17", "bearing and stainless steels",
+        Material(modulus=200000.0, poisson=0.3, yield_strength=1900.0, hardness="59 HRC"),
+        "Atlas Steels, data sheet of grade 440C, tempered at 204 °C; nu of steel",
+        "tempered at 371 °C its yield strength is 1660 MPa", ("440C", "1.4125"),
+    ),
+    Listed(
+        "16MnCr5", "case-hardening steels",
+        Material(modulus=206000.0, poisson=0.3, core_yield_strength=590.0, hardness="58 HRC"),
+        f"{_GEAR_STEEL}; core, least of a bar of 30 mm: DIN 17210 (1986)", _CASE,
+    ),
+    Listed(
+        "18CrNiMo7-6", "case-hardening steels",
+        Material(modulus=206000.0, poisson=0.3, core_yield_strength=785.0, hardness="58 HRC"),
+        f"{_GEAR_STEEL}; core, least of a bar of 30 mm of 17CrNiMo6: DIN 17210 (1986)", _CASE,
+    ),
+    Listed("R260", "rail steels", Material(modulus=210000.0, poisson=0.3, hardness="260 HBW"), _RAIL, _UNSTATED),
+    Listed("R350HT", "rail steels", Material(modulus=210000.0, poisson=0.3, hardness="350 HBW"), _RAIL, _UNSTATED),
+    Listed(
+        "EN-GJL-250", "cast irons", Material(modulus=110000.0, poisson=0.26, yield_strength=165.0),
+        "EN 1561, informative annex: E = 103 to 118 GPa, nu = 0.26, 0.1 % proof strength 165 to 228 MPa", _FLAKES,
+    ),
+    Listed("EN-GJS-400-15", "cast irons", Material(169000.0, 0.275, yield_strength=250.0), _DUCTILE),
+    Listed("EN-GJS-500-7", "cast irons", Material(169000.0, 0.275, yield_strength=320.0), _DUCTILE),
+    Listed("EN-GJS-600-3", "cast irons", Material(174000.0, 0.275, yield_strength=370.0), _DUCTILE),
+    Listed("EN-GJS-700-2", "cast irons", Material(176000.0, 0.275, yield_strength=420.0), _DUCTILE),
+    Listed(
+        "CuSn11P-C", "copper and aluminium",
+        Material(modulus=100000.0, poisson=0.34, yield_strength=130.0, hardness="60 HBW"),
+        "EN 1982, cast in sand: 0.2 % proof strength and hardness; E = 90 to 110 GPa: Kemper, data sheet of "
+        "CuSn11P-C - GS; nu of bronze",
+        others=("CC481K",),
+    ),
+    Listed(
+        "EN-AW-6082-T6", "copper and aluminium", Material(modulus=70000.0, poisson=0.3, yield_strength=250.0),
+        "EN 1999-1-1: E and nu, and the 0.2 % proof strength of extrusions up to 5 mm thick",
+    ),
+    Listed(
+        "alumina", "ceramics", Material(modulus=416000.0, poisson=0.231),
+        "R. G. Munro, Evaluated material properties for a sintered alpha-alumina, Journal of the American Ceramic "
+        "Society 80 (1997) 1919",
+        "brittle: it cracks instead of yielding; of at least 99.5 % purity and 98 % density",
+    ),
+    Listed(
+        "zirconia", "ceramics", Material(modulus=210000.0, poisson=0.3, hardness="1200 HV"),
+        "E and hardness of Y-TZP: C. Piconi, G. Maccauro, Zirconia as a ceramic biomaterial, Biomaterials 20 (1999) 1; "
+        "nu: makers' data sheets",
+        "brittle: it cracks instead of yielding",
+    ),
+    Listed(
+        "POM", "polymers", Material(modulus=3100.0, poisson=0.35, yield_strength=70.0),
+        "DuPont, Delrin 500P: data sheet by ISO 527; nu: Delrin design guide", _VISCOELASTIC,
+    ),
+    Listed(
+        "PA66", "polymers", Material(modulus=1400.0, poisson=0.41, yield_strength=55.0),
+        "DuPont, Zytel 103HSL, conditioned: data sheet by ISO 527; nu: Zytel design guide",
+        f"{_VISCOELASTIC}; dry as moulded its E is 3100 MPa and its yield strength 85 MPa",
+    ),
+    Listed(
+        "PEEK", "polymers", Material(modulus=4000.0, poisson=0.4, yield_strength=98.0),
+        "Victrex, PEEK 450G: data sheet by ISO 527; nu: Victrex properties guide", _VISCOELASTIC,
+    ),
+)  # fmt: skip
+
+#: Materials that a case file may refer to by name.
+MATERIALS: dict[str, Material] = {each.name: each.material for each in LIBRARY} | {
+    other: each.material for each in LIBRARY for other in each.others
+}
+
+
+def listed_as(name: str) -> Listed:
+    """Return the entry of the library with this name.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    text("name", name, "give a name such as 'steel' or '100Cr6'")
+    for each in LIBRARY:
+        if name in (each.name, *each.others):
+            return each
+    raise InputError("name", name, "be a material of the library", "run 'nonhertz materials' for the list")

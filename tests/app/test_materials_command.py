@@ -1,0 +1,42 @@
+"""``nonhertz materials``: the library as a table, as JSON, and one material with its source."""
+
+import json
+
+import nonhertz as nh
+from nonhertz.cli import main
+from nonhertz.model.materials import LIBRARY
+
+
+def test_all_materials_are_listed_in_their_groups(capsys):
+    assert main(["materials"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    rows = {line.split(" ")[2].rstrip(","): line for line in lines[1:] if line.startswith("  ")}
+    assert list(rows) == [each.name for each in LIBRARY]
+    assert rows["EN-GJS-600-3"].split() == ["EN-GJS-600-3", "174000", "0.275", "370"]
+    assert rows["100Cr6"].split() == ["100Cr6,", "52100", "210000", "0.3", "58", "HRC", "4000"]
+    assert "rail steels" in [line.strip() for line in lines]
+
+
+def test_one_material_says_where_its_numbers_come_from(capsys):
+    assert main(["materials", "PA66"]) == 0
+    shown = capsys.readouterr().out
+    assert "source: DuPont, Zytel 103HSL" in shown
+    assert "note: viscoelastic" in shown
+    assert main(["materials", "steel"]) == 0
+    assert "note" not in capsys.readouterr().out
+
+
+def test_the_json_holds_every_number_and_source(capsys):
+    assert main(["materials", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert list(found["materials"]) == [each.name for each in LIBRARY]
+    rail = found["materials"]["R260"]
+    assert rail["hardness"] == "260 HBW"
+    assert rail["yield_strength"] is None
+    assert "EN 13674-1" in rail["source"]
+    assert found["materials"]["X105CrMo17"]["modulus"] == nh.MATERIALS["440C"].modulus
+
+
+def test_a_name_that_is_none_is_refused(capsys):
+    assert main(["materials", "unobtainium"]) == 2
+    assert "name = 'unobtainium' must be a material of the library" in capsys.readouterr().err
