@@ -240,3 +240,33 @@ def test_a_terminal_sees_what_is_being_done(
     said = capsys.readouterr().err
     assert "1/2 whole body ..." in said
     assert said.endswith("\r")
+
+
+STRONG = PLANE_STRAIN.replace(
+    "[body.b]",
+    """case_depth = "2 mm"
+material = { modulus = 207000, poisson = 0.3, yield_strength = 400, core_yield_strength = 700, pressure_limit = 4000 }
+[body.b]""",
+)
+
+
+@pytest.mark.slow
+def test_whether_the_body_bears_it_is_told(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    Path(case).write_text(STRONG, encoding="utf-8")
+    told = found(capsys, case)
+    strength, pressure = told["strength"], told["max_pressure"]
+    assert_allclose(strength["static_safety"], (4000.0 / pressure) ** 2, rtol=1e-9)
+    assert (strength["criterion"], strength["verdict"]) == ("von-mises", "over")
+    checks = strength["checks"]
+    assert list(checks) == ["pressure", "yield", "core", "case depth"]
+    # Johnson, Contact Mechanics, section 4.1, at nu = 0.3.
+    assert_allclose(checks["yield"]["ratio"], 0.5575 * pressure / 400.0, rtol=1e-3)
+    assert_allclose(checks["case depth"]["ratio"] * 2.0, told["overall"]["shear"]["z"], rtol=1e-3)
+    assert checks["core"]["verdict"] == checks["case depth"]["verdict"] == "fine"
+    assert main(["stress", case]) == 0
+    printed = capsys.readouterr().out
+    assert all(check["sentence"] in printed for check in checks.values())
+    # Nothing is said of what the other roller bears.
+    other = found(capsys, case, "--body", "b")["strength"]
+    assert (other["verdict"], other["static_safety"]) == ("not known", None)
+    assert {check["ratio"] for check in other["checks"].values()} == {None}

@@ -476,3 +476,32 @@ def test_a_case_that_no_file_can_hold_is_refused_before_it_is_solved(monkeypatch
     monkeypatch.setattr("nonhertz.report.results.attempted", lambda _: pytest.fail("it was solved"))
     with pytest.raises(nh.InputError, match=r"^body\.a\.profile = 'Own' must be from the catalogue"):
         compose([nh.Case(nh.Contact(roller, nh.Plate()), {"load": 300.0})])
+
+
+@pytest.mark.slow
+def test_whether_both_bodies_bear_it_is_told() -> None:
+    strong = 'material = { modulus = 207000, poisson = 0.3, yield_strength = 1500, hardness = "60 HRC" }'
+    weak = strong.replace("1500", "100")
+    text = PLAIN.replace("[body.b]", f"{strong}\n[body.b]\n{weak}")
+    told: list[str] = []
+    (found,) = settled([case_of(text)])
+    (found,) = examined([found], announce=told.append)
+    assert len(told) == steps([found]) == 3
+    a, b = found.strengths
+    assert (a.body, b.body) == ("a", "b")
+    shown = {each.name: each for each in assumptions(found)}
+    assert shown["Linear elastic below the surface of body a"].verdict is Verdict.HOLDS
+    assert shown["Linear elastic below the surface of body b"].verdict is Verdict.STRAINED
+    page = rendered([found])
+    assert all(f"<li>{sentence}</li>" in page for sentence in (*a.sentences, *b.sentences))
+    (material,) = (
+        entry.value for group in inputs(found.case) for entry in group.entries if entry.place == "body.b.material"
+    )
+    assert material == "E = 207000 MPa, ν = 0.3, yield strength 100 MPa, hardness 60 HRC"
+
+
+def test_without_strengths_the_report_leaves_the_question_open(results_of_case: CaseResults) -> None:
+    (only,) = results_of_case.strengths
+    assert only.body == "a"
+    shown = {each.name: each for each in assumptions(results_of_case)}
+    assert shown["Linear elastic below the surface of body a"].verdict is Verdict.OPEN

@@ -16,6 +16,7 @@ from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import largest_stresses
 from nonhertz.show.stresses import COLUMNS, sentences, stress_rows
+from nonhertz.strength import Strength, assess
 from nonhertz.subsurface import Extremes
 
 _SEARCHES = 2  # for the largest stresses: in the whole body and in a cross-section
@@ -60,7 +61,8 @@ def report_stresses(
     progress = Progress(_SEARCHES if out is None else _SEARCHES + 1)
     try:
         overall, section = searched(solution, station, body, progress)
-        text = json_text(solution, overall, section, title)
+        strength = assess(solution, body=body, largest=overall)
+        text = json_text(solution, overall, section, strength, title)
         written: tuple[Path, ...] = ()
         if out is not None:
             progress.announce("planes and figures")
@@ -70,7 +72,7 @@ def report_stresses(
     if as_json:
         print(text)
         return
-    print_stresses(solution, overall, section, title)
+    print_stresses(solution, overall, section, strength, title)
     for path in written:
         print(f"wrote {path}")
 
@@ -91,8 +93,8 @@ def _stresses_written(
     return write_files(directory, files(text, planes), draw)
 
 
-def print_stresses(solution: Solution, overall: Extremes, section: Extremes, title: str) -> None:
-    """Print the largest stresses and their positions, the effect of a pass of the load, and warnings."""
+def print_stresses(solution: Solution, overall: Extremes, section: Extremes, strength: Strength, title: str) -> None:
+    """Print the largest stresses and their positions, the effect of a pass, whether the body bears it, and warnings."""
     printing = console()
     printing.print(Text(title, style="bold"))
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
@@ -102,7 +104,7 @@ def print_stresses(solution: Solution, overall: Extremes, section: Extremes, tit
     for row in stress_rows(solution, overall, section):
         table.add_row(*map(Text, row))
     print_table(printing, table)
-    for sentence in sentences(solution, section):
+    for sentence in (*sentences(solution, section), *strength.sentences):
         printing.print(Text(sentence), soft_wrap=True)
     for warning in all_warnings(solution, overall, section):
         printing.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)

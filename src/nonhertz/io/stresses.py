@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from nonhertz.io.results import key_by_key, plain
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import Solution
+from nonhertz.strength import Strength
 from nonhertz.subsurface import Extreme, Extremes, Field
 
 _EXTREME = {"max": "MPa", "x": "mm", "y": "mm", "z": "mm"}
@@ -29,8 +30,10 @@ _COORDINATES = ("x", "y", "z")
 _STRESSES = ("sigma_x", "sigma_y", "sigma_z", "tau_yz", "tau_xz", "tau_xy", "von_mises", "max_shear")
 
 
-def as_object(solution: Solution, overall: Extremes, section: Extremes, title: str) -> dict[str, Any]:
-    """Return the largest stresses as plain numbers, text, lists and dictionaries.
+def as_object(
+    solution: Solution, overall: Extremes, section: Extremes, strength: Strength, title: str
+) -> dict[str, Any]:
+    """Return the largest stresses, and whether the body bears them, as plain numbers, text, lists and dictionaries.
 
     Non-finite numbers are None.
     """
@@ -48,14 +51,15 @@ def as_object(solution: Solution, overall: Extremes, section: Extremes, title: s
             "half_width": plain(there(solution, solution.half_width, y)),
             **_largest(section),
         },
+        "strength": _strength(strength),
         "warnings": list(all_warnings(solution, overall, section)),
         "units": UNITS,
     }
 
 
-def as_json(solution: Solution, overall: Extremes, section: Extremes, title: str) -> str:
+def as_json(solution: Solution, overall: Extremes, section: Extremes, strength: Strength, title: str) -> str:
     """Return `as_object` as JSON text, one key per line."""
-    return key_by_key(as_object(solution, overall, section, title))
+    return key_by_key(as_object(solution, overall, section, strength, title))
 
 
 def there(solution: Solution, values: NDArray[np.float64], y: float) -> float:
@@ -89,6 +93,19 @@ def all_warnings(solution: Solution, *found: Extremes) -> tuple[str, ...]:
     """Return the warnings of a solution and of the stresses found in it, without repeats."""
     sentences = [*solution.warnings, *(sentence for each in found for sentence in each.warnings)]
     return tuple(dict.fromkeys(sentences))
+
+
+def _strength(found: Strength) -> dict[str, Any]:
+    checks = {
+        each.name: {"verdict": str(each.verdict), "ratio": plain(each.ratio), "sentence": each.sentence}
+        for each in found.checks
+    }
+    return {
+        "criterion": found.criterion,
+        "verdict": str(found.verdict),
+        "static_safety": plain(found.static_safety),
+        "checks": checks,
+    }
 
 
 def _largest(found: Extremes) -> dict[str, Any]:

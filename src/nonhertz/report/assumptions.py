@@ -21,6 +21,7 @@ from nonhertz.result.checks import LEAST_DEPTH, checks
 from nonhertz.result.ends import leaves_stress
 from nonhertz.result.numerals import digits, given
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
+from nonhertz.strength import Verdict as StrengthVerdict
 from nonhertz.strip.element import SEMI_ELLIPTIC
 
 Array = NDArray[np.float64]
@@ -173,14 +174,21 @@ def _elastic(found: CaseResults) -> Iterator[Assumption]:
     solution = found.solution
     where = " away from singular ends" if solution.singular_ends else ""
     yield elastic_below_yield(solution.max_pressure, where)
-    if found.stress:
-        largest = found.stress[0]
+    for each in found.strengths:
+        largest, checks = each.largest.von_mises, [check for check in each.checks if check.name in {"yield", "core"}]
         yield Assumption(
-            f"Linear elastic below the surface of body {largest.body}",
+            f"Linear elastic below the surface of body {each.body}",
             "von Mises stress below the yield strength",
-            f"{digits(largest.von_mises.max)} MPa at z = {digits(largest.von_mises.z, 3)} mm",
-            Verdict.OPEN,
+            f"{digits(largest.max)} MPa at z = {digits(largest.z, 3)} mm",
+            _of_strength({check.verdict for check in checks}),
+            " ".join(check.sentence for check in checks),
         )
+
+
+def _of_strength(found: set[StrengthVerdict]) -> Verdict:
+    if StrengthVerdict.OVER in found:
+        return Verdict.STRAINED
+    return Verdict.OPEN if StrengthVerdict.UNKNOWN in found else Verdict.HOLDS
 
 
 def elastic_below_yield(pressure: float, where: str = "") -> Assumption:
@@ -190,7 +198,7 @@ def elastic_below_yield(pressure: float, where: str = "") -> Assumption:
         f"p0 below {FLOW_BEGINS:g} times the yield strength (line contact, Tresca; Johnson 1985, section 6.1)",
         f"p0 = {digits(pressure)} MPa{where}",
         Verdict.OPEN,
-        f"The yield strength is not an input: it must be above {digits(pressure / FLOW_BEGINS, 4)} MPa.",
+        f"The yield strength must be above {digits(pressure / FLOW_BEGINS, 4)} MPa.",
     )
 
 

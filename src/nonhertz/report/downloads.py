@@ -48,7 +48,7 @@ def downloads(found: CaseResults) -> list[Download]:
         text_download(f"{stem}-result.json", "all numbers of the solution", as_json(found.solution, case) + "\n")
     )
     if found.stress:
-        text = stresses_as_json(found.solution, *found.stress, title)
+        text = stresses_as_json(found.solution, *found.stress, found.strengths[0], title)
         files.append(text_download(f"{stem}-stress.json", "the largest stresses", text + "\n"))
     if found.lives:
         files.append(text_download(f"{stem}-life.json", "the lives", lives_as_json(found.lives) + "\n"))

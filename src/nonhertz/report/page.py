@@ -143,6 +143,7 @@ def _stress(found: CaseResults, gallery: Gallery) -> dict[str, Any] | None:
         "columns": COLUMNS,
         "rows": [[cell.replace("+-", "±") for cell in row] for row in stress_rows(found.solution, *found.stress)],
         "sentences": stress_sentences(found.solution, found.stress[1]),
+        "strength": [sentence for each in found.strengths for sentence in each.sentences],
         "figures": [marked(picture) for picture in gallery.of_stress(found).values()],
     }
 

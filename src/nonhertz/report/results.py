@@ -19,11 +19,14 @@ from nonhertz.show.analysis import (
     Announce,
     assessed,
     attempted,
+    bears_something,
     in_silence,
     largest_stresses,
     models_for,
     spectrum_solved,
+    strengths,
 )
+from nonhertz.strength import Strength
 from nonhertz.subsurface import Extremes
 
 STRESS_STEPS = 2  # in the whole body and in a cross-section
@@ -45,6 +48,8 @@ class CaseResults:
         Why the solver stopped, or why there is no life; empty if nothing failed.
     stress : tuple of two Extremes or None
         The largest stresses in body a and in one cross-section of it.
+    strengths : tuple of Strength
+        Whether body a, and body b if anything is known of it, bears the stress; empty without stress.
     lives : Assessment or None
         How long both bodies last.
     """
@@ -54,6 +59,7 @@ class CaseResults:
     solution: Solution
     complaint: str = ""
     stress: tuple[Extremes, Extremes] | None = None
+    strengths: tuple[Strength, ...] = ()
     lives: Assessment | None = None
 
     @property
@@ -115,7 +121,9 @@ def examined(
 
 def steps(found: Sequence[CaseResults], *, life: bool | None = None, stress: bool = True) -> int:
     """Return how many steps `examined` will announce."""
-    searches = sum(STRESS_STEPS for each in found if stress and not each.complaint)
+    searches = sum(
+        STRESS_STEPS + bears_something(each.solution.contact.b) for each in found if stress and not each.complaint
+    )
     loads = sum(max(1, len(each.case.life.spectrum)) for each in found if _wants_life(each, life))
     return searches + len(BODIES) * loads
 
@@ -123,7 +131,8 @@ def steps(found: Sequence[CaseResults], *, life: bool | None = None, stress: boo
 def _stressed(found: CaseResults, announce: Announce) -> CaseResults:
     if found.complaint:
         return found
-    return replace(found, stress=largest_stresses(found.solution, announce=announce))
+    stress = largest_stresses(found.solution, announce=announce)
+    return replace(found, stress=stress, strengths=strengths(found.solution, stress[0], announce))
 
 
 def _wants_life(found: CaseResults, life: bool | None) -> bool:

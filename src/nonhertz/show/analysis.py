@@ -15,10 +15,12 @@ import numpy as np
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.io.casefile import Case, placed
 from nonhertz.io.lives import Assessment
-from nonhertz.life import Model, VolumeModel, assess, solve_spectrum
-from nonhertz.model.body import BODIES, BodyName
+from nonhertz.life import Model, VolumeModel, solve_spectrum
+from nonhertz.life import assess as assess_life
+from nonhertz.model.body import BODIES, Body, BodyName
 from nonhertz.result.ends import ends_in_words
 from nonhertz.result.solution import Solution
+from nonhertz.strength import Strength, assess
 from nonhertz.subsurface import Extremes, extremes
 
 Spectrum = tuple[tuple[Solution, float], ...]
@@ -94,6 +96,33 @@ def largest_stresses(
     return overall, replace(section, warnings=(*section.warnings, *_near_sharp_ends(solution, y)))
 
 
+def bears_something(body: Body) -> bool:
+    """Return whether anything is known of what a body bears."""
+    material = body.material
+    known = (material.yield_strength, material.core_yield_strength, material.pressure_limit, body.case_depth)
+    return any(each is not None for each in known)
+
+
+def strengths(solution: Solution, overall: Extremes, announce: Announce = in_silence) -> tuple[Strength, ...]:
+    """Return whether the bodies bear it: that of the stresses at hand, and the other if anything is known of it.
+
+    Parameters
+    ----------
+    solution : Solution
+        A solved contact.
+    overall : Extremes
+        The largest stresses in one body, from `largest_stresses`.
+    announce : callable
+        Called with the name of a further search as it begins.
+    """
+    found = [assess(solution, body=overall.body, largest=overall)]
+    other: BodyName = "b" if overall.body == "a" else "a"
+    if bears_something(solution.contact.b if other == "b" else solution.contact.a):
+        announce(f"body {other}")
+        found.append(assess(solution, body=other))
+    return tuple(found)
+
+
 def _near_sharp_ends(solution: Solution, y: float) -> list[str]:
     """Return a sentence for each singular end within a half-width."""
     half_width = float(np.interp(y, solution.y, solution.half_width))
@@ -138,7 +167,7 @@ def assessed(
     with _in_the_words_of_the_file():
         for body in BODIES:
             announce_next = _announcer(announce, body, len(spectrum))
-            lives[body] = assess(
+            lives[body] = assess_life(
                 spectrum,
                 models,
                 body=body,
