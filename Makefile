@@ -8,7 +8,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo test test-slow test-orders test-versions mutants campaign campaign-all machine-code browser verify lint docs bench docs-numbers clean
+.PHONY: demo test test-slow test-orders test-versions dist dist-tests mutants campaign campaign-all machine-code browser verify lint docs bench docs-numbers clean
 
 demo: $(READY)
 	$(BIN)/nonhertz solve examples/cylindrical-roller-bearing.toml --out out/demo
@@ -34,6 +34,11 @@ test-orders: $(READY)
 test-versions: $(READY)
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --group versions
 	$(BIN)/python tests/versions.py $(PYTHONS)
+
+# Wheel and sdist in dist, used in bare environments of every Python; dist-tests runs the tests of the sdist there, too.
+dist dist-tests: $(READY)
+	$(BIN)/python -m pip install --quiet --constraint constraints.txt --group dist
+	$(BIN)/python tests/distributions.py $(PYTHONS) $(if $(filter dist-tests,$@),--tests)
 
 # Whether the tests notice small mistakes in the sources; survivors are listed in out/mutants. Takes hours on two cores.
 mutants: $(READY)
@@ -96,4 +101,4 @@ $(READY): pyproject.toml constraints.txt
 	@touch $@
 
 clean:
-	rm -rf $(VENV) out docs/gallery
+	rm -rf $(VENV) dist out docs/gallery

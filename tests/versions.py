@@ -32,12 +32,17 @@ def uv(*arguments: str | Path) -> None:
     subprocess.run([sys.executable, "-m", "uv", *arguments, "--quiet"], cwd=ROOT, check=True)
 
 
+def python_in(environment: Path) -> Path:
+    """Return the interpreter of a virtual environment."""
+    return environment / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+
+
 def environment(interpreter: str, resolution: str) -> Path:
     """Make an environment and return its folder."""
     folder = ROOT / "out" / "versions" / f"{Path(interpreter).name}-{resolution}"
     shutil.rmtree(folder, ignore_errors=True)
     uv("venv", "--python", interpreter, folder)
-    python, versions = folder / "bin" / "python", folder / "versions.txt"
+    python, versions = python_in(folder), folder / "versions.txt"
     uv(
         "pip", "compile", "--python", python, "--resolution", RESOLUTIONS[resolution], "--no-build", "--no-header",
         "--no-annotate", "--no-emit-index-url", "--no-emit-find-links", "--extra", "web", "--group", "test",
@@ -50,7 +55,7 @@ def environment(interpreter: str, resolution: str) -> Path:
 
 def passed(folder: Path) -> bool:
     """Return whether the tests pass in an environment, the examples in the docstrings among them."""
-    tests = [folder / "bin" / "python", "-m", "pytest", "-q", "--pyargs", "nonhertz", "tests"]
+    tests = [python_in(folder), "-m", "pytest", "-q", "--pyargs", "nonhertz", "tests"]
     clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
     clean.setdefault("PYTEST_ADDOPTS", "-n auto")
     return subprocess.run(tests, cwd=ROOT, env=clean, check=False).returncode == 0

@@ -25,7 +25,7 @@ _EXTRAS = {
     **dict.fromkeys(
         ("SALib", "cyclopts", "jinja2", "matplotlib", "pint", "pydantic", "rich", "tomli_w", "x3pio"), "cli"
     ),
-    **dict.fromkeys(("starlette", "uvicorn"), "web"),
+    **dict.fromkeys(("anyio", "starlette", "uvicorn"), "web"),
     "distributed": "cluster",
 }
 _NEEDS = {"cli": "the command line", "web": "the page", "cluster": "a Dask scheduler"}

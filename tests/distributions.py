@@ -1,0 +1,194 @@
+"""Builds wheel and sdist, and checks that they hold all they need.
+
+    python tests/distributions.py python3.11 python3.12 python3.13
+    python tests/distributions.py python3.13 --tests
+
+On each Python the wheel is installed into an environment of its own below ``out/distributions``, first with nothing but
+what the solver needs, then with the extras, and used as a newcomer would use it. With ``--tests`` the unpacked sdist
+runs its own tests there, too, those left out that take seconds each. What was built is in ``dist``.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import os
+import shutil
+import subprocess
+import sys
+import tarfile
+import urllib.request
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+
+from versions import ROOT, found, python_in, uv
+
+DIST = ROOT / "dist"
+PLACE = ROOT / "out" / "distributions"
+
+# Nothing but the core's dependencies and theirs may be there, else this would not show what a user meets.
+BARE = """
+import importlib.metadata
+import importlib.resources
+import nonhertz as nh
+there = {each.name.lower() for each in importlib.metadata.distributions()}
+assert there == {"nonhertz", "numpy", "scipy", "numba", "llvmlite"}, there
+assert nh.__version__ == importlib.metadata.version("nonhertz")
+assert importlib.resources.files("nonhertz").joinpath("py.typed").is_file()
+contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=1000)), nh.Ring(diameter=80))
+solution = nh.solve(contact, load=5e3)
+assert abs(solution.load / 5e3 - 1) < 1e-9, solution.load
+print(f"solved: largest pressure {solution.max_pressure:.0f} MPa")
+"""
+NO_CLI = "The package cyclopts is not installed; install what the command line needs with: pip install 'nonhertz[cli]'\n"
+NO_WEB = "The package uvicorn is not installed; install what the page needs with: pip install 'nonhertz[web]'\n"
+SERVED = ("", "static/main.js", "static/vendor/d3.min.js", "static/vendor/plot.umd.min.js")
+
+
+class Environment:
+    """A virtual environment with the wheel, and an empty folder to work in.
+
+    Parameters
+    ----------
+    interpreter : str
+        Whose Python.
+    wheel : Path
+        What is installed, without extras.
+    """
+
+    def __init__(self, interpreter: str, wheel: Path) -> None:
+        self.folder = PLACE / Path(interpreter).name
+        self.work = self.folder / "work"
+        shutil.rmtree(self.folder, ignore_errors=True)
+        uv("venv", "--python", interpreter, self.folder)
+        self._wheel, self.python = wheel, python_in(self.folder)
+        self.work.mkdir()
+        self.install()
+
+    def install(self, *extras: str, groups: Path | None = None) -> None:
+        """Install the wheel with extras, and what the tests need if their project is given."""
+        named = [f"nonhertz[{','.join(extras)}] @ {self._wheel.as_uri()}" if extras else str(self._wheel)]
+        named += ["--group", f"{groups}:test"] if groups else []
+        uv("pip", "install", "--python", self.folder, *named)
+
+    def run(self, *words: str | Path, code: int = 0, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+        """Run Python; it must end with a code."""
+        done = subprocess.run(
+            [self.python, *words],
+            cwd=cwd or self.work, env=clean(), capture_output=True, encoding="utf-8", check=False,
+        )  # fmt: skip
+        assert done.returncode == code, f"{' '.join(map(str, words))}\n{done.stdout}{done.stderr}"
+        return done
+
+
+def clean() -> dict[str, str]:
+    """Return the variables of this process without those that would let Python find these sources."""
+    return {name: value for name, value in os.environ.items() if name != "PYTHONPATH"} | {"PYTHONUTF8": "1"}
+
+
+def built() -> tuple[Path, Path]:
+    """Build both distributions, the wheel from the sdist, and return their paths."""
+    shutil.rmtree(DIST, ignore_errors=True)
+    uv("build", "--out-dir", DIST)
+    (wheel,), (sdist,) = DIST.glob("*.whl"), DIST.glob("*.tar.gz")
+    return wheel, sdist
+
+
+def tracked(*below: str) -> set[str]:
+    """Return the names of the files that belong to the project."""
+    listed = subprocess.run(["git", "ls-files", *below], cwd=ROOT, capture_output=True, encoding="utf-8", check=True)
+    return set(listed.stdout.splitlines())
+
+
+def check_contents(wheel: Path, sdist: Path) -> None:
+    """Check that the sdist is the checkout, and the wheel the package and the licences, no more and no less."""
+    with zipfile.ZipFile(wheel) as archive:
+        names = set(archive.namelist())
+    texts = {name.partition("/licenses/")[2] for name in names if "/licenses/" in name}
+    assert {"LICENSE", "NOTICE.md"} < texts, texts
+    if not (ROOT / ".git").exists():
+        print("This is no checkout: that nothing is missing was not checked.")
+        return
+    package = {name.removeprefix("src/") for name in tracked("src")}
+    assert {name for name in names if ".dist-info/" not in name} == package, names ^ package
+    assert {name for name in tracked("src") if name.endswith(".LICENSE")} < texts, texts
+    with tarfile.open(sdist) as archive:
+        held = {name.partition("/")[2] for name in archive.getnames()}
+    assert held == tracked() | {"PKG-INFO"}, held ^ tracked()
+
+
+def check_metadata(*files: Path) -> None:
+    """Have the metadata judged as an index would, if the program for it is installed."""
+    if importlib.util.find_spec("twine") is None:
+        print("twine is not installed: the metadata were not checked.")
+        return
+    subprocess.run([sys.executable, "-m", "twine", "--no-color", "check", "--strict", *files], check=True)
+
+
+def check_installed(environment: Environment) -> None:
+    """Use what is installed as a newcomer would, first without extras."""
+    command = ("-m", "nonhertz")
+    print(environment.run("-W", "error", "-c", BARE).stdout.strip())
+    assert environment.run(*command, "solve", "case.toml", code=2).stderr == NO_CLI
+    environment.install("cli")
+    environment.run(*command, "new", "case.toml")
+    environment.run(*command, "solve", "case.toml", "--out", "results")
+    assert (environment.work / "results" / "result.json").is_file()
+    assert environment.run(*command, "serve", code=2).stderr == NO_WEB
+    environment.install("web")
+    for path, content in served(environment):
+        assert content, path
+
+
+def served(environment: Environment) -> Iterator[tuple[str, bytes]]:
+    """Start the page, and give what it answers."""
+    words = [environment.python, "-u", "-m", "nonhertz", "serve", "--port", "0", "--no-browser"]
+    with subprocess.Popen(words, cwd=environment.work, env=clean(), stdout=subprocess.PIPE, text=True) as server:
+        try:
+            assert server.stdout is not None
+            address = next(word for line in server.stdout for word in line.split() if word.startswith("http"))
+            for path in SERVED:
+                with urllib.request.urlopen(f"{address}{path}", timeout=60) as answer:
+                    yield path, answer.read()
+        finally:
+            server.kill()
+
+
+def run_tests(environment: Environment, sdist: Path) -> None:
+    """Run the tests of an unpacked sdist on what is installed."""
+    with tarfile.open(sdist) as archive:
+        archive.extractall(environment.folder, filter="data")
+    sources = environment.folder / sdist.name.removesuffix(".tar.gz")
+    environment.install("web", groups=sources / "pyproject.toml")
+    words = ["-m", "pytest", "-q", "-m", "not slow and not campaign and not browser and not machine_code"]
+    variables = {"PYTEST_ADDOPTS": "-n auto"} | clean()
+    # The package that is installed, not the sources beside the tests.
+    command = [environment.python, *words, "--pyargs", "nonhertz", "tests"]
+    done = subprocess.run(command, cwd=sources, env=variables, check=False)
+    assert done.returncode == 0, "The tests of the sdist have failed."
+
+
+def main() -> int:
+    """Build, and check with every interpreter that is there."""
+    parser = argparse.ArgumentParser(description="Build wheel and sdist and check what they hold.")
+    parser.add_argument("interpreters", nargs="+", help="such as python3.11")
+    parser.add_argument("--tests", action="store_true", help="run the tests of the sdist, too")
+    asked = parser.parse_args()
+    wheel, sdist = built()
+    check_contents(wheel, sdist)
+    check_metadata(wheel, sdist)
+    for interpreter in filter(found, asked.interpreters):
+        print(f"{interpreter}:", flush=True)
+        environment = Environment(interpreter, wheel)
+        check_installed(environment)
+        if asked.tests:
+            run_tests(environment, sdist)
+    missing = [each for each in asked.interpreters if not found(each)]
+    if missing:
+        print(f"Not checked, since not found: {', '.join(missing)}. Install them, or name others in PYTHONS.")
+    return 1 if missing else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
