@@ -41,8 +41,9 @@ solution = nh.solve(contact, load=5e3)
 assert abs(solution.load / 5e3 - 1) < 1e-9, solution.load
 print(f"solved: largest pressure {solution.max_pressure:.0f} MPa")
 """
-NO_CLI = "The package cyclopts is not installed; install what the command line needs with: pip install 'nonhertz[cli]'\n"
-NO_WEB = "The package uvicorn is not installed; install what the page needs with: pip install 'nonhertz[web]'\n"
+MISSING = "The package {} is not installed; install what {} needs with: pip install 'nonhertz[{}]'\n"
+NO_CLI = MISSING.format("cyclopts", "the command line", "cli")
+NO_WEB = MISSING.format("uvicorn", "the page", "web")
 SERVED = ("", "static/main.js", "static/vendor/d3.min.js", "static/vendor/plot.umd.min.js")
 
 

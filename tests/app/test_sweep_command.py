@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import random
-import signal
 import sqlite3
 import subprocess
 import sys
@@ -61,6 +60,15 @@ def test_a_plan_is_checked_and_swept(folder, capsys):
     assert (found["rows"], found["failed"], found["over"]) == (5, 0, ["load.load"])
     assert found["extremes"]["approach"][0] < found["extremes"]["approach"][1]
     assert (folder / "found" / "sweep.svg").exists()
+
+
+def test_json_is_ascii_and_comes_through_a_pipe_of_any_encoding(folder, capsys):
+    text = (folder / "roller.toml").read_text(encoding="utf-8")
+    (folder / "roller.toml").write_text(text.replace("A roller on a plate", "Ø 15 μm"), encoding="utf-8")
+    assert main(["sweep", "roller.toml", "--over", "load.load=5kN,6kN", "--json", "--out", "found"]) == 0
+    printed = capsys.readouterr().out
+    assert printed.isascii()
+    assert json.loads(printed)["title"] == "Ø 15 μm"
 
 
 @pytest.mark.parametrize(
@@ -131,7 +139,7 @@ def test_killed_at_random_moments_no_row_is_lost_or_doubled(folder):
         while running.poll() is None and rows_in(store) < awaited:
             time.sleep(0.01)
         time.sleep(seed.uniform(0.0, 0.1))
-        running.send_signal(signal.SIGKILL)
+        running.kill()
         running.wait()
         there.append(rows_in(store))
     assert there == sorted(there)

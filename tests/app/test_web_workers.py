@@ -68,6 +68,10 @@ def test_a_process_does_one_job_after_another():
     assert first == second != os.getpid()
 
 
+posix = pytest.mark.skipif(os.name != "posix", reason="signal 0 asks whether a process lives on Unix alone")
+
+
+@posix
 @pytest.mark.parametrize(("job", "error"), [(never_done, TooSlowError), (dying, EndedError)])
 def test_a_process_that_takes_too_long_or_ends_is_replaced(job, error):
     async def use(workers):
@@ -84,6 +88,7 @@ def test_a_process_that_takes_too_long_or_ends_is_replaced(job, error):
         os.kill(first, 0)
 
 
+@pytest.mark.skipif(not hasattr(os, "waitid"), reason="waits for a process without taking note of its end")
 def test_a_process_that_was_ended_while_it_had_nothing_to_do_is_replaced():
     async def use(workers):
         first = await workers.run(own_number, seconds=PATIENT)
@@ -142,6 +147,7 @@ def test_a_long_job_has_a_process_of_its_own_and_the_next_is_refused():
     assert again == 42
 
 
+@posix
 def test_all_processes_end_with_the_server():
     async def use(workers):
         return await workers.run(own_number, seconds=PATIENT)

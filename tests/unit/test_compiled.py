@@ -3,7 +3,6 @@
 import errno
 import logging
 import os
-import resource
 import time
 import types
 from pathlib import Path
@@ -209,6 +208,7 @@ def test_nowhere_to_write_is_said_once_with_the_way_out(tmp_path, monkeypatch, c
 
 
 def test_a_full_disk_leaves_nothing_half_written(kept, caplog):
+    resource = pytest.importorskip("resource")
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     first = pair()
     resource.setrlimit(resource.RLIMIT_FSIZE, (1000, hard))

@@ -1,6 +1,8 @@
 """`nonhertz.patch.solve`: what it refuses, what it warns of, and what its solution says of itself."""
 
+import errno
 import math
+import os
 import pickle
 import tracemalloc
 import warnings
@@ -9,7 +11,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.patch import Dent, PatchSolution, Waviness, memory, undeformed_gap
+from nonhertz.patch import Dent, PatchSolution, Waviness, memory, resources, undeformed_gap
 from nonhertz.patch.resources import refuse_excess
 
 HALF_SPACE = {"side_faces": "none", "depth": "none"}
@@ -489,6 +491,18 @@ def test_the_memory_foretold_is_what_is_taken(name, cells):
     # Temporaries come and go; a fifth is what the documentation promises.
     np.testing.assert_allclose(memory(cells, contact), taken, rtol=0.2, atol=0.0)
     assert solution.memory == memory(cells, contact)
+
+
+@pytest.mark.skipif(not hasattr(os, "sysconf"), reason="asks the system as Unix does")
+def test_where_the_kernel_keeps_no_such_file_the_system_is_asked(monkeypatch):
+    def missing(path, **_):
+        raise FileNotFoundError(errno.ENOENT, path)
+
+    monkeypatch.setattr("pathlib.Path.open", missing)
+    total = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    assert resources._available() == total
+    monkeypatch.undo()
+    assert 0.0 < resources._available() <= total
 
 
 def test_what_does_not_fit_is_refused_before_it_is_tried(monkeypatch):

@@ -89,7 +89,7 @@ def as_json(found: Design, files: Sequence[Path]) -> str:
         "files": [str(path) for path in files],
         "units": found.units | {"value": "MPa" if found.goal == "pressure" else ""},
     }
-    return json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)
+    return json.dumps(content, indent=2, allow_nan=False)
 
 
 def print_design(found: Design, files: Sequence[Path]) -> None:

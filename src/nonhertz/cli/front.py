@@ -75,7 +75,7 @@ def as_json(found: Front, files: Sequence[Path]) -> str:
         for values, first, second in zip(found.values, found.first, found.second, strict=True)
     ]
     content: dict[str, Any] = {"points": points, "units": found.units, "files": [str(path) for path in files]}
-    return json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)
+    return json.dumps(content, indent=2, allow_nan=False)
 
 
 def print_front(found: Front, files: Sequence[Path]) -> None:

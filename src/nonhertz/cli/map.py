@@ -154,7 +154,7 @@ def as_json(found: ContactMap, title: str) -> str:
         "stations": found.stations.tolist(),
         "units": {"load": "N", "approach": "mm", "tilt": "rad", "most_load": "N", "stations": "mm"},
     }
-    return json.dumps(content, indent=2, ensure_ascii=False)
+    return json.dumps(content, indent=2)
 
 
 def print_map(found: ContactMap, title: str) -> None:

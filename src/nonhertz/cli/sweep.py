@@ -95,7 +95,7 @@ def as_json(found: Sweep, files: Sequence[Path]) -> str:
         "files": [str(path) for path in files],
         "units": {name: found.unit(name) for name in (*found.paths, *ends)},
     }
-    return json.dumps(content, indent=2, ensure_ascii=False)
+    return json.dumps(content, indent=2)
 
 
 def print_sweep(found: Sweep, files: Sequence[Path]) -> None:

@@ -73,7 +73,7 @@ def as_json(found: Tolerance, files: Sequence[Path]) -> str:
         "files": [str(path) for path in files],
         "units": {name: sweep.unit(name) for name in (*sweep.paths, *(each.name for each in sweep.quantities))},
     }
-    return json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)
+    return json.dumps(content, indent=2, allow_nan=False)
 
 
 def print_tolerance(found: Tolerance, files: Sequence[Path]) -> None:

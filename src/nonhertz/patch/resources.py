@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
+from pathlib import Path
 
 import numpy as np
 
@@ -87,11 +89,12 @@ def refuse_excess(cells: tuple[int, int], contact: Contact) -> None:
 
 def _available() -> float:
     """Return the bytes of free memory, or the machine's total where only that is known."""
+    # A pseudo-file of Linux.
+    with contextlib.suppress(OSError, ValueError), Path("/proc/meminfo").open(encoding="ascii") as lines:
+        for line in lines:
+            if line.startswith("MemAvailable:"):
+                return 1024.0 * int(line.split()[1])
     try:
-        with open("/proc/meminfo", encoding="ascii") as lines:  # noqa: PTH123  (a pseudo-file, not a path)
-            for line in lines:
-                if line.startswith("MemAvailable:"):
-                    return 1024.0 * int(line.split()[1])
         return float(os.sysconf("SC_PHYS_PAGES")) * os.sysconf("SC_PAGE_SIZE")
     except (OSError, ValueError, AttributeError):
         return 8.0 * 2**30

@@ -26,6 +26,7 @@ Found = TypeVar("Found")
 AHEAD = 3  # portions handed out per process: so few that memory stays flat
 ATTEMPTS = 2  # alone, of a portion that was under way when a process ended
 CONNECTING = "20s"
+_MOST = 61 if sys.platform == "win32" else sys.maxsize  # processes: Windows waits for no more at once
 # Linear algebra of one portion on one thread: the processes share the cores.
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
@@ -209,7 +210,7 @@ def _pool(workers: int) -> Iterator[ProcessPoolExecutor]:
     os.environ.update({name: "1" for name in _THREADS if before[name] is None})
     # Forked processes would inherit the threads' locks.
     pool = ProcessPoolExecutor(
-        workers, mp_context=multiprocessing.get_context("spawn"), initializer=_end_with_the_parent
+        min(workers, _MOST), mp_context=multiprocessing.get_context("spawn"), initializer=_end_with_the_parent
     )
     try:
         yield pool
