@@ -1,0 +1,126 @@
+"""What a forge runs: the files can be read, and all that they name exists."""
+
+import re
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+FOLDER = ROOT / ".github"
+TEXTS = {path.name: path.read_text(encoding="utf-8") for path in sorted((FOLDER / "workflows").iterdir())}
+FORMS = {path.name: path.read_text(encoding="utf-8") for path in sorted((FOLDER / "ISSUE_TEMPLATE").iterdir())}
+# YAML 1.1 reads the key "on" as true.
+WORKFLOWS: dict[str, dict[Any, Any]] = {name: yaml.safe_load(text) for name, text in TEXTS.items()}
+PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+MARKERS = {line.partition(":")[0] for line in PYPROJECT["tool"]["pytest"]["ini_options"]["markers"]}
+EACH = pytest.mark.parametrize("name", TEXTS)
+
+
+def jobs(name: str) -> dict[str, dict[str, Any]]:
+    found: dict[str, dict[str, Any]] = WORKFLOWS[name]["jobs"]
+    return found
+
+
+def commands(name: str) -> Iterator[str]:
+    """Give the commands of a workflow, with every value of its matrix in its place."""
+    for job in jobs(name).values():
+        matrix: dict[str, list[str]] = job.get("strategy", {}).get("matrix", {})
+        for step in job.get("steps", []):
+            lines = [step["run"]] if "run" in step else []
+            for key, values in matrix.items():
+                lines = [line.replace(f"${{{{ matrix.{key} }}}}", str(value)) for line in lines for value in values]
+            yield from set(lines)
+
+
+@EACH
+def test_targets_files_groups_and_markers_exist(name: str) -> None:
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    targets = set(re.search(r"^\.PHONY: (.*)$", makefile, re.MULTILINE)[1].split())  # type: ignore[index]
+    seen = 0
+    for command in commands(name):
+        words = command.split()
+        if words[0] == "make":
+            assert words[1] in targets, command
+        else:
+            assert words[0] == "python", "Windows has nothing else that is the same everywhere"
+        for file in re.findall(r"[\w./-]+\.(?:py|txt|toml)\b", command):
+            assert (ROOT / file).is_file(), command
+        assert set(re.findall(r"--group (\w+)", command)) <= set(PYPROJECT["dependency-groups"]), command
+        assert set(re.findall(r"\[(\w+)\]", command)) <= set(PYPROJECT["project"]["optional-dependencies"]), command
+        for expression in re.findall(r'pytest .*-m "?([^"]+)"?$', command):
+            assert set(re.findall(r"\w+", expression)) - {"not", "and", "or"} <= MARKERS, command
+        seen += 1
+    assert seen
+
+
+@EACH
+def test_actions_are_of_a_major_version(name: str) -> None:
+    used = [job["uses"] for job in jobs(name).values() if "uses" in job]
+    used += [step["uses"] for job in jobs(name).values() for step in job.get("steps", []) if "uses" in step]
+    assert used
+    for each in used:
+        if each.startswith("./"):
+            called = WORKFLOWS[Path(each).name]
+            assert "workflow_call" in called[True], each
+        else:
+            assert re.fullmatch(r"[\w-]+/[\w-]+@(release/)?v\d+", each), each
+
+
+@EACH
+def test_no_job_may_do_more_than_it_needs(name: str) -> None:
+    assert WORKFLOWS[name]["permissions"] == {"contents": "read"}
+    granted = {job: content["permissions"] for job, content in jobs(name).items() if "permissions" in content}
+    assert granted == ({"publish": {"id-token": "write"}} if name == "release.yml" else {})
+    # Texts that others choose, such as titles, may not become part of a command.
+    inserted = {match for command in commands(name) for match in re.findall(r"\$\{\{ (.*?) \}\}", command)}
+    assert inserted <= {"github.run_number"}
+
+
+@EACH
+def test_jobs_name_only_jobs_and_end_in_time(name: str) -> None:
+    for job in jobs(name).values():
+        assert set(job.get("needs", [])) <= set(jobs(name))
+        assert "timeout-minutes" in job or "uses" in job or "id-token" in job["permissions"]
+
+
+@EACH
+def test_no_host_is_named(name: str) -> None:
+    assert "://" not in TEXTS[name]
+
+
+def test_a_release_waits_for_everything() -> None:
+    assert set(jobs("release.yml")["publish"]["needs"]) == set(jobs("release.yml")) - {"publish"}
+
+
+def test_all_supported_pythons_are_tested() -> None:
+    prefix = "Programming Language :: Python :: 3."
+    claimed = {each.rpartition(" ")[2] for each in PYPROJECT["project"]["classifiers"] if each.startswith(prefix)}
+    for job in ("systems", "versions"):
+        assert claimed <= set(jobs("tests.yml")[job]["strategy"]["matrix"]["python"])
+    assert f">={min(claimed, key=lambda each: int(each.partition('.')[2]))}" == PYPROJECT["project"]["requires-python"]
+
+
+@pytest.mark.parametrize("name", FORMS)
+def test_forms_ask_questions(name: str) -> None:
+    form = yaml.safe_load(FORMS[name])
+    if name == "config.yml":
+        assert set(form) <= {"blank_issues_enabled", "contact_links"}
+        return
+    assert {"name", "description", "body"} <= set(form)
+    ids = [each["id"] for each in form["body"] if each["type"] != "markdown"]
+    assert len(ids) == len(set(ids)) > 0
+    for each in form["body"]:
+        assert each["type"] in {"markdown", "textarea", "input", "dropdown", "checkboxes"}
+        assert "value" in each["attributes"] if each["type"] == "markdown" else "label" in each["attributes"]
+
+
+@pytest.mark.parametrize("name", ["bug.yml", "wrong-number.yml"])
+def test_reports_ask_for_case_file_and_version(name: str) -> None:
+    required = [each for each in yaml.safe_load(FORMS[name])["body"] if each.get("validations", {}).get("required")]
+    asked = " ".join(f"{each['attributes']['label']} {each['attributes'].get('description', '')}" for each in required)
+    assert "case file" in asked.lower()
+    assert "nonhertz --version" in asked
