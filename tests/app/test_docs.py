@@ -20,7 +20,9 @@ ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 GENERATED = DOCS / "gallery"
 API = DOCS / "reference" / "api"
-SHOWN_ELSEWHERE = [ROOT / name for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "examples/README.md")]
+SHOWN_ELSEWHERE = [
+    ROOT / name for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "examples/README.md")
+]
 PAGES = sorted(path for path in DOCS.rglob("*") if path.suffix in {".md", ".rst"} and GENERATED not in path.parents)
 MARKDOWN = [path for path in (*PAGES, *SHOWN_ELSEWHERE) if path.suffix == ".md"]
 HOW_TOS = [*sorted((DOCS / "how-to").glob("*.md")), DOCS / "tutorials" / "bearing-life.md"]
