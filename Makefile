@@ -93,6 +93,7 @@ docs-numbers: $(READY)
 	$(BIN)/python docs/patch_study.py
 	$(BIN)/nonhertz verify --out docs/validation
 	rm docs/validation/*.png docs/validation/verify.json
+	$(BIN)/python paper/figures.py
 
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -m venv $(VENV)

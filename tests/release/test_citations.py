@@ -1,0 +1,102 @@
+"""CITATION.cff and the paper: what they say of the package, and whom they cite."""
+
+import importlib.util
+import re
+import tomllib
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+PAPER = ROOT / "paper"
+TEXT = (PAPER / "paper.md").read_text(encoding="utf-8")
+BIB = (PAPER / "paper.bib").read_text(encoding="utf-8")
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+CITATION: dict[str, Any] = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+DOI = re.compile(r"10\.\d{4,}/\S+")
+
+
+def entries() -> dict[str, dict[str, str]]:
+    """Return the fields of the entries of the bibliography by their keys."""
+    found = {}
+    for kind, key, body in re.findall(r"^@(\w+)\{(\w+),\n(.*?)^\}$", BIB, re.MULTILINE | re.DOTALL):
+        fields = re.findall(r"^  (\w+) = \{(.*?)\},$", body, re.MULTILINE | re.DOTALL)
+        found[key] = {"kind": kind} | {name: re.sub(r"\s+", " ", value) for name, value in fields}
+    return found
+
+
+def plain(title: str) -> str:
+    return re.sub(r"[{}]", "", title).lower()
+
+
+@pytest.fixture(scope="module")
+def script() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("paper_figures", PAPER / "figures.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_the_citation_is_of_this_package() -> None:
+    assert CITATION["cff-version"] == "1.2.0"
+    assert {"message", "title", "authors", "type"} <= set(CITATION)
+    assert CITATION["title"] == PROJECT["name"]
+    assert CITATION["version"] == PROJECT["version"]
+    assert CITATION["authors"] == PROJECT["authors"]
+    assert CITATION["abstract"] == f"{PROJECT['description']}."
+    assert CITATION["license"] == PROJECT["license"].split(" AND ")[0]
+
+
+def test_the_citation_names_the_papers_of_the_methods() -> None:
+    """Strips, and the plane grid that they are compared with."""
+    cited = {plain(each["title"]): each for each in CITATION["references"]}
+    for key in ("deMul1998", "deMul1986"):
+        entry = entries()[key]
+        reference = cited[plain(entry["title"])]
+        assert str(reference["year"]) == entry["year"]
+        names = [f"{each['family-names']}, {each['given-names']}" for each in reference["authors"]]
+        assert names == entry["author"].split(" and ")
+        assert reference.get("doi") == entry.get("doi")
+
+
+def test_the_paper_is_what_its_script_writes(script: ModuleType) -> None:
+    """Numbers of the validation or of the benchmarks that change are written anew by paper/figures.py."""
+    assert script.text() == TEXT
+
+
+def test_the_paper_has_what_is_asked_of_one() -> None:
+    _, head, body = TEXT.split("---\n", 2)
+    fields = yaml.safe_load(head)
+    assert {"title", "tags", "authors", "date", "bibliography"} <= set(fields)
+    assert [each["name"] for each in fields["authors"]] == [each["name"] for each in PROJECT["authors"]]
+    assert (PAPER / fields["bibliography"]).is_file()
+    headings = re.findall(r"^# (.*)$", body, re.MULTILINE)
+    assert headings[:3] == ["Summary", "Statement of need", "State of the field"]
+    assert headings[-2:] == ["Acknowledgements", "References"]
+    assert 500 < len(body.split()) < 1100, "two pages"
+    for figure in re.findall(r"\]\(([^)]+)\)", body):
+        assert (PAPER / figure).is_file()
+
+
+def test_all_that_is_cited_is_in_the_bibliography_and_the_other_way_round() -> None:
+    assert set(re.findall(r"@(\w+)", TEXT)) == set(entries())
+
+
+def test_entries_are_whole_and_agree_with_the_documents() -> None:
+    texts = [
+        path.read_text(encoding="utf-8") for path in (*ROOT.glob("src/nonhertz/**/*.py"), *ROOT.glob("docs/**/*.md"))
+    ]
+    known = {doi.rstrip(").,;]") for text in texts for doi in DOI.findall(text)}
+    shared = set()
+    for key, entry in entries().items():
+        assert {"author", "title", "year"} <= set(entry), key
+        assert {"journal", "booktitle", "school", "institution"} & set(entry), key
+        if "doi" in entry:
+            assert DOI.fullmatch(entry["doi"]), key
+            shared |= {entry["doi"]} & known
+    assert {"10.1115/1.3261134", "10.1515/crll.1882.92.156", "10.1115/1.3261081"} <= shared
