@@ -41,9 +41,10 @@ def listening(port: int) -> socket.socket:
         raise InputError("--port", port, "lie between 0 and 65535", "choose another, or 0 for a free one")
     # asyncio sets TCP_NODELAY only if the protocol is given explicitly; otherwise small writes wait 40 ms for more.
     made = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
-    # On Windows SO_REUSEADDR would let two servers listen on one port.
-    option = socket.SO_EXCLUSIVEADDRUSE if sys.platform == "win32" else socket.SO_REUSEADDR
-    made.setsockopt(socket.SOL_SOCKET, option, 1)
+    if sys.platform == "win32":  # there SO_REUSEADDR would let two servers listen on one port
+        made.setsockopt(socket.SOL_SOCKET, socket.SO_EXCLUSIVEADDRUSE, 1)
+    else:
+        made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         made.bind((HOST, port))
         made.listen(128)
