@@ -8,6 +8,7 @@ from __future__ import annotations
 import errno
 import os
 import stat
+import sys
 from pathlib import Path
 from typing import Final
 
@@ -61,6 +62,6 @@ def special(path: str | os.PathLike[str]) -> bool:
 
 def _opened(path: str, flags: int) -> int:
     descriptor = os.open(path, flags | _WITHOUT_WAITING)
-    if _WITHOUT_WAITING:
+    if sys.platform != "win32":
         os.set_blocking(descriptor, True)
     return descriptor

@@ -11,15 +11,11 @@ import contextlib
 import os
 import re
 import shutil
+import sys
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
-
-try:
-    import fcntl
-except ImportError:  # Windows: nothing is locked, so nothing is swept
-    fcntl = None  # type: ignore[assignment]
 
 PREFIX: Final = ".nonhertz-draft-"
 _NAME = re.compile(re.escape(PREFIX) + r"\w{8}")
@@ -49,7 +45,7 @@ def _locked_folder(directory: Path, held: contextlib.ExitStack) -> Path | None:
     """Make and lock a folder; return None if another process took it for an abandoned one in the meantime."""
     # Inside the directory, not beside it: a move is only atomic within one file system.
     folder = Path(tempfile.mkdtemp(prefix=PREFIX, dir=directory))
-    if fcntl is None:
+    if sys.platform == "win32":
         return folder
     try:
         descriptor = os.open(folder, os.O_RDONLY)
@@ -60,8 +56,6 @@ def _locked_folder(directory: Path, held: contextlib.ExitStack) -> Path | None:
 
 
 def _sweep(directory: Path) -> None:
-    if fcntl is None:
-        return
     # A directory may be writable but not readable.
     with contextlib.suppress(OSError):
         for folder in directory.iterdir():
@@ -70,6 +64,8 @@ def _sweep(directory: Path) -> None:
 
 
 def _remove_abandoned(folder: Path) -> None:
+    if sys.platform == "win32":
+        return
     try:
         descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
     except OSError:  # another process was faster, or it is not one of our folders
@@ -83,6 +79,10 @@ def _remove_abandoned(folder: Path) -> None:
 
 def _lock(descriptor: int) -> bool | None:
     """Return whether a folder could be locked: False if a process holds it, None if the file system has no locks."""
+    if sys.platform == "win32":  # nothing is locked, so nothing is swept
+        return None
+    import fcntl
+
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:

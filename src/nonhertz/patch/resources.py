@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +24,7 @@ responses to approach and tilt, the spectrum of rows, and a temporary or two."""
 FEW, MAKING = 3.0, 2.25  # during setup: fields, and copies of the matrix of displacements at depth
 DOUBLE = 8
 SHARE = 0.8  # of the machine's available memory
+_UNKNOWN = 8.0 * 2**30  # bytes that a machine is taken to have if it does not say
 
 
 def memory(cells: tuple[int, int], contact: Contact | None = None) -> int:
@@ -94,7 +96,9 @@ def _available() -> float:
         for line in lines:
             if line.startswith("MemAvailable:"):
                 return 1024.0 * int(line.split()[1])
+    if sys.platform == "win32":
+        return _UNKNOWN
     try:
         return float(os.sysconf("SC_PHYS_PAGES")) * os.sysconf("SC_PAGE_SIZE")
-    except (OSError, ValueError, AttributeError):
-        return 8.0 * 2**30
+    except (OSError, ValueError):
+        return _UNKNOWN
