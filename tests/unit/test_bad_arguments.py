@@ -304,8 +304,10 @@ ENTRIES: dict[str, Entry] = {
     "ContactMap.grid": entry(MAP.grid, rows=(3, "whole"), tilts=(3, "whole")),
     "ContactMap.csv": entry(MAP.csv, point=(None, "optional")),
     "Solutions.__getitem__": entry(MANY.__getitem__, number=(0, "index"), raises=(IndexError,)),
-    "read_case": entry(nh.read_case, path=(EXAMPLE, "file"), raises=(nh.CaseError,)),
-    "read_bearing": entry(nh.read_bearing, path=(BEARING, "file"), raises=(nh.CaseError,)),
+    "read_case": entry(nh.read_case, path=(EXAMPLE, "file"), changes=({}, "given options"), raises=(nh.CaseError,)),
+    "read_bearing": entry(
+        nh.read_bearing, path=(BEARING, "file"), changes=({}, "given options"), raises=(nh.CaseError,)
+    ),
     "BearingCase": entry(
         nh.BearingCase, bearing=(ROW, "thing"), prescribed=({}, "options"), solver=({}, "options"),
         life=({}, "options"), spectrum=((), "thing"), fit=({}, "options"),

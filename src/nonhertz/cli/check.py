@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import contextlib
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from nonhertz.errors import CaseError, ConvergenceError, InputError
-from nonhertz.io.casefile import case_in, case_text, holds_bearing, parsed
-from nonhertz.io.planfile import DESIGN, design_in, holds_plan, plan_in
+from nonhertz.io.bearingfile import BearingCase
+from nonhertz.io.casefile import Case, case_text, parsed
+from nonhertz.io.planfile import DESIGN, case_or_bearing_in, design_in, holds_plan, plan_in
 
 _UNITS = {
     **dict.fromkeys(("load", "radial", "axial"), "N"),
@@ -19,7 +21,7 @@ _UNITS = {
 }
 
 
-def checked(path: Path) -> str:
+def checked(path: Path, changes: Mapping[str, Any]) -> str:
     """Read a case file, a bearing file or a plan, try whether it can be solved, and return what it holds in one line.
 
     Raises
@@ -30,40 +32,36 @@ def checked(path: Path) -> str:
     text = case_text(path)
     document = parsed(text, str(path))
     if holds_plan(document):
-        return f"{path} is fine: {_plan(document, path)}."
-    holds = _bearing if holds_bearing(document) else _contact
-    return f"{path} is fine: {holds(document, path, text)}."
+        return f"{path} is fine: {_plan(document, path, changes)}."
+    case = case_or_bearing_in(document, path, text, changes)
+    return f"{path} is fine: {_bearing(case) if isinstance(case, BearingCase) else _contact(case)}."
 
 
-def _contact(document: dict[str, Any], path: Path, text: str) -> str:
+def _contact(case: Case) -> str:
     from nonhertz.cli.solve import solved_or_not
 
-    case = case_in(document, path, text)
     # Finds what only the solver can see, such as an unbounded contact. It takes milliseconds.
     solved_or_not(case)
     low, high = case.contact.interval
     return f"{case.title!r}, bodies face each other from y = {low:g} to {high:g} mm, {_listed(case.prescribed)}"
 
 
-def _bearing(document: dict[str, Any], path: Path, text: str) -> str:
-    from nonhertz.io.bearingfile import bearing_in
-
-    case = bearing_in(document, path, text)
+def _bearing(case: BearingCase) -> str:
     # By slices, which takes milliseconds. Whether a balance is found is for solving it to say.
     with contextlib.suppress(ConvergenceError):
         case.solve("slices")
-    kind, count = document["bearing"]["kind"], sum(row.bearing.rollers for row in case.bearing.rows)
+    kind, count = case.document["bearing"]["kind"], sum(row.bearing.rollers for row in case.bearing.rows)
     return f"{case.title!r}, a {kind} bearing of {count} rollers, {_listed(case.prescribed) or 'no load'}"
 
 
-def _plan(document: dict[str, Any], path: Path) -> str:
+def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> str:
     """Return what a plan holds; its case is read and its values are tried, nothing is solved."""
     from nonhertz.study.points import Points
     from nonhertz.study.quantities import chosen
 
     said = []
     for table, what in (("over", "a sweep"), ("tolerance", "a tolerance study")):
-        plan = plan_in(document, path, table)
+        plan = plan_in(document, path, table, changes)
         try:
             chosen(plan.quantities, bearing=plan.template.is_bearing)
             if table in document:
@@ -72,7 +70,7 @@ def _plan(document: dict[str, Any], path: Path) -> str:
         except InputError as error:
             raise CaseError([str(error)], [error.field]) from None
     if DESIGN in document:
-        said.append(f"a design over {', '.join(design_in(document, path)[1]['vary'])}")
+        said.append(f"a design over {', '.join(design_in(document, path, changes)[1]['vary'])}")
     return f"{plan.title!r}, {' and '.join(said) or 'which varies nothing'}"
 
 

@@ -18,6 +18,18 @@ from nonhertz import __version__
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED, NOT_KEPT, NOT_VERIFIED
 from nonhertz.errors import CaseError, ConvergenceError, InputError
 
+Changes = Annotated[
+    tuple[str, ...],
+    Parameter(
+        name="--set",
+        negative="",
+        show_default=False,
+        allow_leading_hyphen=True,
+        help="A path and a value in place of that in the file, such as load.load=5kN or body.a.profile.drop=12um; may "
+        "be given several times. Without a value, the key is taken out of the file.",
+    ),
+]
+
 app = App(
     name="nonhertz",
     help="Elastic contact of rollers, raceways, gear teeth and wheels whose shape no Hertz formula fits.",
@@ -54,6 +66,7 @@ def solve(
     case: Path,
     /,
     *,
+    changes: Changes = (),
     out: Path | None = None,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
@@ -70,9 +83,10 @@ def solve(
     """
     from nonhertz.cli.solve import results_written, solved_or_not
     from nonhertz.io.casefile import read_case
+    from nonhertz.io.changes import changes_in
     from nonhertz.io.results import as_json as json_text
 
-    problem = read_case(case)
+    problem = read_case(case, changes_in(changes))
     solution, complaint = solved_or_not(problem)
     written = results_written(out, solution, problem) if out is not None else ()
     if as_json:
@@ -94,6 +108,7 @@ def bearing(
     file: Path,
     /,
     *,
+    changes: Changes = (),
     compare: Annotated[bool, Parameter(negative="")] = False,
     out: Path | None = None,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
@@ -114,9 +129,10 @@ def bearing(
     """
     from nonhertz.cli.bearing import report_bearing, report_comparison
     from nonhertz.io.bearingfile import read_bearing
+    from nonhertz.io.changes import changes_in
     from nonhertz.io.folder import refuse_unwritable
 
-    problem = read_bearing(file)
+    problem = read_bearing(file, changes_in(changes))
     if out is not None:
         refuse_unwritable(out)
     return (report_comparison if compare else report_bearing)(problem, out, as_json)
@@ -127,6 +143,7 @@ def compare(
     case: Path,
     /,
     *,
+    changes: Changes = (),
     out: Path | None = None,
     cells: Annotated[tuple[int, int] | None, Parameter(negative="", show_default=False)] = None,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
@@ -149,10 +166,11 @@ def compare(
     """
     from nonhertz.cli.compare import compared, comparison_written, print_comparison
     from nonhertz.io.casefile import read_case
+    from nonhertz.io.changes import changes_in
     from nonhertz.io.comparisons import as_json as json_text
     from nonhertz.io.folder import refuse_unwritable
 
-    problem = read_case(case)
+    problem = read_case(case, changes_in(changes))
     if out is not None:
         refuse_unwritable(out)
     try:
@@ -175,6 +193,7 @@ def stress(
     case: Path,
     /,
     *,
+    changes: Changes = (),
     station: float | None = None,
     body: str = "a",
     out: Path | None = None,
@@ -201,10 +220,11 @@ def stress(
     from nonhertz.cli.solve import solved_or_not
     from nonhertz.cli.stress import checked_body, report_stresses
     from nonhertz.io.casefile import read_case
+    from nonhertz.io.changes import changes_in
     from nonhertz.io.folder import refuse_unwritable
 
     name = checked_body(station, body)
-    problem = read_case(case)
+    problem = read_case(case, changes_in(changes))
     if out is not None:
         refuse_unwritable(out)
     solution, complaint = solved_or_not(problem)
@@ -220,6 +240,7 @@ def life(
     case: Path,
     /,
     *,
+    changes: Changes = (),
     model: Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)] = (),
     compared: Annotated[Path | None, Parameter(name="--compare")] = None,
     out: Path | None = None,
@@ -246,13 +267,14 @@ def life(
     """
     from nonhertz.cli.life import check_models, report_lives
     from nonhertz.io.casefile import named, read_case
+    from nonhertz.io.changes import changes_in
     from nonhertz.io.folder import refuse_unwritable
 
     check_models(model)
-    problems = [read_case(case)]
+    problems = [read_case(case, changes_in(changes))]
     if compared is not None:
         with named(compared):
-            problems.append(read_case(compared))
+            problems.append(read_case(compared, changes_in(changes)))
     if out is not None:
         refuse_unwritable(out)
     return report_lives(problems, model, out, as_json)
@@ -261,6 +283,7 @@ def life(
 @app.command
 def report(
     *cases: Path,
+    changes: Changes = (),
     out: Path | None = None,
     life: bool | None = None,
     stress: bool = True,
@@ -287,12 +310,13 @@ def report(
         Set strips beside the slices of ISO/TS 16281, of bearing files.
     """
     from nonhertz.cli.report import composed, read_cases, target, write
+    from nonhertz.io.changes import changes_in
     from nonhertz.io.folder import refuse_unwritable
 
     if not cases:
         raise InputError("CASE", "", "be given", "name one case file or bearing file, or more")
     path = target(out, cases)
-    read = read_cases(cases)
+    read = read_cases(cases, changes_in(changes))
     refuse_unwritable(path.parent)
     text, complaints = composed(read, life, stress, compare)
     write(path, text)
@@ -395,6 +419,7 @@ def contact_map(
     case: Path,
     /,
     *,
+    changes: Changes = (),
     approach: Annotated[str | None, Parameter(allow_leading_hyphen=True)] = None,
     load: Annotated[str | None, Parameter(allow_leading_hyphen=True)] = None,
     tilt: Annotated[str | None, Parameter(allow_leading_hyphen=True)] = None,
@@ -429,10 +454,11 @@ def contact_map(
     from nonhertz.cli.map import as_json as json_text
     from nonhertz.cli.map import made, print_map, requested, write
     from nonhertz.io.casefile import read_case
+    from nonhertz.io.changes import changes_in
     from nonhertz.io.folder import refuse_unwritable
 
     asked = requested(approach, load, tilt, accuracy, out)
-    problem = read_case(case)
+    problem = read_case(case, changes_in(changes))
     if out is not None:
         refuse_unwritable(out.parent)
     found = made(problem, asked)
@@ -451,6 +477,7 @@ def design(
     plan: Path,
     /,
     *,
+    changes: Changes = (),
     starts: int | None = None,
     front: int | None = None,
     out: Path | None = None,
@@ -479,6 +506,7 @@ def design(
     """
     from nonhertz.cli.design import as_json as json_text
     from nonhertz.cli.design import designed, directory_for, print_design, written
+    from nonhertz.io.changes import changes_in
     from nonhertz.io.folder import refuse_unwritable
 
     directory = directory_for(plan) if out is None else out
@@ -487,14 +515,14 @@ def design(
         from nonhertz.cli.front import as_json as front_json
         from nonhertz.cli.front import print_front, searched, written_front
 
-        points = searched(plan, front, starts, workers)
+        points = searched(plan, changes_in(changes), front, starts, workers)
         files = written_front(points, directory)
         if as_json:
             print(front_json(points, files))
         else:
             print_front(points, files)
         return FINE
-    found = designed(plan, starts, workers)
+    found = designed(plan, changes_in(changes), starts, workers)
     files = written(found, directory)
     if as_json:
         print(json_text(found, files))
@@ -508,6 +536,7 @@ def sweep_plan(
     plan: Path,
     /,
     *,
+    changes: Changes = (),
     over: Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)] = (),
     quantities: Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)] = (),
     out: Path | None = None,
@@ -541,8 +570,9 @@ def sweep_plan(
     """
     from nonhertz.cli.sweep import as_json as json_text
     from nonhertz.cli.sweep import directory_for, planned, print_sweep, swept, written
+    from nonhertz.io.changes import changes_in
 
-    asked = planned(plan, over, quantities, "over")
+    asked = planned(plan, over, quantities, "over", changes_in(changes))
     directory = directory_for(plan, "sweep") if out is None else out
     found = swept(asked, directory, workers, scheduler)
     files = written(found, directory)
@@ -558,6 +588,7 @@ def study_tolerance(
     plan: Path,
     /,
     *,
+    changes: Changes = (),
     over: Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)] = (),
     quantities: Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)] = (),
     samples: int | None = None,
@@ -597,8 +628,9 @@ def study_tolerance(
     from nonhertz.cli.sweep import directory_for, planned
     from nonhertz.cli.tolerance import as_json as json_text
     from nonhertz.cli.tolerance import print_tolerance, studied, written
+    from nonhertz.io.changes import changes_in
 
-    asked = planned(plan, over, quantities, "tolerance")
+    asked = planned(plan, over, quantities, "tolerance", changes_in(changes))
     directory = directory_for(plan, "tolerance") if out is None else out
     found = studied(asked, samples, seed, directory, workers, scheduler)
     files = written(found, directory)
@@ -610,7 +642,7 @@ def study_tolerance(
 
 
 @app.command
-def check(file: Path, /) -> int:
+def check(file: Path, /, *, changes: Changes = ()) -> int:
     """List all mistakes in a case file, a bearing file or a plan.
 
     Parameters
@@ -619,9 +651,10 @@ def check(file: Path, /) -> int:
         The file.
     """
     from nonhertz.cli.check import checked
+    from nonhertz.io.changes import changes_in
 
     try:
-        fine = checked(file)
+        fine = checked(file, changes_in(changes))
     except CaseError as error:
         for number, mistake in enumerate(error.mistakes, start=1):
             print(f"{number}. {mistake}")

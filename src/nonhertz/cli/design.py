@@ -8,7 +8,7 @@ import io
 import json
 import math
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -26,8 +26,8 @@ from nonhertz.show.studies import BAND_COLUMNS, START_COLUMNS, band_rows, design
 from nonhertz.study.design import Design, best
 
 
-def designed(plan: Path, starts: int | None, workers: int | None) -> Design:
-    """Return the design of a plan, with progress on a terminal.
+def designed(plan: Path, changes: Mapping[str, Any], starts: int | None, workers: int | None) -> Design:
+    """Return the design of a plan, whose case has other values by path, with progress on a terminal.
 
     Raises
     ------
@@ -36,7 +36,7 @@ def designed(plan: Path, starts: int | None, workers: int | None) -> Design:
     InputError
         If an option is refused, named as on the command line.
     """
-    case, given = read_design(plan)
+    case, given = read_design(plan, changes)
     given |= {} if starts is None else {"starts": starts}
     options = {"threads": "--workers", "starts": "--starts"}
     with _progress() as announce:

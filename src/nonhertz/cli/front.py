@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -24,8 +24,10 @@ from nonhertz.study.pictures import front_figure
 GROUPS = ("without tilt", "with tilt")
 
 
-def searched(plan: Path, points: int, starts: int | None, workers: int | None) -> Front:
+def searched(plan: Path, changes: Mapping[str, Any], points: int, starts: int | None, workers: int | None) -> Front:
     """Return the Pareto front of the loads of a plan without tilt and of those with tilt.
+
+    ``changes`` are values in place of those in the file of its case, by path.
 
     Raises
     ------
@@ -34,7 +36,7 @@ def searched(plan: Path, points: int, starts: int | None, workers: int | None) -
     InputError
         If one of the groups is empty, the plan is for lives, or an option is refused.
     """
-    case, given = read_design(plan)
+    case, given = read_design(plan, changes)
     loads = given.get("loads") or ()
     aligned = [each for each in loads if each.tilt == 0.0]
     tilted = [each for each in loads if each.tilt != 0.0]

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from nonhertz.cli.verify import Progress
 from nonhertz.errors import CaseError, InputError, without_accuracy_warnings
-from nonhertz.io.bearingfile import BearingCase, bearing_in
-from nonhertz.io.casefile import Case, case_in, case_text, holds_bearing, named, parsed
+from nonhertz.io.bearingfile import BearingCase
+from nonhertz.io.casefile import Case, case_text, named, parsed
 from nonhertz.io.folder import write_files
+from nonhertz.io.planfile import case_or_bearing_in
 from nonhertz.report import (
     MARK,
     BearingResults,
@@ -26,8 +28,8 @@ _REMEDY = "give the name of a file such as report.html"
 _NEAR = 2000  # characters at the beginning of a report, which include its mark
 
 
-def read_cases(paths: Sequence[Path]) -> list[Case] | list[BearingCase]:
-    """Return the cases in files, or the bearings in bearing files.
+def read_cases(paths: Sequence[Path], changes: Mapping[str, Any]) -> list[Case] | list[BearingCase]:
+    """Return the cases in files, or the bearings in bearing files, with other values by path.
 
     Raises
     ------
@@ -36,7 +38,7 @@ def read_cases(paths: Sequence[Path]) -> list[Case] | list[BearingCase]:
     InputError
         If some are case files and some bearing files.
     """
-    cases = _read_all(paths)
+    cases = _read_all(paths, changes)
     contacts = [case for case in cases if isinstance(case, Case)]
     bearings = [case for case in cases if isinstance(case, BearingCase)]
     if contacts and bearings:
@@ -46,15 +48,15 @@ def read_cases(paths: Sequence[Path]) -> list[Case] | list[BearingCase]:
     return bearings or contacts
 
 
-def _read_all(paths: Sequence[Path]) -> list[Case | BearingCase]:
+def _read_all(paths: Sequence[Path], changes: Mapping[str, Any]) -> list[Case | BearingCase]:
     if len(paths) == 1:
-        return [_silently(paths[0])]
+        return [_silently(paths[0], changes)]
     cases: list[Case | BearingCase] = []
     mistakes: list[str] = []
     for path in paths:
         try:
             with named(path):
-                cases.append(_silently(path))
+                cases.append(_silently(path, changes))
         except CaseError as error:
             mistakes += error.mistakes
     if mistakes:
@@ -62,12 +64,12 @@ def _read_all(paths: Sequence[Path]) -> list[Case | BearingCase]:
     return cases
 
 
-def _silently(path: Path) -> Case | BearingCase:
+def _silently(path: Path, changes: Mapping[str, Any]) -> Case | BearingCase:
     """Return a case or a bearing without issuing warnings; the report shows them."""
     text = case_text(path)
     document = parsed(text, str(path))
     with without_accuracy_warnings():
-        return (bearing_in if holds_bearing(document) else case_in)(document, path, text)
+        return case_or_bearing_in(document, path, text, changes)
 
 
 def target(out: Path | None, cases: Sequence[Path]) -> Path:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import json
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -21,8 +21,10 @@ from nonhertz.show.studies import SWEEP_COLUMNS, failure_rows, sweep_rows, varie
 from nonhertz.study.sweeps import Progress, Sweep, sweep
 
 
-def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: str) -> Plan:
+def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: str, changes: Mapping[str, Any]) -> Plan:
     """Return the plan of a file, what it varies in one of its tables; or of a case, what the command line varies.
+
+    ``changes`` are values in place of those in the case file, by path.
 
     Raises
     ------
@@ -34,12 +36,12 @@ def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: s
     text = case_text(file, "plan file or case file")
     document = parsed(text, str(file))
     if not holds_plan(document):
-        plan = Plan(case_or_bearing_in(document, file, text), path=file)
+        plan = Plan(case_or_bearing_in(document, file, text, changes), path=file)
     elif over:
         remedy = "write it into the plan, or give the case file in place of the plan"
         raise InputError("--over", over[0], "vary a case file", remedy)
     else:
-        plan = plan_in(document, file, table)
+        plan = plan_in(document, file, table, changes)
     try:
         return plan.changed(over=dict(map(_path_and_values, over)) or None, quantities=tuple(quantities) or None)
     except InputError as error:

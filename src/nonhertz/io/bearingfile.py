@@ -17,6 +17,7 @@ from nonhertz.errors import CaseError, InputError
 from nonhertz.inputs.checks import one_line
 from nonhertz.inputs.files import legible
 from nonhertz.io.casefile import OF_BEARINGS, as_toml, case_text, parsed, write_document
+from nonhertz.io.changes import changed
 from nonhertz.io.fits import FIT, mounted, operating
 
 if TYPE_CHECKING:
@@ -256,13 +257,16 @@ class BearingCase:
         write_document(lambda: document(self), path)
 
 
-def read_bearing(path: str | Path) -> BearingCase:
+def read_bearing(path: str | Path, changes: Mapping[str, Any] | None = None) -> BearingCase:
     """Return the bearing in a file.
 
     Parameters
     ----------
     path : str or Path
         A TOML file; see docs/reference/bearing-file.md.
+    changes : mapping of str to object, optional
+        Values in place of those in the file, by dotted path, such as ``{"load.radial": "5 kN"}``; None takes a key out.
+        The title names them.
 
     Returns
     -------
@@ -274,7 +278,7 @@ def read_bearing(path: str | Path) -> BearingCase:
     CaseError
         With every mistake in the file, one sentence each.
     InputError
-        If ``path`` is not the name of a file.
+        If ``path`` is not the name of a file, or ``changes`` not a mapping.
     """
     if not isinstance(path, str | Path):
         raise InputError("path", path, "be the name of a bearing file", "give a string or a Path")
@@ -283,10 +287,17 @@ def read_bearing(path: str | Path) -> BearingCase:
     document = parsed(text, str(path))
     if "body" in document and "bearing" not in document:
         raise CaseError([f"{path} must hold a bearing, not a single contact: use 'nonhertz solve {path}'."])
-    return bearing_in(document, path, text)
+    return bearing_in(document, path, text, changes=changes)
 
 
-def bearing_in(document: dict[str, Any], path: Path, text: str | None = None, *, files: bool = True) -> BearingCase:
+def bearing_in(
+    document: dict[str, Any],
+    path: Path,
+    text: str | None = None,
+    *,
+    files: bool = True,
+    changes: Mapping[str, Any] | None = None,
+) -> BearingCase:
     """Return the bearing in a document that has already been parsed.
 
     Parameters
@@ -299,6 +310,8 @@ def bearing_in(document: dict[str, Any], path: Path, text: str | None = None, *,
         What it was parsed from.
     files : bool
         Whether it may name files; False for an untrusted document, which must not make us read any.
+    changes : mapping of str to object, optional
+        Values in place of those in the document, by dotted path, as of `read_bearing`.
 
     Raises
     ------
@@ -312,6 +325,8 @@ def bearing_in(document: dict[str, Any], path: Path, text: str | None = None, *,
     from nonhertz.io.mistakes import case_error, in_order, mistakes_in
     from nonhertz.io.origin import Origin, with_notes
 
+    if changes is not None:
+        document, text = changed(document, text, changes, bearing_schema, legible(path.stem))
     folder = path.parent if files else None
     context = {"folder": folder, "radius": radius_across(document)}
     try:

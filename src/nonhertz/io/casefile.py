@@ -19,6 +19,7 @@ from nonhertz.errors import CaseError, InputError
 from nonhertz.inputs.checks import one_line, one_of
 from nonhertz.inputs.files import content, legible
 from nonhertz.io.bounds import LARGEST_CASE, TOO_DEEP, excess, has_long_key
+from nonhertz.io.changes import changed
 from nonhertz.model.contact import Contact
 
 if TYPE_CHECKING:
@@ -226,13 +227,16 @@ class Case:
         write_document(lambda: document(self), path)
 
 
-def read_case(path: str | Path) -> Case:
+def read_case(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case:
     """Return the case in a file.
 
     Parameters
     ----------
     path : str or Path
         A TOML file; see docs/reference/case-file.md.
+    changes : mapping of str to object, optional
+        Values in place of those in the file, by dotted path, such as ``{"load.load": "5 kN"}``; None takes a key out.
+        The title names them.
 
     Returns
     -------
@@ -244,7 +248,7 @@ def read_case(path: str | Path) -> Case:
     CaseError
         With every mistake in the file, one sentence each.
     InputError
-        If ``path`` is not the name of a file.
+        If ``path`` is not the name of a file, or ``changes`` not a mapping.
     """
     if not isinstance(path, str | Path):
         raise InputError("path", path, "be the name of a case file", "give a string or a Path")
@@ -253,7 +257,7 @@ def read_case(path: str | Path) -> Case:
     document = parsed(text, str(path))
     if holds_bearing(document):
         raise CaseError([f"{path} must hold a single contact, not a bearing: use 'nonhertz bearing {path}'."])
-    return case_in(document, path, text)
+    return case_in(document, path, text, changes=changes)
 
 
 def holds_bearing(document: Mapping[str, Any]) -> bool:
@@ -293,7 +297,14 @@ def case_text(path: Path, what: str = "case file", new: str = "nonhertz new") ->
     raise CaseError([sentence])
 
 
-def case_in(document: dict[str, Any], path: Path, text: str | None = None, *, files: bool = True) -> Case:
+def case_in(
+    document: dict[str, Any],
+    path: Path,
+    text: str | None = None,
+    *,
+    files: bool = True,
+    changes: Mapping[str, Any] | None = None,
+) -> Case:
     """Return the case in a document that has already been parsed.
 
     Parameters
@@ -306,6 +317,8 @@ def case_in(document: dict[str, Any], path: Path, text: str | None = None, *, fi
         What it was parsed from.
     files : bool
         Whether it may name files; False for an untrusted document, which must not make us read any.
+    changes : mapping of str to object, optional
+        Values in place of those in the document, by dotted path, as of `read_case`.
 
     Raises
     ------
@@ -320,6 +333,8 @@ def case_in(document: dict[str, Any], path: Path, text: str | None = None, *, fi
     from nonhertz.io.origin import Origin, with_notes
     from nonhertz.strip.element import ELEMENTS
 
+    if changes is not None:
+        document, text = changed(document, text, changes, schema, legible(path.stem))
     folder = path.parent if files else None
     try:
         table, notes = with_notes(lambda: CaseTable.model_validate(document, context=reading(document, folder)))

@@ -68,7 +68,8 @@ def with_notes(read: Callable[[], Read]) -> tuple[Read, tuple[str, ...]]:
 
 def body_tables(document: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str, Any]]]:
     """Yield place and table of every body in the document of a case, of a contact or a bearing."""
-    for name, table in document.get("body", {}).items():
+    bodies = document.get("body", {})
+    for name, table in bodies.items() if isinstance(bodies, Mapping) else ():
         yield f"body.{name}", table
     for name in ("roller", "inner", "outer"):
         if name in document:

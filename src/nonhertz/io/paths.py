@@ -58,6 +58,17 @@ class Parameter:
         changed: dict[str, Any] = _with(document, self.keys, value)
         return changed
 
+    def removed(self, document: Mapping[str, Any]) -> dict[str, Any]:
+        """Return a document without the value; one that has none stays as it is."""
+        *place, last = self.keys
+        table: Any = document
+        for key in place:
+            table = _entry(table, key)
+        if not isinstance(table, Mapping) or last not in table:
+            return dict(document)
+        rest: dict[str, Any] = _with(document, tuple(place), {key: table[key] for key in table if key != last})
+        return rest
+
 
 def parameters(document: Mapping[str, Any], schema: Schema) -> dict[str, Parameter]:
     """Return all that can be varied in a document, by path.

@@ -246,8 +246,8 @@ def holds_plan(document: Mapping[str, Any]) -> bool:
     return "case" in document or any(name in document for name in (*TABLES, DESIGN))
 
 
-def read_any(path: str | Path) -> Case | BearingCase:
-    """Return the case or the bearing in a file, whichever it holds.
+def read_any(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case | BearingCase:
+    """Return the case or the bearing in a file, whichever it holds, with other values by path.
 
     Raises
     ------
@@ -256,18 +256,20 @@ def read_any(path: str | Path) -> Case | BearingCase:
     """
     path = Path(path)
     text = case_text(path, "case file or bearing file")
-    return case_or_bearing_in(parsed(text, str(path)), path, text)
+    return case_or_bearing_in(parsed(text, str(path)), path, text, changes)
 
 
-def case_or_bearing_in(document: dict[str, Any], path: Path, text: str) -> Case | BearingCase:
-    """Return the case or the bearing in a document that has been parsed from a text.
+def case_or_bearing_in(
+    document: dict[str, Any], path: Path, text: str, changes: Mapping[str, Any] | None = None
+) -> Case | BearingCase:
+    """Return the case or the bearing in a document that has been parsed from a text, with other values by path.
 
     Raises
     ------
     CaseError
         With every mistake in the document.
     """
-    return (bearing_in if holds_bearing(document) else case_in)(document, path, text)
+    return (bearing_in if holds_bearing(document) else case_in)(document, path, text, changes=changes)
 
 
 def read_plan(path: str | Path, table: str = "over") -> Plan:
@@ -294,10 +296,13 @@ def read_plan(path: str | Path, table: str = "over") -> Plan:
     return plan_in(parsed(case_text(path, "plan file"), str(path)), path, table)
 
 
-def plan_in(document: dict[str, Any], path: Path, table: str = "over") -> Plan:
+def plan_in(
+    document: dict[str, Any], path: Path, table: str = "over", changes: Mapping[str, Any] | None = None
+) -> Plan:
     """Return the plan in a document that has already been parsed; names of files are relative to ``path``.
 
-    All of its tables are read, whichever says what is varied.
+    All of its tables are read, whichever says what is varied. ``changes`` are values in place of those in the file of
+    its case, by path.
 
     Raises
     ------
@@ -315,7 +320,7 @@ def plan_in(document: dict[str, Any], path: Path, table: str = "over") -> Plan:
         raise case_error(in_order(mistakes_in(error, PlanTable), document)) from None
     file = path.parent / read.case
     with named(file):
-        case = read_any(file)
+        case = read_any(file, changes)
     bare, mistakes = Plan(case), []
     for section in TABLES:
         for varied in getattr(read, section).items():
@@ -340,8 +345,10 @@ def _mistake(section: str, plan: Plan, path: str, given: Any) -> list[Mistake]:
     return []
 
 
-def read_design(path: str | Path) -> tuple[Case, dict[str, Any]]:
+def read_design(path: str | Path, changes: Mapping[str, Any] | None = None) -> tuple[Case, dict[str, Any]]:
     """Return the case of a plan and what it says about a design: keywords for `nonhertz.design.best`.
+
+    ``changes`` are values in place of those in the file of its case, by path.
 
     Raises
     ------
@@ -353,10 +360,12 @@ def read_design(path: str | Path) -> tuple[Case, dict[str, Any]]:
     if not isinstance(path, str | Path):
         raise InputError("path", path, "be the name of a plan file", "give a string or a Path")
     path = Path(path)
-    return design_in(parsed(case_text(path, "plan file"), str(path)), path)
+    return design_in(parsed(case_text(path, "plan file"), str(path)), path, changes)
 
 
-def design_in(document: dict[str, Any], path: Path) -> tuple[Case, dict[str, Any]]:
+def design_in(
+    document: dict[str, Any], path: Path, changes: Mapping[str, Any] | None = None
+) -> tuple[Case, dict[str, Any]]:
     """Return the case of a plan in a document and what it says about a design.
 
     Raises
@@ -365,7 +374,7 @@ def design_in(document: dict[str, Any], path: Path) -> tuple[Case, dict[str, Any
         With every mistake in the document.
     """
     # All that is wrong with the rest of the plan is said, too.
-    case = plan_in(document, path).case
+    case = plan_in(document, path, changes=changes).case
     if not isinstance(case, Case):
         raise CaseError(["case must be that of a single contact for a design: a bearing is swept over."], ["case"])
     from nonhertz.io.plan_document import PlanTable

@@ -1,0 +1,148 @@
+"""``--set``: values in place of those in a file, on every command that reads one."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from pathlib import Path
+
+import pytest
+
+import nonhertz as nh
+from nonhertz.cli import main
+from nonhertz.io.changes import changes_in
+from nonhertz.io.planfile import read_design
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CASE = str(EXAMPLES / "crowned-roller.toml")
+TITLE = "Roller 20 x 20 on a plate"
+
+
+def refused(capsys: pytest.CaptureFixture[str], *words: str) -> str:
+    assert main(words) == 2
+    printed = capsys.readouterr()
+    return printed.err + printed.out
+
+
+def test_a_value_counts_as_if_the_file_held_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    text = Path(CASE).read_text(encoding="utf-8")
+    assert "load = 20000.0" in text
+    assert "radius = 4000.0" in text
+    edited = text.replace("load = 20000.0", 'load = "5 kN"').replace("radius = 4000.0", 'radius = "2 m"')
+    Path("edited.toml").write_text(edited, encoding="utf-8")
+    assert main(["solve", "edited.toml", "--json"]) == 0
+    expected = json.loads(capsys.readouterr().out)
+    assert main(["solve", CASE, "--set", "load.load=5kN", "--set", "body.a.profile.radius=2m", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["title"] == f"{TITLE} (load.load = 5kN, body.a.profile.radius = 2m)"
+    assert found["load"] == 5000.0
+    for name in ("max_pressure", "approach", "line_load", "edges"):
+        assert found[name] == expected[name], name
+    assert found["case"]["load"] == expected["case"]["load"]
+
+
+def test_a_key_can_be_taken_out_to_make_room_for_another(capsys: pytest.CaptureFixture[str]) -> None:
+    assert "load" in refused(capsys, "solve", CASE, "--set", "load.approach=20um")
+    assert main(["solve", CASE, "--set", "load.approach=20um", "--set", "load.load=", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["approach"] == 0.02
+    assert found["title"] == f"{TITLE} (load.approach = 20um, without load.load)"
+
+
+def test_values_may_be_numbers_words_lists_and_tables() -> None:
+    words = ["solver.strips=41", 'body.a.side_faces=["calibrated", 1.2]', "solver.element=parabolic", "load.tilt=0"]
+    assert changes_in(words) == {
+        "solver.strips": 41,
+        "body.a.side_faces": ["calibrated", 1.2],
+        "solver.element": "parabolic",
+        "load.tilt": 0,
+    }
+    case = nh.read_case(CASE, changes_in([*words, 'body.a.profile=[{kind="crown", radius="1 m"}]']))
+    assert (case.solver["strips"], case.solver["element"].name, case.prescribed["tilt"]) == (41, "parabolic", 0.0)
+    assert case.document["body"]["a"]["profile"] == [{"kind": "crown", "radius": "1 m"}]
+
+
+def test_what_was_set_is_in_the_text_of_the_case() -> None:
+    case = nh.read_case(CASE, {"load.load": "5 kN"})
+    assert case.text.startswith("# Set in place of what the file held: load.load = 5 kN\n")
+    assert tomllib.loads(case.text) == case.document
+    assert nh.read_case(CASE).prescribed["load"] == 20000.0
+
+
+def test_a_path_that_leads_nowhere_names_the_nearest_all_at_once(capsys: pytest.CaptureFixture[str]) -> None:
+    said = refused(capsys, "solve", CASE, "--set", "load.laod=5kN", "--set", "body.a.profile.radus=1m")
+    assert said.splitlines() == [
+        "1. load.laod must be a path to a value of the file: the nearest is 'load.load'.",
+        "2. body.a.profile.radus must be a path to a value of the file: the nearest is 'body.a.profile.radius'.",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("word", "expected"),
+    [
+        ("load.load=5mm", "load.load = '5mm' must have a unit of force"),
+        ("load.load=-5kN", "load.load = '-5kN' must be positive"),
+        ("body.a.length=0", "body.a.length = 0.0 must be positive"),
+        ("body.a.profile=crown", "body.a.profile = 'crown' must"),
+        ("load.load", "--set = 'load.load' must have an equals sign"),
+        ("=5", "--set = '=5' must have an equals sign"),
+    ],
+)
+def test_values_go_through_all_checks_of_the_file(word: str, expected: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert expected in refused(capsys, "solve", CASE, "--set", word)
+
+
+def test_a_path_is_set_once(capsys: pytest.CaptureFixture[str]) -> None:
+    said = refused(capsys, "solve", CASE, "--set", "load.load=5kN", "--set", "load.load=6kN")
+    assert "must set each path once" in said
+
+
+def test_a_file_with_mistakes_is_read_to_the_end(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    broken = tmp_path / "broken.toml"
+    broken.write_text("body = 3\nload = 4\n", encoding="utf-8")
+    assert "load.load must be a path" in refused(capsys, "check", str(broken), "--set", "load.load=5kN")
+    misspelled = tmp_path / "misspelled.toml"
+    misspelled.write_text(Path(CASE).read_text(encoding="utf-8").replace("20000.0", "-1.0"), encoding="utf-8")
+    assert main(["check", str(misspelled), "--set", "load.load=5kN"]) == 0
+    assert "load = 5000 N" in capsys.readouterr().out
+
+
+def test_a_bearing_takes_it_too(capsys: pytest.CaptureFixture[str]) -> None:
+    file = str(EXAMPLES / "nu206.toml")
+    words = ["--set", "load.radial=5kN", "--set", "solver.method=slices", "--json"]
+    assert main(["bearing", file, *words]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["method"] == "slices"
+    assert max(map(abs, found["force"])) == pytest.approx(5e3, rel=1e-6)
+    assert "load.radial = 5kN" in found["title"]
+    assert nh.read_bearing(file, {"load.radial": 5e3}).prescribed["radial"] == 5000.0
+
+
+def test_every_command_with_a_case_says_what_was_set(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for words in (
+        ["check", CASE],
+        ["stress", CASE, "--json"],
+        ["compare", CASE, "--cells", "16", "32", "--json"],
+        ["map", CASE, "--load", "0:5kN", "--accuracy", "0.1", "--set", "load.tilt=0", "--json"],
+        ["sweep", CASE, "--over", "load.tilt=0,0.5mrad", "--set", "body.a.side_faces=none", "--json"],
+    ):
+        assert main([*words, "--set", "load.load=6kN"]) == 0
+        assert "load.load = 6kN" in capsys.readouterr().out, words
+
+
+def test_reports_plans_and_designs_take_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["report", CASE, "--no-stress", "--out", "r.html", "--set", "load.load=6kN"]) == 0
+    assert f"{TITLE} (load.load = 6kN)" in Path("r.html").read_text(encoding="utf-8")
+    assert main(["check", str(EXAMPLES / "roller-15x20-sweep.toml"), "--set", "load.laod=6kN"]) == 2
+    assert "roller-15x20.toml: load.laod must be a path" in capsys.readouterr().out
+    case, _ = read_design(EXAMPLES / "roller-15x20-design.toml", {"load.load": "6 kN"})
+    assert case.prescribed["load"] == 6000.0
