@@ -63,44 +63,31 @@ def _plain_warnings() -> Iterator[None]:
 
 @app.command
 def solve(
-    case: Path,
-    /,
-    *,
+    *cases: Path,
     changes: Changes = (),
     out: Path | None = None,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
-    """Solve a case file and print a summary.
+    """Solve case files and print a summary, or a table of several.
 
     Parameters
     ----------
-    case : Path
-        The case file; see 'nonhertz new'.
+    cases : tuple of Path
+        The case files, at least one; see 'nonhertz new'. One that fails does not stop the others.
     out : Path
-        Directory for result.json, table.csv and the figures; created if it does not exist.
+        Directory for result.json, table.csv and the figures; created if it does not exist. Of several cases each has a
+        folder in it, beside the table of all, cases.csv.
     as_json : bool
-        Print one JSON object with all numbers instead of the summary.
+        Print one JSON object with all numbers instead of the summary, or a list of them.
     """
-    from nonhertz.cli.solve import results_written, solved_or_not
-    from nonhertz.io.casefile import read_case
+    from nonhertz.cli.solve import report_one, report_several
     from nonhertz.io.changes import changes_in
-    from nonhertz.io.results import as_json as json_text
 
-    problem = read_case(case, changes_in(changes))
-    solution, complaint = solved_or_not(problem)
-    written = results_written(out, solution, problem) if out is not None else ()
-    if as_json:
-        print(json_text(solution, problem))
-    else:
-        from nonhertz.cli.summary import print_summary
-
-        print_summary(solution, problem.title)
-        for path in written:
-            print(f"wrote {path}")
-    if complaint:
-        sys.stdout.flush()
-        print(complaint, file=sys.stderr)
-    return NOT_CONVERGED if complaint else FINE
+    if not cases:
+        raise InputError("CASE", "", "be given", "name one case file, or more; 'nonhertz new' writes one")
+    if len(cases) == 1:
+        return report_one(cases[0], changes_in(changes), out, as_json)
+    return report_several(cases, changes_in(changes), out, as_json)
 
 
 @app.command

@@ -1,16 +1,23 @@
-"""Solving a case for a command, and writing the results."""
+"""Solving cases for a command, and printing and writing the results."""
 
 from __future__ import annotations
 
+import json
+import sys
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from nonhertz.errors import ConvergenceError
+from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
+from nonhertz.errors import CaseError, ConvergenceError
 
 if TYPE_CHECKING:
     from nonhertz.io.casefile import Case
+    from nonhertz.io.several import Attempt
     from nonhertz.result.solution import Solution
     from nonhertz.show.analysis import Spectrum
+
+TABLE = "cases.csv"
 
 
 def solved_or_not(case: Case) -> tuple[Solution, str]:
@@ -41,3 +48,81 @@ def results_written(directory: Path, solution: Solution, case: Case) -> tuple[Pa
             save(figure, folder / name)
 
     return write_files(directory, files(solution, case), draw)
+
+
+def report_one(path: Path, changes: Mapping[str, Any], out: Path | None, as_json: bool) -> int:
+    """Solve a case, write and print the result; return the exit code."""
+    from nonhertz.io.casefile import read_case
+    from nonhertz.io.results import as_json as json_text
+
+    case = read_case(path, changes)
+    solution, complaint = solved_or_not(case)
+    written = results_written(out, solution, case) if out is not None else ()
+    if as_json:
+        print(json_text(solution, case))
+    else:
+        from nonhertz.cli.summary import print_summary
+
+        print_summary(solution, case.title)
+        _print_written(written)
+    if complaint:
+        sys.stdout.flush()
+        print(complaint, file=sys.stderr)
+    return NOT_CONVERGED if complaint else FINE
+
+
+def report_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path | None, as_json: bool) -> int:
+    """Solve cases one by one, write and print all results; return the exit code, the worst of all."""
+    from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.io.several import objects
+
+    if out is not None:
+        refuse_unwritable(out)
+    found = [attempt(path, changes) for path in paths]
+    written = _several_written(out, found) if out is not None else ()
+    if as_json:
+        print(json.dumps(objects(found), allow_nan=False))
+    else:
+        from nonhertz.cli.summary import print_overview
+
+        print_overview(found)
+        _print_written(written)
+    sys.stdout.flush()
+    for each in found:
+        for sentence in each.complaints:
+            print(sentence if sentence.startswith(each.name) else f"{each.name}: {sentence}", file=sys.stderr)
+    if any(each.solution is None for each in found):
+        return BAD_INPUT
+    return NOT_CONVERGED if any(each.complaints for each in found) else FINE
+
+
+def attempt(path: Path, changes: Mapping[str, Any]) -> Attempt:
+    """Return a case that was solved, or why it was not."""
+    from nonhertz.io.casefile import read_case
+    from nonhertz.io.several import Attempt
+
+    case = None
+    try:
+        case = read_case(path, changes)
+        solution, complaint = solved_or_not(case)
+    except CaseError as error:
+        return Attempt(path, case, complaints=tuple(error.mistakes))
+    return Attempt(path, case, solution, (complaint,) if complaint else ())
+
+
+def _several_written(directory: Path, found: Sequence[Attempt]) -> tuple[Path, ...]:
+    """Write each result into a folder of its own, and the table of all; return the files."""
+    from nonhertz.io.folder import write_files
+    from nonhertz.io.several import HEAD, folders, rows
+    from nonhertz.io.tables import csv_text
+
+    written: list[Path] = []
+    for each, name in zip(found, folders(found), strict=True):
+        if each.solution is not None and each.case is not None:
+            written += results_written(directory / name, each.solution, each.case)
+    return (*written, *write_files(directory, {TABLE: csv_text(HEAD, rows(found))}))
+
+
+def _print_written(written: Sequence[Path]) -> None:
+    for path in written:
+        print(f"wrote {path}")

@@ -2,12 +2,36 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from rich.table import Table
 from rich.text import Text
 
 from nonhertz.cli.printing import console, print_table
 from nonhertz.result.solution import Solution
-from nonhertz.show.summary import summary_rows
+from nonhertz.show.summary import OVERVIEW_COLUMNS, overview_rows, summary_rows
+
+if TYPE_CHECKING:
+    from nonhertz.io.several import Attempt
+
+_TEXT = (0, 1, len(OVERVIEW_COLUMNS) - 1)
+WIDTH = 120  # of piped output
+
+
+def print_overview(attempts: Sequence[Attempt]) -> None:
+    """Print a row for each case, and the warnings of all."""
+    printing = console(WIDTH)
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
+    for column, name in enumerate(OVERVIEW_COLUMNS):
+        # As text: rich would take [MPa] for markup.
+        table.add_column(Text(name), justify="left" if column in _TEXT else "right", no_wrap=column != 1)
+    for row in overview_rows(attempts):
+        table.add_row(*map(Text, row))
+    print_table(printing, table)
+    for each in attempts:
+        for warning in () if each.solution is None else each.solution.warnings:
+            printing.print(Text(f"warning: {each.name}: {warning}", style="yellow"), soft_wrap=True)
 
 
 def print_summary(solution: Solution, title: str) -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from nonhertz.model.body import BODIES
 from nonhertz.result.brief import where_largest
@@ -12,7 +13,15 @@ from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 
+if TYPE_CHECKING:
+    from nonhertz.io.several import Attempt
+
 Row = tuple[str, str, str]
+_OVERVIEW = ("load", "max_pressure", "approach", "max_half_width", "contact_length")
+#: Heads of `overview_rows`.
+OVERVIEW_COLUMNS = (
+    "case", "title", *(f"{QUANTITIES[name].label} [{QUANTITIES[name].shown_unit}]" for name in _OVERVIEW), ""
+)  # fmt: skip
 
 
 def summary_rows(solution: Solution) -> list[Row]:
@@ -25,6 +34,22 @@ def summary_rows(solution: Solution) -> list[Row]:
     rows.append(("strips", f"{solution.strips}, {solution.element.name}", ""))
     rows.append(("Newton steps", str(solution.iterations), ""))
     return rows
+
+
+def overview_rows(attempts: Sequence[Attempt]) -> list[tuple[str, ...]]:
+    """Return file, title, main quantities and remarks of each case."""
+    return [(each.name, each.title, *(_shown(each, name) for name in _OVERVIEW), _remark(each)) for each in attempts]
+
+
+def _shown(attempt: Attempt, name: str) -> str:
+    return "" if attempt.solution is None else digits(QUANTITIES[name].shown(attempt.solution))
+
+
+def _remark(attempt: Attempt) -> str:
+    number = 0 if attempt.solution is None else len(attempt.solution.warnings)
+    warnings = f"{number} warning{'s' if number > 1 else ''}" if number else ""
+    status = attempt.status.replace("-", " ") if attempt.complaints else ""
+    return ", ".join(filter(None, (status, warnings)))
 
 
 def _approach_rows(solution: Solution) -> list[Row]:

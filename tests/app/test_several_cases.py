@@ -1,0 +1,116 @@
+"""``nonhertz solve`` with several case files: one row each, whatever becomes of the others."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import pytest
+
+import nonhertz as nh
+import nonhertz.solver.one
+from nonhertz.cli import main
+from nonhertz.io.several import HEAD
+from nonhertz.result.numerals import digits
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CROWNED = (EXAMPLES / "crowned-roller.toml").read_text(encoding="utf-8")
+FIGURES = {f"{name}.{ending}" for name in ("pressure", "footprint", "profile") for ending in ("svg", "png")}
+
+
+@pytest.fixture
+def cases(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    monkeypatch.chdir(tmp_path)
+    Path("other").mkdir()
+    Path("one.toml").write_text(CROWNED, encoding="utf-8")
+    Path("other", "one.toml").write_text(CROWNED.replace("load = 20000.0", "load = 5000.0"), encoding="utf-8")
+    return ["one.toml", "other/one.toml"]
+
+
+def test_a_row_for_each_case(cases: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["solve", *cases]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    lines = [line.split() for line in printed.out.splitlines()]
+    rows = {line[0]: line for line in lines if line and line[0] in cases}
+    assert set(rows) == set(cases)
+    expected = [nh.read_case(case).solve() for case in cases]
+    for case, solution in zip(cases, expected, strict=True):
+        assert digits(solution.load) in rows[case]
+        assert rows[case][-2] == str(len(solution.warnings))
+        assert rows[case][-1] in {"warning", "warnings"}
+    assert sum(line[:1] == ["warning:"] for line in lines) == sum(len(each.warnings) for each in expected)
+
+
+def test_json_is_a_list_of_what_each_alone_prints(cases: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["solve", *cases, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert [each["file"] for each in found] == cases
+    for case, each in zip(cases, found, strict=True):
+        assert main(["solve", case, "--json"]) == 0
+        assert each["result"] == json.loads(capsys.readouterr().out)
+        assert each["complaints"] == []
+
+
+def test_one_that_fails_does_not_hide_the_others(cases: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    Path("bad.toml").write_text(CROWNED.replace("load = 20000.0", "load = -1.0\nlaod = 3"), encoding="utf-8")
+    bearing = str(EXAMPLES / "nu206.toml")
+    files = ["bad.toml", cases[0], "missing.toml", bearing]
+    assert main(["solve", *files]) == 2
+    printed = capsys.readouterr()
+    assert printed.out.count("not solved") == 3
+    assert "20000" in printed.out
+    sentences = printed.err.splitlines()
+    assert [sentence.startswith("bad.toml: load") for sentence in sentences] == [True, True, False, False]
+    assert sentences[2].startswith("missing.toml must exist")
+    assert "nonhertz bearing" in sentences[3]
+    assert main(["solve", *files, "--json"]) == 2
+    found = json.loads(capsys.readouterr().out)
+    assert [each["result"] is None for each in found] == [True, False, True, True]
+    assert [len(each["complaints"]) for each in found] == [2, 0, 1, 1]
+
+
+def test_one_that_does_not_converge_is_said_and_shown(
+    cases: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    whole = nonhertz.solver.one.solve
+
+    def solve(contact: nh.Contact, **given: object) -> nh.Solution:
+        solution = whole(contact, **given)
+        if given["load"] != 5000.0:
+            return solution
+        object.__setattr__(solution, "status", nh.Status.ITERATION_LIMIT)
+        raise nh.ConvergenceError("It did not converge.", solution)
+
+    monkeypatch.setattr(nonhertz.solver.one, "solve", solve)
+    assert main(["solve", *cases, "--out", "results"]) == 1
+    printed = capsys.readouterr()
+    assert printed.err == "other/one.toml: It did not converge.\n"
+    assert "iteration limit, " in printed.out
+    table = list(csv.DictReader(io.StringIO(Path("results", "cases.csv").read_text(encoding="utf-8"))))
+    assert [row["status"] for row in table] == ["converged", "iteration-limit"]
+    assert [row["complaint"] for row in table] == ["", "It did not converge."]
+
+
+def test_each_has_a_folder_of_its_own_beside_the_table(cases: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["solve", *cases, "missing.toml", "--out", "results"]) == 2
+    printed = capsys.readouterr().out
+    assert {path.name for path in Path("results").iterdir()} == {"one", "one-2", "cases.csv"}
+    for folder, case in (("one", cases[0]), ("one-2", cases[1])):
+        assert {path.name for path in Path("results", folder).iterdir()} == FIGURES | {"result.json", "table.csv"}
+        assert nh.read_result(Path("results", folder, "result.json")).case == nh.read_case(case)
+    assert printed.count("wrote ") == 2 * (len(FIGURES) + 2) + 1
+    table = list(csv.reader(io.StringIO(Path("results", "cases.csv").read_text(encoding="utf-8"))))
+    assert tuple(table[0]) == HEAD
+    assert [row[0] for row in table[1:]] == [*cases, "missing.toml"]
+    pressure = HEAD.index("max_pressure [MPa]")
+    for row, case in zip(table[1:], cases, strict=False):
+        assert float(row[pressure]) == nh.read_case(case).solve().max_pressure
+    assert set(table[3][3:-1]) == {""}
+
+
+def test_no_case_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["solve"]) == 2
+    assert "must be given: name one case file, or more" in capsys.readouterr().err
