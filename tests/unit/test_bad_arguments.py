@@ -321,6 +321,7 @@ ENTRIES: dict[str, Entry] = {
         life=(LifeCase(), "thing"), title=("one", "name"), path=(Path("case.toml"), "thing"),
     ),
     "Solution.pressure": entry(SOLUTION.pressure, x=(0.0, "numbers"), y=([0.0, 1.0], "numbers")),
+    "Solution.at_nodes": entry(SOLUTION.at_nodes, x=(0.0, "numbers"), y=([0.0, 1.0], "numbers")),
     "Solution.gradient": entry(SOLUTION.gradient, quantity=("load", "word"), holding=(("load", "tilt"), "all")),
     "Gradient.by": entry(SOLUTION.gradient("load").by, name=("a.diameter", "word")),
     "Gradient.along": entry(

@@ -460,6 +460,50 @@ def contact_map(
 
 
 @app.command
+def nodes(
+    case: Path,
+    nodes: Path,
+    /,
+    *,
+    changes: Changes = (),
+    out: Path | None = None,
+    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+) -> int:
+    """Solve a case file and find pressures and forces at the nodes of a finite element mesh.
+
+    Pressures are those of the contact at each node. Forces add up to the load, whatever the mesh.
+
+    Parameters
+    ----------
+    case : Path
+        The case file.
+    nodes : Path
+        Text in columns, with a head that names x and y, with units: 'node; x [mm]; y [mm]'. Other columns are kept.
+    out : Path
+        The CSV file to write; by default the name of the file of nodes with '-pressure.csv', in the current directory.
+    as_json : bool
+        Print one JSON object with the sums and all nodes instead of the sentences.
+    """
+    from nonhertz.cli.nodes import report_nodes, target
+    from nonhertz.cli.solve import solved_or_not
+    from nonhertz.io.casefile import read_case
+    from nonhertz.io.changes import changes_in
+    from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.io.nodes import read_nodes
+
+    path = target(out, nodes)
+    problem = read_case(case, changes_in(changes))
+    found = read_nodes(nodes)
+    refuse_unwritable(path.parent)
+    solution, complaint = solved_or_not(problem)
+    if complaint:
+        print(complaint, file=sys.stderr)
+        return NOT_CONVERGED
+    report_nodes(solution, problem.title, found, path, as_json)
+    return FINE
+
+
+@app.command
 def design(
     plan: Path,
     /,

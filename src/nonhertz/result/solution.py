@@ -24,6 +24,7 @@ from nonhertz.strip.element import Element
 if TYPE_CHECKING:
     from nonhertz.result.gradient import Gradient
     from nonhertz.result.measures import Measure
+    from nonhertz.result.nodes import NodalLoads
     from nonhertz.result.protocol import Solved
 
 Array = NDArray[np.float64]
@@ -415,6 +416,40 @@ class Solution(ContactResult):
         share = np.divide(across, widest, out=np.ones(along.shape), where=widest > 0.0)
         pressure: Array = highest * np.sqrt(np.maximum(1.0 - share**2, 0.0))
         return pressure
+
+    def at_nodes(self, x: ArrayLike, y: ArrayLike) -> NodalLoads:
+        """Return pressures and forces at the nodes of a mesh of the surface, as boundary conditions of finite elements.
+
+        Parameters
+        ----------
+        x, y : array_like
+            Where the nodes are [mm], across and along the contact; they broadcast, and are flattened.
+
+        Returns
+        -------
+        NodalLoads
+            Pressure and force at each node, and how their sums relate to the load: ``pressure``, ``force``, ``area``,
+            ``outside`` and ``interpolated_load``.
+
+        Raises
+        ------
+        InputError
+            If the coordinates are not finite numbers, or their shapes do not broadcast.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import nonhertz as nh
+        >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=2000))
+        >>> solution = nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), load=5e3)
+        >>> x, y = np.meshgrid(np.linspace(-0.4, 0.4, 41), np.linspace(-10.0, 10.0, 81))
+        >>> nodes = solution.at_nodes(x.ravel(), y.ravel())
+        >>> round(float(nodes.force.sum()), 6), round(nodes.interpolated_load / 5e3, 2)
+        (5000.0, 1.0)
+        """
+        from nonhertz.result.nodes import nodal_loads
+
+        return nodal_loads(self, x, y)
 
     def table(self) -> dict[str, Array]:
         """Return the quantities along the contact by name, one array each: the columns of ``table.csv``."""

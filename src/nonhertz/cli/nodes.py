@@ -1,0 +1,78 @@
+"""What ``nonhertz nodes`` writes and prints."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from rich.text import Text
+
+from nonhertz.cli.printing import console
+from nonhertz.errors import InputError
+from nonhertz.inputs.files import legible
+from nonhertz.io.folder import write_files
+from nonhertz.io.nodes import Nodes, as_object, as_table
+from nonhertz.io.results import key_by_key
+from nonhertz.result.nodes import NodalLoads
+from nonhertz.result.numerals import digits
+from nonhertz.result.solution import Solution
+
+_NOTICED = 1e-6  # of the load
+
+
+def target(out: Path | None, nodes: Path) -> Path:
+    """Return the file to write to.
+
+    Raises
+    ------
+    InputError
+        If it is a directory, or the file of the nodes itself.
+    """
+    path = Path(f"{legible(nodes.stem)}-pressure.csv") if out is None else out
+    if path.suffix.lower() != ".csv" or path.is_dir() or path.resolve() == nodes.resolve():
+        raise InputError("--out", str(path), "be a .csv file, and not that of the nodes", "choose another name")
+    return path
+
+
+def report_nodes(solution: Solution, title: str, nodes: Nodes, path: Path, as_json: bool) -> None:
+    """Find pressures and forces at nodes, write and print them."""
+    found = solution.at_nodes(nodes.x, nodes.y)
+    written = write_files(path.parent, {path.name: as_table(nodes, found)})
+    if as_json:
+        print(key_by_key(as_object(solution, found, title)))
+        return
+    printing = console()
+    printing.print(Text(title, style="bold"))
+    for sentence in sentences(solution, found):
+        printing.print(Text(sentence), soft_wrap=True)
+    for warning in solution.warnings:
+        printing.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
+    for each in written:
+        print(f"wrote {each}")
+
+
+def sentences(solution: Solution, found: NodalLoads) -> list[str]:
+    """Return how many nodes are in contact, and how the sums of their pressures and forces relate to the load."""
+    touching = int(np.count_nonzero(found.pressure))
+    highest = digits(float(np.max(found.pressure)))
+    said = [
+        f"{found.pressure.size} nodes, {touching} of them in contact. The largest pressure at a node is {highest} MPa, "
+        f"that of the contact {digits(solution.max_pressure)} MPa."
+    ]
+    load = solution.load
+    if np.any(np.isnan(found.force)):
+        return [*said, "The nodes span no area: there are no forces, and the pressures have no sum in N."]
+    said.append(f"The forces add up to {digits(float(np.sum(found.force)))} N of the load of {digits(load)} N.")
+    if found.outside > _NOTICED * load:
+        said.append(f"{digits(found.outside)} N lie outside the nodes, {_percent(found.outside, load)} of the load.")
+    carried = found.interpolated_load
+    factor = f"; times {load / carried:.6g} they carry it whole" if carried > 0.0 else ""
+    said.append(
+        f"The pressures, interpolated linearly between the nodes, carry {digits(carried)} N, {_percent(carried, load)} "
+        f"of the load{factor}."
+    )
+    return said
+
+
+def _percent(part: float, whole: float) -> str:
+    return f"{100.0 * part / whole:.4g} %" if whole > 0.0 else "0 %"
