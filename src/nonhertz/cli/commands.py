@@ -751,6 +751,30 @@ def new(
 
 
 @app.command
+def schema(kind: str, /, *, out: Path | None = None) -> int:
+    """Print the JSON schema of case, bearing, plan or result files, by which editors and other programs check them.
+
+    Parameters
+    ----------
+    kind : str
+        case, bearing, plan or result.
+    out : Path
+        The file to write it to instead; an existing one is replaced.
+    """
+    from nonhertz.io.folder import write_files
+    from nonhertz.io.schemas import KINDS, schema_text
+
+    if kind not in KINDS:
+        raise InputError("KIND", kind, "be a kind of file that has a schema", f"choose from {', '.join(KINDS)}")
+    if out is None:
+        print(schema_text(kind), end="")
+        return FINE
+    for path in write_files(out.parent, {out.name: schema_text(kind)}):
+        print(f"wrote {path}")
+    return FINE
+
+
+@app.command
 def serve(
     case: Path | None = None,
     /,

@@ -558,8 +558,8 @@ def _read_strips(value: Any) -> int | str:
 class SolverTable(Table):
     """How it is solved."""
 
-    element: Annotated[str, PlainValidator(_read_element), WithJsonSchema({"type": "string"})] = Field(
-        default="semi-elliptic", description="strip element: 'semi-elliptic' or 'parabolic'"
+    element: Annotated[str, PlainValidator(_read_element), WithJsonSchema({"enum": ["semi-elliptic", "parabolic"]})] = (
+        Field(default="semi-elliptic", description="strip element: 'semi-elliptic' or 'parabolic'")
     )
     strips: Annotated[
         int | str,

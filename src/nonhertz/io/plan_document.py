@@ -87,14 +87,16 @@ def _read_loads(value: Any) -> tuple[DesignLoadTable, ...]:
 class DesignTable(Table):
     """What a design is best for."""
 
-    goal: Unread = Field(
+    goal: Annotated[Unread, WithJsonSchema({"enum": ["pressure", "life"]})] = Field(
         default=None,
         description="'pressure': the least largest pressure; 'life': the longest life; pressure if left out",
     )
     model: Unread = Field(
         default=None, description="name of the fatigue model of lives; 'lundberg-palmgren' if left out"
     )
-    starts: Unread = Field(default=None, description="number of searches, 5 if left out")
+    starts: Annotated[Unread, WithJsonSchema({"type": "integer", "minimum": 1})] = Field(
+        default=None, description="number of searches, 5 if left out"
+    )
     loads: Annotated[
         tuple[DesignLoadTable, ...],
         PlainValidator(_read_loads),

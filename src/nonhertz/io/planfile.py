@@ -334,6 +334,13 @@ def plan_in(
     return plan.changed(over=getattr(read, table))
 
 
+def plan_schema() -> dict[str, Any]:
+    """Return the JSON schema of a plan file, with the meaning of every key."""
+    from nonhertz.io.plan_document import PlanTable
+
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | PlanTable.model_json_schema()
+
+
 def _mistake(section: str, plan: Plan, path: str, given: Any) -> list[Mistake]:
     """Return what is wrong with what a path runs over."""
     from nonhertz.io.mistakes import Mistake

@@ -15,6 +15,7 @@ from nonhertz.errors import CaseError, InputError
 from nonhertz.inputs.files import content
 from nonhertz.io.bounds import FORMAT
 from nonhertz.io.casefile import Case, case_in
+from nonhertz.io.results import as_json
 
 if TYPE_CHECKING:
     from nonhertz.result.solution import EdgePressure, Solution
@@ -33,10 +34,35 @@ class Result:
         What was solved; ``case.solve()`` solves it again.
     solution : Solution
         The solution, to the digits it was written with.
+
+    Examples
+    --------
+    >>> import json
+    >>> import tempfile
+    >>> from nonhertz.io.casefile import read_case, starting_case
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder, "case.toml")
+    ...     _ = path.write_text(starting_case())
+    ...     case = read_case(path)
+    >>> text = Result(case, case.solve()).to_json()
+    >>> json.loads(text)["status"]
+    'converged'
     """
 
     case: Case
     solution: Solution
+
+    def to_json(self) -> str:
+        """Return the text of a result file, which is what ``nonhertz solve --json`` prints.
+
+        The case is part of it, which a solution alone does not know: which of its numbers were prescribed.
+
+        Raises
+        ------
+        InputError
+            If the case has something that no file can hold; see `Case.write`.
+        """
+        return as_json(self.solution, self.case)
 
 
 def read_result(path: str | Path) -> Result:

@@ -19,12 +19,12 @@ from nonhertz.result.solution import EdgePressure, Solution
 if TYPE_CHECKING:
     from nonhertz.io.casefile import Case
 
-# The stiffness is written as a matrix.
-_NUMBERS = tuple(name for name in QUANTITIES if "_by_" not in name)
+#: Quantities that are written as single numbers; the stiffness is written as a matrix.
+NUMBERS = tuple(name for name in QUANTITIES if "_by_" not in name)
 
 #: Units of the numbers in a result; dimensionless ones are left out.
 UNITS: dict[str, Any] = {
-    **{name: QUANTITIES[name].unit for name in _NUMBERS},
+    **{name: QUANTITIES[name].unit for name in NUMBERS},
     "contact_y": "mm",
     "edge_pressure": {
         "y": "mm",
@@ -55,7 +55,7 @@ def as_object(solution: Solution, case: Case) -> dict[str, Any]:
         "status": solution.status.label,
         "element": solution.element.name,
         "models": {name: getattr(solution.contact, name).model for name in BODIES},
-        **{name: plain(QUANTITIES[name].get(solution)) for name in _NUMBERS},
+        **{name: plain(QUANTITIES[name].get(solution)) for name in NUMBERS},
         "contact_y": plain(solution.contact_y),
         "edge_pressure": [_edge_object(edge) for edge in solution.edge_pressure],
         "singular_ends": [{"y": plain(end.y), "kind": end.kind.label} for end in solution.singular_ends],

@@ -1,0 +1,157 @@
+"""The published JSON schemas, by a validator that knows nothing of the program."""
+
+from __future__ import annotations
+
+import copy
+import json
+import math
+import tomllib
+import warnings
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+import nonhertz as nh
+from nonhertz.cli import main
+from nonhertz.io.bearingfile import starting_bearing
+from nonhertz.io.casefile import holds_bearing, starting_case
+from nonhertz.io.planfile import holds_plan
+from nonhertz.io.schemas import KINDS, schema_of
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+FILES = sorted(EXAMPLES.glob("*.toml"))
+# What Even Better TOML and its Taplo go by, and what the schemas are written in.
+VALIDATORS = (jsonschema.Draft4Validator, jsonschema.Draft202012Validator)
+
+
+def kind_of(document: dict[str, Any]) -> str:
+    if holds_plan(document):
+        return "plan"
+    return "bearing" if holds_bearing(document) else "case"
+
+
+def document(name: str) -> dict[str, Any]:
+    return tomllib.loads((EXAMPLES / f"{name}.toml").read_text(encoding="utf-8"))
+
+
+def mistakes(kind: str, found: Any) -> list[list[str]]:
+    """Return the mistakes that each validator finds."""
+    return [[error.message for error in each(schema_of(kind)).iter_errors(found)] for each in VALIDATORS]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_schema_is_one(kind: str, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    assert main(["schema", kind]) == 0
+    printed = capsys.readouterr().out
+    assert json.loads(printed) == schema_of(kind)
+    jsonschema.Draft202012Validator.check_schema(schema_of(kind))
+    file = tmp_path / "made" / f"{kind}.json"
+    assert main(["schema", kind, "--out", str(file)]) == 0
+    assert file.read_text(encoding="utf-8") == printed
+
+
+def test_there_is_no_schema_of_anything_else(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["schema", "roller"]) == 2
+    assert "choose from case, bearing, plan, result" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
+def test_examples_are_valid(file: Path) -> None:
+    found = tomllib.loads(file.read_text(encoding="utf-8"))
+    assert mistakes(kind_of(found), found) == [[], []]
+
+
+def test_so_are_the_files_to_start_from() -> None:
+    assert mistakes("case", tomllib.loads(starting_case())) == [[], []]
+    assert mistakes("bearing", tomllib.loads(starting_bearing())) == [[], []]
+    assert {kind_of(tomllib.loads(file.read_text(encoding="utf-8"))) for file in FILES} == {"case", "bearing", "plan"}
+
+
+@pytest.mark.parametrize(
+    ("name", "place", "value"),
+    [
+        ("crowned-roller", ("load", "laod"), 3.0),
+        ("crowned-roller", ("load", "load"), [1, 2]),
+        ("crowned-roller", ("body", "a", "lenght"), 20.0),
+        ("crowned-roller", ("body", "a", "kind"), "wheel"),
+        ("crowned-roller", ("body", "a", "profile"), {"kind": "crowned", "radius": 4000.0}),
+        ("crowned-roller", ("body", "a", "profile"), {"kind": "crown", "radis": 4000.0}),
+        ("crowned-roller", ("solver", "element"), "elliptic"),
+        ("crowned-roller", ("body", "b"), None),
+        ("nu206", ("bearing", "kind"), "ball"),
+        ("nu206", ("bearing", "rollers"), "many"),
+        ("nu206", ("load", "radail"), 1.0),
+        ("roller-15x20-sweep", ("overs",), {}),
+        ("roller-15x20-sweep", ("case",), None),
+        ("roller-15x20-sweep", ("samples",), {"method": "guess"}),
+        ("roller-15x20-design", ("design", "goal"), "beauty"),
+    ],
+)
+def test_mistakes_are_found(name: str, place: tuple[str, ...], value: Any) -> None:
+    whole = document(name)
+    kind = kind_of(whole)
+    *tables, last = place
+    table = whole
+    for key in tables:
+        table = table.setdefault(key, {})
+    if value is None:
+        del table[last]
+    else:
+        table[last] = value
+    for found in mistakes(kind, whole):
+        assert found, place
+
+
+@pytest.fixture(scope="module")
+def results() -> list[dict[str, Any]]:
+    """Return the results of all kinds of ends, of an approach, of both elements, and one that did not converge."""
+    changes: list[tuple[str, dict[str, Any]]] = [
+        (file.stem, {}) for file in FILES if kind_of(tomllib.loads(file.read_text(encoding="utf-8"))) == "case"
+    ]
+    changes += [
+        ("crowned-roller", {"solver.element": "parabolic", "solver.strips": 31}),
+        ("crowned-roller", {"solver.strips": 1}),
+        ("crowned-roller", {"load.load": None, "load.approach": "5 um"}),
+        ("crowned-roller", {"load.tilt": None, "load.moment": "10 N m"}),
+        ("roller-15x20", {"load.load": "100 kN", "body.a.side_faces": "mirror"}),
+    ]
+    found = []
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        for name, each in changes:
+            case = nh.read_case(EXAMPLES / f"{name}.toml", each)
+            solution = case.solve()
+            found.append(json.loads(nh.Result(case, solution).to_json()))
+        object.__setattr__(solution, "status", nh.Status.STAGNATED)
+        found.append(json.loads(nh.Result(case, solution).to_json()))
+    return found
+
+
+def test_every_result_is_valid(results: list[dict[str, Any]]) -> None:
+    for result in results:
+        assert mistakes("result", result) == [[], []], result["title"]
+    kinds = {edge["kind"] for result in results for edge in result["edge_pressure"]}
+    assert {"run-out", "singular"} <= kinds
+    assert any(result["error_estimate"]["max_pressure"] is None for result in results)
+
+
+def test_a_result_with_a_key_too_few_or_too_many_is_not(results: list[dict[str, Any]]) -> None:
+    for key in results[0]:
+        less = {name: value for name, value in results[0].items() if name != key}
+        assert all(mistakes("result", less)), key
+    for change in ({"more": 1}, {"status": "fine"}, {"y": "all"}, {"contact_y": [[1.0]]}, {"load": "20 kN"}):
+        assert all(mistakes("result", results[0] | change)), change
+    wrong = copy.deepcopy(results[0])
+    wrong["edge_pressure"][0]["kind"] = "blunt"
+    assert all(mistakes("result", wrong))
+
+
+def test_what_python_writes_is_what_the_command_prints(capsys: pytest.CaptureFixture[str]) -> None:
+    file = EXAMPLES / "roller-15x20.toml"
+    assert main(["solve", str(file), "--json"]) == 0
+    case = nh.read_case(file)
+    solution = case.solve()
+    assert nh.Result(case, solution).to_json() + "\n" == capsys.readouterr().out
+    assert math.isfinite(solution.load)
