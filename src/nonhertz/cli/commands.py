@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import contextlib
+import contextvars
 import sys
 import warnings
 from collections.abc import Iterator, Sequence
@@ -29,6 +30,14 @@ Changes = Annotated[
         "be given several times. Without a value, the key is taken out of the file.",
     ),
 ]
+DecimalComma = Annotated[
+    bool,
+    Parameter(
+        name="--decimal-comma",
+        negative="",
+        help="Write CSV files with decimal commas and semicolons between cells, as a spreadsheet in German reads them.",
+    ),
+]
 
 app = App(
     name="nonhertz",
@@ -46,7 +55,8 @@ def run(words: Sequence[str]) -> int:
     """Run one command and return its exit code."""
     try:
         with _plain_warnings():
-            code = app(list(words))
+            # In a context of its own, which ends with what the command has chosen.
+            code = contextvars.copy_context().run(app, list(words))
     except CycloptsError as error:
         print(f"{' '.join(str(error).split()).rstrip('.')}; see 'nonhertz --help'.", file=sys.stderr)
         return BAD_INPUT
@@ -66,6 +76,7 @@ def solve(
     *cases: Path,
     changes: Changes = (),
     out: Path | None = None,
+    decimal_comma: DecimalComma = False,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve case files and print a summary, or a table of several.
@@ -82,7 +93,9 @@ def solve(
     """
     from nonhertz.cli.solve import report_one, report_several
     from nonhertz.io.changes import changes_in
+    from nonhertz.io.dialect import choose_decimal_commas
 
+    choose_decimal_commas(decimal_comma)
     if not cases:
         raise InputError("CASE", "", "be given", "name one case file, or more; 'nonhertz new' writes one")
     if len(cases) == 1:
@@ -98,6 +111,7 @@ def bearing(
     changes: Changes = (),
     compare: Annotated[bool, Parameter(negative="")] = False,
     out: Path | None = None,
+    decimal_comma: DecimalComma = False,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a bearing file and print loads, pressures and life of the whole bearing.
@@ -117,8 +131,10 @@ def bearing(
     from nonhertz.cli.bearing import report_bearing, report_comparison
     from nonhertz.io.bearingfile import read_bearing
     from nonhertz.io.changes import changes_in
+    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
 
+    choose_decimal_commas(decimal_comma)
     problem = read_bearing(file, changes_in(changes))
     if out is not None:
         refuse_unwritable(out)
@@ -133,6 +149,7 @@ def compare(
     changes: Changes = (),
     out: Path | None = None,
     cells: Annotated[tuple[int, int] | None, Parameter(negative="", show_default=False)] = None,
+    decimal_comma: DecimalComma = False,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file with strips of both elements and on a plane grid, and compare them.
@@ -155,8 +172,10 @@ def compare(
     from nonhertz.io.casefile import read_case
     from nonhertz.io.changes import changes_in
     from nonhertz.io.comparisons import as_json as json_text
+    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
 
+    choose_decimal_commas(decimal_comma)
     problem = read_case(case, changes_in(changes))
     if out is not None:
         refuse_unwritable(out)
@@ -184,6 +203,7 @@ def stress(
     station: float | None = None,
     body: str = "a",
     out: Path | None = None,
+    decimal_comma: DecimalComma = False,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file and find the largest stresses below the surface.
@@ -208,8 +228,10 @@ def stress(
     from nonhertz.cli.stress import checked_body, report_stresses
     from nonhertz.io.casefile import read_case
     from nonhertz.io.changes import changes_in
+    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
 
+    choose_decimal_commas(decimal_comma)
     name = checked_body(station, body)
     problem = read_case(case, changes_in(changes))
     if out is not None:
@@ -231,6 +253,7 @@ def life(
     model: Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)] = (),
     compared: Annotated[Path | None, Parameter(name="--compare")] = None,
     out: Path | None = None,
+    decimal_comma: DecimalComma = False,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file and assess how long both bodies last by several fatigue models.
@@ -255,8 +278,10 @@ def life(
     from nonhertz.cli.life import check_models, report_lives
     from nonhertz.io.casefile import named, read_case
     from nonhertz.io.changes import changes_in
+    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
 
+    choose_decimal_commas(decimal_comma)
     check_models(model)
     problems = [read_case(case, changes_in(changes))]
     if compared is not None:
@@ -335,6 +360,7 @@ def profile(
     points: str | None = None,
     fit: str | None = None,
     out: Path | None = None,
+    decimal_comma: DecimalComma = False,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Prepare a measured profile step by step, and say what each step did.
@@ -379,9 +405,11 @@ def profile(
         Print one JSON object instead of the tables.
     """
     from nonhertz.cli import profile as of_profile
+    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
     from nonhertz.io.prepared import as_json as json_text
 
+    choose_decimal_commas(decimal_comma)
     if out is not None:
         refuse_unwritable(out)
     values = of_profile.options(
@@ -412,6 +440,7 @@ def contact_map(
     tilt: Annotated[str | None, Parameter(allow_leading_hyphen=True)] = None,
     accuracy: float = 1e-4,
     out: Path | None = None,
+    decimal_comma: DecimalComma = False,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Make a map of a case: load, moment and stiffness over approach and tilt, for other programs.
@@ -442,8 +471,10 @@ def contact_map(
     from nonhertz.cli.map import made, print_map, requested, write
     from nonhertz.io.casefile import read_case
     from nonhertz.io.changes import changes_in
+    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
 
+    choose_decimal_commas(decimal_comma)
     asked = requested(approach, load, tilt, accuracy, out)
     problem = read_case(case, changes_in(changes))
     if out is not None:
@@ -467,6 +498,7 @@ def nodes(
     *,
     changes: Changes = (),
     out: Path | None = None,
+    decimal_comma: DecimalComma = False,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file and find pressures and forces at the nodes of a finite element mesh.
@@ -488,9 +520,11 @@ def nodes(
     from nonhertz.cli.solve import solved_or_not
     from nonhertz.io.casefile import read_case
     from nonhertz.io.changes import changes_in
+    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
     from nonhertz.io.nodes import read_nodes
 
+    choose_decimal_commas(decimal_comma)
     path = target(out, nodes)
     problem = read_case(case, changes_in(changes))
     found = read_nodes(nodes)
@@ -513,6 +547,7 @@ def design(
     front: int | None = None,
     out: Path | None = None,
     workers: int | None = None,
+    decimal_comma: DecimalComma = False,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Find the profile or the dimensions with the least largest pressure, or the longest life.
@@ -538,8 +573,10 @@ def design(
     from nonhertz.cli.design import as_json as json_text
     from nonhertz.cli.design import designed, directory_for, print_design, written
     from nonhertz.io.changes import changes_in
+    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
 
+    choose_decimal_commas(decimal_comma)
     directory = directory_for(plan) if out is None else out
     refuse_unwritable(directory)
     if front is not None:
@@ -573,6 +610,7 @@ def sweep_plan(
     out: Path | None = None,
     workers: int | None = None,
     scheduler: str | None = None,
+    decimal_comma: DecimalComma = False,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case or a bearing for many values of what its file holds.
@@ -602,7 +640,9 @@ def sweep_plan(
     from nonhertz.cli.sweep import as_json as json_text
     from nonhertz.cli.sweep import directory_for, planned, print_sweep, swept, written
     from nonhertz.io.changes import changes_in
+    from nonhertz.io.dialect import choose_decimal_commas
 
+    choose_decimal_commas(decimal_comma)
     asked = planned(plan, over, quantities, "over", changes_in(changes))
     directory = directory_for(plan, "sweep") if out is None else out
     found = swept(asked, directory, workers, scheduler)
@@ -627,6 +667,7 @@ def study_tolerance(
     out: Path | None = None,
     workers: int | None = None,
     scheduler: str | None = None,
+    decimal_comma: DecimalComma = False,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Find how results are distributed when dimensions and loads are, and which tolerance matters.
@@ -660,7 +701,9 @@ def study_tolerance(
     from nonhertz.cli.tolerance import as_json as json_text
     from nonhertz.cli.tolerance import print_tolerance, studied, written
     from nonhertz.io.changes import changes_in
+    from nonhertz.io.dialect import choose_decimal_commas
 
+    choose_decimal_commas(decimal_comma)
     asked = planned(plan, over, quantities, "tolerance", changes_in(changes))
     directory = directory_for(plan, "tolerance") if out is None else out
     found = studied(asked, samples, seed, directory, workers, scheduler)

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from nonhertz.errors import InputError
+from nonhertz.io.dialect import rewrite_tables
 from nonhertz.io.drafts import drafts_in
 
 _OUT_REMEDY = "give a directory to write to"
@@ -17,6 +18,8 @@ def write_files(
     directory: str | Path, texts: Mapping[str, str], draw: Callable[[Path], object] | None = None
 ) -> tuple[Path, ...]:
     """Write texts, and what ``draw`` writes, into a directory: all files or none.
+
+    CSV files are written as `nonhertz.io.dialect` says.
 
     Parameters
     ----------
@@ -43,6 +46,7 @@ def write_files(
             (drafts / name).write_text(text, encoding="utf-8", newline="\n")
         if draw is not None:
             draw(drafts)
+        rewrite_tables(drafts)
         return _moved(drafts, directory)
 
 
