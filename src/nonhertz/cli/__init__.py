@@ -27,8 +27,9 @@ _EXTRAS = {
     ),
     **dict.fromkeys(("anyio", "starlette", "uvicorn"), "web"),
     "distributed": "cluster",
+    "openpyxl": "data",
 }
-_NEEDS = {"cli": "the command line", "web": "the page", "cluster": "a Dask scheduler"}
+_NEEDS = {"cli": "the command line", "web": "the page", "cluster": "a Dask scheduler", "data": "a workbook"}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -30,6 +30,10 @@ Changes = Annotated[
         "be given several times. Without a value, the key is taken out of the file.",
     ),
 ]
+Excel = Annotated[
+    bool,
+    Parameter(name="--excel", negative="", help="Write the rows as rows.xlsx, too, with the inputs on a second sheet."),
+]
 DecimalComma = Annotated[
     bool,
     Parameter(
@@ -87,18 +91,18 @@ def solve(
         The case files, at least one; see 'nonhertz new'. One that fails does not stop the others.
     out : Path
         Directory for result.json, table.csv and the figures; created if it does not exist. Of several cases each has a
-        folder in it, beside the table of all, cases.csv.
+        folder in it, beside the table of all, cases.csv. A file .xlsx or .csv for the table alone.
     as_json : bool
         Print one JSON object with all numbers instead of the summary, or a list of them.
     """
-    from nonhertz.cli.solve import report_one, report_several
+    from nonhertz.cli.solve import is_table, report_one, report_several
     from nonhertz.io.changes import changes_in
     from nonhertz.io.dialect import choose_decimal_commas
 
     choose_decimal_commas(decimal_comma)
     if not cases:
         raise InputError("CASE", "", "be given", "name one case file, or more; 'nonhertz new' writes one")
-    if len(cases) == 1:
+    if len(cases) == 1 and not (out is not None and is_table(out)):
         return report_one(cases[0], changes_in(changes), out, as_json)
     return report_several(cases, changes_in(changes), out, as_json)
 
@@ -610,6 +614,7 @@ def sweep_plan(
     out: Path | None = None,
     workers: int | None = None,
     scheduler: str | None = None,
+    excel: Excel = False,
     decimal_comma: DecimalComma = False,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
@@ -641,12 +646,15 @@ def sweep_plan(
     from nonhertz.cli.sweep import directory_for, planned, print_sweep, swept, written
     from nonhertz.io.changes import changes_in
     from nonhertz.io.dialect import choose_decimal_commas
+    from nonhertz.io.workbooks import refuse_missing_writer
 
     choose_decimal_commas(decimal_comma)
+    if excel:
+        refuse_missing_writer()
     asked = planned(plan, over, quantities, "over", changes_in(changes))
     directory = directory_for(plan, "sweep") if out is None else out
     found = swept(asked, directory, workers, scheduler)
-    files = written(found, directory)
+    files = written(found, directory, excel)
     if as_json:
         print(json_text(found, files))
     else:
@@ -667,6 +675,7 @@ def study_tolerance(
     out: Path | None = None,
     workers: int | None = None,
     scheduler: str | None = None,
+    excel: Excel = False,
     decimal_comma: DecimalComma = False,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
@@ -702,12 +711,15 @@ def study_tolerance(
     from nonhertz.cli.tolerance import print_tolerance, studied, written
     from nonhertz.io.changes import changes_in
     from nonhertz.io.dialect import choose_decimal_commas
+    from nonhertz.io.workbooks import refuse_missing_writer
 
     choose_decimal_commas(decimal_comma)
+    if excel:
+        refuse_missing_writer()
     asked = planned(plan, over, quantities, "tolerance", changes_in(changes))
     directory = directory_for(plan, "tolerance") if out is None else out
     found = studied(asked, samples, seed, directory, workers, scheduler)
-    files = written(found, directory)
+    files = written(found, directory, excel)
     if as_json:
         print(json_text(found, files))
     else:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from nonhertz.show.analysis import Spectrum
 
 TABLE = "cases.csv"
+TABLES = (".csv", ".xlsx")
 
 
 def solved_or_not(case: Case) -> tuple[Solution, str]:
@@ -75,9 +76,12 @@ def report_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path 
     """Solve cases one by one, write and print all results; return the exit code, the worst of all."""
     from nonhertz.io.folder import refuse_unwritable
     from nonhertz.io.several import objects
+    from nonhertz.io.workbooks import refuse_missing_writer
 
     if out is not None:
-        refuse_unwritable(out)
+        refuse_unwritable(out.parent if is_table(out) else out)
+        if is_workbook(out):
+            refuse_missing_writer()
     found = [attempt(path, changes) for path in paths]
     written = _several_written(out, found) if out is not None else ()
     if as_json:
@@ -96,6 +100,16 @@ def report_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path 
     return NOT_CONVERGED if any(each.complaints for each in found) else FINE
 
 
+def is_table(out: Path) -> bool:
+    """Return whether ``--out`` is a file for the table of cases, rather than a directory."""
+    return out.suffix.lower() in TABLES and not out.is_dir()
+
+
+def is_workbook(out: Path) -> bool:
+    """Return whether ``--out`` is a workbook."""
+    return is_table(out) and out.suffix.lower() == ".xlsx"
+
+
 def attempt(path: Path, changes: Mapping[str, Any]) -> Attempt:
     """Return a case that was solved, or why it was not."""
     from nonhertz.io.casefile import read_case
@@ -111,11 +125,18 @@ def attempt(path: Path, changes: Mapping[str, Any]) -> Attempt:
 
 
 def _several_written(directory: Path, found: Sequence[Attempt]) -> tuple[Path, ...]:
-    """Write each result into a folder of its own, and the table of all; return the files."""
+    """Write each result into a folder of its own, and the table of all, or the table alone; return the files."""
     from nonhertz.io.folder import write_files
     from nonhertz.io.several import HEAD, folders, rows
     from nonhertz.io.tables import csv_text
+    from nonhertz.io.workbooks import INPUTS, inputs_table, write_workbook
 
+    if is_workbook(directory):
+        inputs = ((each.name, each.case.document) for each in found if each.case is not None)
+        sheets = {"cases": (HEAD, rows(found)), INPUTS: inputs_table(inputs)}
+        return write_files(directory.parent, {}, lambda folder: write_workbook(folder / directory.name, sheets))
+    if is_table(directory):
+        return write_files(directory.parent, {directory.name: csv_text(HEAD, rows(found))})
     written: list[Path] = []
     for each, name in zip(found, folders(found), strict=True):
         if each.solution is not None and each.case is not None:

@@ -71,7 +71,7 @@ def swept(plan: Plan, out: Path, workers: int | None, scheduler: str | None) -> 
             raise
 
 
-def written(found: Sweep, out: Path) -> tuple[Path, ...]:
+def written(found: Sweep, out: Path, excel: bool) -> tuple[Path, ...]:
     """Write the rows and the figures, and return the files."""
     from nonhertz.plot import save
     from nonhertz.study.pictures import sweep_figures
@@ -80,7 +80,7 @@ def written(found: Sweep, out: Path) -> tuple[Path, ...]:
         for name, figure in sweep_figures(found).items():
             save(figure, folder / name)
 
-    return found.write(out, draw)
+    return found.write(out, draw, excel=excel)
 
 
 def as_json(found: Sweep, files: Sequence[Path]) -> str:

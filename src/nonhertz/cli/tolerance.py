@@ -41,7 +41,7 @@ def studied(
             raise
 
 
-def written(found: Tolerance, out: Path) -> tuple[Path, ...]:
+def written(found: Tolerance, out: Path, excel: bool) -> tuple[Path, ...]:
     """Write the rows, quantiles and indices, and the figures; return the files."""
     from nonhertz.plot import save
     from nonhertz.study.pictures import tolerance_figures
@@ -51,7 +51,7 @@ def written(found: Tolerance, out: Path) -> tuple[Path, ...]:
         for name, figure in tolerance_figures(found).items():
             save(figure, folder / name)
 
-    return found.sweep.write(out, draw)
+    return found.sweep.write(out, draw, excel=excel)
 
 
 def as_json(found: Tolerance, files: Sequence[Path]) -> str:

@@ -151,16 +151,27 @@ class Store:
         low, high = self._rows.execute(f"select min({place}), max({place}) from rows").fetchone()
         return None if low is None else (float(low), float(high))
 
-    def write_csv(self, path: Path, units: Sequence[str]) -> None:
-        """Write all rows as CSV, with numbers to the last bit; a row that failed has its sentence."""
+    def head(self, units: Sequence[str]) -> list[str]:
+        """Return the head of the table of all rows."""
         names = (*self.paths, *self.names)
-        head = [f"{name} [{unit}]" if unit else name for name, unit in zip(names, units, strict=True)]
+        return [
+            "row",
+            *(f"{name} [{unit}]" if unit else name for name, unit in zip(names, units, strict=True)),
+            "failure",
+        ]
+
+    def cells(self) -> Iterator[tuple[Any, ...]]:
+        """Yield the cells of every row, with numbers to the last bit; a row that failed has its sentence."""
+        found = self._rows.execute("select * from rows order by number")
+        while page := found.fetchmany(_PAGE):
+            yield from page
+
+    def write_csv(self, path: Path, units: Sequence[str]) -> None:
+        """Write all rows as CSV."""
         with path.open("w", encoding="utf-8", newline="") as file:
             writer = csv.writer(file, lineterminator="\n")
-            writer.writerow(["row", *head, "failure"])
-            found = self._rows.execute("select * from rows order by number")
-            while page := found.fetchmany(_PAGE):
-                writer.writerows(page)
+            writer.writerow(self.head(units))
+            writer.writerows(self.cells())
 
 
 def _opened(directory: Path | None) -> sqlite3.Connection:

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass
 from functools import partial
 from hashlib import sha256
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,6 +24,7 @@ from nonhertz.io.folder import refuse_unwritable, write_files
 from nonhertz.io.planfile import Plan, read_plan
 from nonhertz.io.sampling import Sampling
 from nonhertz.io.spreads import Distribution
+from nonhertz.io.workbooks import INPUTS, inputs_table, refuse_too_many, write_workbook
 from nonhertz.result.brief import plain_text, shortened
 from nonhertz.result.data import library
 from nonhertz.result.numerals import digits
@@ -175,7 +177,11 @@ class Sweep:
         return frame
 
     def write(
-        self, directory: str | Path, draw_more: Callable[[Path], object] = lambda folder: None
+        self,
+        directory: str | Path,
+        draw_more: Callable[[Path], object] = lambda folder: None,
+        *,
+        excel: bool = False,
     ) -> tuple[Path, ...]:
         """Write all rows as rows.csv and, where polars is installed, as rows.parquet; return the files.
 
@@ -185,16 +191,28 @@ class Sweep:
             Where to; created if it does not exist.
         draw_more : callable
             Writes further files into the directory passed to it.
+        excel : bool
+            Whether to write them as rows.xlsx, too, with what was varied and the case on a second sheet.
 
         Raises
         ------
         InputError
-            If the directory cannot be written to.
+            If the directory cannot be written to, or there are more rows than a sheet holds.
+        ModuleNotFoundError
+            If openpyxl is not installed, with ``excel``.
         """
+        if excel:
+            refuse_too_many("excel", len(self._store))
         names = (*self.paths, *(quantity.name for quantity in self.quantities))
+        units = [self.unit(name) for name in names]
 
         def draw(folder: Path) -> None:
-            self._store.write_csv(folder / "rows.csv", [self.unit(name) for name in names])
+            self._store.write_csv(folder / "rows.csv", units)
+            if excel:
+                head, values = inputs_table([(self.plan.case.title, self.plan.case.document)])
+                varied = (("varied", path, str(given)) for path, given in self.plan.over.items())
+                rows = self._store.head(units), self._store.cells()
+                write_workbook(folder / "rows.xlsx", {"rows": rows, INPUTS: (head, chain(varied, values))})
             with contextlib.suppress(ImportError):
                 import polars
 
