@@ -112,6 +112,7 @@ MODULES = {"nonhertz.profile": nh.profile} | {
         "io.casefile",
         "io.force_tables",
         "io.bearingfile",
+        "io.vtk",
         "life",
         "maps",
         "measured",

@@ -207,6 +207,7 @@ def stress(
     station: float | None = None,
     body: str = "a",
     out: Path | None = None,
+    vtk: Annotated[bool, Parameter(negative="")] = False,
     decimal_comma: DecimalComma = False,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
@@ -225,6 +226,8 @@ def stress(
         The body to examine, a or b. Both bear the same pressure.
     out : Path
         Directory for stress.json, tables and figures of two planes; created if it does not exist.
+    vtk : bool
+        Write the surface and both planes as VTK files, too, which ParaView opens.
     as_json : bool
         Print one JSON object instead of the table.
     """
@@ -236,7 +239,7 @@ def stress(
     from nonhertz.io.folder import refuse_unwritable
 
     choose_decimal_commas(decimal_comma)
-    name = checked_body(station, body)
+    name = checked_body(station, body, vtk and out is None)
     problem = read_case(case, changes_in(changes))
     if out is not None:
         refuse_unwritable(out)
@@ -244,7 +247,7 @@ def stress(
     if complaint:
         print(complaint, file=sys.stderr)
         return NOT_CONVERGED
-    report_stresses(solution, problem.title, station, name, out, as_json)
+    report_stresses(solution, problem.title, station, name, out, as_json, vtk)
     return FINE
 
 
