@@ -629,7 +629,7 @@ def test_a_file_is_refused_in_the_words_of_python(
     [
         (["slove", "case.toml"], 'Unknown command "slove". Did you mean "solve"?'),
         (["solve"], 'Command "solve" parameter CASE requires an argument'),
-        (["solve", "a", "b"], "Unused Tokens: ['b']"),
+        (["check", "a", "b"], "Unused Tokens: ['b']"),
         (["solve", "a", "--jsn"], "Unknown option: --jsn. Did you mean --json?"),
         (["check"], 'Command "check" parameter FILE requires an argument'),
     ],

@@ -109,8 +109,3 @@ def test_each_has_a_folder_of_its_own_beside_the_table(cases: list[str], capsys:
     for row, case in zip(table[1:], cases, strict=False):
         assert float(row[pressure]) == nh.read_case(case).solve().max_pressure
     assert set(table[3][3:-1]) == {""}
-
-
-def test_no_case_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["solve"]) == 2
-    assert "must be given: name one case file, or more" in capsys.readouterr().err

@@ -77,7 +77,9 @@ def _plain_warnings() -> Iterator[None]:
 
 @app.command
 def solve(
-    *cases: Path,
+    case: Path,
+    /,
+    *more: Path,
     changes: Changes = (),
     out: Path | None = None,
     decimal_comma: DecimalComma = False,
@@ -87,8 +89,10 @@ def solve(
 
     Parameters
     ----------
-    cases : tuple of Path
-        The case files, at least one; see 'nonhertz new'. One that fails does not stop the others.
+    case : Path
+        The case file; see 'nonhertz new'.
+    more : tuple of Path
+        More case files. One that fails does not stop the others.
     out : Path
         Directory for result.json, table.csv and the figures; created if it does not exist. Of several cases each has a
         folder in it, beside the table of all, cases.csv. A file .xlsx or .csv for the table alone.
@@ -100,11 +104,9 @@ def solve(
     from nonhertz.io.dialect import choose_decimal_commas
 
     choose_decimal_commas(decimal_comma)
-    if not cases:
-        raise InputError("CASE", "", "be given", "name one case file, or more; 'nonhertz new' writes one")
-    if len(cases) == 1 and not (out is not None and is_table(out)):
-        return report_one(cases[0], changes_in(changes), out, as_json)
-    return report_several(cases, changes_in(changes), out, as_json)
+    if not more and not (out is not None and is_table(out)):
+        return report_one(case, changes_in(changes), out, as_json)
+    return report_several((case, *more), changes_in(changes), out, as_json)
 
 
 @app.command
