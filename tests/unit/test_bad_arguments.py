@@ -19,6 +19,7 @@ import nonhertz as nh
 from nonhertz import bearing, hertz, life, measured, profile, rotor, strength, subsurface
 from nonhertz.io.casefile import LifeCase
 from nonhertz.io.results import as_json
+from nonhertz.io.title_block import TitleBlock
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 
@@ -311,7 +312,7 @@ ENTRIES: dict[str, Entry] = {
     "BearingCase": entry(
         nh.BearingCase, bearing=(ROW, "thing"), prescribed=({}, "options"), solver=({}, "options"),
         life=({}, "options"), spectrum=((), "thing"), fit=({}, "options"),
-        title=("one", "name"), path=(Path("bearing.toml"), "thing"),
+        title=("one", "name"), path=(Path("bearing.toml"), "thing"), title_block=(TitleBlock(), "thing"),
     ),
     "BearingCase.solve": entry(nh.BearingCase(ROW).solve, method=("slices", "optional"), raises=(nh.CaseError,)),
     "BearingCase.assess": entry(nh.BearingCase(ROW).assess, solution=(LOADED, "thing")),
@@ -319,6 +320,7 @@ ENTRIES: dict[str, Entry] = {
     "Case": entry(
         nh.Case, contact=(CONTACT, "thing"), prescribed=({"load": 1e3}, "thing"), solver=({"strips": 11}, "options"),
         life=(LifeCase(), "thing"), title=("one", "name"), path=(Path("case.toml"), "thing"),
+        title_block=(TitleBlock(), "thing"),
     ),
     "Solution.pressure": entry(SOLUTION.pressure, x=(0.0, "numbers"), y=([0.0, 1.0], "numbers")),
     "Solution.at_nodes": entry(SOLUTION.at_nodes, x=(0.0, "numbers"), y=([0.0, 1.0], "numbers")),

@@ -309,6 +309,12 @@ def report(
     life: bool | None = None,
     stress: bool = True,
     compare: Annotated[bool, Parameter(negative="")] = False,
+    project: str = "",
+    author: str = "",
+    revision: str = "",
+    date: str = "",
+    remarks: str = "",
+    logo: Path | None = None,
 ) -> int:
     """Solve case files or bearing files and write one HTML report that anyone can open in a browser.
 
@@ -329,17 +335,31 @@ def report(
         Search for the largest stresses below the surface, of case files.
     compare : bool
         Set strips beside the slices of ISO/TS 16281, of bearing files.
+    project : str
+        Project in the head of the report; like the options below, it takes precedence over the first file's table
+        report.
+    author : str
+        Author in the head of the report.
+    revision : str
+        Revision in the head of the report.
+    date : str
+        Date in the head of the report.
+    remarks : str
+        Remarks in the head of the report.
+    logo : Path
+        PNG or SVG file of at most 200 kB, shown in the head of the report.
     """
-    from nonhertz.cli.report import composed, read_cases, target, write
+    from nonhertz.cli.report import composed, read_cases, target, title_block, write
     from nonhertz.io.changes import changes_in
     from nonhertz.io.folder import refuse_unwritable
 
     if not cases:
         raise InputError("CASE", "", "be given", "name one case file or bearing file, or more")
+    block = title_block(logo, project=project, author=author, revision=revision, date=date, remarks=remarks)
     path = target(out, cases)
     read = read_cases(cases, changes_in(changes))
     refuse_unwritable(path.parent)
-    text, complaints = composed(read, life, stress, compare)
+    text, complaints = composed(read, life, stress, compare, block)
     write(path, text)
     print(f"wrote {path}")
     if complaints:

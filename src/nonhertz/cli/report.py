@@ -11,7 +11,9 @@ from nonhertz.errors import CaseError, InputError, without_accuracy_warnings
 from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.casefile import Case, case_text, named, parsed
 from nonhertz.io.folder import write_files
+from nonhertz.io.logo import logo_from
 from nonhertz.io.planfile import case_or_bearing_in
+from nonhertz.io.title_block import TitleBlock
 from nonhertz.report import (
     MARK,
     BearingResults,
@@ -88,33 +90,49 @@ def target(out: Path | None, cases: Sequence[Path]) -> Path:
     return path
 
 
-def made(cases: Sequence[Case], life: bool | None, stress: bool) -> tuple[str, tuple[CaseResults, ...]]:
+def title_block(logo: Path | None, **lines: str) -> TitleBlock:
+    """Return what the options say of the head of a report.
+
+    Raises
+    ------
+    InputError
+        If a text is too long, or the logo no PNG or SVG file.
+    """
+    try:
+        return TitleBlock(**lines, logo=None if logo is None else logo_from(str(logo), Path()))
+    except InputError as error:
+        raise InputError(f"--{error.field}", error.value, error.condition, error.remedy) from None
+
+
+def made(
+    cases: Sequence[Case], life: bool | None, stress: bool, block: TitleBlock
+) -> tuple[str, tuple[CaseResults, ...]]:
     """Return the report on cases as text, and the results in it."""
     found = settled(cases)
     progress = Progress(steps(found, life=life, stress=stress) + 1)
     try:
         found = examined(found, life=life, stress=stress, announce=progress.announce)
         progress.announce("figures")
-        return rendered(found), found
+        return rendered(found, block), found
     finally:
         progress.wipe()
 
 
 def made_of_bearings(
-    cases: Sequence[BearingCase], life: bool | None, compare: bool
+    cases: Sequence[BearingCase], life: bool | None, compare: bool, block: TitleBlock
 ) -> tuple[str, tuple[BearingResults, ...]]:
     """Return the report on bearings as text, and the results in it."""
     progress = Progress(len(cases) + 1)
     try:
         found = settled_bearings(cases, life=life, compare=compare, announce=progress.announce)
         progress.announce("figures")
-        return rendered_bearings(found), found
+        return rendered_bearings(found, block), found
     finally:
         progress.wipe()
 
 
 def composed(
-    cases: list[Case] | list[BearingCase], life: bool | None, stress: bool, compare: bool
+    cases: list[Case] | list[BearingCase], life: bool | None, stress: bool, compare: bool, block: TitleBlock
 ) -> tuple[str, list[str]]:
     """Return the report on cases or bearings as text, and a line for each that was not solved.
 
@@ -130,7 +148,7 @@ def composed(
         raise InputError("--compare", str(contacts[0].path), "be used with bearing files", remedy)
     text: str
     found: Sequence[CaseResults | BearingResults]
-    text, found = made_of_bearings(bearings, life, compare) if bearings else made(contacts, life, stress)
+    text, found = made_of_bearings(bearings, life, compare, block) if bearings else made(contacts, life, stress, block)
     return text, [f"{each.label}: {each.complaint}" for each in found if each.complaint]
 
 

@@ -52,6 +52,7 @@ from nonhertz.io.document import (
     Length,
     MaterialTable,
     Number,
+    ReportTable,
     Table,
     Word,
     combined_radius,
@@ -700,6 +701,7 @@ class BearingFileTable(PartsTable):
     )
     solver: BearingSolverTable = Field(default_factory=BearingSolverTable, description="how it is solved")
     life: BearingLifeTable = Field(default_factory=BearingLifeTable, description="how long the bearing lasts")
+    report: ReportTable = Field(default_factory=ReportTable, description="what the head of a report says")
 
     @field_validator("title")
     @classmethod

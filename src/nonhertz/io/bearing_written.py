@@ -48,7 +48,8 @@ def document(case: BearingCase) -> dict[str, Any]:
         life["spectrum"] = [
             {name: _plain(value) for name, value in vars(each).items() if value is not None} for each in case.spectrum
         ]
-    return found | ({"life": life} if life else {})
+    block = case.title_block.table
+    return found | ({"life": life} if life else {}) | ({"report": block} if block else {})
 
 
 def _bearing(row: RollerBearing) -> dict[str, Any]:

@@ -19,6 +19,7 @@ from nonhertz.inputs.files import legible
 from nonhertz.io.casefile import OF_BEARINGS, as_toml, case_text, parsed, write_document
 from nonhertz.io.changes import changed
 from nonhertz.io.fits import FIT, mounted, operating
+from nonhertz.io.title_block import TitleBlock
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
@@ -63,6 +64,8 @@ class BearingCase:
     fit : dict
         Seats and temperatures: keywords for `nonhertz.bearing.operating_clearance` but for the speed, which is that of
         ``prescribed``. The clearance of ``bearing`` is then the one before it is mounted.
+    title_block : TitleBlock
+        What the head of a report says beside the title.
     origin : Origin or None
         What the file held; None for a case made in Python, and for a changed copy made with ``dataclasses.replace``.
 
@@ -92,6 +95,7 @@ class BearingCase:
     path: Path = field(default=Path("bearing.toml"), compare=False)
     spectrum: tuple[LoadCase, ...] = ()
     fit: dict[str, Any] = field(default_factory=dict)
+    title_block: TitleBlock = field(default_factory=TitleBlock)
     # No argument, so that a changed copy does not carry the text of the case it was made from.
     origin: Origin | None = field(default=None, init=False, compare=False, repr=False)
 
@@ -99,7 +103,11 @@ class BearingCase:
         if not isinstance(self.bearing, RollerBearing | Paired):
             remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing"
             raise InputError("bearing", self.bearing, "be a bearing", remedy)
-        for name, value, kind in (("title", self.title, str), ("path", self.path, Path)):
+        for name, value, kind in (
+            ("title", self.title, str),
+            ("path", self.path, Path),
+            ("title_block", self.title_block, TitleBlock),
+        ):
             if not isinstance(value, kind):
                 raise InputError(name, value, f"be a {kind.__name__}", "make the case with one")
         if not (isinstance(self.spectrum, tuple) and all(isinstance(each, LoadCase) for each in self.spectrum)):
@@ -344,6 +352,7 @@ def bearing_in(
         fit={} if table.fit is None else table.fit.keywords(),
         path=path,
         spectrum=tuple(case.case(table.load.speed) for case in table.life.spectrum),
+        title_block=table.report.title_block(),
     )
     object.__setattr__(case, "origin", Origin(document, text, notes, folder))
     return case

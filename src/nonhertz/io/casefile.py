@@ -20,6 +20,7 @@ from nonhertz.inputs.checks import one_line, one_of
 from nonhertz.inputs.files import content, legible
 from nonhertz.io.bounds import LARGEST_CASE, TOO_DEEP, excess, has_long_key
 from nonhertz.io.changes import changed
+from nonhertz.io.title_block import TitleBlock
 from nonhertz.model.contact import Contact
 
 if TYPE_CHECKING:
@@ -102,6 +103,8 @@ class Case:
         The case's title; the file's name if the file has none.
     path : Path
         The file it was read from; other file names are relative to it.
+    title_block : TitleBlock
+        What the head of a report says beside the title.
     origin : Origin or None
         What the file held; None for a case made in Python, and for a changed copy made with ``dataclasses.replace``.
 
@@ -124,6 +127,7 @@ class Case:
     life: LifeCase = field(default_factory=LifeCase)
     title: str = ""
     path: Path = field(default=Path("case.toml"), compare=False)
+    title_block: TitleBlock = field(default_factory=TitleBlock)
     # No argument, so that a changed copy does not carry the text of the case it was made from.
     origin: Origin | None = field(default=None, init=False, compare=False, repr=False)
 
@@ -135,6 +139,7 @@ class Case:
             ("life", self.life, LifeCase),
             ("title", self.title, str),
             ("path", self.path, Path),
+            ("title_block", self.title_block, TitleBlock),
         ):
             if not isinstance(value, kind):
                 raise InputError(name, value, f"be a {kind.__name__}", "make the case with one")
@@ -347,6 +352,7 @@ def case_in(
         solver=vars(table.solver) | {"element": ELEMENTS[table.solver.element]},
         path=path,
         life=_life(table.life),
+        title_block=table.report.title_block(),
     )
     object.__setattr__(case, "origin", Origin(document, text, notes, folder))
     return case

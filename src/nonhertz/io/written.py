@@ -35,7 +35,8 @@ def document(case: Case) -> dict[str, Any]:
     found["load"] = {name: float(value) for name, value in case.prescribed.items()}
     found["solver"] = _solver(case.solver)
     life = _life(case.life)
-    return found | ({"life": life} if life else {})
+    block = case.title_block.table
+    return found | ({"life": life} if life else {}) | ({"report": block} if block else {})
 
 
 def bodies(contact: Contact) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from importlib import metadata, resources
 from typing import TYPE_CHECKING, Any
 
 from nonhertz import __version__
+from nonhertz.io.title_block import TitleBlock
 from nonhertz.report.figures import ReportFigure
 from nonhertz.report.measurements import Measurement
 
@@ -44,7 +45,13 @@ class Words:
     conventions: str
 
 
-def laid_out(title: str, words: Words, comparison: dict[str, Any] | None, parts: Sequence[dict[str, Any]]) -> str:
+def laid_out(
+    title: str,
+    words: Words,
+    block: TitleBlock,
+    comparison: dict[str, Any] | None,
+    parts: Sequence[dict[str, Any]],
+) -> str:
     """Return the text of a page; comparison and parts name the templates that lay them out."""
     page = (
         _environment()
@@ -56,6 +63,7 @@ def laid_out(title: str, words: Words, comparison: dict[str, Any] | None, parts:
             kind=words.kind,
             what=words.what,
             conventions=words.conventions,
+            block=block,
             comparison=comparison,
             parts=parts,
             versions=_versions(),

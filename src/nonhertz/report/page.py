@@ -8,6 +8,7 @@ from typing import Any
 from nonhertz.errors import InputError
 from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.casefile import Case
+from nonhertz.io.title_block import TitleBlock
 from nonhertz.report.assumptions import assumptions
 from nonhertz.report.bearing.page import rendered_bearings
 from nonhertz.report.bearing.results import settled_bearings
@@ -42,6 +43,7 @@ def compose(
     life: bool | None = None,
     stress: bool = True,
     compare: bool = False,
+    title_block: TitleBlock | None = None,
     announce: Announce = in_silence,
 ) -> str:
     """Return a report on one case, or on several with a comparison first, as the text of an HTML file.
@@ -57,6 +59,8 @@ def compose(
         Whether to search for the largest stresses below the surface; bearings have none.
     compare : bool
         Whether to solve bearings by slices as well.
+    title_block : TitleBlock or None
+        Project, author, logo and so on for the head of the page; what it leaves empty is that of the first case.
     announce : callable
         Called with the name of each step as it begins.
 
@@ -72,24 +76,29 @@ def compose(
     InputError
         If there are cases of both kinds.
     """
+    if not (title_block is None or isinstance(title_block, TitleBlock)):
+        remedy = "make one with nonhertz.report.TitleBlock"
+        raise InputError("title_block", title_block, "be a TitleBlock", remedy)
     contacts = [case for case in cases if isinstance(case, Case)]
     bearings = [case for case in cases if isinstance(case, BearingCase)]
     if contacts and bearings:
         remedy = "make a report of each kind"
         raise InputError("cases", "of both kinds", "be all single contacts or all bearings", remedy)
     if bearings:
-        return rendered_bearings(settled_bearings(bearings, life=life, compare=compare, announce=announce))
-    return rendered(examined(settled(contacts), life=life, stress=stress, announce=announce))
+        found = settled_bearings(bearings, life=life, compare=compare, announce=announce)
+        return rendered_bearings(found, title_block)
+    return rendered(examined(settled(contacts), life=life, stress=stress, announce=announce), title_block)
 
 
-def rendered(found: Sequence[CaseResults]) -> str:
-    """Return the text of the report on these cases."""
+def rendered(found: Sequence[CaseResults], block: TitleBlock | None = None) -> str:
+    """Return the text of the report on these cases; what ``block`` leaves empty in its head is that of the first."""
     gallery = Gallery()
     several = len(found) > 1
     comparison = _comparison(found, gallery) if several else None
     parts = [_part(each, number, several, gallery) for number, each in enumerate(found, start=1)]
     title = f"{len(found)} cases compared" if several else found[0].case.title
-    return laid_out(title, WORDS, comparison, parts)
+    head = (block or TitleBlock()).over(found[0].case.title_block)
+    return laid_out(title, WORDS, head, comparison, parts)
 
 
 def _part(found: CaseResults, number: int, several: bool, gallery: Gallery) -> dict[str, Any]:

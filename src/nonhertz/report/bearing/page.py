@@ -7,6 +7,7 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from nonhertz.io.bearing_results import as_json, as_object, comparison_files, rollers_table
+from nonhertz.io.title_block import TitleBlock
 from nonhertz.report.bearing.assumptions import bearing_assumptions
 from nonhertz.report.bearing.differences import bearing_differences
 from nonhertz.report.bearing.figures import bearing_pictures, compared_picture
@@ -40,14 +41,15 @@ WORDS = Words(
 )
 
 
-def rendered_bearings(found: Sequence[BearingResults]) -> str:
-    """Return the text of the report on these bearings."""
+def rendered_bearings(found: Sequence[BearingResults], block: TitleBlock | None = None) -> str:
+    """Return the text of the report on these bearings; what ``block`` leaves empty in its head is that of the first."""
     gallery = Gallery()
     several = len(found) > 1
     comparison = _comparison(found, gallery) if several else None
     parts = [_part(each, number, several, gallery) for number, each in enumerate(found, start=1)]
     title = f"{len(found)} bearings compared" if several else found[0].case.title
-    return laid_out(title, WORDS, comparison, parts)
+    head = (block or TitleBlock()).over(found[0].case.title_block)
+    return laid_out(title, WORDS, head, comparison, parts)
 
 
 def _part(found: BearingResults, number: int, several: bool, gallery: Gallery) -> dict[str, Any]:

@@ -88,9 +88,10 @@ class FormField:
     removable: bool = False
 
     @property
-    def count(self) -> int:
-        """Number of entries in a long list."""
-        return len(json.loads(self.value))
+    def size(self) -> str:
+        """How long a list or a text is that is not shown."""
+        value = json.loads(self.value)
+        return f"{len(value)} {'letters' if isinstance(value, str) else 'numbers'}"
 
     @property
     def id(self) -> str:

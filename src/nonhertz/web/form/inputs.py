@@ -19,6 +19,7 @@ ABSENT: Final = object()
 """Stands for the value of a missing key."""
 
 _LONG_LIST: Final = 24
+_LONG_TEXT: Final = 1000  # such as a logo
 
 
 def input_for(part: Schema, value: Any, place: Place) -> FormField:
@@ -51,7 +52,7 @@ def _filled(made: FormField, value: Any, name: str) -> FormField:
     text = text_of(made.kind, value)
     if text is None:
         return replace(made, kind="json", value=json.dumps(value), options=(), slider=None, units=())
-    if made.kind == "list" and isinstance(value, list) and len(value) > _LONG_LIST:
+    if _is_long(made.kind, value):
         return replace(made, kind="hidden-json", value=json.dumps(value))
     if made.kind == "choice" and text not in [option.value for option in made.options]:
         return replace(made, value=text, options=(*made.options, Option(text, text)))
@@ -77,6 +78,11 @@ def _is_number(text: str) -> bool:
         return float(text) != 0.0
     except ValueError:
         return False
+
+
+def _is_long(kind: str, value: Any) -> bool:
+    of_list = kind == "list" and isinstance(value, list) and len(value) > _LONG_LIST
+    return of_list or (isinstance(value, str) and len(value) > _LONG_TEXT)
 
 
 def _slider(name: str, unit: str, value: Any) -> Slider | None:
