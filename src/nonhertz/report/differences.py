@@ -134,4 +134,6 @@ def _change(value: float, first: float) -> str:
     if not (math.isfinite(value) and math.isfinite(first)) or first == 0.0:
         return ""
     change = 100.0 * (value - first) / abs(first)
+    if abs(change) >= 999.5:
+        return f"{change:+.0f} %"
     return f"{change:+.3g} %" if abs(change) >= 5e-4 else "0 %"

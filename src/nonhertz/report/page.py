@@ -10,6 +10,7 @@ from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.casefile import Case
 from nonhertz.io.title_block import TitleBlock
 from nonhertz.report.assumptions import assumptions
+from nonhertz.report.basis import basis
 from nonhertz.report.bearing.page import rendered_bearings
 from nonhertz.report.bearing.results import settled_bearings
 from nonhertz.report.differences import differing_inputs, lives, remarks_on_lives, results
@@ -138,6 +139,7 @@ def _comparison(found: Sequence[CaseResults], gallery: Gallery) -> dict[str, Any
         "template": "comparison.html",
         "heads": [{"label": each.label, "title": each.case.title, "complaint": each.complaint} for each in found],
         "inputs": differing_inputs([inputs(each.case) for each in found]),
+        "basis": basis(found),
         "results": results(found),
         "lives": shown,
         "life_sentences": [RATIO, *remarks_on_lives(found)] if shown else [],

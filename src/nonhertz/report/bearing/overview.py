@@ -41,11 +41,15 @@ def bearing_opening(case: BearingCase) -> str:
     size = f"{given(row.roller_diameter, 5)} x {given(row.roller_length, 5)} mm"
     what = f"{kind_of(row)}{f' of {rows} rows' if rows > 1 else ''}".capitalize()
     each = " in each row" if rows > 1 else ""
-    acting = [_acting(name, case.prescribed[name]) for name in _PRESCRIBED if name in case.prescribed]
-    under = f" under {_and(acting)}" if acting else " without a load"
     speed = f" at {given(float(case.prescribed['speed']))} 1/min" if case.prescribed.get("speed") else ""
     circle = f"on a pitch circle of {given(row.pitch, 5)} mm"
-    return f"{what}, {row.rollers} rollers of {size}{each} {circle},{under}{speed}."
+    return f"{what}, {row.rollers} rollers of {size}{each} {circle}, {loads_in_words(case)}{speed}."
+
+
+def loads_in_words(case: BearingCase) -> str:
+    """Return what loads or moves the inner ring, as it follows "a bearing"."""
+    acting = [_acting(name, case.prescribed[name]) for name in _PRESCRIBED if name in case.prescribed]
+    return f"under {_and(acting)}" if acting else "without a load"
 
 
 def _acting(name: str, value: Any) -> str:

@@ -9,6 +9,7 @@ from typing import Any
 from nonhertz.io.bearing_results import as_json, as_object, comparison_files, rollers_table
 from nonhertz.io.title_block import TitleBlock
 from nonhertz.report.bearing.assumptions import bearing_assumptions
+from nonhertz.report.bearing.basis import bearing_basis
 from nonhertz.report.bearing.differences import bearing_differences
 from nonhertz.report.bearing.figures import bearing_pictures, compared_picture
 from nonhertz.report.bearing.inputs import bearing_inputs
@@ -137,6 +138,7 @@ def _comparison(found: Sequence[BearingResults], gallery: Gallery) -> dict[str, 
         "template": "bearings.html",
         "heads": [{"label": each.label, "title": each.case.title, "complaint": each.complaint} for each in found],
         "inputs": differing_inputs([bearing_inputs(each.case) for each in found]),
+        "basis": bearing_basis(found),
         "results": bearing_differences(found),
         "figures": [] if picture is None else [marked(picture)],
     }

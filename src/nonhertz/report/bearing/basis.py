@@ -1,0 +1,46 @@
+"""What several bearings rest on, where that differs so much that their numbers do not compare."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from nonhertz.bearing.frames import RINGS
+from nonhertz.errors import CaseError
+from nonhertz.report.basis import differing, of_body
+from nonhertz.report.bearing.overview import loads_in_words
+from nonhertz.report.bearing.results import BearingResults
+from nonhertz.result.numerals import given
+
+
+def bearing_basis(found: Sequence[BearingResults]) -> list[str]:
+    """Return a sentence for each difference between bearings that keeps numbers from being compared."""
+    return list(_of_bearings(found))
+
+
+def _of_bearings(found: Sequence[BearingResults]) -> Iterator[str]:
+    labels = [each.label for each in found]
+    for sentence, words in (
+        ("Loads of rollers, stiffness and lives not comparable, since contacts are solved differently", _method),
+        ("Displacements, pressures and lives are those of different loads", _loads),
+        ("Displacements are measured from different clearances", _clearance),
+    ):
+        yield from differing(labels, sentence, map(words, found))
+    for name in ("roller", *RINGS):
+        part = "the rollers" if name == "roller" else f"the {name} ring"
+        yield from of_body(labels, part, [getattr(each.case.bearing.rows[0].bearing, name) for each in found])
+
+
+def _method(found: BearingResults) -> str:
+    return "" if found.solution is None else f"by {found.solution.method}"
+
+
+def _loads(found: BearingResults) -> str:
+    return loads_in_words(found.case)
+
+
+def _clearance(found: BearingResults) -> str:
+    try:
+        clearance: float | None = getattr(found.case.mounted.rows[0].bearing, "clearance", None)
+    except CaseError:
+        return ""
+    return "" if clearance is None else f"{given(1e3 * clearance, 4)} µm"
