@@ -26,10 +26,13 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz import plot
 from nonhertz.model.body import Body, Plate, Roller
 from nonhertz.model.contact import Contact
+from nonhertz.model.corner import Chamfer
 from nonhertz.model.profile import Profile
+from nonhertz.plot.axial import mark_unlimited
 from nonhertz.plot.contact_area import colour_limit
 from nonhertz.plot.style import INK
 from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
+from nonhertz.solver.one import solve as solve_one
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 
 Array = NDArray[np.float64]
@@ -622,3 +625,23 @@ class TestSave:
         del sheet
         gc.collect()
         assert remains() is None
+
+
+def test_what_has_no_limit_is_said_at_its_end() -> None:
+    sharp = solve_one(Contact(Roller(diameter=15.0, length=20.0), Plate()), load=8e3, strips=21)
+    chamfered = Roller(diameter=15.0, length=20.0, chamfer=Chamfer(length=2.0, angle=0.3, blend_radius=0.0))
+    cornered = solve_one(Contact(chamfered, Plate()), load=8e3)
+    ax = Figure().add_subplot()
+    mark_unlimited([sharp, sharp, cornered], ax, ["red", "red", "blue"])
+    assert [(text.xy[0], text.get_ha(), text.get_color()) for text in ax.texts] == [
+        (pytest.approx(y, abs=0.05), side, colour)
+        for y, side, colour in (
+            (-10.0, "left", INK),
+            (10.0, "right", INK),
+            (-8.0, "left", "blue"),
+            (8.0, "right", "blue"),
+        )
+    ]
+    ax = plot.pressure(cornered, Figure().add_subplot())
+    marked = [(text.xy[0], text.get_ha()) for text in ax.texts if text.get_text() == "no limit at a corner"]
+    assert marked == [(pytest.approx(-8.0, abs=0.5), "left"), (pytest.approx(8.0, abs=0.5), "right")]

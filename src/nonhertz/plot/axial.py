@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.plot.style import END_DASHES, FAINT_INK, SMALL_SIZE, THIN
-from nonhertz.result.solution import Solution, Status
+from nonhertz.plot.style import BACKING, END_DASHES, FAINT_INK, INK, SMALL_SIZE, THIN
+from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -96,6 +96,35 @@ def draw_body_ends(solution: Solution, ax: Axes, *, named: bool = True) -> None:
                 fontsize=SMALL_SIZE,
                 color=FAINT_INK,
             )
+
+
+def unlimited_ends(solution: Solution) -> tuple[EdgePressure, ...]:
+    """Return the ends of the contact where the pressure has no limit: sharp ones, and corners of the profile."""
+    return tuple(edge for edge in solution.edge_pressure if edge.kind in {EdgeKind.SINGULAR, EdgeKind.CORNER})
+
+
+def mark_unlimited(solutions: Sequence[Solution], ax: Axes, colours: Sequence[str] = ()) -> None:
+    """Write "no limit" at every end where the pressure has none, on the side of the contact.
+
+    With colours, one for each solution, what concerns a single one has its colour.
+    """
+    ends: dict[tuple[float, bool], list[str]] = {}
+    for solution, colour in zip(solutions, colours or [INK] * len(solutions), strict=True):
+        for edge in unlimited_ends(solution):
+            ends.setdefault((round(edge.y, 6), edge is solution.edge_pressure[0]), []).append(colour)
+    for (y, low), found in ends.items():
+        ax.annotate(
+            "no limit",
+            (y, 0.98),
+            xycoords=ax.get_xaxis_transform(),
+            xytext=(6.0 if low else -6.0, 0.0),
+            textcoords="offset points",
+            ha="left" if low else "right",
+            va="top",
+            fontsize=SMALL_SIZE,
+            color=found[0] if len(found) == 1 else INK,
+            bbox=BACKING,
+        )
 
 
 def _merged(ends: list[tuple[float, str]], side: float, near: float) -> list[tuple[float, str]]:

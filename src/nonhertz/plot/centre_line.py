@@ -17,6 +17,7 @@ from nonhertz.plot.axial import (
     number,
     place,
     strip_edges,
+    unlimited_ends,
 )
 from nonhertz.plot.style import (
     BACKING,
@@ -101,9 +102,8 @@ def pressure(solution: Solution, ax: Axes) -> Axes:
     labels = ["pressure $p_0$ (left axis; steps: strips)", "half-width $b$ (right axis)"]
     head(solution, ax, [of_pressure, of_width], labels)
     _mark_maximum(solution, ax, span)
-    for edge in solution.edge_pressure:
-        if edge.law:
-            _mark_singular(solution, ax, edge)
+    for edge in unlimited_ends(solution):
+        _mark_singular(solution, ax, edge)
     _mark_contact(solution, ax, span)
     return ax
 
@@ -133,10 +133,12 @@ def _mark_singular(solution: Solution, ax: Axes, edge: EdgePressure) -> None:
     """Draw an arrow where the pressure has no limit, and write how it grows."""
     across = ax.get_xaxis_transform()
     ax.plot([edge.y], [0.975], transform=across, marker="^", markersize=4.5, color=FIRST)
-    power = number(edge.exponent, 3)
-    words = f"singular: $p$ ∼ $K$ / $s^{{{power}}}$"
-    if edge.strength is not None:
-        words += f"\n$K$ = {number(edge.strength)} MPa mm$^{{{power}}}$"
+    words = "no limit at a corner"
+    if edge.law:
+        power = number(edge.exponent, 3)
+        words = f"singular: $p$ ∼ $K$ / $s^{{{power}}}$"
+        if edge.strength is not None:
+            words += f"\n$K$ = {number(edge.strength)} MPa mm$^{{{power}}}$"
     # The text keeps clear of the curve, which climbs to the arrow: start where the curve reaches the text's height.
     below = solution.y[solution.centre_pressure < SINGULAR_SHARE * ax.get_ylim()[1]]
     foot = float(below[np.abs(below - edge.y).argmin()]) if below.size else edge.y

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from nonhertz.life import Life
 from nonhertz.model.body import BODIES, BodyName
-from nonhertz.plot.axial import AXIAL_LABEL, axial_range, conditions, draw_body_ends, number
+from nonhertz.plot.axial import AXIAL_LABEL, axial_range, conditions, draw_body_ends, mark_unlimited, number
 from nonhertz.plot.sheets import BOTTOM, LEFT, TITLE, WIDTH, blank, panel, write_title
-from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
+from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
@@ -81,8 +81,7 @@ def life_density(spectrum: Spectrum, lives: Sequence[Life], ax: Axes, *, compare
         words = "The bodies can touch over an unlimited length:\nthere is no ideal pressure to compare with."
         ax.text(0.5, 0.6, words, transform=ax.transAxes, ha="center", va="center")
     elif any(solution.singular_ends for solution, _ in spectrum):
-        words = "no limit at a sharp end"
-        ax.text(0.5, 0.96, words, transform=ax.transAxes, ha="center", va="top", fontsize=SMALL_SIZE, bbox=BACKING)
+        mark_unlimited([solution for solution, _ in spectrum], ax)
     _key(entries, _columns(bool(compared)), ax)
     ax.set_title(f"body {lives[0].body}", loc="left", pad=_key_points(_rows(lives, bool(compared))))
     return ax

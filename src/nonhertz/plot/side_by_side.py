@@ -8,10 +8,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.comparison import Comparison, Station
-from nonhertz.plot.axial import AXIAL_LABEL, Alignment, axial_range, conditions, draw_body_ends, number, place
+from nonhertz.plot.axial import (
+    AXIAL_LABEL,
+    Alignment,
+    axial_range,
+    conditions,
+    draw_body_ends,
+    mark_unlimited,
+    number,
+    place,
+)
 from nonhertz.plot.sheets import LEFT, TITLE, WIDTH, blank, panel, write_title
 from nonhertz.plot.style import (
-    BACKING,
     FAINT_INK,
     FIRST,
     HAIR,
@@ -104,8 +112,7 @@ def _draw_along(found: Comparison, axes: Axes) -> None:
         )  # fmt: skip
     axes.set_ylim(0.0, _top(found))
     if semi.singular_ends:
-        words = "axis cut: no limit at an end"
-        axes.text(0.5, 0.96, words, transform=axes.transAxes, ha="center", va="top", fontsize=SMALL_SIZE, bbox=BACKING)
+        mark_unlimited([semi], axes)
     _mark_stations(found, axes, named=True)
     axes.set_ylabel("Pressure at $x$ = 0 [MPa]")
     axes.tick_params(labelbottom=False)

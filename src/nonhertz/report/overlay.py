@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from nonhertz.plot.axial import AXIAL_LABEL, axial_range
+from nonhertz.plot.axial import AXIAL_LABEL, axial_range, mark_unlimited
 from nonhertz.plot.sheets import BOTTOM, LEFT, WIDTH, blank, panel
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, sheet_style
 from nonhertz.report.results import CaseResults
@@ -49,6 +49,7 @@ def pressures(found: Sequence[CaseResults]) -> Figure:
         sharp = any(each.solution.singular_ends for each in found)
         upper.set_ylim(0.0, max(each.solution.max_pressure for each in found) * (BEYOND if sharp else ROOM) or 1.0)
         lower.set_ylim(0.0, max(float(each.solution.half_width.max()) for each in found) * ROOM or 1.0)
+        mark_unlimited([each.solution for each in found], upper, [colour for colour, _ in lines_of(found)])
         upper.set_ylabel("Centre-line pressure $p_0$ [MPa]")
         lower.set_ylabel("Half-width $b$ [mm]")
         _along(upper, found)
