@@ -99,6 +99,7 @@ def test_the_page_has_the_fields_and_holds_the_logo_itself(folder: Path) -> None
     assert document["report"]["logo"] == logo_from("logo.png", folder).address
     (group,) = [each for each in form(document).folded if each.path == "report"]
     shown = [field.path for field in group.members]
-    assert shown == [f"report.{name}" for name in ("project", "author", "revision", "date", "remarks", "logo")]
+    names = ("project", "author", "revision", "date", "remarks", "language", "logo")
+    assert shown == [f"report.{name}" for name in names]
     (group,) = [each for each in form({}).folded if each.path == "report"]
     assert "report.logo" not in [field.path for field in group.members]

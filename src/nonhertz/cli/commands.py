@@ -315,6 +315,7 @@ def report(
     date: str = "",
     remarks: str = "",
     logo: Path | None = None,
+    language: str = "",
 ) -> int:
     """Solve case files or bearing files and write one HTML report that anyone can open in a browser.
 
@@ -348,6 +349,8 @@ def report(
         Remarks in the head of the report.
     logo : Path
         PNG or SVG file of at most 200 kB, shown in the head of the report.
+    language : str
+        Language of the report, "en" or "de".
     """
     from nonhertz.cli.report import composed, read_cases, target, title_block, write
     from nonhertz.io.changes import changes_in
@@ -355,7 +358,8 @@ def report(
 
     if not cases:
         raise InputError("CASE", "", "be given", "name one case file or bearing file, or more")
-    block = title_block(logo, project=project, author=author, revision=revision, date=date, remarks=remarks)
+    lines = {"project": project, "author": author, "revision": revision, "date": date, "remarks": remarks}
+    block = title_block(logo, **lines, language=language)
     path = target(out, cases)
     read = read_cases(cases, changes_in(changes))
     refuse_unwritable(path.parent)

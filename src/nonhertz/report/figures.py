@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from nonhertz.plot import figures, life_figure, measured_figure, stress_figures
 from nonhertz.report.drawing import inline_svg
+from nonhertz.report.language import Language, translate_figure
 from nonhertz.report.measurements import Measurement
 from nonhertz.report.overlay import pressures, reliefs
 from nonhertz.report.overview import keys
@@ -41,10 +42,11 @@ class ReportFigure:
 
 
 class Gallery:
-    """Draws the figures of one page and numbers them."""
+    """Draws the figures of one page in its language and numbers them."""
 
-    def __init__(self) -> None:
+    def __init__(self, language: Language) -> None:
         self._numbers = count(1)
+        self._language = language
 
     def of_solution(self, found: CaseResults) -> dict[str, ReportFigure]:
         """Return pressure, footprint and profile, by these names."""
@@ -107,7 +109,9 @@ class Gallery:
     def picture(self, figure: Figure, caption: str, description: str) -> ReportFigure:
         """Return a figure with the next number."""
         number = next(self._numbers)
-        return ReportFigure(number, inline_svg(figure, f"figure-{number}", caption, description), caption)
+        translate_figure(figure, self._language)
+        svg = inline_svg(figure, f"figure-{number}", self._language(caption), description)
+        return ReportFigure(number, svg, caption)
 
 
 def _proportions(solution: Solution) -> str:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from nonhertz import __version__
 from nonhertz.io.title_block import TitleBlock
 from nonhertz.report.figures import ReportFigure
+from nonhertz.report.language import Language
 from nonhertz.report.measurements import Measurement
 
 if TYPE_CHECKING:
@@ -51,12 +52,16 @@ def laid_out(
     block: TitleBlock,
     comparison: dict[str, Any] | None,
     parts: Sequence[dict[str, Any]],
+    language: Language,
 ) -> str:
     """Return the text of a page; comparison and parts name the templates that lay them out."""
     page = (
         _environment()
         .get_template("report.html")
         .render(
+            t=language,
+            w=language.words,
+            whole=language.whole,
             title=title,
             mark=_safe(MARK),
             style=_safe(_resource("style.css")),

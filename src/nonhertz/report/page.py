@@ -8,15 +8,16 @@ from typing import Any
 from nonhertz.errors import InputError
 from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.casefile import Case
-from nonhertz.io.title_block import TitleBlock
+from nonhertz.io.title_block import ENGLISH, TitleBlock
 from nonhertz.report.assumptions import assumptions
 from nonhertz.report.basis import basis
-from nonhertz.report.bearing.page import rendered_bearings
+from nonhertz.report.bearing.page import rendered_bearings, title_block_of
 from nonhertz.report.bearing.results import settled_bearings
 from nonhertz.report.differences import differing_inputs, lives, remarks_on_lives, results
 from nonhertz.report.downloads import downloads, left_out
 from nonhertz.report.figures import Gallery
 from nonhertz.report.inputs import inputs
+from nonhertz.report.language import Language
 from nonhertz.report.layout import Words, laid_out, marked, measured, merged
 from nonhertz.report.measurements import measurements
 from nonhertz.report.method import paragraphs, references
@@ -86,6 +87,7 @@ def compose(
         remedy = "make a report of each kind"
         raise InputError("cases", "of both kinds", "be all single contacts or all bearings", remedy)
     if bearings:
+        title_block = title_block_of(bearings, title_block)
         found = settled_bearings(bearings, life=life, compare=compare, announce=announce)
         return rendered_bearings(found, title_block)
     return rendered(examined(settled(contacts), life=life, stress=stress, announce=announce), title_block)
@@ -93,13 +95,14 @@ def compose(
 
 def rendered(found: Sequence[CaseResults], block: TitleBlock | None = None) -> str:
     """Return the text of the report on these cases; what ``block`` leaves empty in its head is that of the first."""
-    gallery = Gallery()
+    head = (block or TitleBlock()).over(found[0].case.title_block)
+    language = Language(head.language or ENGLISH)
+    gallery = Gallery(language)
     several = len(found) > 1
     comparison = _comparison(found, gallery) if several else None
     parts = [_part(each, number, several, gallery) for number, each in enumerate(found, start=1)]
-    title = f"{len(found)} cases compared" if several else found[0].case.title
-    head = (block or TitleBlock()).over(found[0].case.title_block)
-    return laid_out(title, WORDS, head, comparison, parts)
+    title = language(f"{len(found)} cases compared") if several else found[0].case.title
+    return laid_out(title, WORDS, head, comparison, parts, language)
 
 
 def _part(found: CaseResults, number: int, several: bool, gallery: Gallery) -> dict[str, Any]:

@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from pathlib import PurePosixPath
 from typing import Any
 
+from nonhertz.errors import InputError
 from nonhertz.io.bearing_results import as_json, as_object, comparison_files, rollers_table
-from nonhertz.io.title_block import TitleBlock
+from nonhertz.io.bearingfile import BearingCase
+from nonhertz.io.title_block import ENGLISH, TitleBlock
 from nonhertz.report.bearing.assumptions import bearing_assumptions
 from nonhertz.report.bearing.basis import bearing_basis
 from nonhertz.report.bearing.differences import bearing_differences
@@ -19,6 +21,7 @@ from nonhertz.report.bearing.results import BearingResults
 from nonhertz.report.differences import differing_inputs
 from nonhertz.report.downloads import Download, given_files, left_out, text_download
 from nonhertz.report.figures import Gallery
+from nonhertz.report.language import Language
 from nonhertz.report.layout import Words, in_letters, laid_out, marked, measured, merged
 from nonhertz.report.measurements import measurements
 from nonhertz.show.bearing import (
@@ -44,13 +47,28 @@ WORDS = Words(
 
 def rendered_bearings(found: Sequence[BearingResults], block: TitleBlock | None = None) -> str:
     """Return the text of the report on these bearings; what ``block`` leaves empty in its head is that of the first."""
-    gallery = Gallery()
+    head = title_block_of([each.case for each in found], block)
+    language = Language(ENGLISH)
+    gallery = Gallery(language)
     several = len(found) > 1
     comparison = _comparison(found, gallery) if several else None
     parts = [_part(each, number, several, gallery) for number, each in enumerate(found, start=1)]
-    title = f"{len(found)} bearings compared" if several else found[0].case.title
-    head = (block or TitleBlock()).over(found[0].case.title_block)
-    return laid_out(title, WORDS, head, comparison, parts)
+    title = language(f"{len(found)} bearings compared") if several else found[0].case.title
+    return laid_out(title, WORDS, head, comparison, parts, language)
+
+
+def title_block_of(cases: Sequence[BearingCase], block: TitleBlock | None) -> TitleBlock:
+    """Return the title block of a report on bearings.
+
+    Raises
+    ------
+    InputError
+        If it is to be in a language that reports of bearings are not translated to.
+    """
+    head = (block or TitleBlock()).over(cases[0].title_block)
+    if head.language not in {"", ENGLISH}:
+        raise InputError("language", head.language, "be 'en' for bearings", "only single contacts are translated")
+    return head
 
 
 def _part(found: BearingResults, number: int, several: bool, gallery: Gallery) -> dict[str, Any]:
