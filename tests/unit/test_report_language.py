@@ -34,6 +34,8 @@ ENGLISH_WORDS = re.compile(
     r"\b(the|of|is|are|and|with|not|where|from|to|by|at|no|its|which|than|ends?|length|load|both|pressure|width)\b",
     re.I,
 )
+# Words in quotation marks, tables in brackets, and keys such as body.a.profile[1].length.
+OF_FILES = re.compile(r"„[^“]*“|\[[a-z.]+\]|\b[a-z_]+(?:\.[a-z_]+(?:\[\d+\])?)+")
 # Tables of the schema whose keys a report shows.
 SHOWN = ("BodyTable", "LoadTable", "SolverTable", "LifeTable")
 
@@ -104,8 +106,8 @@ def german_page(paths: list[Path], monkeypatch: pytest.MonkeyPatch, **options: b
 
 
 def is_english(words: str) -> bool:
-    """Return whether a text has English words; its words of case files stand in quotation marks or brackets."""
-    return ENGLISH_WORDS.search(re.sub(r"„[^“]*“|\[[a-z.]+\]", "", words)) is not None
+    """Return whether a text has English words beside those of case files."""
+    return ENGLISH_WORDS.search(OF_FILES.sub("", words)) is not None
 
 
 def refuse_english(page: str, language: Language) -> None:
