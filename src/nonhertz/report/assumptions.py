@@ -21,6 +21,7 @@ from nonhertz.result.checks import LEAST_DEPTH, checks
 from nonhertz.result.ends import leaves_stress
 from nonhertz.result.numerals import digits, given
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
+from nonhertz.result.validity import ROUND_IT
 from nonhertz.strength import Verdict as StrengthVerdict
 from nonhertz.strip.element import SEMI_ELLIPTIC
 
@@ -143,7 +144,7 @@ def _smooth(solution: Solution) -> Assumption:
     bends = sum(low < y < high for y in solution.contact.bends)
     number = "1 bend of the relief in contact" if bends == 1 else f"{bends or 'no'} bends of the relief in contact"
     corner = solution.peaks_at_corner
-    remark = "The largest pressure has no limit: give the corner a radius." if corner else ""
+    remark = f"The largest pressure has no limit: {ROUND_IT}." if corner else ""
     criterion = "no corner of the profile bears the largest pressure"
     return Assumption("Smooth along y", criterion, number, Verdict.NOT_MET if corner else Verdict.HOLDS, remark)
 

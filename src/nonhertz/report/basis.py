@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 
 from nonhertz.model.body import BODIES, Body
-from nonhertz.model.material import MATERIALS
+from nonhertz.model.materials import MATERIALS
 from nonhertz.report.results import CaseResults
 from nonhertz.result.numerals import given
 from nonhertz.result.solution import Status
