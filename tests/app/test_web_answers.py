@@ -315,3 +315,21 @@ def test_points_for_which_there_is_no_time_are_left_to_the_next_request(monkeypa
     monkeypatch.setattr(curves, "CURVE_SECONDS", 0.0)
     found = json.loads(curves.curve(STARTING, "load.load", [1e4, 2e4, 3e4]))
     assert [point["value"] for point in found["points"]] == [1e4]
+
+
+def test_the_life_is_that_of_the_command_line():
+    document = changed(body__b={"kind": "ring", "diameter": 80.0, "length": 24.0}, life={"rollers": 14})
+    found = answer(document)["life"]
+    solution = solution_of(document)
+    alone = nh.life.assess(solution, nh.life.iso_16281(), body="b", rollers=14)[0]
+    assert found["body"] == "b"
+    assert found["million_revolutions"] == alone.million_revolutions
+    assert found["relative"] == alone.relative
+    # Without a rating, that of body a over the ideal.
+    assert answer(STARTING)["life"]["million_revolutions"] is None
+    assert (
+        answer(STARTING)["life"]["relative"] == nh.life.assess(solution_of(STARTING), nh.life.iso_16281())[0].relative
+    )
+    assert answer(STARTING)["life"]["ends_counted"]
+    sharp = changed(body__a__profile=[])
+    assert not answer(sharp)["life"]["ends_counted"]

@@ -54,7 +54,18 @@ export function keyNumbers(answer, stress) {
           number: stress.von_mises.value,
         }
       : { name: "von Mises stress", value: "–", unit: "", where: "not shown", number: null },
+    life(answer.life),
   ];
+}
+
+/** The life by laminae: in revolutions where there is a rating, else over that of an even pressure. */
+function life(found) {
+  if (!found || found.relative === null) return { name: "Life", value: "–", unit: "", where: "not known", number: null };
+  const model = `ISO/TS 16281, body ${found.body}${found.ends_counted ? "" : ", sharp ends not counted"}`;
+  if (found.million_revolutions === null)
+    return { name: "Life", value: digits(found.relative, 3), unit: "× ideal", where: model, number: found.relative };
+  const number = found.million_revolutions;
+  return { name: "Life", value: digits(number, 4), unit: "10⁶ rev.", where: `L₁₀, ${model}`, number };
 }
 
 function load(newtons) {

@@ -15,6 +15,7 @@
  *   line: {y: number[], pressure: (number | null)[], half_width: (number | null)[], line_load: (number | null)[]},
  *   footprint: {y: (number | null)[], half_width: (number | null)[], pressure: (number | null)[]},
  *   gap: {y: number[], before: (number | null)[], after: (number | null)[], range: [number, number] | null},
+ *   life: {relative: number | null, million_revolutions: number | null, body: string, ends_counted: boolean} | null,
  *   contact: [number, number][], singular: Singular[],
  *   stress_note?: string,
  *   body?: "a" | "b",

@@ -9,17 +9,19 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, NonhertzError
 from nonhertz.io.casefile import Case
 from nonhertz.io.document import BodyTable, reading
 from nonhertz.io.results import plain
-from nonhertz.model.body import Body
+from nonhertz.life import assess
+from nonhertz.model.body import BODIES, Body
 from nonhertz.plot.contact_area import outlines
 from nonhertz.plot.surfaces import distances, drawn_range
 from nonhertz.result.brief import where_largest
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, Solution
 from nonhertz.show.summary import summary_rows
+from nonhertz.study.quantities import LIFE_MODEL
 from nonhertz.web.view.replies import numbers
 
 Array = NDArray[np.float64]
@@ -52,6 +54,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "line": _line(solution),
         "footprint": _footprint(solution),
         "gap": _gap(solution),
+        "life": None if complaint or not solution.contact_y else _life(case, solution),
         "profiles": profiles({"a": case.contact.a, "b": case.contact.b}),
         "interval": plain(case.contact.interval),
         "contact": plain(solution.contact_y),
@@ -80,6 +83,24 @@ def _key_numbers(solution: Solution) -> dict[str, Any]:
             for edge in solution.edge_pressure
         ],
     }
+
+
+def _life(case: Case, solution: Solution) -> dict[str, Any] | None:
+    """Return how long the contact lasts under its load by laminae, which take half a millisecond; None if unknown.
+
+    Of the body that has a raceway, else of body a.
+    """
+    (model,) = case.life.models((LIFE_MODEL,))
+    given = {"rollers": case.life.rollers, "contact_angle": case.life.contact_angle}
+    try:
+        lives = [assess(solution, model, body=body, **given)[0] for body in BODIES]  # type: ignore[arg-type]
+    except NonhertzError:
+        return None
+    life = next((each for each in lives if each.million_revolutions is not None), lives[0])
+    found = {"relative": life.relative, "million_revolutions": life.million_revolutions}
+    # What a life adds to the warnings of its solution is that the damage has no limit towards sharp ends.
+    counted = set(life.warnings) <= set(solution.warnings)
+    return {name: plain(value) for name, value in found.items()} | {"body": life.body, "ends_counted": counted}
 
 
 def profiles(bodies: dict[str, Body]) -> dict[str, Any]:
