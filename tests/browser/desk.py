@@ -36,7 +36,8 @@ class Desk:
     def write(self, path: str, text: str) -> None:
         """Write into a field and wait for what comes of it; a plain number is in the base unit of the quantity."""
         before = self.answers
-        base = self.field(path).get_attribute("data-unit")
+        choice = self.page.locator(f'#case .field[data-path="{path}"] select.unit')
+        base = self.field(path).get_attribute("data-unit") if choice.count() else None
         self.field(path).fill(f"{text} {base}" if base and PLAIN.fullmatch(text) else text)
         self.wait_for_answer(before)
 
