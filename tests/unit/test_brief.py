@@ -28,7 +28,7 @@ def test_a_solution_is_printed_in_ten_lines_at_most(solved):
     assert said[1].strip() == (
         "roller (diameter 20, length 20 mm; ends free, depth finite) against ring (diameter 80 mm; depth none)"
     )
-    assert "load 5000.0 N" in repr(solved)
+    assert "load 5.0000 kN" in repr(solved)
     assert "tilt 0.20000 mrad" in repr(solved)
     assert f"approach {1e3 * solved.approach:.3f} um, error about" in repr(solved)
     assert re.search(r"maximum pressure \d+\.\d MPa at y = \S+ mm, error about", repr(solved))
@@ -51,7 +51,7 @@ def test_notebooks_see_the_pressure_drawn(solved):
     assert heights[int(solved.centre_pressure.argmax())] == min(heights) < 20.0
     assert heights[0] == max(heights)
     assert "<li>" in page
-    assert "load 5000.0 N" in page
+    assert "load 5.0000 kN" in page
 
 
 def test_plane_grids_and_batches_are_printed_too():

@@ -51,7 +51,7 @@ def test_equal_cases_compare() -> None:
             "15 mm (case (1)); 14 mm, an effective length (case (2))",
         ),
         (
-            contact(b=replace(RING, material=nh.model.material.MATERIALS["bronze"])),
+            contact(b=replace(RING, material=nh.MATERIALS["bronze"])),
             "Pressures and approaches are those of different materials of body b:",
             "bronze (case (2))",
         ),
