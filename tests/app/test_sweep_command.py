@@ -128,17 +128,23 @@ def rows_in(file: Path) -> int:
         rows.close()
 
 
+def changed(file: Path) -> int:
+    """Return when a file was written to last; 0 before it is there."""
+    return file.stat().st_mtime_ns if file.exists() else 0
+
+
 @pytest.mark.slow
 def test_killed_at_random_moments_no_row_is_lost_or_doubled(folder):
     subprocess.run(command("--out", "whole"), check=True, stdout=subprocess.DEVNULL, timeout=300)
     store, seed, there = folder / "killed" / "rows.sqlite3", random.Random(5), [0]
     for kill in range(20):
         running = subprocess.Popen(command("--out", "killed", "--workers", "1"), stdout=subprocess.DEVNULL)
-        # Some while it starts, the others at any moment after some more rows.
-        awaited = there[-1] + (0 if kill % 5 == 4 else seed.randrange(1, 90))
-        while running.poll() is None and rows_in(store) < awaited:
-            time.sleep(0.01)
-        time.sleep(seed.uniform(0.0, 0.1))
+        # Some while it starts, the others at any moment after some more portions; while it runs, the rows are locked.
+        written, awaited = {changed(store)}, 0 if kill % 5 == 4 else seed.randrange(2, 6)
+        while running.poll() is None and len(written) <= awaited:
+            time.sleep(0.002)
+            written.add(changed(store))
+        time.sleep(seed.uniform(0.0, 0.03))
         running.kill()
         running.wait()
         there.append(rows_in(store))
