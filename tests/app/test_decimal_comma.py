@@ -30,6 +30,7 @@ def rows(path: Path, **how: str) -> list[list[str]]:
     return list(csv.reader(io.StringIO(path.read_text(encoding="utf-8-sig")), **how))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "words",
     [

@@ -99,6 +99,7 @@ def test_a_bearing_is_no_case_of_a_design(folder, capsys):
     assert "a bearing is swept over" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_a_front_of_aligned_and_misaligned_loads(folder, capsys):
     assert main(["design", "plan.toml", "--workers", "1", "--starts", "1", "--front", "3"]) == 0
     out = capsys.readouterr().out

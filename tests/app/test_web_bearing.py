@@ -348,6 +348,7 @@ def test_a_bearing_is_what_the_page_begins_with(page):
     assert 'href="bearing"' in page.get("/contact").text
 
 
+@pytest.mark.slow
 def test_processes_start_when_their_page_is_opened(page):
     assert post(page, "/bearing/solve", json={"document": FEW, "method": "slices"}).json()["ok"]
     assert page.get("/bearing/status").json() == {"ready": True}

@@ -57,6 +57,7 @@ def test_derivatives_are_those_of_differences(goal, vary, x):
         np.testing.assert_allclose(slopes[:, k], differences, atol=0.02 * np.abs(slopes).max())
 
 
+@pytest.mark.slow
 def test_the_crown_for_a_load_is_the_best_of_many():
     found = best(CASE, vary=RADIUS, loads=LOADS, starts=3, workers=1)
     radii = np.geomspace(1500.0, 30000.0, 60)
@@ -106,6 +107,7 @@ def test_without_tilt_a_free_profile_comes_close_to_uniform_pressure():
     assert np.any(relief != was)
 
 
+@pytest.mark.slow
 def test_limits_hold_under_every_load():
     free = best(CASE, vary=RADIUS, loads=LOADS, starts=2, workers=1)
     most = max(nh.solve(free.case.contact, load=each.load, tilt=each.tilt, strips=61).approach for each in LOADS)
@@ -132,6 +134,7 @@ def test_a_limit_that_nothing_meets_is_told_with_how_much_is_missing():
         best(CASE, vary=RADIUS, starts=1, workers=1, where={"approach": "at most 1 um"})
 
 
+@pytest.mark.slow
 def test_no_point_of_a_front_is_better_than_another_in_both():
     found = front(CASE, first=LOADS[:1], second=LOADS[1:], vary=RADIUS, points=4, starts=1, workers=1)
     assert 3 <= len(found.first) <= 4
@@ -158,6 +161,7 @@ def test_bounds_of_a_free_profile_are_those_of_its_steps():
         np.testing.assert_allclose(gradient[:, k], change, atol=1e-6 * np.abs(gradient).max())
 
 
+@pytest.mark.slow
 def test_a_free_profile_stays_within_the_slope_and_the_curvature_that_it_may_have():
     loose, bound = (
         best(CASE, vary={"body.a.profile": text}, loads=LOADS, starts=2, workers=1)

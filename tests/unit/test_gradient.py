@@ -199,6 +199,7 @@ def test_nonsense_is_refused(crowned, ask, said):
         ask(crowned)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "model", [nh.life.lundberg_palmgren(), nh.life.zaretsky(), nh.life.iso_16281(edge_stress="none")]
 )

@@ -58,6 +58,7 @@ both_kinds = pytest.mark.parametrize("influence", [HALF_SPACES, FINITE], ids=["h
 # How it ends
 
 
+@pytest.mark.slow
 @both_kinds
 def test_it_converges_with_the_contact_ending_inside(influence):
     r, m, rigid = start()

@@ -254,6 +254,7 @@ def test_what_is_no_name_of_a_file_is_refused(path):
         many.save(path)
 
 
+@pytest.mark.slow
 def test_an_element_of_ones_own_is_not_saved(tmp_path):
     own = dataclasses.replace(nh.PARABOLIC, name="own")
     many = nh.solve_many(CROWNED, load=[2e3], strips=11, element=own)

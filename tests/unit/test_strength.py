@@ -114,6 +114,7 @@ def test_a_case_has_to_reach_below_the_largest_shear_stresses(plain, depth, verd
     assert found.largest.orthogonal_shear.max == pytest.approx(0.25 * plain.max_pressure, rel=1e-4)
 
 
+@pytest.mark.slow
 def test_a_case_has_to_reach_below_the_middle_where_the_ends_are_stressed_more():
     # A peak of the pressure beside the corner, half as wide as the contact in the middle, has the largest stress.
     solution = crowned(12e3, profile=nh.profile.crown(radius=4000), corner_radius=0.5, **KNOWN, case_depth=0.1)
@@ -181,6 +182,7 @@ def test_a_sharp_end_leaves_no_confident_number():
     assert found.warnings
 
 
+@pytest.mark.slow
 def test_what_yields_away_from_a_sharp_end_yields():
     found = assess(crowned(60e3, **KNOWN, case_depth=0.3))
     assert [check.verdict for check in found.checks] == [
@@ -201,6 +203,7 @@ def test_a_contact_with_nothing_away_from_its_ends_is_never_known():
     assert {check.verdict for check in assess(solution).checks} == {Verdict.UNKNOWN}
 
 
+@pytest.mark.slow
 def test_a_corner_within_the_contact_leaves_no_confident_number():
     profile = nh.profile.tapered_ends(straight=10, angle=2e-3) + nh.profile.crown(radius=20000)
     solution = crowned(10e3, profile=profile, **KNOWN | {"yield_strength": 1.0, "pressure_limit": 1.0})
@@ -213,6 +216,7 @@ def test_a_corner_within_the_contact_leaves_no_confident_number():
 # The rest
 
 
+@pytest.mark.slow
 def test_both_bodies_and_both_methods():
     strips = crowned(**KNOWN)
     patch = crowned(solve=lambda *case, **given: nh.patch.solve(*case, cells=(24, 64), **given), **KNOWN)
