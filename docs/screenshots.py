@@ -74,10 +74,10 @@ def main() -> None:
     with page_served() as address, browser_started() as browser:
         page = opened(browser, address, WIDE)
         page.locator("#pin").click()
-        page.locator('[name="load.load"]:not([data-base])').fill("26000")
+        page.locator('[name="load.load"]:not([data-base])').fill("26")
         settle(page)
         page.screenshot(path=FIGURES / "page.png")
-        page.locator(".stress").screenshot(path=FIGURES / "page-stress.png")
+        page.locator(".stress[aria-labelledby=stress-title]").screenshot(path=FIGURES / "page-stress.png")
 
         page.locator('[name="load.load"]:not([data-base])').fill("26 furlong")
         page.locator('[name="body.a.diameter"]').fill("-20")
