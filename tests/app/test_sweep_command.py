@@ -212,3 +212,10 @@ def test_an_address_where_nothing_answers_is_refused(folder, capsys, monkeypatch
     words = ["sweep", "roller.toml", "--over", "load.load=1kN,2kN", "--scheduler", "tcp://127.0.0.1:9"]
     assert main(words) == 2
     assert "--scheduler = 'tcp://127.0.0.1:9' must be the address of a scheduler" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("address", ["", "here", "10.0.0.1", "tcp://", "tcp://here:port", "tcp://a b:1"])
+def test_what_is_no_address_is_refused_before_anything_is_asked(folder, capsys, address):
+    pytest.importorskip("distributed")
+    assert main(["sweep", "roller.toml", "--over", "load.load=1kN,2kN", "--scheduler", address]) == 2
+    assert f"--scheduler = '{address}' must be the address of a scheduler, with a port" in capsys.readouterr().err

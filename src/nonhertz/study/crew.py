@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import multiprocessing
 import os
+import re
 import signal
 import sys
 import threading
@@ -26,6 +27,7 @@ Found = TypeVar("Found")
 AHEAD = 3  # portions handed out per process: so few that memory stays flat
 ATTEMPTS = 2  # alone, of a portion that was under way when a process ended
 CONNECTING = "20s"
+_ADDRESS = re.compile(r"(?:[a-z]+://)?[^\s/]+:\d+/?")
 _MOST = 61 if sys.platform == "win32" else sys.maxsize  # processes: Windows waits for no more at once
 # Linear algebra of one portion on one thread: the processes share the cores.
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
@@ -117,11 +119,14 @@ class Cluster:
     def __init__(self, address: str) -> None:
         from distributed import Client
 
+        remedy = "give that of a running Dask scheduler, such as tcp://10.0.0.1:8786"
+        # The client has assertions, not sentences, for what is no address at all.
+        if not isinstance(address, str) or not _ADDRESS.fullmatch(address):
+            raise InputError("--scheduler", address, "be the address of a scheduler, with a port", remedy)
         try:
             self._client: Any = Client(address, timeout=CONNECTING, set_as_default=False)
         except (OSError, ValueError, TypeError) as error:
             reason = " ".join(str(error).split()).rstrip(".") or type(error).__name__
-            remedy = "give that of a running Dask scheduler, such as tcp://10.0.0.1:8786"
             raise InputError("--scheduler", address, f"be the address of a scheduler ({reason})", remedy) from None
 
     def run(self, solve: Callable[[Given], Found], each: Iterable[Given]) -> Iterator[tuple[Given, Found | LostError]]:
