@@ -4,6 +4,7 @@ PYTHON ?= python3
 PYTHONS ?= python3.11 python3.12 python3.13
 ORDERS ?= 1 2 3 4 5
 MUTANTS ?= --count 200
+SPHINX ?=
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
@@ -71,7 +72,7 @@ lint: $(READY)
 
 docs: $(READY)
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --group docs
-	$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet --builder html docs out/site
+	$(BIN)/python -m sphinx $(SPHINX) --fail-on-warning --keep-going --quiet --builder html docs out/site
 	@echo "The documents are in out/site; open out/site/index.html first."
 
 # The race runs without the peers where they cannot be had, and says so.

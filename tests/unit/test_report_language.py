@@ -167,7 +167,8 @@ def test_a_german_report_has_nothing_english(tmp_path: Path, monkeypatch: pytest
 
 @pytest.mark.slow
 def test_german_reports_of_all_examples_have_nothing_english(monkeypatch: pytest.MonkeyPatch) -> None:
-    refuse_english(*german_page(EXAMPLES, monkeypatch, life=True))
+    refuse_english(*german_page(EXAMPLES[:1], monkeypatch, life=True))
+    refuse_english(*german_page(EXAMPLES[1:], monkeypatch))
 
 
 def test_other_languages_are_refused(tmp_path: Path) -> None:
