@@ -44,6 +44,18 @@ _TURN = re.compile(r"\br(?:ev)?\b")
 _BARE_EXPONENT = re.compile(r"(?<=[A-Za-zµμ])(-?\d)")
 
 
+def number_and_unit(text: str) -> tuple[str, str] | None:
+    """Return number and unit of text such as ``"0.5 mrad"``, as they are written; None if one of them is missing.
+
+    Examples
+    --------
+    >>> number_and_unit("0.5 mrad"), number_and_unit("20"), number_and_unit("auto")
+    (('0.5', 'mrad'), None, None)
+    """
+    found = _QUANTITY.fullmatch(text)
+    return (found[1], found[2]) if found and found[2] else None
+
+
 def in_unit(field: str, value: Any, unit: str) -> Any:
     """Return a quantity as a number in ``unit``.
 

@@ -12,18 +12,27 @@ import numpy as np
 
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.solution import BearingSolution
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, NonhertzError
 from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.casefile import Case
 from nonhertz.io.mistakes import nearest
 from nonhertz.life import Life, assess
 from nonhertz.life.assessment import Spectrum
 from nonhertz.life.spectrum import solve_spectrum
+from nonhertz.model.body import BODIES
 from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.result.solution import Solution
 
 LIFE_MODEL = "iso-16281"  # where a case names none: it needs milliseconds, volumes take seconds
 _LIVES = ("10^6 revolutions", "million revolutions")
+
+
+def life_of(case: Case, solved: Solution | Spectrum, name: str) -> Life:
+    """Return the life of one body by the model of a name: of the one that has a raceway, else of body a."""
+    (model,) = case.life.models((name,))
+    given = {"rollers": case.life.rollers, "contact_angle": case.life.contact_angle}
+    lives = [assess(solved, model, body=body, **given)[0] for body in BODIES]  # type: ignore[arg-type]
+    return next((life for life in lives if life.million_revolutions is not None), lives[0])
 
 
 @dataclass(frozen=True)
@@ -43,10 +52,7 @@ class SolvedContact:
         solved: Solution | Spectrum = self.solution
         if case.spectrum:
             solved = solve_spectrum(self.case.contact, case.spectrum, **self.case.solver, threads=1)
-        (model,) = case.models(case.names[:1] or (LIFE_MODEL,))
-        given = {"rollers": case.rollers, "contact_angle": case.contact_angle}
-        lives = [assess(solved, model, body=body, **given)[0] for body in ("a", "b")]  # type: ignore[arg-type]
-        return next((life for life in lives if life.million_revolutions is not None), lives[0])
+        return life_of(self.case, solved, (*case.names, LIFE_MODEL)[0])
 
 
 @dataclass(frozen=True)
@@ -66,6 +72,14 @@ class SolvedBearing:
             If such a bearing has no rating.
         """
         return self.case.assess(self.solution)
+
+
+def number_of(quantity: Quantity, solved: SolvedContact | SolvedBearing) -> float:
+    """Return a number of a row; nan where there is none, such as a life without a rating."""
+    try:
+        return float(quantity.get(solved))
+    except NonhertzError:
+        return math.nan
 
 
 def _of_contact() -> dict[str, Quantity]:

@@ -29,7 +29,7 @@ from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.solver.many import solve_in_silence
 from nonhertz.solver.one import problem_of
 from nonhertz.strip.levels import bounded
-from nonhertz.study.quantities import SolvedBearing, SolvedContact, chosen
+from nonhertz.study.quantities import SolvedBearing, SolvedContact, chosen, number_of
 
 Values = Mapping[str, Any]
 
@@ -94,7 +94,7 @@ class Work:
             solved = SolvedBearing(case, case.solve())
         except NonhertzError as error:
             return self._failed(error)
-        return Row(tuple(_number(quantity, solved) for quantity in self.quantities))
+        return Row(tuple(number_of(quantity, solved) for quantity in self.quantities))
 
     def _of_contacts(self, template: Template, values: Sequence[Values]) -> list[Row]:
         """Return rows of contacts, those with equal bodies solved together."""
@@ -142,7 +142,7 @@ class Work:
                 Row(
                     tuple(
                         float(at_once[each.name][number]) if solved is None or each.name in at_once
-                        else _number(each, solved)
+                        else number_of(each, solved)
                         for each in self.quantities
                     )
                 )
@@ -156,7 +156,7 @@ class Work:
             solved = SolvedContact(case, case.solve())
         except NonhertzError as error:
             return self._failed(error)
-        return Row(tuple(_number(quantity, solved) for quantity in self.quantities))
+        return Row(tuple(number_of(quantity, solved) for quantity in self.quantities))
 
     def _unloaded(self, template: Template, values: Values) -> Row:
         """Return the row of bodies that just touch: the limit of ever smaller loads."""
@@ -206,11 +206,3 @@ def _prescribed(case: Case, values: Values) -> dict[str, float]:
     prescribed = case.prescribed | given
     Prescription.checked(*(prescribed.get(name) for name in ("approach", "load", "tilt", "moment")))
     return prescribed
-
-
-def _number(quantity: Quantity, solved: SolvedContact | SolvedBearing) -> float:
-    """Return a number of a row; nan where there is none, such as a life without a rating."""
-    try:
-        return float(quantity.get(solved))
-    except NonhertzError:
-        return math.nan

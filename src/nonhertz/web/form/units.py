@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-import re
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
 from nonhertz.errors import InputError
-from nonhertz.io.units import in_unit
+from nonhertz.io.units import in_unit, number_and_unit
 
 _INCH, _POUND = 25.4, 4.4482216152605  # mm, N
 #: Per base unit, words as files have them and their size.
@@ -26,7 +25,6 @@ _SMALL: Final = {"amplitude", "approach", "drop", "zm"}
 _LARGE: Final = {"N": (1e3, "kN"), "MPa": (1e4, "GPa"), "N mm": (1e4, "N m")}
 _SMALL_ANGLE: Final = 0.05
 _FIGURES: Final = 12
-_WRITTEN: Final = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S.*)")
 _LINEAR: Final = 1e-3  # relative: the angle of a slope is not proportional to it, which a slider takes for granted
 
 
@@ -78,17 +76,18 @@ def units_of(base: str, name: str, value: Any) -> tuple[str | None, tuple[Unit, 
         return None, ()
     units = tuple(Unit(word, factor) for word, factor in known.items())
     if isinstance(value, str):
-        written = _WRITTEN.fullmatch(value)
+        written = number_and_unit(value)
         if written is None:
             return None, _chosen(units, base)
-        number, word = written[1], written[2].replace("µ", "u").replace("μ", "u")
+        number, unit = written
+        word = unit.replace("µ", "u").replace("μ", "u")
         if word not in known:
             try:
                 size = in_unit(name, value, base)
-                one = in_unit(name, f"1 {written[2]}", base)
+                one = in_unit(name, f"1 {unit}", base)
             except InputError:
                 return None, _chosen(units, base)
-            word = written[2]
+            word = unit
             units += (Unit(word, one if math.isclose(one * float(number), size, rel_tol=_LINEAR) else None),)
         return number, _chosen(units, word)
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):

@@ -13,15 +13,14 @@ from nonhertz.errors import InputError, NonhertzError
 from nonhertz.io.casefile import Case
 from nonhertz.io.document import BodyTable, reading
 from nonhertz.io.results import plain
-from nonhertz.life import assess
-from nonhertz.model.body import BODIES, Body
+from nonhertz.model.body import Body
 from nonhertz.plot.contact_area import outlines
 from nonhertz.plot.surfaces import distances, drawn_range
 from nonhertz.result.brief import where_largest
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, Solution
 from nonhertz.show.summary import summary_rows
-from nonhertz.study.quantities import LIFE_MODEL
+from nonhertz.study.quantities import LIFE_MODEL, life_of
 from nonhertz.web.view.replies import numbers
 
 Array = NDArray[np.float64]
@@ -90,13 +89,10 @@ def _life(case: Case, solution: Solution) -> dict[str, Any] | None:
 
     Of the body that has a raceway, else of body a.
     """
-    (model,) = case.life.models((LIFE_MODEL,))
-    given = {"rollers": case.life.rollers, "contact_angle": case.life.contact_angle}
     try:
-        lives = [assess(solution, model, body=body, **given)[0] for body in BODIES]  # type: ignore[arg-type]
+        life = life_of(case, solution, LIFE_MODEL)
     except NonhertzError:
         return None
-    life = next((each for each in lives if each.million_revolutions is not None), lives[0])
     found = {"relative": life.relative, "million_revolutions": life.million_revolutions}
     # What a life adds to the warnings of its solution is that the damage has no limit towards sharp ends.
     counted = set(life.warnings) <= set(solution.warnings)

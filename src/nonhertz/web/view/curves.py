@@ -6,10 +6,10 @@ import math
 import time
 from typing import Any, Final
 
-from nonhertz.errors import CaseError, InputError, NonhertzError
+from nonhertz.errors import CaseError, InputError
 from nonhertz.io.paths import Parameter, parameter, parameters
 from nonhertz.result.quantities import Quantity
-from nonhertz.study.quantities import SolvedContact, chosen
+from nonhertz.study.quantities import SolvedContact, chosen, number_of
 from nonhertz.web.form.keys import case_schema
 from nonhertz.web.limits import CURVE_SECONDS
 from nonhertz.web.view.jobs import calmly, sound, worked_out
@@ -78,12 +78,5 @@ def _point(
     if complaint:
         return {"value": value, "sentence": complaint}
     solved = SolvedContact(case, solution)
-    numbers = [_number(quantity, solved) for quantity in quantities]
+    numbers = [quantity.factor * number_of(quantity, solved) for quantity in quantities]
     return {"value": value, "numbers": [each if math.isfinite(each) else None for each in numbers]}
-
-
-def _number(quantity: Quantity, solved: SolvedContact) -> float:
-    try:
-        return quantity.factor * float(quantity.get(solved))
-    except NonhertzError:
-        return math.nan
