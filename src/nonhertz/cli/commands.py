@@ -817,15 +817,14 @@ def new(
     bearing : bool
         Write a bearing file instead.
     """
+    from nonhertz.cli.options import named_as
     from nonhertz.io.bearingfile import starting_bearing
     from nonhertz.io.casefile import starting_case, write_new
 
     if bearing and template is not None:
         raise InputError("--template", template, "not be given with --bearing", "leave one out")
-    try:
+    with named_as(template="--template"):
         text = starting_bearing() if bearing else starting_case(template)
-    except InputError as error:
-        raise InputError("--template", error.value, error.condition, error.remedy) from None
     if path is None:
         print(text, end="")
     else:

@@ -16,8 +16,8 @@ import numpy as np
 from rich.table import Table
 from rich.text import Text
 
+from nonhertz.cli.options import named_as
 from nonhertz.cli.printing import console, print_table
-from nonhertz.errors import InputError
 from nonhertz.inputs.files import legible
 from nonhertz.io.casefile import as_toml
 from nonhertz.io.folder import write_files
@@ -38,14 +38,8 @@ def designed(plan: Path, changes: Mapping[str, Any], starts: int | None, workers
     """
     case, given = read_design(plan, changes)
     given |= {} if starts is None else {"starts": starts}
-    options = {"threads": "--workers", "starts": "--starts"}
-    with _progress() as announce:
-        try:
-            return best(case, **given, workers=workers, announce=announce)
-        except InputError as error:
-            if error.field in options:
-                raise InputError(options[error.field], error.value, error.condition, error.remedy) from None
-            raise
+    with _progress() as announce, named_as(threads="--workers", starts="--starts"):
+        return best(case, **given, workers=workers, announce=announce)
 
 
 def directory_for(plan: Path) -> Path:

@@ -12,6 +12,7 @@ from typing import Any
 from rich.table import Table
 from rich.text import Text
 
+from nonhertz.cli.options import named_as
 from nonhertz.cli.printing import console, print_table
 from nonhertz.errors import InputError
 from nonhertz.io.casefile import as_toml
@@ -45,16 +46,11 @@ def searched(plan: Path, changes: Mapping[str, Any], points: int, starts: int | 
         raise InputError("loads", f"{len(aligned)} without tilt and {len(tilted)} with", condition, remedy)
     if given.get("goal", "pressure") != "pressure":
         raise InputError("goal", given["goal"], "be 'pressure' for a front", "leave it out")
-    options = {"threads": "--workers", "starts": "--starts", "points": "--front"}
-    try:
+    with named_as(threads="--workers", starts="--starts", points="--front"):
         return front(
             case, first=aligned, second=tilted, vary=given.get("vary"), where=given.get("where"), points=points,
             starts=given.get("starts") if starts is None else starts, workers=workers,
         )  # fmt: skip
-    except InputError as error:
-        if error.field in options:
-            raise InputError(options[error.field], error.value, error.condition, error.remedy) from None
-        raise
 
 
 def written_front(found: Front, out: Path) -> tuple[Path, ...]:

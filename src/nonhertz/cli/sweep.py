@@ -12,6 +12,7 @@ from typing import Any
 from rich.table import Table
 from rich.text import Text
 
+from nonhertz.cli.options import named_as
 from nonhertz.cli.printing import console, print_table
 from nonhertz.errors import InputError
 from nonhertz.inputs.files import legible
@@ -62,13 +63,8 @@ def swept(plan: Plan, out: Path, workers: int | None, scheduler: str | None) -> 
     InputError
         If an option is refused, named as on the command line.
     """
-    with progress() as announce:
-        try:
-            return sweep(plan, out=out, workers=workers, scheduler=scheduler, announce=announce)
-        except InputError as error:
-            if error.field == "threads":
-                raise InputError("--workers", error.value, error.condition, error.remedy) from None
-            raise
+    with progress() as announce, named_as(threads="--workers"):
+        return sweep(plan, out=out, workers=workers, scheduler=scheduler, announce=announce)
 
 
 def written(found: Sweep, out: Path, excel: bool) -> tuple[Path, ...]:

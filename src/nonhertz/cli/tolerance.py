@@ -11,9 +11,9 @@ from typing import Any
 from rich.table import Table
 from rich.text import Text
 
+from nonhertz.cli.options import named_as
 from nonhertz.cli.printing import console, print_table
 from nonhertz.cli.sweep import progress
-from nonhertz.errors import InputError
 from nonhertz.io.planfile import Plan
 from nonhertz.show.studies import INDEX_COLUMNS, QUANTILE_COLUMNS, failure_rows, index_rows, quantile_rows, varied_rows
 from nonhertz.study.tolerances import Tolerance, tolerance
@@ -29,16 +29,10 @@ def studied(
     InputError
         If an option is refused, named as on the command line.
     """
-    options = {"threads": "--workers", "count": "--samples", "seed": "--seed"}
-    with progress() as announce:
-        try:
-            return tolerance(
-                plan, samples=samples, seed=seed, out=out, workers=workers, scheduler=scheduler, announce=announce
-            )
-        except InputError as error:
-            if error.field in options:
-                raise InputError(options[error.field], error.value, error.condition, error.remedy) from None
-            raise
+    with progress() as announce, named_as(threads="--workers", count="--samples", seed="--seed"):
+        return tolerance(
+            plan, samples=samples, seed=seed, out=out, workers=workers, scheduler=scheduler, announce=announce
+        )
 
 
 def written(found: Tolerance, out: Path, excel: bool) -> tuple[Path, ...]:
