@@ -21,9 +21,10 @@ class Desk:
         #: What the browser wrote to its console as an error.
         self.complaints: list[str] = []
 
-    def settle(self) -> None:
-        """Wait until what was asked has been answered and drawn, stresses included."""
-        self.page.locator("html[data-state=settled]").wait_for(state="attached")
+    def settle(self, within: float | None = None) -> None:
+        """Wait until what was asked has been answered and drawn, stresses included; seconds, if not the page's own."""
+        timeout = None if within is None else 1000 * within
+        self.page.locator("html[data-state=settled]").wait_for(state="attached", timeout=timeout)
 
     def field(self, path: str) -> Any:
         """The input of a key."""
