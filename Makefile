@@ -5,6 +5,7 @@ PYTHONS ?= python3.11 python3.12 python3.13
 ORDERS ?= 1 2 3 4 5
 MUTANTS ?= --count 200
 SPHINX ?=
+ENGINE ?= chromium
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
@@ -56,9 +57,10 @@ campaign-all: $(READY)
 machine-code: $(READY)
 	$(BIN)/python -m pytest -m machine_code -s tests
 
-# The page in a real browser: Chromium or Chrome must be installed. Screenshots go to out/screenshots.
+# The page in a real browser: Chromium or Chrome, with ENGINE=firefox Firefox, which must be installed. Screenshots go to
+# out/screenshots.
 browser: $(READY)
-	$(BIN)/python -m pytest -m browser -s tests/browser
+	NONHERTZ_ENGINE=$(ENGINE) $(BIN)/python -m pytest -m browser -s tests/browser
 
 verify: $(READY)
 	$(BIN)/nonhertz verify --out out/verify

@@ -15,7 +15,10 @@ from typing import Any
 import pytest
 from desk import Desk
 
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+BROWSERS = {
+    "chromium": ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"),
+    "firefox": ("firefox", "firefox-esr"),
+}
 QUIET = [
     "--no-sandbox",
     "--disable-gpu",
@@ -28,25 +31,30 @@ STARTING = 300.0  # s, on a busy machine where everything has to be compiled fir
 SCREENSHOTS = Path(__file__).parents[2] / "out" / "screenshots"
 
 
-def executable() -> str | None:
-    return os.environ.get("NONHERTZ_CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
+def executable(engine: str) -> str | None:
+    return os.environ.get(f"NONHERTZ_{engine.upper()}") or next(filter(None, map(shutil.which, BROWSERS[engine])), None)
 
 
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Any]:
-    """A headless browser; tests are skipped where there is none, unless NONHERTZ_BROWSER is "required"."""
-    path = executable()
+    """A headless browser, NONHERTZ_ENGINE; tests are skipped without one, unless NONHERTZ_BROWSER is "required"."""
+    engine = os.environ.get("NONHERTZ_ENGINE", "chromium")
+    path = executable(engine)
     try:
         from playwright.sync_api import sync_playwright
     except ModuleNotFoundError:
         path = None
     if path is None:
-        reason = "no Chromium or Chrome (set NONHERTZ_CHROMIUM), or no playwright"
+        reason = f"no {engine} (set NONHERTZ_{engine.upper()}), or no playwright"
         if os.environ.get("NONHERTZ_BROWSER") == "required":
             pytest.fail(reason)
         pytest.skip(reason)
     with sync_playwright() as playwright:
-        started = playwright.chromium.launch(executable_path=path, args=QUIET)
+        if engine == "firefox":
+            # As its makers ship it; another channel would want a build of playwright's own.
+            started = playwright.firefox.launch(executable_path=path, channel="moz-firefox")
+        else:
+            started = playwright.chromium.launch(executable_path=path, args=QUIET)
         yield started
         started.close()
 
@@ -83,6 +91,8 @@ def served(*arguments: str) -> Iterator[str]:
 
 
 def context_of(browser: Any, **options: Any) -> Any:
+    if "color_scheme" in options and browser.browser_type.name == "firefox":
+        pytest.skip("playwright cannot tell Firefox which colours its user prefers")
     settings = {"viewport": {"width": 1400, "height": 1000}, "reduced_motion": "reduce"} | options
     context = browser.new_context(**settings)
     context.set_default_timeout(20_000)

@@ -198,13 +198,17 @@ def test_a_table_is_pasted_into_the_points_of_a_profile(desk: Desk) -> None:
     desk.press('button[data-action="add"][data-path="body.a.profile"]')
     assert desk.field("body.a.profile[2].file").count() == 0
     before = desk.answers
-    desk.field("body.a.profile[2].y").evaluate(
-        """target => {
-          const clipboardData = new DataTransfer();
-          clipboardData.setData("text/plain", "y\\trelief\\n-10\\t0,02\\n0\\t0\\n10\\t0,02\\n");
-          target.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
-        }"""
+    desk.page.evaluate(
+        """text => {
+          const sheet = document.body.appendChild(document.createElement("textarea"));
+          sheet.id = "sheet";
+          sheet.value = text;
+          sheet.select();
+        }""",
+        "y\trelief\n-10\t0,02\n0\t0\n10\t0,02\n",
     )
+    desk.page.locator("#sheet").press("Control+C")
+    desk.field("body.a.profile[2].y").press("Control+V")
     desk.wait_for_answer(before)
     assert desk.field("body.a.profile[2].y").input_value() == "-10 0 10"
     assert desk.field("body.a.profile[2].relief").input_value() == "0.02 0 0.02"
@@ -216,10 +220,8 @@ def test_every_figure_is_saved(desk: Desk, tmp_path: Path, kind: str) -> None:
     figures = desk.page.locator(f'figure .savers button:has-text("{kind}")')
     assert figures.count() == 6
     for number in range(6):
-        with desk.page.expect_download() as waiting:
-            figures.nth(number).click()
-        content = Path(waiting.value.path()).read_bytes()
-        assert waiting.value.suggested_filename.endswith(f".{kind.lower()}")
+        name, content = desk.saved(figures.nth(number))
+        assert name.endswith(f".{kind.lower()}")
         if kind == "SVG":
             root = ElementTree.fromstring(content)
             assert root.tag == "{http://www.w3.org/2000/svg}svg"

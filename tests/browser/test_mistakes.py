@@ -55,10 +55,12 @@ def test_a_mistake_stands_at_its_field_until_it_is_mended(desk: Desk) -> None:
 
 def test_the_list_on_top_leads_to_the_fields(desk: Desk) -> None:
     desk.write("body.a.diameter", "-20")
+    desk.page.wait_for_function("() => location.hash !== ''")  # written a moment after the last key
+    first = desk.page.evaluate("() => location.hash")
     desk.write("load.load", "20 furlong")
     assert desk.page.locator("#mistakes-title").inner_text() == "2 mistakes"
     assert len(desk.mistakes) == 2
-    desk.page.wait_for_function("() => location.hash !== ''")  # written a moment after the last key
+    desk.page.wait_for_function("first => location.hash !== first", arg=first)
     fragment = desk.page.evaluate("() => location.hash")
     desk.page.locator("#mistakes-list a").first.click()
     assert desk.page.evaluate("() => document.activeElement.name") == "body.a.diameter"
@@ -99,7 +101,7 @@ def test_the_program_may_be_away_for_a_while(open_desk: Any) -> None:
     desk = open_desk()
     desk.page.route("**/solve", lambda route: route.abort(), times=1)
     before = desk.answers
-    desk.field("load.load").fill("25 kN")
+    desk.type(desk.field("load.load"), "25 kN")
     desk.page.locator("#notice:visible").wait_for()
     assert "nonhertz serve" in desk.page.locator("#notice").inner_text()
     desk.wait_for_answer(before)  # asked again by itself
