@@ -259,6 +259,20 @@ def test_the_standards_slices_bear_load_and_tilt(logarithmic):
     assert cut.load[-5:].sum() > 1.2 * cut.load[:5].sum()
 
 
+@pytest.mark.parametrize("laminae", [31, 60])
+@pytest.mark.parametrize("beyond", [1e3, 2e7])
+def test_the_standards_slices_bear_their_load_whatever_the_relief(beyond, laminae):
+    """Metres of relief are a slip of the pen, but no reason to fail; so is a peak on which one slice bears it all."""
+    standard = iso_16281(line_loads="standard", edge_stress="none", laminae=laminae)
+    even = nh.profile.tabulated([-10.0, 10.0], [-beyond, -beyond], interpolation="linear")
+    peak = nh.profile.tabulated([-10.0, 0.0, 10.0], [0.0, -beyond, 0.0], interpolation="linear")
+    for profile in (even, peak):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", nh.AccuracyWarning)  # of a contact as wide as it is long
+            solution = solved(profile=profile)
+        assert laminae_of(solution, standard).load.sum() == pytest.approx(8e3, rel=1e-9)
+
+
 def test_the_standards_slices_are_as_stiff_as_both_contacts_in_a_row():
     """Under a tilt the loads of the ends tell the deflection that they were made of, and so the stiffness."""
     solution = solved(profile=nh.profile.straight(), tilt=2e-4)

@@ -53,6 +53,12 @@ def test_a_title_block_is_read_and_written(folder: Path, name, read) -> None:
     assert replace(case, title_block=TitleBlock(author="A")).document["report"] == {"author": "A"}
 
 
+@pytest.mark.parametrize("language", ["fr", ["en"], {"en": 1}, 3])
+def test_languages_that_are_none_are_refused(language) -> None:
+    with pytest.raises(InputError, match="language = .* must be 'en' or 'de': leave it out for English"):
+        TitleBlock(language=language)
+
+
 def test_what_is_left_of_an_svg_file_only_draws(folder: Path) -> None:
     left = logo_from("logo.svg", folder).content.decode()
     for gone in ("bad", "script", "foreignObject", "import", "onload", "OnClick", "DOCTYPE", "<a", "animate"):

@@ -56,7 +56,7 @@ class TitleBlock:
     def __post_init__(self) -> None:
         for name in (*_OF_ONE_LINE, "remarks"):
             self._check(name, getattr(self, name))
-        if self.language not in {"", *LANGUAGES}:
+        if self.language not in ("", *LANGUAGES):  # a list is not in a set, but an error
             names = " or ".join(f"'{name}'" for name in LANGUAGES)
             raise InputError("language", self.language, f"be {names}", "leave it out for English")
         if not (self.logo is None or isinstance(self.logo, Logo)):

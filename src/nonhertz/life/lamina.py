@@ -210,14 +210,15 @@ def _slices(solution: Solved, edges: Array) -> Array:
     contact: Contact = solution.contact
     y = 0.5 * (edges[1:] + edges[:-1])
     gap = contact.separation(y) - solution.tilt * y
+    gap -= gap.min()  # a large one in all slices would leave no digits for the approach
     stiffness = lamina_stiffness(float(edges[-1] - edges[0]), y.size)
 
     def loads(approach: float) -> Array:
         return np.asarray(stiffness * np.maximum(approach - gap, 0.0) ** STIFFENING)
 
-    low = float(gap.min())
-    high = low + (solution.load / stiffness) ** (1.0 / STIFFENING)
+    # If one slice bears it all, rounding must not leave the load just above what this approach gives.
+    high = (1.0 + 1e-9) * (solution.load / stiffness) ** (1.0 / STIFFENING)
     from scipy.optimize import brentq
 
-    found = brentq(lambda approach: loads(approach).sum() - solution.load, low, high, xtol=1e-15, rtol=1e-13)
+    found = brentq(lambda approach: loads(approach).sum() - solution.load, 0.0, high, xtol=1e-15, rtol=1e-13)
     return loads(float(found))
