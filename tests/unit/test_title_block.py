@@ -55,7 +55,7 @@ def test_a_title_block_is_read_and_written(folder: Path, name, read) -> None:
 
 @pytest.mark.parametrize("language", ["fr", ["en"], {"en": 1}, 3])
 def test_languages_that_are_none_are_refused(language) -> None:
-    with pytest.raises(InputError, match="language = .* must be 'en' or 'de': leave it out for English"):
+    with pytest.raises(InputError, match=r"language = .* must be 'en' or 'de': leave it out for English"):
         TitleBlock(language=language)
 
 
