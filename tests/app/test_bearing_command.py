@@ -115,7 +115,7 @@ def test_the_summary_says_what_an_engineer_asks_for(folder, capsys, few):
     assert printed.out.startswith("six\n")
     assert rows["bearing"] == "cylindrical roller bearing"
     assert re.fullmatch(r"6, 9 x 10 mm +pitch circle 46.5 mm", rows["rollers"])
-    assert rows["force"].startswith("0, 5000.0, 0 N")
+    assert rows["force"].startswith("0, 5.0000, 0 kN")
     um = float(rows["displacement"].split(", ")[1])
     assert_allclose(um, 1e3 * found.displacement[1], rtol=1e-4)
     assert rows["tilt"].startswith("0, 0.20000 mrad")
@@ -129,7 +129,8 @@ def test_the_summary_says_what_an_engineer_asks_for(folder, capsys, few):
     assert rows["load ratings"].startswith(f"C = {1e-3 * life.rating.dynamic:.2f} kN")
     assert_allclose(float(rows["L10r"].split()[0]), life.reference, rtol=1e-3)
     lines = table.splitlines()
-    loads = [float(line.split()[2]) for line in lines[1:7]]
+    assert "load inner [kN]" in lines[0]
+    loads = [1e3 * float(line.split()[2]) for line in lines[1:7]]
     assert_allclose(loads, found.load[:, 0], rtol=1e-4)
     assert "rib load" not in printed.out
 
@@ -346,7 +347,9 @@ def test_compare_sets_strips_beside_slices(folder, capsys, few):
     assert_allclose(float(percent), 100 * (slices.displacement[1] / strips.displacement[1] - 1), rtol=0.06)
     (first,) = [line for line in out.splitlines() if re.match(r" +0 +0\.0 ", line)]
     cells = re.findall(r"[-+\d.]+", first)
-    assert_allclose([float(cells[2]), float(cells[3])], [strips.load[0, 0], slices.load[0, 0]], rtol=1e-4)
+    assert "inner: strips [kN]" in out
+    loads = [1e3 * float(cell) for cell in cells[2:4]]
+    assert_allclose(loads, [strips.load[0, 0], slices.load[0, 0]], rtol=1e-4)
     change = (slices.load[0, 0] - strips.load[0, 0]) / strips.load.max()
     assert_allclose(float(cells[4]), 100 * change, rtol=0.06)
 

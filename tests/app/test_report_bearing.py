@@ -240,7 +240,8 @@ def test_key_numbers_are_those_of_the_solution(few):
     keys = {key.name: key for key in bearing_keys(few)}
     solution = few.solution
     assert float(keys["maximum pressure"].value) == pytest.approx(solution.max_pressure.max(), rel=1e-4)
-    assert float(keys["largest load"].value) == pytest.approx(solution.load.max(), rel=1e-4)
+    assert float(keys["largest load"].value) == pytest.approx(1e-3 * solution.load.max(), rel=1e-4)
+    assert keys["largest load"].unit == "kN"
     # One of them bears what a force towards it alone leaves to the neighbours, which are 60 degrees off.
     loaded = np.flatnonzero(solution.load[:, 0])
     assert keys["loaded rollers"].value == f"{loaded.size} of 6"

@@ -18,7 +18,7 @@ from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.hertz import PointContact
 from nonhertz.inputs.checks import one_of, whole
 from nonhertz.result.brief import plain_text
-from nonhertz.result.numerals import digits
+from nonhertz.result.numerals import digits, sized_list, unit_for
 from nonhertz.result.solution import ReadOnly, Solution
 from nonhertz.solver.one import solve
 
@@ -111,14 +111,17 @@ class BearingSolution(ReadOnly):
         pitch = self.bearing.rows[0].bearing.pitch
         lever = np.array([1.0, 1.0, 1.0, pitch, pitch])
         rows = [f"{type(row.bearing).__name__} of {row.bearing.rollers} rollers" for row in self.bearing.rows]
-        force, moved = in_words(self.force, 1.0 / lever), in_words(1e3 * self.displacement, lever)
+        force = without_rounding(self.force, 1.0 / lever)
+        moved = [digits(value) for value in without_rounding(1e3 * self.displacement, lever)]
+        factor, unit = unit_for(self.load[most], "N")
+        inner, outer = (f"{digits(factor * load)} {unit}" for load in self.load[most])
         loaded = np.count_nonzero(self.load.max(axis=1) > 0.0)
         said = [
             f"{' and '.join(rows)}, by {self.method}",
-            f"force {', '.join(force[:3])} N along x, y, z; moment {', '.join(force[3:])} N mm about y, z",
+            f"force {sized_list(force[:3], 'N')} along x, y, z; moment {sized_list(force[3:], 'N mm')} about y, z",
             f"displacement {', '.join(moved[:3])} um along x, y, z; rotation {', '.join(moved[3:])} mrad about y, z",
-            f"{loaded} rollers loaded; at {np.degrees(self.angle[most]):.1f} degrees {digits(self.load[most, 0])} N "
-            f"at the inner and {digits(self.load[most, 1])} N at the outer ring",
+            f"{loaded} rollers loaded; at {np.degrees(self.angle[most]):.1f} degrees {inner} at the inner and {outer} "
+            "at the outer ring",
         ]
         return plain_text("BearingSolution", said)
 
@@ -320,7 +323,8 @@ class BearingSolution(ReadOnly):
         return found
 
 
-def in_words(values: Array, weights: Array) -> list[str]:
-    """Return numbers as text; what is rounding beside the others is zero."""
+def without_rounding(values: Array, weights: Array) -> list[float]:
+    """Return numbers, zero for what is rounding beside the others; weights make those of several units comparable."""
     sizes = np.abs(values * weights)
-    return [digits(value if size > NO_LOAD * sizes.max() else 0.0) for value, size in zip(values, sizes, strict=True)]
+    found: list[float] = np.where(sizes > NO_LOAD * sizes.max(), values, 0.0).tolist()
+    return found

@@ -18,14 +18,14 @@ from nonhertz.io.bearing_results import as_json, as_object, comparison_files, co
 from nonhertz.io.bearingfile import BearingCase, placed
 from nonhertz.io.folder import write_files
 from nonhertz.show.bearing import (
-    COMPARED_COLUMNS,
     OF_LARGEST,
-    ROLLER_COLUMNS,
     bearing_warnings,
+    compared_columns,
     compared_roller_rows,
     compared_rows,
     life_rows,
     rated,
+    roller_columns,
     roller_rows,
     spectrum_rows,
     summary_rows,
@@ -72,7 +72,7 @@ def report_comparison(case: BearingCase, out: Path | None, json: bool) -> int:
     printing.print(Text(case.title, style="bold"))
     print_table(printing, _table(("", "strips", "slices", "difference"), compared_rows(strips, slices), left=(0,)))
     printing.print()
-    print_table(printing, _table(COMPARED_COLUMNS, compared_roller_rows(strips, slices)))
+    print_table(printing, _table(compared_columns(strips, slices), compared_roller_rows(strips, slices)))
     printing.print(Text(OF_LARGEST), soft_wrap=True)
     _print_written(written)
     return FINE
@@ -103,7 +103,7 @@ def _print_bearing(
         table.add_row(*map(Text, row))
     print_table(printing, table)
     printing.print()
-    print_table(printing, _table(ROLLER_COLUMNS, roller_rows(solution)))
+    print_table(printing, _table(roller_columns(solution), roller_rows(solution)))
     for sentence in sentences:
         printing.print(Text(f"warning: {sentence}", style="yellow"), soft_wrap=True)
 

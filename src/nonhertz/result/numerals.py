@@ -5,12 +5,13 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
 ROUNDING = 1e-12  # relative: a prescribed load, say, is met to that
+_SAME = 1e-6  # relative: less than five digits show
 
 
 def digits(value: float, significant: int = 5) -> str:
@@ -41,7 +42,7 @@ def given(value: float, significant: int = 6) -> str:
     return (mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa) + exponent + power
 
 
-#: Units in which people write large numbers of these: from which value on, and their size.
+#: Units a thousand times as large in which people write large numbers of these, and from which value on.
 _LARGER = {"N": (1e3, "kN"), "N mm": (1e3, "N m")}
 
 
@@ -53,10 +54,34 @@ def sized(value: float, unit: str) -> str:
     >>> sized(20000.0, "N"), sized(820.0, "N"), sized(-15.8e3, "N mm"), sized(2086.34, "MPa")
     ('20.000 kN', '820.00 N', '-15.800 N m', '2086.3 MPa')
     """
+    return sized_list((value,), unit)
+
+
+def sized_list(values: Iterable[float], unit: str, between: str = ", ", significant: int = 5) -> str:
+    """Return several numbers with the unit that suits the largest of them.
+
+    Examples
+    --------
+    >>> sized_list((0.0, 20000.0, -310.0), "N"), sized_list((820.0, 830.0), "N", " and ", 3)
+    ('0, 20.000, -0.31000 kN', '820 and 830 N')
+    """
+    values = tuple(values)
+    factor, unit = unit_for(values, unit)
+    return f"{between.join(digits(factor * value, significant) for value in values)} {unit}".rstrip()
+
+
+def unit_for(values: Iterable[float], unit: str) -> tuple[float, str]:
+    """Return the unit in which people write numbers of which the largest is so large, and what turns them into it.
+
+    Examples
+    --------
+    >>> unit_for((0.0, 20000.0), "N"), unit_for((820.0,), "N"), unit_for((1e9,), "MPa")
+    ((0.001, 'kN'), (1.0, 'N'), (1.0, 'MPa'))
+    """
     least, larger = _LARGER.get(unit, (math.inf, unit))
-    if abs(value) < least:
-        return f"{digits(value)} {unit}".rstrip()
-    return f"{digits(1e-3 * value)} {larger}"
+    # Whether a load of one kN is met to the last digit must not choose its unit.
+    largest = (1.0 + _SAME) * max(map(abs, values), default=0.0)
+    return (1.0, unit) if largest < least else (1e-3, larger)
 
 
 def with_error(value: float, error: float) -> str:

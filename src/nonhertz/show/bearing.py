@@ -13,20 +13,12 @@ from numpy.typing import NDArray
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.frames import RINGS
-from nonhertz.bearing.solution import BearingSolution, in_words
+from nonhertz.bearing.solution import BearingSolution, without_rounding
 from nonhertz.errors import InputError
 from nonhertz.io.bearingfile import BearingCase, placed
-from nonhertz.result.numerals import digits, given
+from nonhertz.result.numerals import digits, given, sized, sized_list, unit_for
 from nonhertz.show.summary import Row
 
-ROLLER_COLUMNS = (
-    *("roller", "row", "angle [deg]", "load inner [N]", "outer [N]", "tilt inner [mrad]", "outer [mrad]"),
-    *("max p inner [MPa]", "outer [MPa]", "rib load [N]"),
-)
-COMPARED_COLUMNS = (
-    *("roller", "row", "angle [deg]", "inner: strips [N]", "slices [N]", "difference"),
-    *("outer: strips [N]", "slices [N]", "difference"),
-)
 OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 _UNRATED = ("bearing", "solution")
@@ -93,21 +85,31 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
     ]
 
 
+def roller_columns(solution: BearingSolution) -> tuple[str, ...]:
+    """Return the heads of `roller_rows`, with the units that suit the largest loads."""
+    load, rib = (unit_for(loads.flat, "N")[1] for loads in (solution.load, solution.rib_load))
+    return (
+        *("roller", "row", "angle [deg]", f"load inner [{load}]", f"outer [{load}]"),
+        *("tilt inner [mrad]", "outer [mrad]", "max p inner [MPa]", "outer [MPa]", f"rib load [{rib}]"),
+    )
+
+
 def roller_rows(solution: BearingSolution) -> list[tuple[str, ...]]:
-    """Return the cells of `ROLLER_COLUMNS` of every roller; blank where there is nothing of the sort."""
+    """Return the cells of `roller_columns` of every roller; blank where there is nothing of the sort."""
     pressed = solution.method == "strips"
     pressures = solution.max_pressure if pressed else np.zeros(solution.load.shape)
     ribbed, ribs = solution.rib_loads.size > 0, solution.rib_load.max(axis=1, initial=0.0)
+    shown, shown_rib = (unit_for(loads.flat, "N")[0] for loads in (solution.load, solution.rib_load))
     found = []
     for j, row in enumerate(_row_numbers(solution.bearing)):
         loads, carries = solution.load[j], carrying(solution)[j]
         tilts = 1e3 * _tilts(solution)[j]
         found.append(
             (
-                str(j), row, _degrees(solution.angle[j]), *(digits(load) for load in loads),
+                str(j), row, _degrees(solution.angle[j]), *(digits(shown * load) for load in loads),
                 *(digits(tilt, 4) if carries else "" for tilt in tilts),
                 *(digits(p, 4) if p > 0.0 else "" for p in pressures[j]),
-                digits(ribs[j], 4) if ribbed else "",
+                digits(shown_rib * ribs[j], 4) if ribbed else "",
             )
         )  # fmt: skip
     return found
@@ -148,26 +150,43 @@ def compared_rows(strips: BearingSolution, slices: BearingSolution) -> list[tupl
     ):
         size = max(_size(each, name) for each in (strips, slices))
         unit = {"displacement": "um", "tilt": "mrad", "force": "N", "moment": "N mm"}[name]
+        factor, unit = unit_for(np.ravel(values), unit)
         for axis, one, other in zip("xyz" if len(values[0]) == 3 else "yz", *values, strict=True):
             if max(abs(one), abs(other)) * lever > 1e-8 * size:
-                rows.append((f"{name} {axis}", f"{digits(one)} {unit}", f"{digits(other)} {unit}", _change(one, other)))
-    loads = [float(each.load.max()) for each in (strips, slices)]
-    rows.append(("largest load", *(f"{digits(load)} N" for load in loads), _change(*loads)))  # type: ignore[arg-type]
+                shown = [f"{digits(factor * value)} {unit}" for value in (one, other)]
+                rows.append((f"{name} {axis}", shown[0], shown[1], _change(one, other)))
+    one, other = (float(each.load.max()) for each in (strips, slices))
+    factor, unit = unit_for((one, other), "N")
+    shown = [f"{digits(factor * load)} {unit}" for load in (one, other)]
+    rows.append(("largest load", shown[0], shown[1], _change(one, other)))
     counts = [int(np.count_nonzero(carrying(each))) for each in (strips, slices)]
     rows.append(("loaded rollers", str(counts[0]), str(counts[1]), ""))
     return rows
 
 
+def compared_columns(strips: BearingSolution, slices: BearingSolution) -> tuple[str, ...]:
+    """Return the heads of `compared_roller_rows`, with the unit that suits the largest load."""
+    unit = _unit_of_both(strips, slices)[1]
+    of_ring = (f"strips [{unit}]", f"slices [{unit}]", "difference")
+    return "roller", "row", "angle [deg]", f"inner: {of_ring[0]}", *of_ring[1:], f"outer: {of_ring[0]}", *of_ring[1:]
+
+
 def compared_roller_rows(strips: BearingSolution, slices: BearingSolution) -> list[tuple[str, ...]]:
-    """Return the cells of `COMPARED_COLUMNS` of every roller."""
+    """Return the cells of `compared_columns` of every roller."""
     most = float(strips.load.max())
+    factor = _unit_of_both(strips, slices)[0]
     found = []
     for j, row in enumerate(_row_numbers(strips.bearing)):
         cells = [str(j), row, _degrees(strips.angle[j])]
         for one, other in zip(strips.load[j], slices.load[j], strict=True):
-            cells += [digits(one), digits(other), _percent((other - one) / most) if most > 0.0 and one != other else ""]
+            change = _percent((other - one) / most) if most > 0.0 and one != other else ""
+            cells += [digits(factor * one), digits(factor * other), change]
         found.append(tuple(cells))
     return found
+
+
+def _unit_of_both(strips: BearingSolution, slices: BearingSolution) -> tuple[float, str]:
+    return unit_for((float(strips.load.max()), float(slices.load.max())), "N")
 
 
 def load_zones(solution: BearingSolution) -> list[list[tuple[float, float]]]:
@@ -254,10 +273,11 @@ def kind_of(row: RollerBearing) -> str:
 def _load_rows(solution: BearingSolution) -> list[Row]:
     pitch = solution.bearing.rows[0].bearing.pitch
     lever = np.array([1.0, 1.0, 1.0, pitch, pitch])
-    force, moved = in_words(solution.force, 1.0 / lever), in_words(1e3 * solution.displacement, lever)
+    force = without_rounding(solution.force, 1.0 / lever)
+    moved = [digits(value) for value in without_rounding(1e3 * solution.displacement, lever)]
     return [
-        ("force", f"{', '.join(force[:3])} N", "on the inner ring, along x, y, z"),
-        ("moment", f"{', '.join(force[3:])} N mm", "about y, z"),
+        ("force", sized_list(force[:3], "N"), "on the inner ring, along x, y, z"),
+        ("moment", sized_list(force[3:], "N mm"), "about y, z"),
         ("displacement", f"{', '.join(moved[:3])} um", "along x, y, z"),
         ("tilt", f"{', '.join(moved[3:])} mrad", "about y, z"),
     ]
@@ -268,11 +288,11 @@ def _most_loaded_rows(solution: BearingSolution) -> list[Row]:
     if not loaded:
         return [("loaded rollers", f"none of {solution.angle.size}", "")]
     j = most_loaded(solution)
-    loads, tilts = (digits(load) for load in solution.load[j]), _tilts(solution)[j]
+    tilts = _tilts(solution)[j]
     rows = [
         ("loaded rollers", f"{loaded} of {solution.angle.size}", _zones(solution)),
         ("most loaded roller", place_of(solution, j), ""),
-        ("", f"{' and '.join(loads)} N", "at inner and outer ring"),
+        ("", sized_list(solution.load[j], "N", " and "), "at inner and outer ring"),
     ]
     if np.any(tilts != 0.0):
         words = " and ".join(digits(1e3 * tilt, 4) for tilt in tilts)
@@ -322,13 +342,16 @@ def _rib_rows(solution: BearingSolution) -> list[Row]:
     where = f"at most, {RINGS[k]} ring, {place_of(solution, int(j))}"
     ellipse = solution.rib_contact(int(j), RINGS[k])
     pressure = "" if ellipse is None else f", {digits(ellipse.max_pressure, 4)} MPa"
-    return [("rib load", f"{digits(solution.rib_load[j, k])} N{pressure}", where)]
+    return [("rib load", f"{sized(solution.rib_load[j, k], 'N')}{pressure}", where)]
 
 
 def _stiffness_rows(solution: BearingSolution) -> list[Row]:
     diagonal = np.diag(solution.stiffness)
     pitch = solution.bearing.rows[0].bearing.pitch
-    shown = in_words(diagonal * [1e-3, 1e-3, 1e-3, 1e-6, 1e-6], np.array([1e3, 1e3, 1e3, *[1e6 / pitch**2] * 2]))
+    found = without_rounding(
+        diagonal * [1e-3, 1e-3, 1e-3, 1e-6, 1e-6], np.array([1e3, 1e3, 1e3, *[1e6 / pitch**2] * 2])
+    )
+    shown = [digits(value) for value in found]
     return [
         ("stiffness", f"{', '.join(shown[:3])} N/um", "along x, y, z"),
         ("", f"{', '.join(shown[3:])} N m/mrad", "about y, z"),

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nonhertz.bearing.bearings import CylindricalRollerBearing, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE
@@ -27,7 +28,7 @@ from nonhertz.report.assumptions import (
 )
 from nonhertz.report.bearing.results import BearingResults
 from nonhertz.result.checks import ValidityCheck, checks
-from nonhertz.result.numerals import digits
+from nonhertz.result.numerals import digits, sized, sized_list
 from nonhertz.result.solution import Solution
 from nonhertz.show.bearing import MOST_PRESSURE, most_loaded
 
@@ -158,13 +159,13 @@ def _whole_rollers(solution: BearingSolution) -> Iterator[Assumption]:
         return
     j = most_loaded(solution)
     loads, tilts = solution.load[j], 1e3 * solution.tilt[j]
-    number = f"{_both(loads)} N, tilted by {_both(tilts)} mrad, at inner and outer ring"
+    number = f"{_both(loads, 'N')}, tilted by {_both(tilts, 'mrad')}, at inner and outer ring"
     remark = "The whole roller is elastic. Where its contacts differ, the odd part of its deformation is neglected."
     yield Assumption("Rollers are pressed alike from both sides", "same load and tilt", number, Verdict.OPEN, remark)
 
 
-def _both(values: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> str:
-    return " and ".join(digits(value, 4) for value in values.tolist())
+def _both(values: NDArray[np.float64], unit: str) -> str:
+    return sized_list(values, unit, " and ", 4)
 
 
 def _of_slices(solution: BearingSolution) -> Iterator[Assumption]:
@@ -203,7 +204,7 @@ def _ribs(solution: BearingSolution) -> Iterator[Assumption]:
         yield Assumption(
             f"Ellipse on the ribs of the {ring} ring",
             f"reaches no edge, {digits(rib.room, 3)} mm away along the flank",
-            f"{digits(ellipse.half_length, 3)} mm under {digits(load, 4)} N",
+            f"{digits(ellipse.half_length, 3)} mm under {sized(load, 'N')}",
             verdict,
             f"{more} {remark}".strip(),
         )

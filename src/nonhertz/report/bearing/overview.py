@@ -18,7 +18,7 @@ from nonhertz.model.materials import MATERIALS
 from nonhertz.report.bearing.results import BearingResults
 from nonhertz.report.inputs import shown
 from nonhertz.report.overview import Key
-from nonhertz.result.numerals import digits, given
+from nonhertz.result.numerals import digits, given, unit_for
 from nonhertz.show.bearing import carrying, kind_of, most_loaded, place_of
 
 PARTS = ("roller", *RINGS)
@@ -72,12 +72,17 @@ def bearing_keys(found: BearingResults) -> list[Key]:
     keys = [*_pressure_keys(solution)]
     if count:
         j = most_loaded(solution)
-        keys.append(Key("largest load", digits(float(solution.load[j].max())), "N", place_of(solution, j)))
+        keys.append(_load_key("largest load", float(solution.load[j].max()), place_of(solution, j)))
     keys.append(Key("loaded rollers", f"{count} of {solution.angle.size}", ""))
     keys += _motion_keys(solution)
     if solution.rib_load.max(initial=0.0) > 0.0:
-        keys.append(Key("largest load of a rib", digits(float(solution.rib_load.max()), 4), "N"))
+        keys.append(_load_key("largest load of a rib", float(solution.rib_load.max())))
     return [*keys, *(_life_keys(found.life, found.speed) if found.life else [])]
+
+
+def _load_key(name: str, load: float, remark: str = "") -> Key:
+    factor, unit = unit_for((load,), "N")
+    return Key(name, digits(factor * load), unit, remark)
 
 
 def _pressure_keys(solution: BearingSolution) -> list[Key]:

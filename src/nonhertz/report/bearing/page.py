@@ -25,12 +25,12 @@ from nonhertz.report.language import Language
 from nonhertz.report.layout import Words, in_letters, laid_out, marked, measured, merged
 from nonhertz.report.measurements import measurements
 from nonhertz.show.bearing import (
-    COMPARED_COLUMNS,
     OF_LARGEST,
-    ROLLER_COLUMNS,
+    compared_columns,
     compared_roller_rows,
     compared_rows,
     life_rows,
+    roller_columns,
     roller_rows,
     spectrum_rows,
     summary_rows,
@@ -110,17 +110,17 @@ def _results(found: BearingResults) -> dict[str, Any]:
     return {
         "summary": merged(summary_rows(found.case, found.solution)),
         "life": merged(lives),
-        "rollers": _table(ROLLER_COLUMNS, roller_rows(found.solution)),
+        "rollers": _table(roller_columns(found.solution), roller_rows(found.solution)),
     }
 
 
 def _slices(found: BearingResults) -> dict[str, Any] | None:
     if found.slices is None or found.solution is None:
         return None
-    rows = compared_rows(found.solution, found.slices)
+    both = found.solution, found.slices
     return {
-        "whole": _table(("", "strips", "slices", "difference"), rows),
-        "rollers": _table(COMPARED_COLUMNS, compared_roller_rows(found.solution, found.slices)),
+        "whole": _table(("", "strips", "slices", "difference"), compared_rows(*both)),
+        "rollers": _table(compared_columns(*both), compared_roller_rows(*both)),
         "sentence": OF_LARGEST,
     }
 

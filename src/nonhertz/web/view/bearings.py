@@ -17,11 +17,11 @@ from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.results import plain
 from nonhertz.result.solution import Solution
 from nonhertz.show.bearing import (
-    ROLLER_COLUMNS,
     bearing_warnings,
     life_rows,
     most_loaded,
     rated,
+    roller_columns,
     roller_rows,
     summary_rows,
 )
@@ -63,7 +63,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "most": most_loaded(solution),
         "contacts": _by_strips(solution) if pressed else _by_slices(solution, case.solver.get("laminae", LAMINAE)),
         "summary": [list(row) for row in rows],
-        "columns": list(ROLLER_COLUMNS),
+        "columns": list(roller_columns(solution)),
         "rollers": [list(row) for row in roller_rows(solution)],
         "warnings": bearing_warnings(solution),
     }
