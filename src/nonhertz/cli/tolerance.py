@@ -15,7 +15,15 @@ from nonhertz.cli.options import named_as
 from nonhertz.cli.printing import console, print_table
 from nonhertz.cli.sweep import progress
 from nonhertz.io.planfile import Plan
-from nonhertz.show.studies import INDEX_COLUMNS, QUANTILE_COLUMNS, failure_rows, index_rows, quantile_rows, varied_rows
+from nonhertz.show.studies import (
+    INDEX_COLUMNS,
+    QUANTILE_COLUMNS,
+    alike_rows,
+    failure_rows,
+    index_rows,
+    quantile_rows,
+    varied_rows,
+)
 from nonhertz.study.tolerances import Tolerance, tolerance
 
 
@@ -78,6 +86,7 @@ def print_tolerance(found: Tolerance, files: Sequence[Path]) -> None:
     printing.print(Text(f"{len(sweep)} rows{failed}; {found.independent.size} independent samples"))
     _print(printing, None, [row[:2] for row in varied_rows(sweep)], left=(0, 1))
     _print(printing, QUANTILE_COLUMNS, quantile_rows(found), left=(0, 3, 4))
+    _print(printing, None, alike_rows(found), left=(0, 1, 2))
     for label, rows in index_rows(found):
         _print(printing, (label, *INDEX_COLUMNS[1:]), rows, left=(0, 3))
     for sentence in failure_rows(sweep):

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from nonhertz.io.spreads import Distribution, Spread
-from nonhertz.result.numerals import digits, given
+from nonhertz.result.numerals import digits, error_words, given, sized, unit_for
+from nonhertz.result.quantities import Quantity
 from nonhertz.show.summary import Row
 from nonhertz.study.design import Design
 from nonhertz.study.sweeps import Sweep
@@ -21,6 +22,8 @@ BAND_COLUMNS = ("as good within", "from", "to", "")
 START_COLUMNS = ("searches", "looked at", "from", "to")
 SMALL = 0.5  # mm, below which people read micrometres
 SWEEP_COLUMNS = ("", "smallest", "largest", "")
+_SAME = 1e-9  # relative: numbers that differ by less are one number
+_HOW_GOOD = ("error", "warnings")  # of a row, which are not what comes out of it
 
 
 def varied_rows(sweep: Sweep) -> list[Row]:
@@ -43,34 +46,73 @@ def sweep_rows(sweep: Sweep) -> list[tuple[str, str, str, str]]:
     for quantity in sweep.quantities:
         ends = sweep.extremes(quantity.name)
         if ends is not None:
-            low, high = (digits(quantity.factor * end) for end in ends)
-            rows.append((quantity.label, low, high, quantity.shown_unit))
+            (low, high), unit = _in_one_unit(quantity, ends)
+            rows.append((quantity.label, low, high, unit))
     return rows
 
 
 def quantile_rows(found: Tolerance) -> list[tuple[str, ...]]:
     """Return the cells of `QUANTILE_COLUMNS`: several rows for every quantity that has numbers."""
     rows: list[tuple[str, ...]] = []
-    for quantity in found.sweep.quantities:
-        if found.sweep.extremes(quantity.name) is None:
-            continue
-        label = quantity.label
-        for each in found.quantiles(quantity.name):
-            low, value, high = (quantity.factor * number for number in (each.low, each.value, each.high))
-            between = f"{digits(low)} to {digits(high)}" if math.isfinite(low + high) else "too few samples to say"
-            rows.append((label, f"{100.0 * each.share:g} %", digits(value), quantity.shown_unit, between))
+    for quantity in _spread(found):
+        label, quantiles = quantity.label, found.quantiles(quantity.name)
+        texts, unit = _in_one_unit(
+            quantity, [number for each in quantiles for number in (each.low, each.value, each.high)]
+        )
+        for k, each in enumerate(quantiles):
+            low, value, high = texts[3 * k : 3 * k + 3]
+            between = f"{low} to {high}" if math.isfinite(each.low + each.high) else "too few samples to say"
+            rows.append((label, f"{100.0 * each.share:g} %", value, unit, between))
             label = ""
     return rows
+
+
+def alike_rows(found: Tolerance) -> list[Row]:
+    """Return the results that are the same in all rows, and how far the rows are to be trusted."""
+    sweep, rows = found.sweep, []
+    for quantity in sweep.quantities:
+        ends = sweep.extremes(quantity.name)
+        if ends is None or quantity in _spread(found):
+            continue
+        largest = quantity.factor * max(ends)
+        if quantity.name not in _HOW_GOOD:
+            rows.append((quantity.label, sized(largest, quantity.shown_unit), "in all rows"))
+        elif quantity.name == "error" and error_words(ends[1]):
+            rows.append(("approach or load", error_words(ends[1]), "at most"))
+        elif largest > 0.0:
+            rows.append((quantity.label, digits(largest), "at most; a sweep over the same samples says which"))
+    return rows
+
+
+def _spread(found: Tolerance) -> list[Quantity]:
+    """Return the quantities that are asked for by name, or else the results that are not the same in all rows."""
+    sweep = found.sweep
+    spread = []
+    for quantity in sweep.quantities:
+        ends = sweep.extremes(quantity.name)
+        if ends is None:
+            continue
+        asked = quantity.name in sweep.plan.quantities
+        varies = ends[1] - ends[0] > _SAME * max(map(abs, ends)) and quantity.name not in _HOW_GOOD
+        if asked or varies:
+            spread.append(quantity)
+    return spread
+
+
+def _in_one_unit(quantity: Quantity, values: Sequence[float]) -> tuple[list[str], str]:
+    """Return numbers of a quantity in the unit that suits the largest of them."""
+    shown = [quantity.factor * value for value in values]
+    factor, unit = unit_for([value for value in shown if math.isfinite(value)], quantity.shown_unit)
+    return [digits(factor * value) for value in shown], unit
 
 
 def index_rows(found: Tolerance) -> list[tuple[str, list[tuple[str, str, str, str]]]]:
     """Return for every quantity that varies its label and the cells of `INDEX_COLUMNS`, most important first."""
     sections = []
-    for quantity in found.sweep.quantities:
-        indices = found.indices(quantity.name) if found.sweep.extremes(quantity.name) is not None else ()
+    for quantity in _spread(found):
         rows = [
             (each.path, _share(each.first, each.first_error), _share(each.total, each.total_error), "")
-            for each in indices
+            for each in found.indices(quantity.name)
         ]
         if rows:
             rows[0] = (*rows[0][:3], "tighten this first")

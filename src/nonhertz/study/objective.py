@@ -364,9 +364,14 @@ def point_or_none(task: Task, x: Array, accuracy: float | None = None) -> Judged
 
 def named_loads(loads: Sequence[LoadCase]) -> list[str]:
     """Return each load in words."""
-    from nonhertz.result.numerals import given
+    from nonhertz.result.numerals import given, unit_for
 
-    return [f"{given(each.load)} N at {given(1e3 * each.tilt)} mrad" for each in loads]
+    words = []
+    for each in loads:
+        factor, unit = unit_for((each.load,), "N")
+        tilt = f"at {given(1e3 * each.tilt, 4)} mrad" if each.tilt else "without tilt"
+        words.append(f"{given(factor * each.load, 5)} {unit} {tilt}")
+    return words
 
 
 def refuse_unlimited(limits: Mapping[str, Any]) -> tuple[Limit, ...]:
