@@ -43,7 +43,7 @@ def test_a_case_is_swept_from_the_command_line(folder, capsys):
     assert main(["sweep", "roller.toml", "--over", "load.load=5kN:20kN:4", "load.tilt=0,0.5mrad"]) == 0
     out = capsys.readouterr().out
     assert out.startswith("A roller on a plate\n8 rows\n")
-    assert "load.load  5000 to 20000 N  4 values" in out
+    assert "load.load  5 to 20 kN     4 values" in out
     assert "maximum pressure" in out
     names = {path.name for path in (folder / "roller-sweep").iterdir()}
     assert names == {"rows.sqlite3", "rows.csv", "rows.parquet", "sweep.svg", "sweep.png"}

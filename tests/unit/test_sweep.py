@@ -61,6 +61,16 @@ def test_no_load_is_a_row_of_zeros_and_not_a_failure():
     assert (found["approach"][1] - found["approach"][0] < 5e-5).all()
 
 
+def test_upright_rollers_have_no_moment_but_rounding():
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000)), PLATE)
+    case = nh.Case(contact, {"load": 20e3}, {})
+    found = nh.sweep(
+        case, over={"load.load": [5e3, 2e4], "load.tilt": [0.0, 1e-4]}, quantities=("moment", "load_by_tilt")
+    )
+    assert found["moment"][:, 0].tolist() == found["load_by_tilt"][:, 0].tolist() == [0.0, 0.0]
+    assert np.all(found["moment"][:, 1] > 1.0)
+
+
 def test_no_load_bears_no_moment():
     case = nh.Case(nh.Contact(ROLLER, PLATE), {"load": 20e3, "moment": 100.0}, {"strips": 41})
     found = nh.sweep(case, over={"load.load": [0.0, 1e4]}, quantities=("approach",))

@@ -17,7 +17,6 @@ from nonhertz.result.numerals import sized
 
 if TYPE_CHECKING:
     from nonhertz.result.protocol import Solved
-    from nonhertz.result.solution import Solution
 
 ROUNDING = 1e-12  # of the terms of a sum: below this it is shown as zero, since symmetric terms cancel only to rounding
 
@@ -57,21 +56,21 @@ class Quantity:
     factor: float = 1.0
     scale: Callable[[Any], float] | None = None
 
+    def clean(self, solution: Any) -> Any:
+        """Return the value in ``unit``, zero where it is only rounding; of many solutions at once, of each."""
+        value = self.get(solution)
+        if self.scale is None:
+            return value
+        is_more = np.abs(value) > ROUNDING * np.abs(self.scale(solution))
+        return value * is_more + 0.0  # no zero is negative
+
     def shown(self, solution: Solved) -> float:
         """Return the value in ``shown_unit``, zero where it is only rounding."""
-        value = self.get(solution)
-        if self.scale is not None and not abs(value) > ROUNDING * abs(self.scale(solution)):
-            return 0.0
-        return self.factor * value
+        return self.factor * float(self.clean(solution))
 
     def text(self, solution: Solved) -> str:
         """Return the value as people read it, with its unit."""
         return sized(self.shown(solution), self.shown_unit)
-
-
-def reach(solution: Solved) -> float:
-    """Return the largest distance of a strip from y = 0 [mm]: the longest lever arm of a moment."""
-    return float(np.max(np.abs(solution.y)))
 
 
 def _own(
@@ -100,8 +99,8 @@ def _slope(
     return Quantity(name, f"d {force} / d {motion}", "", unit, get, *shown, scale)
 
 
-def _by_approach_on_lever(solution: Solution) -> float:
-    return float(solution.stiffness[0, 0]) * reach(solution)
+def _by_approach_on_lever(solution: Any) -> Any:
+    return solution.stiffness[..., 0, 0] * solution.contact_length
 
 
 _ALL = (
@@ -109,7 +108,7 @@ _ALL = (
     _own("penetration", "penetration", "", "mm", ("um", 1e3)),
     _own("tilt", "tilt", "gamma", "rad", ("mrad", 1e3)),
     _own("load", "load", "Q", "N"),
-    _own("moment", "moment", "T", "N mm", scale=lambda solution: solution.load * reach(solution)),
+    _own("moment", "moment", "T", "N mm", scale=lambda solution: solution.load * solution.contact_length),
     _own("max_pressure", "maximum pressure", "", "MPa"),
     _own("max_pressure_y", "position of the maximum", "", "mm"),
     _own("max_half_width", "largest half-width", "", "mm"),

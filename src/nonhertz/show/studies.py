@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -149,9 +149,17 @@ def _ends(spread: Spread, unit: str) -> str:
     assert not isinstance(spread, Distribution)
     if any(isinstance(value, str | bool) for value in spread):
         return ", ".join(map(str, spread))
-    if len(spread) == 1:
-        return f"{given(float(spread[0]))} {unit}".rstrip()
-    return f"{given(float(spread[0]))} to {given(float(spread[-1]))} {unit}".rstrip()
+    factor, unit = _for_people(spread, unit)
+    ends = (spread[0], spread[-1])[: len(spread)]
+    return f"{' to '.join(given(factor * float(end)) for end in ends)} {unit}".rstrip()
+
+
+def _for_people(values: Iterable[float], unit: str) -> tuple[float, str]:
+    """Return the unit in which people write numbers of this size, and what turns them into it."""
+    values = tuple(values)
+    if unit == "mm" and max(map(abs, values)) < SMALL:
+        return 1e3, "um"
+    return (1e3, "mrad") if unit == "rad" else unit_for(values, unit)
 
 
 def design_rows(found: Design) -> list[Row]:
@@ -202,6 +210,5 @@ def _values(found: Design, values: Mapping[str, Any]) -> str:
 
 
 def _of_path(found: Design, path: str, value: float) -> str:
-    unit = found.units.get(path, "")
-    factor, shown = (1e3, "um") if unit == "mm" and abs(value) < SMALL else (1.0, unit)
-    return f"{digits(factor * value, 4)} {shown}".rstrip()
+    factor, unit = _for_people([value], found.units.get(path, ""))
+    return f"{digits(factor * value, 4)} {unit}".rstrip()

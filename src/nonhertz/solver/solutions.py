@@ -126,6 +126,8 @@ class Solutions:
     def column(self, name: str) -> Array:
         """Return any of `nonhertz.result.quantities.QUANTITIES` for all cases, nan where a case has no solution.
 
+        What is only rounding, such as the moment of a symmetric contact, is zero.
+
         Parameters
         ----------
         name : str
@@ -138,7 +140,7 @@ class Solutions:
         """
         if not isinstance(name, str) or name not in QUANTITIES:
             raise InputError("name", name, f"be one of {', '.join(QUANTITIES)}", "choose one of them")
-        get, at_once = QUANTITIES[name].get, None
+        get, at_once = QUANTITIES[name].clean, None
         with contextlib.suppress(AttributeError):  # raised by a quantity that needs whole solutions
             at_once = np.asarray(get(self))
         if at_once is not None and at_once.shape == self.shape:
