@@ -290,6 +290,8 @@ def test_templates_solve_without_a_warning(
     [
         (("--template", "needles"), "--template = 'needles' must be one of"),
         (("--template", "cam", "--bearing"), "--template = 'cam' must not be given with --bearing"),
+        (("--template", "cam", "--plan"), "--template = 'cam' must not be given with --plan"),
+        (("--plan", "--bearing"), "--plan = True must not be given with --bearing"),
     ],
 )
 def test_templates_that_there_are_not(
@@ -297,6 +299,16 @@ def test_templates_that_there_are_not(
 ) -> None:
     assert main(["new", *words]) == 2
     assert sentence in capsys.readouterr().err
+
+
+def test_a_plan_to_start_from_is_fine(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["new", "case.toml"]) == 0
+    assert main(["new", "--plan", "plan.toml"]) == 0
+    assert "nonhertz design plan.toml" in capsys.readouterr().out
+    assert main(["check", "plan.toml"]) == 0
 
 
 def test_new_never_overwrites(case: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -8,7 +8,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.io.casefile import starting_case
-from nonhertz.io.planfile import Plan, holds_plan, read_any, read_plan
+from nonhertz.io.planfile import Plan, holds_plan, read_any, read_design, read_plan, starting_plan
 from nonhertz.io.spreads import Distribution
 
 
@@ -48,6 +48,30 @@ seed = 3
     assert found.spreads["load.tilt"] == (0.0, 0.5e-3)
     assert isinstance(found.spreads["body.a.diameter"], Distribution)
     assert (found.samples.count, found.samples.method, found.samples.seed) == (7, "sobol", 3)
+
+
+TABLES = ("over", "tolerance", "vary")
+
+
+def test_the_plan_to_start_from_goes_with_the_case_to_start_from(folder):
+    path = folder / "plan.toml"
+    path.write_text(starting_plan(), encoding="utf-8")
+    for table in TABLES[:2]:
+        assert read_plan(path, table).over
+    case, asked = read_design(path)
+    assert case.title == nh.read_case(folder / "case.toml").title
+    assert list(asked["vary"]) == ["body.a.profile.amplitude"]
+
+
+def test_the_plan_of_the_reference_is_one(tmp_path):
+    text = starting_case("cylindrical").replace("diameter = 10.0", "diameter = 15.0")
+    (tmp_path / "roller.toml").write_text(text, encoding="utf-8")
+    reference = (Path(__file__).parents[2] / "docs" / "reference" / "plan-file.md").read_text(encoding="utf-8")
+    path = tmp_path / "plan.toml"
+    path.write_text(reference.partition("```toml\n")[2].partition("```")[0], encoding="utf-8")
+    assert read_plan(path).spreads["load.tilt"] == (0.0, 0.5e-3, 1e-3)
+    assert len(read_plan(path, "tolerance").spreads) == 4
+    assert read_design(path)[1]["goal"] == "life"
 
 
 def test_all_mistakes_are_listed_at_once(folder):

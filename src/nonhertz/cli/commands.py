@@ -804,8 +804,9 @@ def new(
     *,
     template: str | None = None,
     bearing: Annotated[bool, Parameter(negative="")] = False,
+    plan: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
-    """Write a commented case file to start from.
+    """Write a commented case file, bearing file or plan to start from.
 
     Parameters
     ----------
@@ -816,20 +817,27 @@ def new(
         roller on a plate, with all that a case file may hold.
     bearing : bool
         Write a bearing file instead.
+    plan : bool
+        Write a plan instead, for sweep, tolerance and design.
     """
     from nonhertz.cli.options import named_as
     from nonhertz.io.bearingfile import starting_bearing
     from nonhertz.io.casefile import starting_case, write_new
+    from nonhertz.io.planfile import starting_plan
 
-    if bearing and template is not None:
-        raise InputError("--template", template, "not be given with --bearing", "leave one out")
+    if (bearing or plan) and template is not None:
+        option = "--bearing" if bearing else "--plan"
+        raise InputError("--template", template, f"not be given with {option}", "leave one out")
+    if bearing and plan:
+        raise InputError("--plan", True, "not be given with --bearing", "write one file after the other")
     with named_as(template="--template"):
-        text = starting_bearing() if bearing else starting_case(template)
+        text = starting_bearing() if bearing else starting_plan() if plan else starting_case(template)
     if path is None:
         print(text, end="")
     else:
         write_new(text, path)
-        print(f"wrote {path}; solve it with: nonhertz {'bearing' if bearing else 'solve'} {path}")
+        command = "bearing" if bearing else "design" if plan else "solve"
+        print(f"wrote {path}; {'try' if plan else 'solve'} it with: nonhertz {command} {path}")
     return FINE
 
 

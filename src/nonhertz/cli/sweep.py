@@ -34,7 +34,7 @@ def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: s
     InputError
         If an option cannot be read, named as on the command line.
     """
-    text = case_text(file, "plan file or case file")
+    text = case_text(file, "plan file or case file", "nonhertz new --plan")
     document = parsed(text, str(file))
     if not holds_plan(document):
         plan = Plan(case_or_bearing_in(document, file, text, changes), path=file)

@@ -9,6 +9,7 @@ import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
+from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -293,7 +294,7 @@ def read_plan(path: str | Path, table: str = "over") -> Plan:
         raise InputError("path", path, "be the name of a plan file", "give a string or a Path")
     one_of("table", table, TABLES, "name the one that is meant")
     path = Path(path)
-    return plan_in(parsed(case_text(path, "plan file"), str(path)), path, table)
+    return plan_in(parsed(case_text(path, "plan file", "nonhertz new --plan"), str(path)), path, table)
 
 
 def plan_in(
@@ -334,6 +335,11 @@ def plan_in(
     return plan.changed(over=getattr(read, table))
 
 
+def starting_plan() -> str:
+    """Return a commented plan to start from, with a table for each command."""
+    return resources.files("nonhertz.io").joinpath("starting_plan.toml").read_text(encoding="utf-8")
+
+
 def plan_schema() -> dict[str, Any]:
     """Return the JSON schema of a plan file, with the meaning of every key."""
     from nonhertz.io.plan_document import PlanTable
@@ -367,7 +373,7 @@ def read_design(path: str | Path, changes: Mapping[str, Any] | None = None) -> t
     if not isinstance(path, str | Path):
         raise InputError("path", path, "be the name of a plan file", "give a string or a Path")
     path = Path(path)
-    return design_in(parsed(case_text(path, "plan file"), str(path)), path, changes)
+    return design_in(parsed(case_text(path, "plan file", "nonhertz new --plan"), str(path)), path, changes)
 
 
 def design_in(

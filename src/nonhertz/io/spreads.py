@@ -208,7 +208,7 @@ def spread_in(parameter: Parameter, given: Any, document: Mapping[str, Any]) -> 
     if len(given) > MOST_VALUES:
         remedy = "write fewer, or a distribution to draw from"
         raise InputError(parameter.path, f"{len(given)} values", f"have {MOST_VALUES} values at most", remedy)
-    return tuple(value_in(parameter, each) for each in given)
+    return tuple(_entry(parameter, each) for each in given)
 
 
 def value_in(parameter: Parameter, given: Any) -> Any:
@@ -239,10 +239,15 @@ def bounds_in(parameter: Parameter, given: Any) -> tuple[float, float]:
     if not isinstance(given, Sequence) or len(given) != 2:
         remedy = f"write lowest and highest, such as '{_example(parameter)}'"
         raise InputError(parameter.path, given, "be a range", remedy)
-    low, high = (value_in(parameter, each) for each in given)
+    low, high = (_entry(parameter, each) for each in given)
     if not low < high:
         raise InputError(parameter.path, given, "ascend", "give lowest and highest")
     return float(low), float(high)
+
+
+def _entry(parameter: Parameter, given: Any) -> Any:
+    """Return an entry of a list, in which zero needs no unit in quotes either."""
+    return _written(parameter, given) if isinstance(given, str) and parameter.unit else value_in(parameter, given)
 
 
 def _written(parameter: Parameter, word: str) -> Any:

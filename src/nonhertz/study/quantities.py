@@ -84,7 +84,7 @@ def number_of(quantity: Quantity, solved: SolvedContact | SolvedBearing) -> floa
 
 def _of_contact() -> dict[str, Quantity]:
     def taken(quantity: Quantity) -> Callable[[SolvedContact], float]:
-        return lambda solved: quantity.get(solved.solution)
+        return lambda solved: quantity.clean(solved.solution)
 
     found = {
         name: Quantity(
