@@ -19,12 +19,13 @@ def digits(value: float, significant: int = 5) -> str:
 
     Examples
     --------
-    >>> digits(0.0322131), digits(20000.0), digits(1.23456789e9), digits(0.0)
-    ('0.032213', '20000', '1.2346e+09', '0')
+    >>> digits(0.0322131), digits(20000.0), digits(0.999999), digits(1.23456789e9), digits(0.0)
+    ('0.032213', '20000', '1.0000', '1.2346e+09', '0')
     """
     if value == 0.0 or not math.isfinite(value):
         return f"{value:g}".replace("-0", "0")
-    decade = math.floor(math.log10(abs(value)))
+    # That of the rounded number: 0.999999 has one digit before the point.
+    decade = int(f"{value:.{significant - 1}e}".partition("e")[2])
     if not -4 <= decade < 8:
         return f"{value:.{significant - 1}e}"
     return f"{value:.{max(0, significant - 1 - decade)}f}"
