@@ -325,11 +325,13 @@ def _pressure_rows(solution: BearingSolution) -> list[Row]:
     pressure, where = solution.max_pressure, solution.max_pressure_y
     if not pressure.max() > 0.0:
         return []
-    rows = []
+    rows: list[Row] = []
     for k, ring in enumerate(RINGS):
         j = int(np.argmax(pressure[:, k]))
+        if not pressure[j, k] > 0.0:
+            continue
         beyond = f", above the {MOST_PRESSURE:g} MPa of C0" if pressure[j, k] > MOST_PRESSURE else ""
-        name = "maximum pressure" if k == 0 else ""
+        name = "" if rows else "maximum pressure"
         value = f"{digits(pressure[j, k])} MPa at y = {digits(where[j, k], 4)} mm"
         rows.append((name, value, f"{ring} ring, {place_of(solution, j)}{beyond}"))
     return rows
@@ -339,10 +341,10 @@ def _rib_rows(solution: BearingSolution) -> list[Row]:
     if not solution.rib_load.max(initial=0.0) > 0.0:
         return []
     j, k = np.unravel_index(int(np.argmax(solution.rib_load)), solution.rib_load.shape)
-    where = f"at most, {RINGS[k]} ring, {place_of(solution, int(j))}"
+    where = f"{RINGS[k]} ring, {place_of(solution, int(j))}"
     ellipse = solution.rib_contact(int(j), RINGS[k])
     pressure = "" if ellipse is None else f", {digits(ellipse.max_pressure, 4)} MPa"
-    return [("rib load", f"{sized(solution.rib_load[j, k], 'N')}{pressure}", where)]
+    return [("largest rib load", f"{sized(solution.rib_load[j, k], 'N')}{pressure}", where)]
 
 
 def _stiffness_rows(solution: BearingSolution) -> list[Row]:
@@ -363,7 +365,8 @@ def _method_rows(solution: BearingSolution) -> list[Row]:
         return [("method", "slices", "independent ones of ISO/TS 16281, two equal contacts in series")]
     bearing = solution.bearing.rows[0].bearing
     rows = [("method", "strips", "semi-elliptic, on automatic grids")]
-    return [*rows, *((f"  {name}", getattr(bearing, name).model, "") for name in ("roller", *RINGS))]
+    rows.append(("  roller", bearing.roller.model, ""))
+    return [*rows, *((f"  {ring} ring", getattr(bearing, ring).model, "") for ring in RINGS)]
 
 
 def place_of(solution: BearingSolution, j: int) -> str:
