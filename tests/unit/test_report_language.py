@@ -11,11 +11,12 @@ from pathlib import Path
 import pytest
 
 import nonhertz as nh
+import nonhertz.report.bearing.page
 import nonhertz.report.page
 from nonhertz.bodies.depths import DEPTHS
 from nonhertz.errors import InputError
-from nonhertz.io.bearingfile import starting_bearing
-from nonhertz.io.casefile import schema, starting_case
+from nonhertz.io.bearingfile import BearingCase, bearing_in, bearing_schema, read_bearing
+from nonhertz.io.casefile import Case, parsed, schema, starting_case
 from nonhertz.io.title_block import ENGLISH, LANGUAGES, TitleBlock
 from nonhertz.report import compose
 from nonhertz.report.assumptions import ENDS, Verdict
@@ -26,18 +27,174 @@ from nonhertz.show.lives import LIFE_COLUMNS, SPECTRUM_COLUMNS
 from nonhertz.show.stresses import COLUMNS, NAMES
 
 OTHERS = [code for code in LANGUAGES if code != ENGLISH]
-EXAMPLES = sorted(
-    path for path in (Path(__file__).parents[2] / "examples").glob("*.toml") if "[body.a]" in path.read_text("utf-8")
-)
+FOLDER = Path(__file__).parents[2] / "examples"
+EXAMPLES = sorted(path for path in FOLDER.glob("*.toml") if "[body.a]" in path.read_text("utf-8"))
+BEARINGS = sorted(path for path in FOLDER.glob("*.toml") if "[bearing]" in path.read_text("utf-8"))
 # Words of sentences, none of which is German; titles of the examples have some, and are left out.
 ENGLISH_WORDS = re.compile(
-    r"\b(the|of|is|are|and|with|not|where|from|to|by|at|no|its|which|than|ends?|length|load|both|pressure|width)\b",
+    r"\b(the|of|is|are|and|with|not|where|from|to|by|at|no|its|which|than|ends?|length|load|both|pressure|width|"
+    r"inner|outer|rollers?|rows?|slices|strips|degrees|under|about|along|against|life|ribs?|without|whose)\b",
     re.I,
 )
 # Words in quotation marks, tables in brackets, and keys such as body.a.profile[1].length.
 OF_FILES = re.compile(r"„[^“]*“|\[[a-z.]+\]|\b[a-z_]+(?:\.[a-z_]+(?:\[\d+\])?)+")
-# Tables of the schema whose keys a report shows.
+# Tables of the schemas whose keys a report shows.
 SHOWN = ("BodyTable", "LoadTable", "SolverTable", "LifeTable")
+OF_BEARINGS = (
+    *("BearingTable", "PairTable", "RollerTable", "RacewayTable", "BearingLoadTable", "BearingSolverTable"),
+    *("BearingLifeTable", "FitTable", "ShaftTable", "HousingTable"),
+)
+NOT_SHOWN = {
+    *(("BodyTable", "profile"), ("RollerTable", "profile"), ("RacewayTable", "profile")),
+    *(("BearingTable", "kind"), ("BearingTable", "pair"), ("FitTable", "shaft"), ("FitTable", "housing")),
+    *(("RollerTable", "kind"), ("RacewayTable", "kind")),
+}
+# Little of everything: few rollers of bodies without ends.
+CYLINDRICAL = """
+title = "Sechs"
+[bearing]
+kind = "cylindrical"
+rollers = 6
+clearance = "12 um"
+[roller]
+diameter = 9.0
+length = 10.0
+profile = { kind = "crown", radius = 1200 }
+side_faces = "none"
+depth = "none"
+[inner]
+diameter = 37.5
+[outer]
+diameter = -55.5
+[load]
+radial = "5 kN"
+tilt = "0.2 mrad"
+speed = "1500 rpm"
+"""
+TAPERED = """
+title = "Paar"
+[bearing]
+kind = "tapered"
+rollers = 6
+contact_angle = "12 deg"
+rib = { end_radius = 140, height = 4.8 }
+pair = { arrangement = "O", distance = 20, clearance = "-40 um" }
+[roller]
+diameter = { y = [-5.8, 5.8], diameter = [10.94, 10.12] }
+length = 11.6
+profile = { kind = "crown", radius = 4000 }
+side_faces = "none"
+depth = "none"
+[inner]
+diameter = 40.8
+[outer]
+diameter = -62.32
+[load]
+radial = "8 kN"
+axial = "3 kN"
+"""
+SPHERICAL = """
+title = "Tonnen"
+[bearing]
+kind = "spherical"
+rollers = 7
+contact_angle = "10 deg"
+profile_radius = 60
+inner_groove = 61.5
+outer_groove = 61.5
+clearance = "30 um"
+pair = { arrangement = "X", distance = 20 }
+[roller]
+diameter = 12
+length = 14
+side_faces = "none"
+depth = "none"
+[inner]
+diameter = 60
+[outer]
+diameter = -84.35
+[load]
+radial = ["20 kN", "5 kN"]
+axial = "2 kN"
+"""
+THRUST = """
+title = "Scheiben"
+[bearing]
+kind = "thrust"
+rollers = 8
+pitch_diameter = 60
+[roller]
+diameter = 8
+length = 8
+corner_radius = 0.4
+side_faces = "mirror"
+depth = "none"
+[inner]
+[outer]
+[load]
+axial = "20 kN"
+moment = "1 N m"
+"""
+SLICES = '[solver]\nmethod = "slices"\n'
+RIBS = """rollers = 6
+design = "NUP"
+axial_clearance = "50 um"
+density = "3.2 g/cm^3"
+rib = { end_radius = 300, height = 4.2, edge = 3.9 }
+inner_shape = { terms = [{ waves = 2, amplitude = "5 um" }] }
+outer_shape = { angle = [0, 1, 2], deviation = [0, 0.003, 0] }
+"""
+SPECTRUM = """
+[life]
+viscosity = 20
+cleanliness = "high"
+[[life.spectrum]]
+radial = "4 kN"
+share = 0.5
+[[life.spectrum]]
+radial = "6 kN"
+share = 0.3
+"""
+
+
+def changed(text: str, *changes: tuple[str, str]) -> str:
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    return text
+
+
+OF_KINDS = {
+    "tapered": [TAPERED, changed(TAPERED, ("8 kN", "9 kN"), ("-40 um", "-20 um")), TAPERED + SLICES],
+    "spherical": [SPHERICAL],
+    "thrust": [THRUST, changed(THRUST, ("[inner]", '[inner]\nmaterial = "silicon-nitride"'), ("mirror", "none"))],
+    "needle": [changed(CYLINDRICAL, ("cylindrical", "needle"), ('tilt = "0.2 mrad"', 'moment = ["1 N m", "2 N m"]'))],
+    "ribs": [
+        changed(CYLINDRICAL, ("rollers = 6\n", RIBS), ('tilt = "0.2 mrad"', 'axial = "300 N"')),
+        changed(CYLINDRICAL, ("rollers = 6", 'rollers = 6\ndesign = "NJ"'), ('tilt = "0.2 mrad"', 'axial = "300 N"')),
+    ],
+    "moved": [
+        changed(CYLINDRICAL, ('radial = "5 kN"', 'radial_displacement = "20 um"\naxial_displacement = 0')),
+        changed(CYLINDRICAL, ('radial = "5 kN"\ntilt = "0.2 mrad"\nspeed = "1500 rpm"\n', "")),
+        changed(CYLINDRICAL, ("5 kN", "60 kN"), ("0.2 mrad", "12 mrad")),
+    ],
+    "spectrum": [changed(CYLINDRICAL, ('radial = "5 kN"\ntilt = "0.2 mrad"\n', "")) + SPECTRUM],
+    "unsolved": [
+        changed(CYLINDRICAL, ('depth = "none"\n[inner]', 'depth = "cylinder"\n[inner]\ndepth = 0.05\nlength = 8'))
+    ],
+}
+
+
+class Listening(Language):
+    """A language that remembers what it said."""
+
+    def __init__(self, code: str) -> None:
+        super().__init__(code)
+        self.said: list[str] = []
+
+    def __call__(self, text: str) -> str:
+        self.said.append(super().__call__(text))
+        return self.said[-1]
 
 
 class Words(HTMLParser):
@@ -75,9 +232,11 @@ def sentences() -> Iterator[str]:
         yield f"Displacement of body a is measured against {depth.place}."
     yield from filter(None, (*COLUMNS[:3], *NAMES.values(), *LIFE_COLUMNS, *SPECTRUM_COLUMNS))
     tables = schema()["$defs"]
-    for table in SHOWN:
-        for key, property_ in tables[table]["properties"].items():
-            if (table, key) != ("BodyTable", "profile"):
+    for table, of_table in [(each, tables) for each in SHOWN] + [
+        (each, bearing_schema()["$defs"]) for each in OF_BEARINGS
+    ]:
+        for key, property_ in of_table[table]["properties"].items():
+            if (table, key) not in NOT_SHOWN and property_.get("description"):
                 yield property_["description"]
     for kind in tables["BodyTable"]["properties"]["profile"]["anyOf"][0]["anyOf"]:
         what = kind["description"].rstrip(".")
@@ -87,22 +246,36 @@ def sentences() -> Iterator[str]:
                 yield property_.get("description", "").replace("`", "").rstrip(".")
 
 
-def german_page(paths: list[Path], monkeypatch: pytest.MonkeyPatch, **options: bool) -> tuple[str, Language]:
-    languages = []
-
-    def made(code: str) -> Language:
-        languages.append(Language(code))
-        return languages[-1]
-
-    monkeypatch.setattr(nonhertz.report.page, "Language", made)
+def single_contacts(paths: list[Path]) -> list[Case]:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", nh.AccuracyWarning)
-        cases = [nh.read_case(path) for path in paths]
+        return [nh.read_case(path) for path in paths]
+
+
+def german_page(
+    cases: list[Case] | list[BearingCase], monkeypatch: pytest.MonkeyPatch, **options: bool
+) -> tuple[str, Listening]:
+    languages: list[Listening] = []
+
+    def made(code: str) -> Language:
+        languages.append(Listening(code))
+        return languages[-1]
+
+    for module in (nonhertz.report.page, nonhertz.report.bearing.page):
+        monkeypatch.setattr(module, "Language", made)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
         page = compose(cases, title_block=TitleBlock(language="de"), **options)
     (language,) = languages
-    for case in cases:
-        page = page.replace(case.title, "").replace(Path(case.file_name).stem, "")
-    return page, language
+    names = [name for case in cases for name in (case.title, Path(case.file_name).stem)]
+    language.said = [_without(names, said) for said in language.said]
+    return _without(names, page), language
+
+
+def _without(names: list[str], text: str) -> str:
+    for name in names:
+        text = text.replace(name, "")
+    return text
 
 
 def is_english(words: str) -> bool:
@@ -110,8 +283,9 @@ def is_english(words: str) -> bool:
     return ENGLISH_WORDS.search(OF_FILES.sub("", words)) is not None
 
 
-def refuse_english(page: str, language: Language) -> None:
+def refuse_english(page: str, language: Listening) -> None:
     assert language.missing == set()
+    assert [words for words in language.said if is_english(words)] == []
     assert [words for words in Words(page).found if is_english(words)] == []
 
 
@@ -140,6 +314,7 @@ def test_text_without_a_translation_stays_and_is_remembered() -> None:
     [
         ("at y = -1.25 mm", "bei y = -1,25 mm"),
         ("1.5e-05", "1,5e-05"),
+        ("0, 1.25, -0.5 kN", "0; 1,25; -0,5 kN"),
         ("case 1.2.3, page 4", "case 1.2.3, page 4"),
         (
             "A roller (diameter 9.5 mm, steel) and a plate (flat, steel) are pressed together with 1 N.",
@@ -158,7 +333,7 @@ def test_thousands_are_separated_as_usual() -> None:
 
 def test_a_german_report_has_nothing_english(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "case.toml").write_text(starting_case() + '\n[report]\nproject = "Getriebe"\n', encoding="utf-8")
-    page, language = german_page([tmp_path / "case.toml"], monkeypatch, stress=False)
+    page, language = german_page(single_contacts([tmp_path / "case.toml"]), monkeypatch, stress=False)
     refuse_english(page, language)
     assert '<html lang="de">' in page
     assert "<dt>Projekt</dt><dd>Getriebe</dd>" in page
@@ -167,13 +342,34 @@ def test_a_german_report_has_nothing_english(tmp_path: Path, monkeypatch: pytest
 
 @pytest.mark.slow
 def test_german_reports_of_all_examples_have_nothing_english(monkeypatch: pytest.MonkeyPatch) -> None:
-    refuse_english(*german_page(EXAMPLES[:1], monkeypatch, life=True))
-    refuse_english(*german_page(EXAMPLES[1:], monkeypatch))
+    refuse_english(*german_page(single_contacts(EXAMPLES[:1]), monkeypatch, life=True))
+    refuse_english(*german_page(single_contacts(EXAMPLES[1:]), monkeypatch))
 
 
-def test_other_languages_are_refused(tmp_path: Path) -> None:
+@pytest.mark.parametrize("kind", OF_KINDS)
+def test_a_german_report_of_bearings_has_nothing_english(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    cases = [
+        bearing_in(parsed(text, name), Path(name), text, files=False)
+        for name, text in zip(("eins.toml", "zwei.toml", "drei.toml"), OF_KINDS[kind], strict=False)
+    ]
+    page, language = german_page(cases, monkeypatch, compare=kind in {"tapered", "spherical"})
+    refuse_english(page, language)
+    assert '<html lang="de">' in page
+    assert "Ganzes Lager, Rollen und Ringe im Gleichgewicht" in page
+
+
+@pytest.mark.slow
+def test_german_reports_of_bearings_of_all_examples_have_nothing_english(monkeypatch: pytest.MonkeyPatch) -> None:
+    refuse_english(*german_page([read_bearing(path) for path in BEARINGS], monkeypatch))
+
+
+def test_a_bearing_file_names_its_language(tmp_path: Path) -> None:
+    text = f'{CYLINDRICAL}{SLICES}[report]\nlanguage = "de"\n'
+    (tmp_path / "bearing.toml").write_text(text, encoding="utf-8")
+    page = compose([read_bearing(tmp_path / "bearing.toml")])
+    assert re.search(r"<dt>größte Rollenlast</dt><dd><b>\d,\d+</b> kN", page)
+
+
+def test_other_languages_are_refused() -> None:
     with pytest.raises(InputError, match=r"^language = 'fr' must be 'en' or 'de': "):
         TitleBlock(language="fr")
-    (tmp_path / "bearing.toml").write_text(starting_bearing(), encoding="utf-8")
-    with pytest.raises(InputError, match=r"^language = 'de' must be 'en' for bearings: "):
-        compose([nh.read_bearing(tmp_path / "bearing.toml")], title_block=TitleBlock(language="de"))

@@ -24,7 +24,6 @@ from nonhertz.report import (
     settled,
     settled_bearings,
     steps,
-    title_block_of,
 )
 
 _REMEDY = "give the name of a file such as report.html"
@@ -147,8 +146,6 @@ def composed(
     if contacts and compare:
         remedy = f"use 'nonhertz compare {contacts[0].path}' for strips beside the plane grid"
         raise InputError("--compare", str(contacts[0].path), "be used with bearing files", remedy)
-    if bearings:
-        block = title_block_of(bearings, block)
     text: str
     found: Sequence[CaseResults | BearingResults]
     text, found = made_of_bearings(bearings, life, compare, block) if bearings else made(contacts, life, stress, block)

@@ -15,7 +15,6 @@ sheet only lay them out.
 from nonhertz.io.logo import logo_from as logo_from
 from nonhertz.io.title_block import TitleBlock as TitleBlock
 from nonhertz.report.bearing.page import rendered_bearings as rendered_bearings
-from nonhertz.report.bearing.page import title_block_of as title_block_of
 from nonhertz.report.bearing.results import BearingResults as BearingResults
 from nonhertz.report.bearing.results import settled_bearings as settled_bearings
 from nonhertz.report.layout import MARK as MARK

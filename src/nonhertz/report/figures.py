@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import count
 from typing import TYPE_CHECKING
 
 from nonhertz.plot import figures, life_figure, measured_figure, stress_figures
 from nonhertz.report.drawing import inline_svg
-from nonhertz.report.language import Language, translate_figure
+from nonhertz.report.language import Language, in_letters, translate_figure
 from nonhertz.report.measurements import Measurement
 from nonhertz.report.overlay import pressures, reliefs
-from nonhertz.report.overview import keys
+from nonhertz.report.overview import Key, keys
 from nonhertz.report.results import CaseResults
 from nonhertz.result.solution import Solution
 
@@ -57,11 +57,8 @@ class Gallery:
             "footprint": "Contact area, coloured by its pressure" + _proportions(solution),
             "profile": "Distance of both surfaces on the centre line before and after loading.",
         }
-        summary = "; ".join(f"{key.name} {key.value} {key.unit} {key.remark}".strip() for key in keys(found))
-        return {
-            name: self.picture(drawn, captions[name], f"{found.case.title}: {summary}")
-            for name, drawn in figures(solution).items()
-        }
+        summary = f"{found.case.title}: {self.in_words(keys(found))}"
+        return {name: self.picture(drawn, captions[name], summary) for name, drawn in figures(solution).items()}
 
     def of_stress(self, found: CaseResults) -> dict[str, ReportFigure]:
         """Return both planes below the surface; empty if stress was not requested."""
@@ -74,7 +71,7 @@ class Gallery:
             "proportions.",
         }
         largest = overall.von_mises
-        summary = (
+        summary = self._language(
             f"The largest is {largest.max:.5g} MPa at x = {largest.x:.3g}, y = {largest.y:.3g}, z = {largest.z:.3g} mm."
         )
         return {
@@ -91,13 +88,15 @@ class Gallery:
             "Where along the contact the bodies fatigue: damage per length over its mean under the ideal pressure."
         )
         lives = [life for body in found.lives.lives.values() for life in body]
-        summary = "; ".join(f"{life.model.name} in body {life.body}: life {life.relative:.3g}" for life in lives)
+        sentences = (f"{life.model.name} in body {life.body}: life {life.relative:.3g}" for life in lives)
+        summary = "; ".join(map(self._language, sentences))
         return self.picture(drawn, caption, summary)
 
     def of_measurement(self, measurement: Measurement) -> ReportFigure:
         """Return the steps from measured points to a profile."""
         caption = f"From the measured points of {measurement.file} to the profile, step by step."
-        return self.picture(measured_figure(measurement.measured), caption, " ".join(dict(measurement.rows).values()))
+        summary = " ".join(self._language(in_letters(words)) for _, words in measurement.rows)
+        return self.picture(measured_figure(measurement.measured), caption, summary)
 
     def of_all(self, found: Sequence[CaseResults]) -> Iterator[ReportFigure]:
         """Yield pressures with half-widths, and separations, for all cases."""
@@ -106,8 +105,15 @@ class Gallery:
         caption = "Separation of the bodies before loading (the reliefs of both) of all cases, as far as they touch."
         yield self.picture(reliefs(found), caption, names)
 
+    def in_words(self, numbers: Iterable[Key]) -> str:
+        """Return key numbers as the description of a figure, for those who do not see it."""
+        word, named = self._language.words, self._language
+        return "; ".join(
+            f"{named(key.name)} {word(key.value)} {word(key.unit)} {named(key.remark)}".strip() for key in numbers
+        )
+
     def picture(self, figure: Figure, caption: str, description: str) -> ReportFigure:
-        """Return a figure with the next number."""
+        """Return a figure with the next number; its description is in the language of the page."""
         number = next(self._numbers)
         translate_figure(figure, self._language)
         svg = inline_svg(figure, f"figure-{number}", self._language(caption), description)

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 _PLACE: Final = re.compile(r"(?<!_)\{(\w+)\}")  # braces after an underscore are those of a formula
 _NUMBER: Final = re.compile(r"(?<![\w.])(\d+)\.(\d+(?:e[-+]?\d+)?)(?!\.?\w)")
+_LIST: Final = re.compile(r"(?<=\d), (?=[-+]?\d)(?![^()]*\))")  # names of cases, in brackets, may be numbers
 _SENTENCES: Final = re.compile(r"(?<=[.]) (?=[A-Z'])")
 _WORD: Final = re.compile(r"\b(?!(?:mrad|rad|MPa)\b)[A-Za-z]{3,}")
 _WITHIN_SENTENCE: Final = r"(?:(?![.] [A-Z']).)"
@@ -44,6 +45,7 @@ class Language:
         self.missing: set[str] = set()
         table = {} if code == "en" else _entries(code)
         self._decimal = table.get("numbers", {}).get("decimal", ".")
+        self._between = table.get("numbers", {}).get("between", ", ")
         self._thousands = table.get("numbers", {}).get("thousands", ",")
         sentences = {
             english: own for name, part in table.items() if name not in _APART for english, own in part.items()
@@ -66,12 +68,12 @@ class Language:
         parts = _SENTENCES.split(text)
         if len(parts) > 1:
             return " ".join(self(part) for part in parts)
-        found = self._fitted(text, self._joined, self)
+        found = self._fitted(self._listed(text), self._joined, self)
         if found is not None:
             return found
         if _WORD.search(text):
             self.missing.add(text)
-        return self.numbers(text)
+        return self.numbers(self._listed(text))
 
     def numbers(self, text: str) -> str:
         """Return text with the decimal separator of this language in its numbers."""
@@ -102,8 +104,12 @@ class Language:
         """Return what may be words of the program, or a number, or a name that stays as it is."""
         found = self._found(value)
         if found is None:
-            found = self._fitted(value, self._joined, self.words)
-        return self.numbers(value) if found is None else found
+            found = self._fitted(self._listed(value), self._joined, self.words)
+        return self.numbers(self._listed(value)) if found is None else found
+
+    def _listed(self, text: str) -> str:
+        """Return text with the numbers of a list apart, which decimal commas would run together."""
+        return _LIST.sub(self._between, text)
 
 
 @functools.cache
@@ -116,6 +122,11 @@ def _pattern(english: str) -> re.Pattern[str]:
     parts = enumerate(_PLACE.split(english))
     own = (f"(?P<{part}>{_WITHIN_SENTENCE}+?)" if number % 2 else re.escape(part) for number, part in parts)
     return re.compile("".join(own), re.DOTALL)
+
+
+def in_letters(text: str) -> str:
+    """Return text with units as they are printed."""
+    return text.replace(" um", " µm").replace("/um", "/µm")
 
 
 def translate_figure(figure: Figure, language: Language) -> None:

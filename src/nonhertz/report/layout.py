@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from nonhertz import __version__
 from nonhertz.io.title_block import TitleBlock
 from nonhertz.report.figures import ReportFigure
-from nonhertz.report.language import Language
+from nonhertz.report.language import Language, in_letters
 from nonhertz.report.measurements import Measurement
 
 if TYPE_CHECKING:
@@ -90,11 +90,6 @@ def merged(rows: Sequence[tuple[str, str, str]]) -> list[tuple[str, list[tuple[s
             found.append((name.strip(), []))
         found[-1][1].append((in_letters(value), in_letters(remark)))
     return found
-
-
-def in_letters(text: str) -> str:
-    """Return text with units as they are printed."""
-    return text.replace(" um", " µm").replace("/um", "/µm")
 
 
 def measured(measurement: Measurement, picture: ReportFigure) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from nonhertz.io.casefile import Case
 from nonhertz.io.title_block import ENGLISH, TitleBlock
 from nonhertz.report.assumptions import assumptions
 from nonhertz.report.basis import basis
-from nonhertz.report.bearing.page import rendered_bearings, title_block_of
+from nonhertz.report.bearing.page import rendered_bearings
 from nonhertz.report.bearing.results import settled_bearings
 from nonhertz.report.differences import differing_inputs, lives, remarks_on_lives, results
 from nonhertz.report.downloads import downloads, left_out
@@ -87,7 +87,6 @@ def compose(
         remedy = "make a report of each kind"
         raise InputError("cases", "of both kinds", "be all single contacts or all bearings", remedy)
     if bearings:
-        title_block = title_block_of(bearings, title_block)
         found = settled_bearings(bearings, life=life, compare=compare, announce=announce)
         return rendered_bearings(found, title_block)
     return rendered(examined(settled(contacts), life=life, stress=stress, announce=announce), title_block)

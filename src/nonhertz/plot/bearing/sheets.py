@@ -15,6 +15,8 @@ from nonhertz.plot.sheets import BAR, BAR_GAP, BAR_ROOM, BOTTOM, LEFT, WIDTH, bl
 from nonhertz.plot.style import SMALL_SIZE, TITLE_SIZE, sheet_style
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from matplotlib.artist import Artist
     from matplotlib.figure import Figure
     from matplotlib.projections.polar import PolarAxes
@@ -123,7 +125,7 @@ def _displacement(solution: BearingSolution, title: str, maps: BearingMaps | Non
 def _sheet(solution: BearingSolution, title: str, height: float) -> tuple[Figure, float]:
     """Return a sheet with its head, below which there is room of a height [inch], and where that begins."""
     titles = textwrap.wrap(title, TITLE_LETTERS)
-    lines = textwrap.wrap(conditions(solution), CONDITION_LETTERS)
+    lines = _lines(conditions(solution))
     head = 0.08 + TITLE_LINE * len(titles) + CONDITIONS + 0.14 * (len(lines) - 1)
     figure = blank(head + height)
     place, line = MARGIN / WIDTH, head + height - 0.08
@@ -134,25 +136,32 @@ def _sheet(solution: BearingSolution, title: str, height: float) -> tuple[Figure
             parse_math=False,
         )  # fmt: skip
     line -= TITLE_LINE * len(titles)
-    figure.text(place, line / (head + height), "\n".join(lines), va="top", parse_math=False)
+    figure.text(place, line / (head + height), "\n".join(lines), va="top")
     return figure, height
 
 
-def conditions(solution: BearingSolution) -> str:
-    """Return the line that says what was solved: the bearing, what acts on its inner ring, and by which method."""
+def _lines(parts: Sequence[str]) -> list[str]:
+    """Return parts in lines that are not too long; reports translate lines, so that none begins within a part."""
+    lines = [parts[0]]
+    for part in parts[1:]:
+        joined = f"{lines[-1]}; {part}"
+        lines[-1:] = [joined] if len(joined) <= CONDITION_LETTERS else [lines[-1], part]
+    return lines
+
+
+def conditions(solution: BearingSolution) -> list[str]:
+    """Return what was solved, in parts: the bearing, and what acts on its inner ring with the method."""
     rows = [row.bearing for row in solution.bearing.rows]
     same = len({(type(each), each.rollers) for each in rows}) == 1
     kinds = [f"{_name(type(each).__name__)}, {each.rollers} rollers" for each in (rows[:1] if same else rows)]
-    words = [f"{len(rows)} rows: {kinds[0]} each" if same and len(rows) > 1 else "; ".join(kinds)]
-    ways = directions(solution)
-    for name, way in ways.items():
-        words.append(
-            f"{name} {_force(float(solution.force[:3] @ abs(way) if name == 'axial' else solution.force[:3] @ way))}"
-        )
+    acting = [
+        f"{name} {_force(float(solution.force[:3] @ abs(way) if name == 'axial' else solution.force[:3] @ way))}"
+        for name, way in directions(solution).items()
+    ]
     tilt = 1e3 * math.hypot(*solution.displacement[3:])
-    words.append(f"tilt {number(tilt, 3) if tilt > 1e-6 else '0'} mrad")
-    words.append(f"by {solution.method}")
-    return "; ".join([words[0], ", ".join(words[1:])])
+    acting.append(f"tilt {number(tilt, 3) if tilt > 1e-6 else '0'} mrad")
+    acting.append(f"by {solution.method}")
+    return [*([f"{len(rows)} rows: {kinds[0]} each"] if same and len(rows) > 1 else kinds), ", ".join(acting)]
 
 
 def _name(kind: str) -> str:

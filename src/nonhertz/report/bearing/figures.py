@@ -32,9 +32,9 @@ def bearing_pictures(found: BearingResults, gallery: Gallery) -> dict[str, Repor
     """Return loads, pressure, most loaded roller and displacement, as far as there are any, by these names."""
     if found.solution is None:
         return {}
-    summary = "; ".join(f"{key.name} {key.value} {key.unit} {key.remark}".strip() for key in bearing_keys(found))
+    summary = f"{found.case.title}: {gallery.in_words(bearing_keys(found))}"
     return {
-        name: gallery.picture(drawn, _CAPTIONS[name], f"{found.case.title}: {summary}")
+        name: gallery.picture(drawn, _CAPTIONS[name], summary)
         for name, drawn in bearing_figures(found.solution).items()
     }
 

@@ -19,7 +19,7 @@ _STANDARDS = (
 _REFERENCE_LIFE = (
     "ISO/TS 16281, Methods for calculating the modified reference rating life for universally loaded bearings."
 )
-_PARTS = {"roller": "the rollers", "inner": "the inner ring", "outer": "the outer ring"}
+_PARTS = {"roller": "a roller", "inner": "the inner ring", "outer": "the outer ring"}
 
 
 def bearing_paragraphs(found: BearingResults) -> list[str]:

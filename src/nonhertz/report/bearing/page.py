@@ -6,9 +6,7 @@ from collections.abc import Sequence
 from pathlib import PurePosixPath
 from typing import Any
 
-from nonhertz.errors import InputError
 from nonhertz.io.bearing_results import as_json, as_object, comparison_files, rollers_table
-from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.title_block import ENGLISH, TitleBlock
 from nonhertz.report.bearing.assumptions import bearing_assumptions
 from nonhertz.report.bearing.basis import bearing_basis
@@ -21,8 +19,8 @@ from nonhertz.report.bearing.results import BearingResults
 from nonhertz.report.differences import differing_inputs
 from nonhertz.report.downloads import Download, given_files, left_out, text_download
 from nonhertz.report.figures import Gallery
-from nonhertz.report.language import Language
-from nonhertz.report.layout import Words, in_letters, laid_out, marked, measured, merged
+from nonhertz.report.language import Language, in_letters
+from nonhertz.report.layout import Words, laid_out, marked, measured, merged
 from nonhertz.report.measurements import measurements
 from nonhertz.show.bearing import (
     OF_LARGEST,
@@ -47,28 +45,14 @@ WORDS = Words(
 
 def rendered_bearings(found: Sequence[BearingResults], block: TitleBlock | None = None) -> str:
     """Return the text of the report on these bearings; what ``block`` leaves empty in its head is that of the first."""
-    head = title_block_of([each.case for each in found], block)
-    language = Language(ENGLISH)
+    head = (block or TitleBlock()).over(found[0].case.title_block)
+    language = Language(head.language or ENGLISH)
     gallery = Gallery(language)
     several = len(found) > 1
     comparison = _comparison(found, gallery) if several else None
     parts = [_part(each, number, several, gallery) for number, each in enumerate(found, start=1)]
     title = language(f"{len(found)} bearings compared") if several else found[0].case.title
     return laid_out(title, WORDS, head, comparison, parts, language)
-
-
-def title_block_of(cases: Sequence[BearingCase], block: TitleBlock | None) -> TitleBlock:
-    """Return the title block of a report on bearings.
-
-    Raises
-    ------
-    InputError
-        If it is to be in a language that reports of bearings are not translated to.
-    """
-    head = (block or TitleBlock()).over(cases[0].title_block)
-    if head.language not in {"", ENGLISH}:
-        raise InputError("language", head.language, "be 'en' for bearings", "only single contacts are translated")
-    return head
 
 
 def _part(found: BearingResults, number: int, several: bool, gallery: Gallery) -> dict[str, Any]:
