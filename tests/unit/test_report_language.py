@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import ast
 import re
+import tomllib
 import warnings
 from collections.abc import Iterator
 from html.parser import HTMLParser
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
 
 import nonhertz as nh
@@ -18,15 +22,22 @@ from nonhertz.errors import InputError
 from nonhertz.io.bearingfile import BearingCase, bearing_in, bearing_schema, read_bearing
 from nonhertz.io.casefile import Case, parsed, schema, starting_case
 from nonhertz.io.title_block import ENGLISH, LANGUAGES, TitleBlock
+from nonhertz.measured import Trace, prepare
 from nonhertz.report import compose
 from nonhertz.report.assumptions import ENDS, Verdict
-from nonhertz.report.language import Language
+from nonhertz.report.language import Language, in_letters
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, Status
 from nonhertz.show.lives import LIFE_COLUMNS, SPECTRUM_COLUMNS
 from nonhertz.show.stresses import COLUMNS, NAMES
 
 OTHERS = [code for code in LANGUAGES if code != ENGLISH]
+PACKAGE = Path(nh.__file__).parent
+# Where sentences are worded that reach a report only now and then.
+WARNING = (
+    *("bearing/solution.py", "measured/chain.py", "measured/roughness.py", "result/checks.py", "result/outcome.py"),
+    *("result/validity.py", "strip/acceptance.py", "life/assessment.py", "bearing/verb.py", "bearing/strips.py"),
+)
 FOLDER = Path(__file__).parents[2] / "examples"
 EXAMPLES = sorted(path for path in FOLDER.glob("*.toml") if "[body.a]" in path.read_text("utf-8"))
 BEARINGS = sorted(path for path in FOLDER.glob("*.toml") if "[bearing]" in path.read_text("utf-8"))
@@ -225,7 +236,8 @@ def sentences() -> Iterator[str]:
     yield from (each.value for each in Verdict)
     yield from (remark for _, remark in ENDS.values() if remark)
     yield from (quantity.label for quantity in QUANTITIES.values())
-    yield from (each.label for each in Status)
+    for status in Status:
+        yield from (status.label, status.value)
     for kind in EdgeKind:
         yield f"At y = 1.5 mm: {kind.value[0].lower()}{kind.value[1:]}"
     for depth in DEPTHS.values():
@@ -300,6 +312,66 @@ def test_every_sentence_has_a_translation(code: str) -> None:
     for sentence in sentences():
         assert not is_english(language(sentence)), sentence
     assert language.missing == set()
+
+
+def warnings_of(module: str) -> Iterator[list[str | None]]:
+    """Yield the sentences that a module words, in pieces of text with None for what is put in between."""
+    tree = ast.parse((PACKAGE / module).read_text("utf-8"))
+    parts = {part for each in ast.walk(tree) if isinstance(each, ast.JoinedStr) for part in each.values}
+    for each in ast.walk(tree):
+        if isinstance(each, ast.Expr):  # a docstring
+            parts.add(each.value)
+    for each in ast.walk(tree):
+        whole = isinstance(each, ast.JoinedStr | ast.Constant) and each not in parts
+        values = each.values if isinstance(each, ast.JoinedStr) else [each]
+        pieces = [str(part.value) if isinstance(part, ast.Constant) else None for part in values]
+        if whole and len(_with(pieces, "1").split()) > 3 and (pieces[-1] or "").endswith("."):
+            yield pieces
+
+
+def _with(pieces: list[str | None], put_in: str) -> str:
+    return "".join(put_in if piece is None else piece for piece in pieces)
+
+
+@pytest.mark.parametrize("code", OTHERS)
+@pytest.mark.parametrize("module", WARNING)
+def test_every_warning_has_a_translation(code: str, module: str) -> None:
+    table = tomllib.loads((PACKAGE / "report" / "languages" / f"{code}.toml").read_text("utf-8"))
+    entries = [re.split(r"(?<!_)(\{\w+\})", english) for part in table.values() for english in part]
+    keys = [[None if number % 2 else piece for number, piece in enumerate(pieces)] for pieces in entries]
+    found = list(warnings_of(module))
+    assert found
+    for sentence in found:
+        # What is put in may be words that an entry has, and the other way round.
+        assert any(_fits(sentence, key) or _fits(key, sentence) for key in keys), _with(sentence, "{}")
+
+
+def _fits(pieces: list[str | None], other: list[str | None]) -> bool:
+    pattern = "".join(".+" if piece is None else re.escape(piece) for piece in pieces)
+    return re.fullmatch(pattern, _with(other, "1")) is not None
+
+
+@pytest.mark.parametrize("cornered", [True, False])
+@pytest.mark.parametrize(
+    "options",
+    [
+        {},
+        {"corner": "cut", "points": False},
+        {"align": "symmetry", "smooth": "spline"},
+        {"trim": 12.0, "points": 1000},
+        {"align": False, "trim": False, "smooth": False},
+    ],
+)
+def test_every_step_from_measured_points_has_a_translation(cornered: bool, options: dict[str, Any]) -> None:
+    y = np.linspace(0.0, 20.0, 4001)
+    beyond = np.maximum(np.abs(y - 10.0) - 9.0, 0.0) if cornered else 0.0
+    rough = 1e-4 * np.random.default_rng(1).standard_normal(y.size)
+    measured = prepare(Trace(y, 1e-3 * y - (y - 10.2) ** 4 / 5e5 - beyond**2 / 1.2 + rough), **options)
+    for code in OTHERS:
+        language = Language(code)
+        for sentence in (*(in_letters(state.words) for state in measured.states), *measured.warnings):
+            assert not is_english(language(sentence)), sentence
+        assert language.missing == set()
 
 
 def test_text_without_a_translation_stays_and_is_remembered() -> None:

@@ -165,9 +165,10 @@ class Align:
             condition = "find a place about which the land is symmetric"
             raise InputError("align", self.by, condition, "align by 'ends', or leave align out and shift the profile")
         at_end = [end for end, last in ((low, points.y[0]), (high, points.y[-1])) if end == last]
-        words = f"The middle of the body, {middle:.5g} mm in the file, became y = 0; the land ends at {low:.5g} and "
-        words += f"{high:.5g} mm" + ("", ", one of which is an end of the trace", ", where the trace ends")[len(at_end)]
-        words += " and is symmetric about it." if self.by == "symmetry" else "."
+        symmetric = "is symmetric about it and " if self.by == "symmetry" else ""
+        words = f"The middle of the body, {middle:.5g} mm in the file, became y = 0; the land {symmetric}ends at "
+        words += f"{low:.5g} and {high:.5g} mm"
+        words += (".", ", one of which is an end of the trace.", ", where the trace ends.")[len(at_end)]
         gaps = tuple((a - middle, b - middle) for a, b in points.gaps)
         ends = None if points.land is None else (points.land[0] - middle, points.land[1] - middle)
         after = Points(points.y - middle, points.height, gaps, land=ends)
