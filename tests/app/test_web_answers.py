@@ -14,6 +14,7 @@ from test_bad_input import MISTAKES
 import nonhertz as nh
 from nonhertz.cli import main
 from nonhertz.io.casefile import case_in, starting_case
+from nonhertz.strength import assess
 from nonhertz.subsurface import extremes
 from nonhertz.web import limits
 from nonhertz.web.view import curves, jobs
@@ -117,6 +118,24 @@ def test_stress_is_that_of_the_search(body):
     # A drawing is rounded to a hundred-thousandth of the largest, and its net misses the largest by a hundredth.
     assert_allclose(np.max(section["von_mises"]), searched.max, rtol=1e-2)
     assert [row[0] for row in section["largest"]] == ["von Mises", "maximum shear", "orthogonal shear"]
+
+
+@pytest.mark.parametrize("body", ["a", "b"])
+def test_what_a_body_bears_is_said_as_everywhere(body):
+    steel = {"modulus": 2.07e5, "poisson": 0.3, "yield_strength": 1000.0, "pressure_limit": 4000.0}
+    document = changed(**{f"body__{body}__material": steel, f"body__{body}__case_depth": 0.1})
+    found = json.loads(jobs.strength(document, body))["checks"]
+    strength = assess(solution_of(document), body=body)
+    assert [each["sentence"] for each in found] == list(strength.sentences)
+    assert [each["verdict"] for each in found] == [check.verdict for check in strength.checks]
+    assert {each["verdict"] for each in found} >= {"fine", "over"}
+    assert found[0]["sentence"].endswith(f"static safety {strength.static_safety:.3g}.")
+
+
+def test_nothing_is_said_of_what_a_body_bears_without_a_solution(monkeypatch):
+    # Under less than the least load, which is refused first, the loop fails.
+    monkeypatch.setattr("nonhertz.model.prescription.LEAST", 0.0)
+    assert json.loads(jobs.strength(changed(load__load=1e-300), "a")) == {"ok": True, "checks": []}
 
 
 def test_stress_that_takes_too_long_is_left_out_with_a_sentence():

@@ -440,6 +440,19 @@ def test_malformed_requests(client, text):
 @pytest.mark.parametrize("more", [{"stress": 1}, {"stress": None}, {"body": "c"}, {"body": ["a"]}, {"body": 1}])
 def test_malformed_wishes(client, more):
     refused(client.post("/solve", json={"document": STARTING} | more), 400)
+    if "body" in more:
+        refused(client.post("/strength", json={"document": STARTING} | more), 400)
+
+
+def test_whether_a_body_bears_it(client, monkeypatch):
+    found = asked_again(client, "/strength", json={"document": STARTING, "body": "b"}).json()
+    assert [each["verdict"] for each in found["checks"]] == ["not known", "not known"]
+    assert "body b" in found["checks"][0]["sentence"]
+    wrong = {"document": STARTING | {"load": {"load": "20 kg"}}}
+    assert [each["path"] for each in client.post("/strength", json=wrong).json()["mistakes"]] == ["load.load"]
+    monkeypatch.setattr(app, "STRENGTH_SECONDS", 0.0)
+    answer = client.post("/strength", json={"document": STARTING}).json()
+    assert "takes longer than the page waits: use 'nonhertz stress'" in answer["mistakes"][0]["sentence"]
 
 
 def test_a_curve_in_pieces(client):

@@ -44,11 +44,11 @@ def dying_the_first_time(path):
         os._exit(1)
 
 
-def with_workers(count, use, warm_up=None):
+def with_workers(count, use, warm_up=None, **options):
     """Run ``use(workers)`` with so many processes."""
 
     async def run():
-        workers = Workers(count, warm_up)
+        workers = Workers(count, warm_up, **options)
         async with anyio.create_task_group() as tasks:
             workers.start(tasks)
             try:
@@ -155,3 +155,14 @@ def test_all_processes_end_with_the_server():
     number = with_workers(1, use)
     with pytest.raises(ProcessLookupError):
         os.kill(number, 0)
+
+
+def test_one_that_was_ended_may_be_replaced_with_the_next_job_only():
+    async def use(workers):
+        with pytest.raises(TooSlowError):
+            await workers.run(never_done, seconds=DEADLINE)
+        await anyio.sleep(DEADLINE)
+        assert not workers._living
+        assert await workers.run(doubled, 21, seconds=PATIENT) == 42
+
+    with_workers(1, use, waiting=PATIENT, eager=False)

@@ -9,7 +9,7 @@ from typing import Any
 from xml.etree import ElementTree
 
 import pytest
-from desk import Desk
+from desk import Desk, packed
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
@@ -191,6 +191,28 @@ def test_stress_of_either_body_or_none(desk: Desk) -> None:
     desk.page.locator("#stress-on").uncheck()
     assert not section.is_visible()
     assert desk.page.locator('[data-key="von Mises stress"] .value').inner_text() == "–"
+
+
+def test_what_a_body_bears_is_said_when_the_slider_rests(open_desk: Any) -> None:
+    document = tomllib.loads(starting_case())
+    steel = {"modulus": 207000, "poisson": 0.3, "yield_strength": 1100, "pressure_limit": 4000}
+    document["body"]["a"]["material"] = steel
+    desk = open_desk(f"#c={packed(document)}")
+    fresh = desk.page.locator("#strength[data-state=done]:not(.stale)")
+    fresh.wait_for()
+    pressure, yielding = fresh.locator("li").all_inner_texts()
+    assert f"of {desk.numbers['Largest pressure']:.1f} MPa" in pressure
+    assert "static safety" in pressure
+    assert "yields" in yielding
+    assert fresh.locator("li[data-verdict=over]").count() == 1
+    desk.write("load.load", "10 kN")
+    assert desk.page.locator("#strength.stale li").all_inner_texts() == [pressure, yielding]
+    fresh.wait_for()
+    assert "does not yield" in fresh.locator("li").nth(1).inner_text()
+    desk.page.get_by_label("body b", exact=True).check()
+    fresh.filter(has_text="What body b bears").wait_for()
+    desk.page.locator("#stress-on").uncheck()
+    assert not desk.page.locator("#strength").is_visible()
 
 
 def test_a_table_is_pasted_into_the_points_of_a_profile(desk: Desk) -> None:

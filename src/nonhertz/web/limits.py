@@ -40,6 +40,8 @@ BODY_SECONDS: Final = 10.0
 PATIENT_SECONDS: Final = 120.0
 STRIPS_SECONDS: Final = 60.0
 """Time limit of a bearing by strips, which are asked for when a slider rests."""
+STRENGTH_SECONDS: Final = 60.0
+"""Time limit of the search for the largest stresses of a whole body, which is asked for when a slider rests."""
 WAITING_SECONDS: Final = 0.5
 WAITING_REQUESTS: Final = 8
 

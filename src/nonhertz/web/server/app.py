@@ -19,6 +19,7 @@ from starlette.routing import Route
 
 from nonhertz import __version__
 from nonhertz.io.casefile import TEMPLATES, parsed, starting_case
+from nonhertz.model.body import BODIES, BodyName
 from nonhertz.web.form.fields import is_number
 from nonhertz.web.form.form import form
 from nonhertz.web.limits import (
@@ -26,11 +27,13 @@ from nonhertz.web.limits import (
     DOCUMENT_BYTES,
     LIVE_SECONDS,
     PATIENT_SECONDS,
+    STRENGTH_SECONDS,
     STRIPS,
     UPLOAD_BYTES,
     UPLOAD_SECONDS,
     oversizes,
 )
+from nonhertz.web.server.awaiting import while_awaited
 from nonhertz.web.server.bearings import BearingPage
 from nonhertz.web.server.documents import as_attachment, document_in, in_script
 from nonhertz.web.server.guard import Guard
@@ -48,6 +51,7 @@ _DOWNLOADS: Final = {
     "report.html": "text/html",
 }
 _LONG_FILE: Final = "This file takes longer than the page waits: prepare it with 'nonhertz profile'."
+_LONG_SEARCH: Final = "The search for the largest stresses takes longer than the page waits: use 'nonhertz stress'."
 _SENTENCES: Final = {
     404: "There is nothing at this address.",
     405: "This address does not accept this method.",
@@ -72,6 +76,8 @@ class Page:
         self.begins_with_bearing = bool(text)
         self.document = parsed(starting_case(), "case.toml") if self.begins_with_bearing else document
         self.workers = Workers(workers, jobs.warm_up)
+        # A drag that ends a search is not slowed by starting another process.
+        self.searching = Workers(1, jobs.step_back, waiting=STRENGTH_SECONDS, eager=False)
         loader = jinja2.PackageLoader("nonhertz.web")
         self.templates = jinja2.Environment(loader=loader, autoescape=True, undefined=jinja2.StrictUndefined)
         self.files = _static_files()
@@ -80,11 +86,13 @@ class Page:
     def start(self, tasks: TaskGroup) -> None:
         """Start the processes: now those of what the page begins with, others when their page is opened."""
         self.workers.start(tasks, at_once=not self.begins_with_bearing)
+        self.searching.start(tasks, at_once=False)
         self.bearings.start(tasks, at_once=self.begins_with_bearing)
 
     def end(self) -> None:
         """Kill all processes."""
         self.workers.end()
+        self.searching.end()
         self.bearings.end()
 
     async def page(self, request: Request) -> Response:
@@ -119,13 +127,21 @@ class Page:
     async def solve(self, request: Request) -> Response:
         """Answer with the solution of a document, or with what is wrong with it."""
         asked = await self._asked(request)
-        document, stress, body = document_in(asked), asked.get("stress", False), asked.get("body", "a")
-        if not isinstance(stress, bool) or body not in ("a", "b"):
-            raise RefusedError(400, "stress must be true or false, and body 'a' or 'b'.")
+        document, stress, body = document_in(asked), asked.get("stress", False), _body_in(asked)
+        if not isinstance(stress, bool):
+            raise RefusedError(400, "stress must be true or false.")
         if await request.is_disconnected():
             return Response(status_code=204)
         text = await self.workers.run(jobs.solve, document, stress, body, seconds=LIVE_SECONDS)
         return Response(text, media_type="application/json")
+
+    async def strength(self, request: Request) -> Response:
+        """Answer with whether a body of a document bears it; the search takes seconds."""
+        asked = await self._asked(request)
+        document, body = document_in(asked), _body_in(asked)
+        return await while_awaited(
+            request, self.searching, jobs.strength, document, body, seconds=STRENGTH_SECONDS, too_slow=_LONG_SEARCH
+        )
 
     async def curve(self, request: Request) -> Response:
         """Answer with points of a curve over one value of a document."""
@@ -206,6 +222,7 @@ class Page:
             Route("/static/{name:path}", self.static),
             Route("/form", self.form, methods=["POST"]),
             Route("/solve", self.solve, methods=["POST"]),
+            Route("/strength", self.strength, methods=["POST"]),
             Route("/curve", self.curve, methods=["POST"]),
             Route("/template/{name}", self.template),
             Route("/open", self.open, methods=["POST"]),
@@ -256,6 +273,14 @@ def application(document: dict[str, Any], port: int, workers: int = 2, text: str
     app.router.redirect_slashes = False
     # Wraps everything, including the handler of our own errors.
     return Guard(app, port)
+
+
+def _body_in(asked: dict[str, Any]) -> BodyName:
+    """Return which body a request is about."""
+    body = asked.get("body", "a")
+    if not isinstance(body, str) or body not in BODIES:
+        raise RefusedError(400, "body must be 'a' or 'b'.")
+    return body
 
 
 def _static_files() -> dict[str, tuple[bytes, str]]:

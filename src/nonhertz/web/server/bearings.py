@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from typing import Any, Final
 
-import anyio
 import jinja2
 from anyio.abc import TaskGroup
 from markupsafe import Markup
@@ -20,16 +19,16 @@ from starlette.routing import Route
 from nonhertz import __version__
 from nonhertz.io.bearingfile import starting_bearing
 from nonhertz.web.limits import DOCUMENT_BYTES, LIVE_SECONDS, PATIENT_SECONDS, STRIPS_SECONDS
+from nonhertz.web.server.awaiting import while_awaited
 from nonhertz.web.server.documents import as_attachment, document_in, in_script
 from nonhertz.web.server.intake import RefusedError, content, json_object
-from nonhertz.web.server.workers import TooSlowError, Workers
+from nonhertz.web.server.workers import Workers
 from nonhertz.web.view import bearing_jobs
-from nonhertz.web.view.replies import broken, reply
+from nonhertz.web.view.replies import reply
 
 TABLES: Final = {"result.json": "application/json", "rollers.csv": "text/csv", "lines.csv": "text/csv"}
 FIGURES: Final = ("loads", "pressure", "roller", "displacement")
 KINDS: Final = {"svg": "image/svg+xml", "png": "image/png"}
-_LISTENING = 0.1  # s between looks whether the browser still waits
 _TOO_LONG = "By strips this bearing takes longer than the page waits: use 'nonhertz bearing' on the command line."
 
 
@@ -84,32 +83,9 @@ class BearingPage:
         if method == "slices":
             text = await self.workers.run(bearing_jobs.solve, given, method, seconds=LIVE_SECONDS)
             return Response(text, media_type="application/json")
-        return await self._while_awaited(request, given, method)
-
-    async def _while_awaited(self, request: Request, given: dict[str, Any] | str, method: str | None) -> Response:
-        """Answer with what a slow job returns, and kill it when the browser goes away."""
-        outcome: list[Response | Exception] = []
-        async with anyio.create_task_group() as tasks:
-
-            async def work() -> None:
-                try:
-                    text = await self.patient.run(bearing_jobs.solve, given, method, seconds=STRIPS_SECONDS)
-                    outcome.append(Response(text, media_type="application/json"))
-                except TooSlowError:
-                    outcome.append(reply(broken([("", _TOO_LONG)])))
-                except Exception as error:  # noqa: BLE001  (raised below, not as one of a group)
-                    outcome.append(error)
-                tasks.cancel_scope.cancel()
-
-            tasks.start_soon(work)
-            while not await request.is_disconnected():
-                await anyio.sleep(_LISTENING)
-            tasks.cancel_scope.cancel()
-        if not outcome:
-            return Response(status_code=204)
-        if isinstance(outcome[0], Exception):
-            raise outcome[0]
-        return outcome[0]
+        return await while_awaited(
+            request, self.patient, bearing_jobs.solve, given, method, seconds=STRIPS_SECONDS, too_slow=_TOO_LONG
+        )
 
     async def download(self, request: Request) -> Response:
         """Answer with a file made from a document."""

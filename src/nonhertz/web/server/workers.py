@@ -116,12 +116,16 @@ class Workers:
         What each does before it is used.
     waiting : float
         How long a job waits for an idle process [s].
+    eager : bool
+        Whether a process that was killed is replaced at once, or only for the next job.
     """
 
-    def __init__(self, count: int = 2, warm_up: Job | None = None, waiting: float = WAITING_SECONDS) -> None:
+    def __init__(
+        self, count: int = 2, warm_up: Job | None = None, waiting: float = WAITING_SECONDS, *, eager: bool = True
+    ) -> None:
         self.ready = anyio.Event()
         self._patience = waiting
-        self._count, self._warm_up = count, warm_up
+        self._missing, self._warm_up, self._eager = count, warm_up, eager
         self._idle: deque[Worker] = deque()
         self._count_idle = anyio.Semaphore(0)
         self._limiter = anyio.CapacityLimiter(2 * count + 1)
@@ -129,7 +133,6 @@ class Workers:
         self._living: set[Worker] = set()
         self._waiting = 0
         self._tasks: TaskGroup | None = None
-        self._awake = False
 
     def start(self, tasks: TaskGroup, *, at_once: bool = True) -> None:
         """Start the processes, at once or when `wake` is called or there is a first job."""
@@ -138,10 +141,10 @@ class Workers:
             self.wake()
 
     def wake(self) -> None:
-        """Start the processes one after the other, since the first one compiles for all; do nothing the next time."""
-        if self._tasks is not None and not self._awake:
-            self._awake = True
-            self._tasks.start_soon(self._add, self._count)
+        """Start the processes that are missing one after the other, since the first one compiles for all."""
+        if self._tasks is not None and self._missing:
+            self._tasks.start_soon(self._add, self._missing)
+            self._missing = 0
 
     def end(self) -> None:
         """Kill all processes."""
@@ -203,6 +206,7 @@ class Workers:
                     if worker.alive:
                         return worker
                     self._replace(worker)  # killed from outside while idle
+                    self.wake()
         except TimeoutError:
             raise RefusedError(503, _BUSY) from None
         finally:
@@ -214,8 +218,9 @@ class Workers:
 
     def _replace(self, worker: Worker) -> None:
         self._end(worker)
-        assert self._tasks is not None
-        self._tasks.start_soon(self._add, 1)
+        self._missing += 1
+        if self._eager:
+            self.wake()
 
     async def _add(self, count: int) -> None:
         for _ in range(count):

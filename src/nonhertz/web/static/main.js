@@ -12,6 +12,7 @@ import { Measured } from "./measured.js";
 import { showMistakes } from "./mistakes.js";
 import { drawProfiles, placeProfiles } from "./profiles.js";
 import { notice, roundTrip, watchProgram } from "./status.js";
+import { Strength } from "./strength.js";
 import { View } from "./view.js";
 
 const start = JSON.parse(byId("start").textContent);
@@ -32,16 +33,21 @@ const live = new Live({
   },
   stressed(answer) {
     showStress(answer, true);
+    searchStrength(answer.section !== undefined);
     document.documentElement.dataset.state = "settled";
   },
   waiting() {
     window.clearTimeout(refining);
+    strength.forget();
     document.documentElement.dataset.state = "solving";
     byId("stress-figures").classList.add("stale");
   },
   rested(complete) {
     if (live.latest) curve.rested();
-    if (complete) refining = window.setTimeout(() => view.drawStress(), STILL);
+    if (complete) {
+      refining = window.setTimeout(() => view.drawStress(), STILL);
+      searchStrength(Boolean(view.latest?.stressed));
+    }
     if (complete || !view.shownBody() || !live.latest) document.documentElement.dataset.state = "settled";
   },
   trouble: (sentence) => notice("program", sentence),
@@ -51,6 +57,16 @@ const live = new Live({
 function showStress(answer, fine) {
   byId("stress-figures").classList.remove("stale");
   if (answer.ok) view.stress(answer, fine);
+}
+
+const strength = new Strength();
+
+/** Ask whether the body that is shown bears it. @param {boolean} stressed whether it has stresses */
+function searchStrength(stressed) {
+  const body = view.shownBody();
+  if (!live.latest) return; // what is shown of the last good case stays, dimmed
+  if (stressed && body) strength.wait(live.latest.document, body);
+  else strength.hide();
 }
 
 const curve = new Curve(byId("case"));
@@ -189,6 +205,8 @@ function wire() {
     choice.addEventListener("change", () => view.drawStress());
   for (const choice of document.querySelectorAll("[name=stress-body], #stress-on")) {
     choice.addEventListener("change", () => {
+      if (view.shownBody()) strength.forget();
+      else strength.hide();
       view.redraw();
       live.wantStress();
     });

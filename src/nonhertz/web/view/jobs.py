@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 import warnings
 from collections.abc import Callable, Iterator
@@ -22,7 +23,7 @@ from nonhertz.web.form.fields import is_number
 from nonhertz.web.limits import oversizes, slow, unfit
 from nonhertz.web.view.answers import answer, drawable
 from nonhertz.web.view.replies import as_bytes, broken, excess, misfit
-from nonhertz.web.view.stresses import stress_answer
+from nonhertz.web.view.stresses import strength_answer, stress_answer
 from nonhertz.web.view.uploads import answer_to_file
 
 PATH = Path("case.toml")
@@ -51,6 +52,25 @@ def solve(document: dict[str, Any], stress: bool, body: BodyName) -> bytes:
             found |= stress_answer(solution, body)
     found["ms"] = round(1e3 * (time.perf_counter() - begun), 1)
     return as_bytes(found)
+
+
+def strength(document: dict[str, Any], body: BodyName) -> bytes:
+    """Return whether a body of a case bears it as JSON, or what is wrong with the case.
+
+    Parameters
+    ----------
+    document : dict
+        The case.
+    body : {"a", "b"}
+        Which body.
+    """
+    with calmly():
+        try:
+            _, solution, complaint = worked_out(document)
+        except CaseError as error:
+            return as_bytes(misfit(error))
+        found = {"checks": []} if complaint or not solution.contact_y else strength_answer(solution, body)
+    return as_bytes({"ok": True} | found)
 
 
 def worked_out(document: dict[str, Any]) -> tuple[Case, Solution, str]:
@@ -164,6 +184,12 @@ def warm_up() -> None:
     """Solve the starting case with stresses, so that everything is loaded and compiled."""
     # With a unit, so that the units library, which takes a second, is loaded too.
     solve(parsed(starting_case(), PATH.name) | {"load": {"load": "20 kN"}}, True, "a")
+
+
+def step_back() -> None:
+    """Leave the processor to whoever answers a drag; what is needed is loaded with the first case."""
+    if hasattr(os, "nice"):  # Windows has none
+        os.nice(10)
 
 
 @contextmanager

@@ -13,6 +13,7 @@ from nonhertz.model.body import BodyName
 from nonhertz.result.numerals import digits
 from nonhertz.result.solution import Solution
 from nonhertz.show.stresses import NAMES
+from nonhertz.strength import assess
 from nonhertz.subsurface import Extreme, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
 from nonhertz.subsurface.inside import Inside
@@ -58,6 +59,27 @@ def stress_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
             return {"section": section, "axial": axial.result(), "stress": largest}
     except (InputError, ArithmeticError):
         return {"stress_note": _NO_NUMBERS}
+
+
+def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
+    """Return whether a body bears it, in the sentences of `nonhertz.strength`; none where there are no stresses.
+
+    Unlike the planes above, this searches the whole body, which takes seconds.
+
+    Parameters
+    ----------
+    solution : Solution
+        A solved contact with something in contact.
+    body : {"a", "b"}
+        Which body.
+    """
+    try:
+        found = assess(solution, body=body)
+    except (InputError, ArithmeticError):
+        return {"checks": []}
+    if not np.isfinite(found.largest.von_mises.max):
+        return {"checks": []}
+    return {"checks": [{"verdict": each.verdict, "sentence": each.sentence} for each in found.checks]}
 
 
 def _axial(solution: Solution, body: BodyName) -> dict[str, Any]:

@@ -1,0 +1,68 @@
+// Whether the body whose stress is shown bears it: sentences, asked for when a slider rests.
+//
+// The search for the largest stresses of the whole body takes seconds. An edit meanwhile ends it.
+
+import { byId, element } from "./elements.js";
+import { AWAY, post } from "./live.js";
+
+const REST = 700; // ms without an edit before the search begins
+
+/** @typedef {{verdict: string, sentence: string}} Check */
+
+export class Strength {
+  constructor() {
+    this.rest = 0;
+    /** @type {AbortController | null} */
+    this.asking = null;
+    this.section = byId("strength");
+    this.section.dataset.state = "idle";
+  }
+
+  /** What is shown belongs to another case or body: it stays, dimmed, until the next search has ended. */
+  forget() {
+    window.clearTimeout(this.rest);
+    this.asking?.abort();
+    this.asking = null;
+    this.section.classList.add("stale");
+    this.section.dataset.state = "idle";
+  }
+
+  /** Hide it, where no stress is shown. */
+  hide() {
+    this.forget();
+    this.section.hidden = true;
+  }
+
+  /** Ask for it if the case stays as it is. @param {object} document @param {"a" | "b"} body */
+  wait(document, body) {
+    this.forget();
+    this.section.dataset.state = "working";
+    this.rest = window.setTimeout(() => void this.run(document, body), REST);
+  }
+
+  /** @param {object} document @param {"a" | "b"} body */
+  async run(document, body) {
+    const stop = new AbortController();
+    this.asking = stop;
+    if (this.section.hidden) this.show(body, [], "The largest stresses of the whole body are being searched …");
+    try {
+      const answer = await (await post("strength", { document, body }, stop.signal)).json();
+      if (stop.signal.aborted) return;
+      this.show(body, answer.checks ?? [], answer.mistakes?.[0].sentence ?? "");
+    } catch {
+      if (stop.signal.aborted) return;
+      this.show(body, [], AWAY);
+    }
+    this.section.dataset.state = "done";
+  }
+
+  /** @param {"a" | "b"} body @param {Check[]} checks @param {string} note */
+  show(body, checks, note) {
+    const items = checks.map(({ verdict, sentence }) => element("li", { "data-verdict": verdict }, [sentence]));
+    byId("strength-title").textContent = `What body ${body} bears`;
+    byId("strength-list").replaceChildren(...items);
+    byId("strength-note").textContent = note;
+    this.section.classList.remove("stale");
+    this.section.hidden = !checks.length && !note;
+  }
+}
