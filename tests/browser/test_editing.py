@@ -66,6 +66,79 @@ def test_dragging_a_slider_shows_results_on_the_way_and_ends_with_the_last(desk:
     assert_shows(desk, solution_of(load=desk.value("load.load")))
 
 
+def handle_of(desk: Desk, side: str) -> Any:
+    return desk.page.get_by_role("slider", name=f"Tilt, by the {side} end")
+
+
+def middle_of(handle: Any) -> tuple[float, float]:
+    box = handle.bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def test_a_body_is_tilted_by_the_ends_of_its_surface(desk: Desk) -> None:
+    before = desk.value("load.tilt")
+    for side, sign in (("right", 1.0), ("left", -1.0)):
+        tilt = desk.value("load.tilt")
+        handle = handle_of(desk, side)
+        handle.scroll_into_view_if_needed()
+        x, y = middle_of(handle)
+        mouse = desk.page.mouse
+        mouse.move(x, y)
+        mouse.down()
+        for step in range(1, 16):
+            mouse.move(x + 2 * step, y + step)
+            desk.page.wait_for_timeout(15)
+        desk.page.wait_for_timeout(600)  # a rest within the drag is no end of it
+        mouse.move(x, y + 30)
+        desk.settle()
+        assert abs(middle_of(handle)[1] - y - 30) < 4.0  # the end is where the pointer is
+        mouse.up()
+        desk.settle()
+        assert sign * (desk.value("load.tilt") - tilt) > 1e-5  # downwards it goes deeper: the tilt grows at the right
+        assert_shows(desk, solution_of(tilt=desk.value("load.tilt")))
+        desk.page.locator("#undo:enabled").wait_for()
+        desk.press("#undo")
+        assert_allclose(desk.value("load.tilt"), before, rtol=SAME)
+
+
+def test_a_finger_tilts_a_body(open_desk: Any) -> None:
+    desk = open_desk(viewport={"width": 390, "height": 844}, has_touch=True)
+    handle = handle_of(desk, "left")
+    handle.evaluate("each => each.scrollIntoView({block: 'center'})")
+    x, y = middle_of(handle)
+    tilt, scrolled = desk.value("load.tilt"), desk.page.evaluate("() => window.scrollY")
+    touch = desk.page.context.new_cdp_session(desk.page)
+    for step in range(12):
+        kind = "touchMove" if step else "touchStart"
+        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y - 2 * step}]})
+        desk.page.wait_for_timeout(20)
+    touch.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    desk.settle()
+    assert desk.value("load.tilt") - tilt > 1e-5
+    assert desk.page.evaluate("() => window.scrollY") == scrolled
+    assert_shows(desk, solution_of(tilt=desk.value("load.tilt")))
+
+
+def test_arrow_keys_tilt_by_the_handle(desk: Desk) -> None:
+    for side, sign in (("left", 1.0), ("right", -1.0)):
+        handle, tilt, answers = handle_of(desk, side), desk.value("load.tilt"), desk.answers
+        raised = float(handle.get_attribute("aria-valuenow"))
+        handle.press("ArrowUp")
+        desk.wait_for_answer(answers)
+        assert_allclose(desk.value("load.tilt") - tilt, sign * 1e-5, rtol=1e-6)  # a step of the slider
+        assert float(handle.get_attribute("aria-valuenow")) > raised
+        assert f"tilt {desk.field('load.tilt').input_value()} mrad" in handle.get_attribute("aria-valuetext")
+
+
+def test_a_tilt_that_is_a_result_has_no_handles(desk: Desk) -> None:
+    before = desk.answers
+    desk.page.locator("#case .field.switch select", has=desk.page.locator('option[value="moment"]')).select_option(
+        "moment"
+    )
+    desk.wait_for_answer(before)
+    assert handle_of(desk, "left").count() == handle_of(desk, "right").count() == 0
+
+
 def test_arrow_keys_move_a_slider(desk: Desk) -> None:
     slider = desk.slider("load.tilt")
     slider.focus()

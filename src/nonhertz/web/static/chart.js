@@ -68,6 +68,7 @@ export function draw(host, options, words) {
   chart.setAttribute("role", "img");
   chart.setAttribute("aria-label", words);
   room.replaceChildren(chart);
+  return chart;
 }
 
 /**

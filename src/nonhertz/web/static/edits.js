@@ -1,6 +1,6 @@
 // Undo and redo: the cases at which editing paused.
 
-const REST = 400; // ms: changes in quicker succession, such as those of a drag, are one edit
+const REST = 400; // ms: changes in quicker succession are one edit, and all those of a drag
 const KEPT = 200;
 
 export class Edits {
@@ -12,6 +12,20 @@ export class Edits {
     this.changed = changed;
     /** @type {string | null} */
     this.unsettled = null;
+    this.dragging = false;
+    window.addEventListener("pointerdown", () => this.hold(), { capture: true });
+    for (const end of ["pointerup", "pointercancel"]) window.addEventListener(end, () => this.release());
+  }
+
+  /** What follows until the pointer is released is one edit, however long it rests meanwhile. */
+  hold() {
+    this.settle();
+    this.dragging = true;
+  }
+
+  release() {
+    this.dragging = false;
+    if (this.unsettled !== null) this.pause();
   }
 
   /** Start afresh with a case that was not edited. @param {object} document */
@@ -24,8 +38,13 @@ export class Edits {
   /** Remember a case after a pause in editing. @param {object} document */
   note(document) {
     this.unsettled = JSON.stringify(document);
+    this.pause();
+  }
+
+  /** Settle after a pause, but not within a drag. */
+  pause() {
     window.clearTimeout(this.rest);
-    this.rest = window.setTimeout(() => this.settle(), REST);
+    if (!this.dragging) this.rest = window.setTimeout(() => this.settle(), REST);
   }
 
   settle() {

@@ -31,13 +31,14 @@ const BEYOND = 1.6;
  * Draw all of them.
  * @param {Answer} answer
  * @param {Answer | null} pinned
+ * @param {import("./tilt.js").Tilt} tilt the handles in the last
  */
-export function drawFigures(answer, pinned) {
+export function drawFigures(answer, pinned, tilt) {
   const span = drawnSpan(answer);
   drawPressure(answer, pinned, span);
   drawHalfWidth(answer, pinned, span);
   drawFootprint(answer, span);
-  drawGap(answer, pinned, span);
+  tilt.place(answer, drawGap(answer, pinned, span, tilt.limits));
 }
 
 /** @param {Answer} answer @returns {[number, number]} */

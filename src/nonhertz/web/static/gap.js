@@ -22,11 +22,20 @@ import { digits } from "./numbers.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
 
-/** @param {Answer} answer @param {Answer | null} pinned @param {[number, number]} span along the contact */
-export function drawGap(answer, pinned, span) {
+const HEIGHT = 240;
+
+/**
+ * Draw them, and return where places are in the drawing.
+ * @param {Answer} answer
+ * @param {Answer | null} pinned
+ * @param {[number, number]} span along the contact
+ * @param {[number, number] | null} held the vertical axis, if it is to stay as it was
+ * @returns {import("./tilt.js").Axes}
+ */
+export function drawGap(answer, pinned, span, held) {
   const { y, before, after } = answer.gap;
   const host = figure("gap");
-  const limits = answer.gap.range ?? [0, 1];
+  const limits = held ?? answer.gap.range ?? [0, 1];
   const inside = (values) =>
     values.map((value) => (value === null ? null : Math.max(-9e9, Math.min(value, 3 * limits[1] + 1))));
   const beyond = extent(before)[1] > limits[1];
@@ -36,12 +45,12 @@ export function drawGap(answer, pinned, span) {
     [["second dashed", "undeformed"], ["first", "deformed"], ...pinnedKey(pinned)],
     beyond ? `axis cut: undeformed up to ${digits(extent(before)[1], 3)} µm` : "",
   );
-  draw(
+  const chart = draw(
     host,
     {
       ...MARGINS,
       marginBottom: NAMED,
-      height: 240,
+      height: HEIGHT,
       x: alongAxis(span),
       y: uprightAxis(limits, "distance [µm]"),
       marks: [
@@ -61,4 +70,5 @@ export function drawGap(answer, pinned, span) {
     },
     `Distance of the surfaces along y: undeformed they would overlap by up to ${digits(Math.max(0, -extent(before)[0]), 3)} micrometres; deformed it is zero in contact.`,
   );
+  return { x: chart.scale("x").apply, y: chart.scale("y").apply, height: HEIGHT, limits };
 }

@@ -1,12 +1,13 @@
 // What the page shows: the latest good result, the pinned one, and what is wrong now.
 
-import { whenResized } from "./chart.js";
+import { figure, whenResized } from "./chart.js";
 import { byId } from "./elements.js";
 import { drawFigures } from "./figures.js";
 import { showMistakes } from "./mistakes.js";
 import { drawProfiles } from "./profiles.js";
 import { keyNumbers, sayLater, writeKeyNumbers, writeWords } from "./results.js";
 import { drawStress } from "./stress.js";
+import { Tilt } from "./tilt.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
 /** @typedef {{document: object, answer: Answer, stressed: Answer | null}} Result a case with its answers */
@@ -20,6 +21,7 @@ export class View {
     /** @type {import("./types.js").Profiles | undefined} */
     this.profiles = undefined;
     this.results = byId("results");
+    this.tilt = new Tilt(figure("gap"), () => this.drawResult());
     whenResized(() => this.redraw());
   }
 
@@ -81,7 +83,7 @@ export class View {
 
   drawResult() {
     if (!this.latest) return;
-    drawFigures(this.latest.answer, this.pinned?.answer ?? null);
+    drawFigures(this.latest.answer, this.pinned?.answer ?? null, this.tilt);
     drawProfiles(this.profiles, this.pinned?.answer.profiles);
     this.writeKeys();
   }
