@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import statistics
 import tomllib
 from pathlib import Path
@@ -307,6 +308,56 @@ def test_a_table_is_pasted_into_the_points_of_a_profile(desk: Desk) -> None:
     desk.wait_for_answer(before)
     assert desk.field("body.a.profile[2].y").input_value() == "-10 0 10"
     assert desk.field("body.a.profile[2].relief").input_value() == "0.02 0 0.02"
+
+
+def test_a_file_of_points_is_dropped_on_a_profile(desk: Desk) -> None:
+    desk.page.locator('[data-additions="body.a.profile"]').select_option("tabulated")
+    desk.press('button[data-action="add"][data-path="body.a.profile"]')
+    card, before = 'fieldset[data-group="body.a.profile[2]"]', desk.answers
+    desk.drop(card, "points.csv", "y;relief\n-10;0,03\n0;0\n10;0,03\n")
+    desk.wait_for_answer(before)
+    assert desk.field("body.a.profile[2].y").input_value() == "-10 0 10"
+    assert desk.field("body.a.profile[2].relief").input_value() == "0.03 0 0.03"
+    for content in ("1 2 3\n4 5 6\n", "PK\x03\x04", ""):
+        desk.drop(card, "points.xlsx", content)
+        desk.page.locator("#mistakes-list li", has_text="points.xlsx must be text with two columns").wait_for()
+        desk.page.evaluate("() => document.querySelector('#mistakes-list').replaceChildren()")
+    assert desk.field("body.a.profile[2].y").input_value() == "-10 0 10"
+    # What the program refuses is said as if it were pasted.
+    before = desk.answers
+    desk.drop(card, "points.csv", "0 0.03\n0 0\n-10 0.03\n")
+    desk.wait_for_answer(before)
+    assert any("body.a.profile[2]" in each for each in desk.mistakes)
+
+
+def test_a_file_dropped_where_nothing_takes_it_is_named(desk: Desk) -> None:
+    desk.drop("#results", "points.csv", "1 2\n3 4\n")
+    (sentence,) = desk.mistakes
+    assert sentence.startswith("points.csv must be a case file, .toml: drop a table of points")
+
+
+def test_a_case_file_is_taken_by_a_body_too(desk: Desk) -> None:
+    before = desk.answers
+    text = re.sub(r"(?m)^load = .*$", 'load = "12 kN"', starting_case())
+    desk.drop('fieldset[data-group="body.b.profile"]', "other.TOML", text)
+    desk.wait_for_answer(before)
+    assert_shows(desk, solution_of(load=12000.0))
+
+
+def test_what_would_take_a_file_is_outlined(desk: Desk) -> None:
+    outlined = desk.page.locator(".drop-target")
+    for over, target in (("#results", "body"), ('[data-path="body.a.diameter"]', '[data-group="body.a"]')):
+        desk.page.locator(over).first.evaluate(
+            """target => {
+              const dataTransfer = new DataTransfer();
+              dataTransfer.items.add(new File([""], "a.csv"));
+              target.dispatchEvent(new DragEvent("dragover", { dataTransfer, bubbles: true, cancelable: true }));
+            }"""
+        )
+        assert outlined.count() == 1
+        assert outlined.evaluate("(each, selector) => each.matches(selector)", target)
+    desk.drop("#results", "a.csv", "")
+    assert outlined.count() == 0
 
 
 @pytest.mark.parametrize("kind", ["SVG", "PNG"])

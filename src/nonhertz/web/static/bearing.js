@@ -4,7 +4,7 @@ import { watchHelp, watchKeys } from "./anywhere.js";
 import { figure, head, whenResized } from "./chart.js";
 import { Edits } from "./edits.js";
 import { byId, element } from "./elements.js";
-import { nameIn } from "./files.js";
+import { isOwnFile, nameIn } from "./files.js";
 import { AWAY, post } from "./live.js";
 import { Address, shared } from "./link.js";
 import { showMistakes } from "./mistakes.js";
@@ -358,7 +358,8 @@ function wire() {
   document.addEventListener("drop", (event) => {
     event.preventDefault(); // a browser would leave the page for the file
     const file = event.dataTransfer?.files[0];
-    if (file) void openFile(file);
+    if (file && isOwnFile(file)) void openFile(file);
+    else if (file) showMistakes([{ path: "", sentence: `${file.name} must be a bearing file, .toml: drop one.` }]);
   });
   window.addEventListener("hashchange", () => void fromLink());
   watchKeys(step);

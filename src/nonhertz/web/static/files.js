@@ -5,6 +5,11 @@ import { post, send } from "./live.js";
 
 /** @typedef {import("./types.js").Mistake} Mistake */
 
+/** Whether a file is one of ours, by its name. @param {File} file */
+export function isOwnFile({ name }) {
+  return name.toLowerCase().endsWith(".toml");
+}
+
 /**
  * Return the case in a case file, or what is wrong with the file.
  * @param {File} file

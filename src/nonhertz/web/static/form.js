@@ -82,11 +82,23 @@ export class Form {
     if (!table) return; // a single row goes in as it is
     event.preventDefault();
     const within = outer(target.name);
-    const isProfile = valueAt(this.document, within)?.kind === "tabulated";
-    const paths = table.length === 2 && isProfile ? [`${within}.y`, `${within}.relief`] : [target.name];
-    if (paths.length !== table.length) return;
-    const changed = paths.reduce((document, path, place) => withValue(document, path, table[place]), this.document);
-    void this.open(changed, event.timeStamp);
+    if (table.length === 2 && this.isTable(within)) this.tabulate(within, table, event.timeStamp);
+    else if (table.length === 1) void this.open(withValue(this.document, target.name, table[0]), event.timeStamp);
+  }
+
+  /** Whether there is a profile of points at a path. @param {string} path */
+  isTable(path) {
+    return valueAt(this.document, path)?.kind === "tabulated";
+  }
+
+  /**
+   * Replace the points of a profile.
+   * @param {string} path
+   * @param {number[][]} table places and reliefs
+   * @param {number} [since]
+   */
+  tabulate(path, [y, relief], since) {
+    void this.open(withValue(withValue(this.document, `${path}.y`, y), `${path}.relief`, relief), since);
   }
 
   /** @param {MouseEvent} event */

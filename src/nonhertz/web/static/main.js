@@ -3,6 +3,7 @@
 import { watchHelp, watchKeys } from "./anywhere.js";
 import { Edits } from "./edits.js";
 import { Curve } from "./curve.js";
+import { watchDrops } from "./drops.js";
 import { byId } from "./elements.js";
 import { opened, saved } from "./files.js";
 import { Form } from "./form.js";
@@ -212,21 +213,14 @@ function wire() {
     });
   }
   watchKeys((by) => void step(by));
-  document.addEventListener("dragover", (event) => event.preventDefault());
-  document.addEventListener("drop", dropped);
+  watchDrops({
+    isTable: (path) => form.isTable(path),
+    open: (file) => void openFile(file),
+    table: (path, table) => form.tabulate(path, table),
+    measured: (event, body) => measured.dropped(event, body),
+    refuse: (mistake) => showMistakes([mistake]),
+  });
   window.addEventListener("hashchange", () => void fromLink());
-}
-
-/** A file dropped on a body is a measured profile, one dropped elsewhere a case. @param {DragEvent} event */
-function dropped(event) {
-  if (event.defaultPrevented) return;
-  event.preventDefault(); // a browser would leave the page for the file
-  const file = event.dataTransfer?.files[0];
-  const body = /** @type {HTMLElement} */ (event.target)
-    .closest?.("[data-group^='body.']")
-    ?.getAttribute("data-group")?.[5];
-  if (file && (body === "a" || body === "b")) measured.dropped(event, body);
-  else if (file) void openFile(file);
 }
 
 /** Show the case in the address, if it holds one. */
