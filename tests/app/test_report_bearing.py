@@ -253,7 +253,7 @@ def test_key_numbers_are_those_of_the_solution(few):
 def test_the_opening_says_what_loads_what(few, pair):
     assert bearing_opening(few.case) == (
         "Cylindrical roller bearing, 6 rollers of 9 x 10 mm on a pitch circle of 46.5 mm, under a radial force of "
-        "5000 N and a tilt of 0.2 mrad at 1500 1/min."
+        "5 kN and a tilt of 0.2 mrad at 1500 1/min."
     )
     assert bearing_opening(pair.case).startswith("Tapered roller bearing of 2 rows, 6 rollers of ")
 

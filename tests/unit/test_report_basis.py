@@ -38,7 +38,7 @@ def test_equal_cases_compare() -> None:
 @pytest.mark.parametrize(
     ("changes", "begins", "contains"),
     [
-        ({"prescribed": {"load": 5e3}}, "Pressures, approaches and lives are those of different loads:", "5000 N"),
+        ({"prescribed": {"load": 5e3}}, "Pressures, approaches and lives are those of different loads:", "5 kN"),
         ({"prescribed": {"load": 4e3, "tilt": 1e-3}}, "Results are those of different alignment:", "a tilt of 1 mrad"),
         (
             contact(b=replace(RING, depth=12.0)),

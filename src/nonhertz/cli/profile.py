@@ -20,7 +20,7 @@ from nonhertz.io.prepared import files
 from nonhertz.measured import Fit, Measured
 from nonhertz.measured.fit import KINDS
 from nonhertz.model.profile import PARAMETER_UNITS
-from nonhertz.result.numerals import digits, with_error
+from nonhertz.result.numerals import digits, unit_of_dimension, with_error
 
 BEST = "best"
 _PLAIN_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
@@ -180,7 +180,8 @@ def _parameter(fit: Fit, name: str) -> str:
     error = fit.standard_errors.get(name)
     if error is not None and not math.isfinite(error):
         return f"{name} not determined by the points"  # any value fits as well
-    number = digits(value) if error is None else with_error(value, error)
+    factor, unit = unit_of_dimension((value,), unit)
+    number = digits(factor * value) if error is None else with_error(factor * value, factor * error)
     return f"{name} {number} {unit}".rstrip()
 
 

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from nonhertz.model.body import BODIES, Body
 from nonhertz.model.materials import MATERIALS
 from nonhertz.report.results import CaseResults
-from nonhertz.result.numerals import given
+from nonhertz.result.numerals import given, given_sized
 from nonhertz.result.solution import Status
 
 
@@ -62,13 +62,13 @@ def differing(labels: Sequence[str], sentence: str, words: Iterable[str]) -> Ite
 
 def _load(found: CaseResults) -> str:
     load = found.case.prescribed.get("load")
-    return "an approach is given" if load is None else f"{given(load)} N"
+    return "an approach is given" if load is None else given_sized(load, "N")
 
 
 def _alignment(found: CaseResults) -> str:
     prescribed = found.case.prescribed
     if "moment" in prescribed:
-        return f"a moment of {given(prescribed['moment'])} N mm"
+        return f"a moment of {given_sized(prescribed['moment'], 'N mm')}"
     return f"a tilt of {given(1e3 * prescribed.get('tilt', 0.0), 4)} mrad"
 
 

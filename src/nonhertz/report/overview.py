@@ -12,7 +12,7 @@ from nonhertz.model.materials import MATERIALS
 from nonhertz.report.results import CaseResults
 from nonhertz.result.brief import where_largest
 from nonhertz.result.maximum import largest_half_width, singular_y
-from nonhertz.result.numerals import digits, given
+from nonhertz.result.numerals import digits, given, given_sized
 from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 
@@ -44,12 +44,13 @@ def opening(found: CaseResults) -> str:
     """Return one sentence on what was solved."""
     solution, prescribed = found.solution, found.case.prescribed
     a, b = solution.contact.a, solution.contact.b
-    pressed = f"with {given(prescribed['load'])} N" if "load" in prescribed else _by_approach(prescribed["approach"])
+    load = prescribed.get("load")
+    pressed = _by_approach(prescribed["approach"]) if load is None else f"with {given_sized(load, 'N')}"
     turned = ""
     if prescribed.get("tilt"):
         turned = f" and tilted by {given(1e3 * prescribed['tilt'], 4)} mrad"
     elif "moment" in prescribed:
-        turned = f" under a moment of {given(prescribed['moment'])} N mm"
+        turned = f" under a moment of {given_sized(prescribed['moment'], 'N mm')}"
     return f"{_body(a, 'a')} and {_body(b, 'b')} are pressed together {pressed}{turned}."
 
 

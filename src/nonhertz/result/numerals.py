@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 ROUNDING = 1e-12  # relative: a prescribed load, say, is met to that
+_SMALL = 0.5  # mm, below which people read micrometres
 _SAME = 1e-6  # relative: less than five digits show
 
 
@@ -41,6 +42,18 @@ def given(value: float, significant: int = 6) -> str:
     """
     mantissa, exponent, power = digits(value, significant).partition("e")
     return (mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa) + exponent + power
+
+
+def given_sized(value: float, unit: str, significant: int = 6) -> str:
+    """Return an input number without insignificant zeros, in the unit that suits its size.
+
+    Examples
+    --------
+    >>> given_sized(20000.0, "N"), given_sized(820.0, "N"), given_sized(1500.0, "N mm"), given_sized(30.0, "um")
+    ('20 kN', '820 N', '1.5 N m', '30 um')
+    """
+    factor, unit = unit_for((value,), unit)
+    return f"{given(factor * value, significant)} {unit}"
 
 
 #: Units a thousand times as large in which people write large numbers of these, and from which value on.
@@ -83,6 +96,20 @@ def unit_for(values: Iterable[float], unit: str) -> tuple[float, str]:
     # Whether a load of one kN is met to the last digit must not choose its unit.
     largest = (1.0 + _SAME) * max(map(abs, values), default=0.0)
     return (1.0, unit) if largest < least else (1e-3, larger)
+
+
+def unit_of_dimension(values: Iterable[float], unit: str) -> tuple[float, str]:
+    """Return the unit in which people write dimensions, angles and loads of this size, and what turns them into it.
+
+    Examples
+    --------
+    >>> unit_of_dimension((0.012,), "mm"), unit_of_dimension((20.0, 0.1), "mm"), unit_of_dimension((1e-3,), "rad")
+    ((1000.0, 'um'), (1.0, 'mm'), (1000.0, 'mrad'))
+    """
+    values = tuple(values)
+    if unit == "mm" and max(map(abs, values)) < _SMALL:
+        return 1e3, "um"
+    return (1e3, "mrad") if unit == "rad" else unit_for(values, unit)
 
 
 def with_error(value: float, error: float) -> str:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from nonhertz.io.spreads import Distribution, Spread
-from nonhertz.result.numerals import digits, error_words, given, sized, unit_for
+from nonhertz.result.numerals import digits, error_words, given, sized, unit_for, unit_of_dimension
 from nonhertz.result.quantities import Quantity
 from nonhertz.show.summary import Row
 from nonhertz.study.design import Design
@@ -20,7 +20,6 @@ QUANTILE_COLUMNS = ("", "share", "below", "", "95 % certain between")
 INDEX_COLUMNS = ("share of the variance due to", "alone", "in total", "")
 BAND_COLUMNS = ("as good within", "from", "to", "")
 START_COLUMNS = ("searches", "looked at", "from", "to")
-SMALL = 0.5  # mm, below which people read micrometres
 SWEEP_COLUMNS = ("", "smallest", "largest", "")
 _SAME = 1e-9  # relative: numbers that differ by less are one number
 _HOW_GOOD = ("error", "warnings")  # of a row, which are not what comes out of it
@@ -149,17 +148,9 @@ def _ends(spread: Spread, unit: str) -> str:
     assert not isinstance(spread, Distribution)
     if any(isinstance(value, str | bool) for value in spread):
         return ", ".join(map(str, spread))
-    factor, unit = _for_people(spread, unit)
+    factor, unit = unit_of_dimension(spread, unit)
     ends = (spread[0], spread[-1])[: len(spread)]
     return f"{' to '.join(given(factor * float(end)) for end in ends)} {unit}".rstrip()
-
-
-def _for_people(values: Iterable[float], unit: str) -> tuple[float, str]:
-    """Return the unit in which people write numbers of this size, and what turns them into it."""
-    values = tuple(values)
-    if unit == "mm" and max(map(abs, values)) < SMALL:
-        return 1e3, "um"
-    return (1e3, "mrad") if unit == "rad" else unit_for(values, unit)
 
 
 def design_rows(found: Design) -> list[Row]:
@@ -210,5 +201,5 @@ def _values(found: Design, values: Mapping[str, Any]) -> str:
 
 
 def _of_path(found: Design, path: str, value: float) -> str:
-    factor, unit = _for_people([value], found.units.get(path, ""))
+    factor, unit = unit_of_dimension([value], found.units.get(path, ""))
     return f"{digits(factor * value, 4)} {unit}".rstrip()

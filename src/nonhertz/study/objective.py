@@ -364,14 +364,10 @@ def point_or_none(task: Task, x: Array, accuracy: float | None = None) -> Judged
 
 def named_loads(loads: Sequence[LoadCase]) -> list[str]:
     """Return each load in words."""
-    from nonhertz.result.numerals import given, unit_for
+    from nonhertz.result.numerals import given, given_sized
 
-    words = []
-    for each in loads:
-        factor, unit = unit_for((each.load,), "N")
-        tilt = f"at {given(1e3 * each.tilt, 4)} mrad" if each.tilt else "without tilt"
-        words.append(f"{given(factor * each.load, 5)} {unit} {tilt}")
-    return words
+    tilts = [f"at {given(1e3 * each.tilt, 4)} mrad" if each.tilt else "without tilt" for each in loads]
+    return [f"{given_sized(each.load, 'N', 5)} {tilt}" for each, tilt in zip(loads, tilts, strict=True)]
 
 
 def refuse_unlimited(limits: Mapping[str, Any]) -> tuple[Limit, ...]:

@@ -55,8 +55,9 @@ def loads_in_words(case: BearingCase) -> str:
 def _acting(name: str, value: Any) -> str:
     words, unit = _PRESCRIBED[name]
     scale = 1e3 if unit in {"µm", "mrad"} else 1.0
-    numbers = [given(scale * float(each), 5) for each in (value if hasattr(value, "__iter__") else (value,))]
-    return f"{words} {' and '.join(numbers)} {unit}"
+    values = [scale * float(each) for each in (value if hasattr(value, "__iter__") else (value,))]
+    factor, unit = unit_for(values, unit)
+    return f"{words} {' and '.join(given(factor * each, 5) for each in values)} {unit}"
 
 
 def _and(words: list[str]) -> str:
