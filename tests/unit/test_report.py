@@ -192,7 +192,7 @@ def test_key_numbers_stand_first(results_of_case: CaseResults) -> None:
     )
     assert opening(results_of_case) == (
         "A roller (diameter 15 mm, length 15 mm, steel) and a ring (diameter 60 mm, steel) are pressed together with "
-        "4000 N."
+        "4 kN."
     )
 
 
