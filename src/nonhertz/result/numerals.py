@@ -32,6 +32,22 @@ def digits(value: float, significant: int = 5) -> str:
     return f"{value:.{max(0, significant - 1 - decade)}f}"
 
 
+def in_column(values: Iterable[float], significant: int = 5) -> list[str]:
+    """Return numbers that stand below one another: with the decimals that suit the largest of them.
+
+    Examples
+    --------
+    >>> in_column([3.80971, 0.903454, 0.0018632, 0.0])
+    ['3.8097', '0.9035', '0.0019', '0']
+    """
+    values = tuple(values)
+    largest = digits(max(map(abs, values), default=0.0), significant)
+    if "e" in largest:
+        return [digits(value, significant) for value in values]
+    decimals = len(largest.partition(".")[2])
+    return [f"{value:.{decimals}f}" if value else "0" for value in values]
+
+
 def given(value: float, significant: int = 6) -> str:
     """Return an input number without insignificant zeros.
 

@@ -16,7 +16,7 @@ from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding
 from nonhertz.errors import InputError
 from nonhertz.io.bearingfile import BearingCase, placed
-from nonhertz.result.numerals import digits, given, sized, sized_list, unit_for
+from nonhertz.result.numerals import digits, given, in_column, sized, sized_list, unit_for
 from nonhertz.show.summary import Row
 
 OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
@@ -100,13 +100,14 @@ def roller_rows(solution: BearingSolution) -> list[tuple[str, ...]]:
     pressures = solution.max_pressure if pressed else np.zeros(solution.load.shape)
     ribbed, ribs = solution.rib_loads.size > 0, solution.rib_load.max(axis=1, initial=0.0)
     shown, shown_rib = (unit_for(loads.flat, "N")[0] for loads in (solution.load, solution.rib_load))
+    loads_in_words = in_column((shown * solution.load).flat)
     found = []
     for j, row in enumerate(_row_numbers(solution.bearing)):
-        loads, carries = solution.load[j], carrying(solution)[j]
+        carries = carrying(solution)[j]
         tilts = 1e3 * _tilts(solution)[j]
         found.append(
             (
-                str(j), row, _degrees(solution.angle[j]), *(digits(shown * load) for load in loads),
+                str(j), row, _degrees(solution.angle[j]), *loads_in_words[2 * j : 2 * j + 2],
                 *(digits(tilt, 4) if carries else "" for tilt in tilts),
                 *(digits(p, 4) if p > 0.0 else "" for p in pressures[j]),
                 digits(shown_rib * ribs[j], 4) if ribbed else "",
