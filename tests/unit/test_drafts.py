@@ -41,6 +41,17 @@ def left_by_a_killed_process(directory: Path) -> Path:
 ONE = {"one.txt": "whole"}
 
 
+@pytest.mark.parametrize("name", ["result.json", "surface.VTU", "new/rows.parquet"])
+def test_a_new_directory_is_not_called_as_files_are(name, tmp_path):
+    with pytest.raises(
+        nh.InputError, match=r"--out = .* must be a directory, and looks like a file: write '.*', in which"
+    ):
+        write_files(tmp_path / name, ONE)
+    assert list(tmp_path.iterdir()) == []
+    (tmp_path / "old.json").mkdir()
+    assert len(write_files(tmp_path / "old.json", ONE)) == len(write_files(tmp_path / "v1.2", ONE)) == 1
+
+
 def test_what_a_killed_process_left_is_swept_by_the_next_run(tmp_path: Path) -> None:
     left_by_a_killed_process(tmp_path)
     write_files(tmp_path, ONE)

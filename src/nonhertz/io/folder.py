@@ -12,6 +12,9 @@ from nonhertz.io.dialect import rewrite_tables
 from nonhertz.io.drafts import drafts_in
 
 _OUT_REMEDY = "give a directory to write to"
+_OF_FILES = frozenset(
+    ".csv .html .htm .jpg .json .md .npz .parquet .pdf .png .svg .toml .txt .vtk .vtu .xls .xlsx .xml".split()
+)
 
 
 def write_files(
@@ -84,6 +87,9 @@ def _directory(directory: Path) -> Iterator[None]:
     if directory.exists() and not directory.is_dir():
         raise InputError("--out", str(directory), "be a directory, not a file", _OUT_REMEDY)
     made = _missing(directory)
+    if made and directory.suffix.lower() in _OF_FILES:
+        remedy = f"write '{directory.with_suffix('')}', in which files get names of their own"
+        raise InputError("--out", str(directory), "be a directory, and looks like a file", remedy)
     try:
         directory.mkdir(parents=True, exist_ok=True)
         yield
