@@ -13,7 +13,26 @@ from nonhertz.io.drafts import drafts_in
 
 _OUT_REMEDY = "give a directory to write to"
 _OF_FILES = frozenset(
-    ".csv .html .htm .jpg .json .md .npz .parquet .pdf .png .svg .toml .txt .vtk .vtu .xls .xlsx .xml".split()
+    [
+        ".csv",
+        ".html",
+        ".htm",
+        ".jpg",
+        ".json",
+        ".md",
+        ".npz",
+        ".parquet",
+        ".pdf",
+        ".png",
+        ".svg",
+        ".toml",
+        ".txt",
+        ".vtk",
+        ".vtu",
+        ".xls",
+        ".xlsx",
+        ".xml",
+    ]
 )
 
 
