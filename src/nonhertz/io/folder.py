@@ -12,27 +12,9 @@ from nonhertz.io.dialect import rewrite_tables
 from nonhertz.io.drafts import drafts_in
 
 _OUT_REMEDY = "give a directory to write to"
-_OF_FILES = frozenset(
-    [
-        ".csv",
-        ".html",
-        ".htm",
-        ".jpg",
-        ".json",
-        ".md",
-        ".npz",
-        ".parquet",
-        ".pdf",
-        ".png",
-        ".svg",
-        ".toml",
-        ".txt",
-        ".vtk",
-        ".vtu",
-        ".xls",
-        ".xlsx",
-        ".xml",
-    ]
+_OF_FILES = (
+    *(".csv", ".html", ".htm", ".jpg", ".json", ".md", ".npz", ".parquet", ".pdf", ".png", ".svg", ".toml", ".txt"),
+    *(".vtk", ".vtu", ".xls", ".xlsx", ".xml"),
 )
 
 
