@@ -44,6 +44,29 @@ def test_a_value_counts_as_if_the_file_held_it(
     assert found["case"]["load"] == expected["case"]["load"]
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        (CASE, "--set", "load.load=5kN", "load.tilt=1mrad"),
+        ("--set", "load.load=5kN", "load.tilt=1mrad", CASE),
+        ("--set", "load.load=5kN", "load.tilt=1mrad", "--", CASE),
+    ],
+)
+def test_several_may_follow_one_option(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["solve", "--json", *words]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert (found["load"], found["tilt"]) == pytest.approx((5000.0, 1e-3))
+
+
+def test_a_file_whose_name_looks_like_a_change_is_a_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("load=low.toml").write_text(Path(CASE).read_text(encoding="utf-8"), encoding="utf-8")
+    assert main(["solve", "--json", "--set", "load.load=5kN", "load=low.toml"]) == 0
+    assert json.loads(capsys.readouterr().out)["load"] == pytest.approx(5000.0)
+
+
 def test_a_key_can_be_taken_out_to_make_room_for_another(capsys: pytest.CaptureFixture[str]) -> None:
     assert "load" in refused(capsys, "solve", CASE, "--set", "load.approach=20um")
     assert main(["solve", CASE, "--set", "load.approach=20um", "--set", "load.load=", "--json"]) == 0

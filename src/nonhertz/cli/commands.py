@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import contextlib
 import contextvars
+import re
 import sys
 import warnings
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Annotated, NoReturn
 
-from cyclopts import App, CycloptsError, Parameter
+from cyclopts import App, CycloptsError, Parameter, UnusedCliTokensError
 
 from nonhertz import __version__
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED, NOT_KEPT, NOT_VERIFIED
@@ -26,8 +27,8 @@ Changes = Annotated[
         negative="",
         show_default=False,
         allow_leading_hyphen=True,
-        help="A path and a value in place of that in the file, such as load.load=5kN or body.a.profile.drop=12um; may "
-        "be given several times. Without a value, the key is taken out of the file.",
+        help="A path and a value in place of that in the file, such as load.load=5kN or body.a.profile.drop=12um; or "
+        "several. Without a value, the key is taken out of the file.",
     ),
 ]
 Excel = Annotated[
@@ -42,6 +43,8 @@ DecimalComma = Annotated[
         help="Write CSV files with decimal commas and semicolons between cells, as a spreadsheet in German reads them.",
     ),
 ]
+
+_CHANGE = re.compile(r"[A-Za-z][\w.\[\]-]*=")
 
 app = App(
     name="nonhertz",
@@ -60,11 +63,28 @@ def run(words: Sequence[str]) -> int:
     try:
         with _plain_warnings():
             # In a context of its own, which ends with what the command has chosen.
-            code = contextvars.copy_context().run(app, list(words))
+            code = contextvars.copy_context().run(app, _each_with_option(words))
+    except UnusedCliTokensError as error:
+        unused = ", ".join(repr(word) for word in error.unused_tokens or ())
+        print(f"Nothing is to be done with {unused}; see 'nonhertz --help'.", file=sys.stderr)
+        return BAD_INPUT
     except CycloptsError as error:
         print(f"{' '.join(str(error).split()).rstrip('.')}; see 'nonhertz --help'.", file=sys.stderr)
         return BAD_INPUT
     return code if isinstance(code, int) else FINE
+
+
+def _each_with_option(words: Sequence[str]) -> list[str]:
+    """Return the words of a command line, with ``--set`` again before each further change that follows one."""
+    found: list[str] = []
+    after = False  # a change, so that another may follow
+    for word in words:
+        is_change = _CHANGE.match(word) is not None and not Path(word).exists()
+        if after and is_change:
+            found.append("--set")
+        after = is_change and found[-1:] == ["--set"]
+        found.append(word)
+    return found
 
 
 @contextlib.contextmanager
