@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -377,8 +378,9 @@ def _of_parts(document: dict[str, Any], context: dict[str, Any], known: list[Mis
     return []
 
 
-def bearing_schema() -> dict[str, Any]:
-    """Return the JSON schema of a bearing file, with the meaning and the unit of every key."""
+@cache
+def bearing_schema() -> Mapping[str, Any]:
+    """Return the JSON schema of a bearing file, with the meaning and the unit of every key; made once, only read."""
     from nonhertz.io.bearing_document import BearingFileTable
 
     return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | BearingFileTable.model_json_schema()

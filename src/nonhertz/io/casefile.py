@@ -11,6 +11,7 @@ import inspect
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -402,8 +403,12 @@ TEMPLATES = {
 }
 
 
-def schema() -> dict[str, Any]:
-    """Return the JSON schema of a case file, with the meaning and the unit of every key."""
+@cache
+def schema() -> Mapping[str, Any]:
+    """Return the JSON schema of a case file, with the meaning and the unit of every key.
+
+    It is made once, since that takes longer than twenty cases to solve, and only read.
+    """
     from nonhertz.io.document import CaseTable
 
     return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | CaseTable.model_json_schema()

@@ -8,7 +8,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property
+from functools import cached_property
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -58,7 +58,7 @@ class Template:
     @cached_property
     def known(self) -> Mapping[str, Parameter]:
         """All values that it holds or could hold, by path."""
-        return parameters(self.document, _schema(is_bearing=self.is_bearing))
+        return parameters(self.document, bearing_schema() if self.is_bearing else schema())
 
     def put(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Return the document with other values, by path."""
@@ -95,12 +95,6 @@ class Template:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", AccuracyWarning)
             return (bearing_in if self.is_bearing else case_in)(document, self.path)
-
-
-@cache
-def _schema(*, is_bearing: bool) -> Mapping[str, Any]:
-    """Return a schema that is only read: it takes longer to make than twenty cases to solve."""
-    return bearing_schema() if is_bearing else schema()
 
 
 @dataclass(frozen=True)

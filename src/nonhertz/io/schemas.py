@@ -7,7 +7,7 @@ every key of a result is in it, and no other.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from nonhertz.io.bearingfile import bearing_schema
@@ -73,7 +73,7 @@ def result_schema() -> Schema:
 
 
 #: What there are schemas of, and the functions that return them.
-KINDS: dict[str, Callable[[], Schema]] = {
+KINDS: dict[str, Callable[[], Mapping[str, Any]]] = {
     "case": case_schema,
     "bearing": bearing_schema,
     "plan": plan_schema,

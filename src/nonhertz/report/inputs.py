@@ -5,7 +5,6 @@ Meanings and units come from the case file's schema, values from the bodies made
 
 from __future__ import annotations
 
-import functools
 import inspect
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
@@ -256,13 +255,8 @@ def unit_of(property_: Mapping[str, Any]) -> str:
     return next((str(each["unit"]) for each in choices if each.get("unit")), "")
 
 
-@functools.cache
-def _schema() -> dict[str, Any]:
-    return schema()
-
-
 def _properties(table: str) -> dict[str, dict[str, Any]]:
-    found: dict[str, dict[str, Any]] = _schema()["$defs"][table]["properties"]
+    found: dict[str, dict[str, Any]] = schema()["$defs"][table]["properties"]
     return found
 
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-ROUNDING = 1e-12  # relative: a prescribed load, say, is met to that
+_ROUNDING = 1e-12  # relative: a prescribed load, say, is met to that
 _SMALL = 0.5  # mm, below which people read micrometres
 _SAME = 1e-6  # relative: less than five digits show
 
@@ -155,7 +155,7 @@ def error_words(relative: float) -> str:
         return "error unknown"
     if relative >= 1.0:
         return "error as large as the number"
-    return f"error about {given(float(f'{100.0 * relative:.1g}'), 1)} %" if relative > ROUNDING else ""
+    return f"error about {given(float(f'{100.0 * relative:.1g}'), 1)} %" if relative > _ROUNDING else ""
 
 
 def as_csv(columns: Mapping[str, NDArray[np.float64]]) -> str:

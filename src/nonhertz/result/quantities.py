@@ -18,7 +18,7 @@ from nonhertz.result.numerals import sized
 if TYPE_CHECKING:
     from nonhertz.result.protocol import Solved
 
-ROUNDING = 1e-12  # of the terms of a sum: below this it is shown as zero, since symmetric terms cancel only to rounding
+_ROUNDING = 1e-12  # of the terms of a sum: less is shown as zero, since symmetric terms cancel only to rounding
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class Quantity:
         value = self.get(solution)
         if self.scale is None:
             return value
-        is_more = np.abs(value) > ROUNDING * np.abs(self.scale(solution))
+        is_more = np.abs(value) > _ROUNDING * np.abs(self.scale(solution))
         return value * is_more + 0.0  # no zero is negative
 
     def shown(self, solution: Solved) -> float:

@@ -237,10 +237,8 @@ def _lift_and_bend(strips: Strips, law: Law, answer: Answer) -> tuple[Array, Arr
                 sign, offset = terms[k, 0], terms[k, 1]
                 weight, high, low = sign * terms[k, 2], sign * strips.high[j] + offset, sign * strips.low[j] + offset
                 for i in places:
-                    upper, lower = (
-                        evaluate((high - y[i]) * inverse, law.table),
-                        evaluate((low - y[i]) * inverse, law.table),
-                    )
+                    upper = evaluate((high - y[i]) * inverse, law.table)
+                    lower = evaluate((low - y[i]) * inverse, law.table)
                     lift[i] += q[j] * weight * (upper[0] - lower[0])
                     bend[i] += by_bend * weight * (upper[2] - lower[2])
             if strips.at_depth.size:
@@ -278,11 +276,8 @@ def _add_face(strips: Strips, law: Law, answer: Answer, k: int, lift: Array, ben
     at_low = max(side * (place - strips.low[0]), 0.0) / unit
     far_terms(u, at_low, law.face_tables, first, of_edges[0], work)
     for j in range(n):
-        at_high, of_low, of_high = (
-            max(side * (place - strips.high[j]), 0.0) / unit,
-            of_edges[j % 2],
-            of_edges[1 - j % 2],
-        )
+        at_high = max(side * (place - strips.high[j]), 0.0) / unit
+        of_low, of_high = of_edges[j % 2], of_edges[1 - j % 2]
         far_terms(u, at_high, law.face_tables, first, of_high, work)
         inner, outer = min(at_low, at_high), max(at_low, at_high)
         at_low = at_high

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -98,11 +97,6 @@ def _rib(rib: Rib) -> str:
 _TABLES = {"load": "BearingLoadTable", "solver": "BearingSolverTable", "life": "BearingLifeTable", "fit": "FitTable"}
 
 
-@functools.cache
-def _schema() -> dict[str, Any]:
-    return bearing_schema()
-
-
 def _properties(table: str) -> dict[str, dict[str, Any]]:
-    found: dict[str, dict[str, Any]] = _schema()["$defs"][table]["properties"]
+    found: dict[str, dict[str, Any]] = bearing_schema()["$defs"][table]["properties"]
     return found

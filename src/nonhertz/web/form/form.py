@@ -16,6 +16,7 @@ from pydantic import ValidationError
 
 from nonhertz.errors import InputError
 from nonhertz.io.bounds import FORMAT
+from nonhertz.io.casefile import schema
 from nonhertz.io.document import BodyTable
 from nonhertz.io.mistakes import Place, path_of
 from nonhertz.io.profiles import required_keys
@@ -25,7 +26,6 @@ from nonhertz.web.form.inputs import ABSENT, as_it_is, input_for, label_of, stra
 from nonhertz.web.form.keys import (
     Schema,
     alternatives,
-    case_schema,
     is_table,
     kinds_made_of_numbers,
     meaning_of,
@@ -56,10 +56,10 @@ FIRST: Final = ("title", "kind", "load", "body", "diameter", "length", "profile"
 
 def form(document: dict[str, Any]) -> FormGroup:
     """Return the form of a document, valid or not, without a field for the format number."""
-    schema = case_schema()
-    asked = {name: part for name, part in schema["properties"].items() if name != "format"}
+    whole = schema()
+    asked = {name: part for name, part in whole["properties"].items() if name != "format"}
     given = {name: value for name, value in document.items() if name != "format" or value != FORMAT}
-    return _group(schema | {"properties": asked}, given, (), "Case")
+    return _group({**whole, "properties": asked}, given, (), "Case")
 
 
 def _table(part: Schema, value: Any, place: Place, legend: str) -> FormGroup | FormField:

@@ -17,17 +17,11 @@ Schema = dict[str, Any]
 _QUOTED: Final = re.compile(r"""['"`]([a-z][a-z0-9-]*)['"`]""")
 
 
-@functools.cache
-def case_schema() -> Schema:
-    """Return the cached schema of a case file."""
-    return schema()
-
-
 def _resolved(part: Schema) -> Schema:
     """Return a part of the schema with its reference resolved and the null alternative removed."""
     if "$ref" in part:
         name = part["$ref"].rpartition("/")[2]
-        part = case_schema()["$defs"][name] | {key: value for key, value in part.items() if key != "$ref"}
+        part = schema()["$defs"][name] | {key: value for key, value in part.items() if key != "$ref"}
     kinds = [kind for kind in part.get("anyOf", ()) if kind != {"type": "null"}]
     if len(kinds) == 1:
         return _resolved(kinds[0] | {key: value for key, value in part.items() if key != "anyOf"})
@@ -91,7 +85,7 @@ def meaning_of(part: Schema) -> str:
 @functools.cache
 def profile_kinds() -> dict[str, Schema]:
     """Return the schema of each kind of profile."""
-    body = case_schema()["$defs"]["BodyTable"]["properties"]["profile"]
+    body = schema()["$defs"]["BodyTable"]["properties"]["profile"]
     tables = [kind for kind in alternatives(body) if is_table(kind)]
     return {table["properties"]["kind"]["const"]: _told_apart(table) for table in tables}
 

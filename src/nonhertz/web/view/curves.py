@@ -7,10 +7,10 @@ import time
 from typing import Any, Final
 
 from nonhertz.errors import CaseError, InputError
+from nonhertz.io.casefile import schema
 from nonhertz.io.paths import Parameter, parameter, parameters
 from nonhertz.result.quantities import Quantity
 from nonhertz.study.quantities import SolvedContact, chosen, number_of
-from nonhertz.web.form.keys import case_schema
 from nonhertz.web.limits import CURVE_SECONDS
 from nonhertz.web.view.jobs import calmly, sound, worked_out
 from nonhertz.web.view.replies import as_bytes, broken, misfit
@@ -37,7 +37,7 @@ def curve(document: dict[str, Any], path: str, values: list[float]) -> bytes:
     with calmly():
         try:
             sound(document)
-            varied = parameter(path, parameters(document, case_schema()))
+            varied = parameter(path, parameters(document, schema()))
         except CaseError as error:
             return as_bytes(misfit(error))
         except InputError as error:
