@@ -516,3 +516,30 @@ def test_the_summary_and_the_file_say_what_takes_the_clearance(folder, capsys):
     assert found["case"]["fit"]["shaft"]["interference"] == 0.012
     assert main(["bearing", "sliced.toml", "--json"]) == 0
     assert parsed(capsys.readouterr().out)["operating_clearance"] is None
+
+
+def test_a_contact_is_printed_as_a_case_file(tmp_path, capsys):
+    path, contact = tmp_path / "six.toml", tmp_path / "contact.toml"
+    path.write_text(FEW, encoding="utf-8")
+    assert main(["bearing", str(path), "--contact", "1", "outer"]) == 0
+    contact.write_text(capsys.readouterr().out, encoding="utf-8")
+    loaded = read_bearing(path).solve()
+    case = nh.read_case(contact)
+    assert case.title == "six, roller 1 on the outer ring"
+    assert_allclose(case.solve().max_pressure, loaded.max_pressure[1, 1], rtol=1e-9)  # a file holds all digits
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (("7", "inner"), "--contact = 7 must be a whole number from 0 to 5"),
+        (("3", "inner"), "--contact = 3 must be a roller that the inner ring loads"),
+        (("0", "middle"), "--contact = 'middle' must be one of 'inner', 'outer'"),
+        (("0", "inner", "--json"), "must be given without --compare, --json and --out"),
+    ],
+)
+def test_a_contact_that_is_none_is_refused(tmp_path, capsys, options, words):
+    path = tmp_path / "six.toml"
+    path.write_text(FEW, encoding="utf-8")
+    assert main(["bearing", str(path), "--contact", *options]) == 2
+    assert words in capsys.readouterr().err

@@ -27,7 +27,7 @@ from nonhertz.io.casefile import starting_case
 from nonhertz.web import limits
 from nonhertz.web.form.sliders import sliders
 from nonhertz.web.server import app, bearings, workers
-from nonhertz.web.view import bearing_jobs
+from nonhertz.web.view import bearing_jobs, jobs
 
 STARTING = tomllib.loads(starting_bearing())
 # Few rollers without corners, sides and depth: strips are solved in a blink.
@@ -555,3 +555,35 @@ def test_a_mistaken_bearing_is_refused_as_by_the_other_commands(tmp_path, capsys
     path.write_text(FEW_TEXT.replace("12 um", "12 kg"))
     assert main(["serve", str(path), "--no-browser"]) == 2
     assert "bearing.clearance = '12 kg' must have a unit of length" in capsys.readouterr().err
+
+
+def test_a_contact_is_a_case_of_the_other_page():
+    found = json.loads(bearing_jobs.contact(FEW, 0, "outer"))["document"]
+    loaded = solved(FEW, "strips")
+    shown = json.loads(jobs.solve(found, False, "a"))
+    assert shown["title"].endswith("roller 0 on the outer ring")
+    assert shown["key"]["load"] == pytest.approx(loaded.load[0, 1], rel=1e-9)
+    assert shown["key"]["max_pressure"] == pytest.approx(loaded.max_pressure[0, 1], rel=1e-9)
+
+
+def test_what_was_solved_last_is_not_solved_again(monkeypatch):
+    first = answer(FEW, "strips")
+    monkeypatch.setattr(bearing_jobs, "_newly_solved", None)
+    assert json.loads(bearing_jobs.contact(FEW, 0, "inner"))["ok"]
+    monkeypatch.undo()
+    other = changed(FEW, "load", {"radial": 10000.0})
+    found = json.loads(bearing_jobs.contact(other, 0, "inner"))["document"]
+    assert found["load"]["load"] > 1.5 * first["load"][0][0]
+
+
+@pytest.mark.parametrize("more", [{}, {"roller": 0}, {"roller": True, "ring": "inner"}, {"roller": 0, "ring": "c"}])
+def test_malformed_choices_of_a_contact(page, more):
+    assert page.post("/bearing/contact", json={"document": FEW} | more).status_code == 400
+
+
+@pytest.mark.slow
+def test_a_contact_is_answered(page):
+    found = post(page, "/bearing/contact", json={"document": FEW, "roller": 0, "ring": "inner"}).json()
+    assert found["document"]["body"]["a"]["kind"] == "roller"
+    wrong = post(page, "/bearing/contact", json={"document": FEW, "roller": 99, "ring": "inner"}).json()
+    assert "roller = 99 must" in wrong["mistakes"][0]["sentence"]

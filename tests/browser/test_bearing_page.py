@@ -15,6 +15,8 @@ from conftest import desks, served
 from desk import Desk
 from numpy.testing import assert_allclose
 
+from nonhertz.io.bearingfile import bearing_in
+
 pytestmark = pytest.mark.browser
 
 # Few rollers without corners, sides and depth: strips are solved in a blink.
@@ -213,3 +215,26 @@ def test_nothing_hangs_over_the_edge(open_bearing: Any, theme: str, width: int) 
     desk = open_bearing(color_scheme=theme, viewport={"width": width, "height": 844})
     assert desk.page.evaluate("() => document.documentElement.scrollWidth") <= width
     desk.photograph(f"bearing-{theme}-{width}", whole=True)
+
+
+def test_a_contact_is_opened_on_the_page_of_contacts(bearing: Desk) -> None:
+    bearing.page.locator('[data-roller="1"]').click()
+    loads = bearing.page.locator('[data-roller="1"]').get_attribute("aria-label")
+    bearing.page.locator('[data-contact="outer"]').click()
+    bearing.page.wait_for_url("**/contact#c=*")
+    bearing.settle()
+    assert bearing.page.locator("h1").inner_text() == "six, roller 1 on the outer ring"
+    case = bearing_in(tomllib.loads(FEW), Path("six.toml"))
+    loaded = case.solve()
+    assert_allclose(bearing.numbers["Load"], loaded.load[1, 1], rtol=SAME)
+    assert_allclose(bearing.numbers["Largest pressure"], loaded.max_pressure[1, 1], rtol=SAME)
+    bearing.page.go_back()
+    bearing.settle()
+    assert bearing.page.locator('[data-roller="1"]').get_attribute("aria-label") == loads
+    bearing.page.locator('[data-roller="3"]').click()
+    assert bearing.page.locator("[data-contact]:disabled").count() == 2  # it bears no load
+
+
+def test_another_file_is_named_when_it_is_dropped(bearing: Desk) -> None:
+    bearing.drop("#results", "points.csv", "1 2")
+    assert bearing.mistakes == ["points.csv must be a bearing file, .toml: drop one."]

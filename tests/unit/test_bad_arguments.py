@@ -316,6 +316,9 @@ ENTRIES: dict[str, Entry] = {
     ),
     "BearingCase.solve": entry(nh.BearingCase(ROW).solve, method=("slices", "optional"), raises=(nh.CaseError,)),
     "BearingCase.assess": entry(nh.BearingCase(ROW).assess, solution=(LOADED, "thing")),
+    "BearingCase.contact_case": entry(
+        nh.BearingCase(ROW).contact_case, solution=(LOADED, "thing"), roller=(0, "count"), ring=("inner", "word")
+    ),
     "read_result": entry(nh.read_result, path=(written_result(), "file")),
     "Case": entry(
         nh.Case, contact=(CONTACT, "thing"), prescribed=({"load": 1e3}, "thing"), solver=({"strips": 11}, "options"),

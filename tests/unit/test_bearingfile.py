@@ -913,3 +913,43 @@ def test_every_mistake_of_a_fit_is_at_its_key(old, new, said):
 def test_thrust_bearings_have_no_fits():
     (said,) = mistakes(THRUST + FIT)
     assert said.startswith("fit must be left out: fits are those of cylindrical, needle, tapered and spherical")
+
+
+@pytest.mark.parametrize(
+    ("text", "roller", "ring"),
+    [
+        (PLAIN, 0, "inner"),
+        (PLAIN, 1, "outer"),
+        (TAPERED, 0, "inner"),
+        (TAPERED, 13, "outer"),
+        (THRUST, 3, "inner"),
+        (SPHERICAL, 18, "outer"),
+        (starting_bearing(), 12, "inner"),
+    ],
+)
+def test_a_contact_of_a_bearing_is_a_case_of_its_own(tmp_path, text, roller, ring):
+    found = bearing_in(tomllib.loads(text), Path("nu.toml"))
+    loaded = found.solve()
+    path, at = tmp_path / "contact.toml", (roller, ("inner", "outer").index(ring))
+    found.contact_case(loaded, roller, ring).write(path)
+    case = read_case(path)
+    assert case.title.endswith(f"roller {roller} on the {ring} ring")
+    solution = case.solve()
+    # The same solve of the same bodies, as a file holds them: all digits but the last ones of a rounding.
+    assert solution.load == pytest.approx(loaded.load[at], rel=1e-9)
+    assert solution.max_pressure == pytest.approx(loaded.max_pressure[at], rel=1e-9)
+    # The balance of the bearing knew neither: to what its own strips are in error, 1e-4 of approach or load.
+    assert solution.approach == pytest.approx(loaded.approach[at], rel=1e-4)
+    arm = 0.5 * loaded.bearing.rows[0].bearing.roller_length
+    assert solution.moment == pytest.approx(loaded.moment[at], abs=1e-4 * arm * loaded.load[at])
+
+
+def test_a_contact_by_slices_says_so_and_one_without_load_is_refused():
+    found = bearing_in(tomllib.loads(PLAIN), Path("nu.toml"))
+    sliced = found.solve("slices")
+    case = found.contact_case(sliced, 0)
+    assert case.title == "nu, roller 0 on the inner ring, by slices"
+    assert case.prescribed == {"load": sliced.load[0, 0], "tilt": sliced.tilt[0, 0]}
+    assert case.path == Path("nu-0-inner.toml")
+    with pytest.raises(nh.InputError, match="must be a roller that the outer ring loads: choose"):
+        found.contact_case(sliced, 6, "outer")

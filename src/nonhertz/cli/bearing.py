@@ -12,6 +12,7 @@ from rich.text import Text
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.cli import FINE, NOT_CONVERGED
+from nonhertz.cli.options import named_as
 from nonhertz.cli.printing import console, print_table
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.io.bearing_results import as_json, as_object, comparison_files, comparison_object, files
@@ -75,6 +76,18 @@ def report_comparison(case: BearingCase, out: Path | None, json: bool) -> int:
     print_table(printing, _table(compared_columns(strips, slices), compared_roller_rows(strips, slices)))
     printing.print(Text(OF_LARGEST), soft_wrap=True)
     _print_written(written)
+    return FINE
+
+
+def print_contact(case: BearingCase, roller: int, ring: str) -> int:
+    """Solve a bearing and print the case file of one of its contacts; return the exit code."""
+    try:
+        solution = _solved(case)
+    except ConvergenceError as error:
+        print(error, file=sys.stderr)
+        return NOT_CONVERGED
+    with named_as(roller="--contact", ring="--contact"):
+        print(case.contact_case(solution, roller, ring).text, end="")
     return FINE
 
 

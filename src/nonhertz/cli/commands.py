@@ -136,6 +136,7 @@ def bearing(
     *,
     changes: Changes = (),
     compare: Annotated[bool, Parameter(negative="")] = False,
+    contact: Annotated[tuple[int, str] | None, Parameter(negative="", show_default=False)] = None,
     out: Path | None = None,
     decimal_comma: DecimalComma = False,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
@@ -148,20 +149,28 @@ def bearing(
         The bearing file; see 'nonhertz new --bearing'.
     compare : bool
         Solve it by strips and by the slices of ISO/TS 16281, and print both side by side.
+    contact : tuple of int and str
+        ROLLER, counted from 0, and RING, inner or outer: print a case file of this contact alone, with its load and its
+        tilt in the bearing, for the commands that take a case.
     out : Path
         Directory for result.json, rollers.csv, lines.csv and the figures, with --compare for comparison.json and
         comparison.csv; created if it does not exist.
     as_json : bool
         Print one JSON object with all numbers instead of the tables.
     """
-    from nonhertz.cli.bearing import report_bearing, report_comparison
+    from nonhertz.cli.bearing import print_contact, report_bearing, report_comparison
     from nonhertz.io.bearingfile import read_bearing
     from nonhertz.io.changes import changes_in
     from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
 
     choose_decimal_commas(decimal_comma)
+    if contact is not None and (compare or as_json or out is not None):
+        remedy = "send the case file that it prints to a file with >"
+        raise InputError("--contact", contact, "be given without --compare, --json and --out", remedy)
     problem = read_bearing(file, changes_in(changes))
+    if contact is not None:
+        return print_contact(problem, *contact)
     if out is not None:
         refuse_unwritable(out)
     return (report_comparison if compare else report_bearing)(problem, out, as_json)

@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Any
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.spectrum import LoadCase
 from nonhertz.errors import CaseError, InputError
-from nonhertz.inputs.checks import one_line
+from nonhertz.inputs.checks import one_line, one_of, whole
 from nonhertz.inputs.files import legible
-from nonhertz.io.casefile import OF_BEARINGS, as_toml, case_text, parsed, write_document
+from nonhertz.io.casefile import OF_BEARINGS, Case, as_toml, case_text, parsed, write_document
 from nonhertz.io.changes import changed
 from nonhertz.io.fits import FIT, mounted, operating
 from nonhertz.io.title_block import TitleBlock
@@ -248,6 +248,62 @@ class BearingCase:
             if error.field in {*_SECTIONS["life"], "viscosity_ratio"}:
                 raise placed(error, "life") from None
             raise
+
+    def contact_case(self, solution: BearingSolution, roller: int, ring: str = "inner") -> Case:
+        """Return the contact of a roller with a ring as a case of its own, with the load and tilt that it has there.
+
+        Its bodies are those of the bearing, cut along their common generator, with y along the roller. What else acts
+        on the roller, such as ribs, speed, raceways that are not round and the other ring, is in load and tilt. Solved,
+        it is `BearingSolution.contact`.
+
+        Parameters
+        ----------
+        solution : BearingSolution
+            This bearing, solved by strips or by slices, whose load and tilt are then those of slices.
+        roller : int
+            Its number, from 0.
+        ring : {"inner", "outer"}
+            Which ring; of thrust bearings the washer of the shaft or of the housing.
+
+        Raises
+        ------
+        InputError
+            If there is no such contact, or it bears no load.
+
+        Examples
+        --------
+        >>> import tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     path = Path(folder, "nu206.toml")
+        ...     _ = path.write_text(starting_bearing())
+        ...     bearing = read_bearing(path)
+        >>> case = bearing.contact_case(bearing.solve("slices"), 0, "outer")
+        >>> case.title, round(case.prescribed["load"], -1)
+        ('NU 206, roller 0 on the outer ring, by slices', 3720.0)
+        """
+        from nonhertz.bearing.frames import RINGS
+        from nonhertz.bearing.solution import BearingSolution
+
+        if not isinstance(solution, BearingSolution):
+            remedy = "give what BearingCase.solve returns"
+            raise InputError("solution", solution, "be a solved bearing", remedy)
+        roller = whole("roller", roller, 0, solution.angle.size - 1, "count from 0")
+        one_of("ring", ring, RINGS, "name one of both")
+        side = RINGS.index(ring)
+        load, tilt = float(solution.load[roller, side]), float(solution.tilt[roller, side])
+        if not load > 0.0:
+            condition = f"be a roller that the {ring} ring loads"
+            raise InputError("roller", roller, condition, "choose one within the load zone")
+        numbers = range(len(solution.bearing.rows))
+        row = next(number for number in numbers if roller < solution.rollers_of(number).stop)
+        method = "" if solution.method == "strips" else f", by {solution.method}"
+        return Case(
+            contact=solution.bearing.rows[row].bearing.contacts[side],
+            prescribed={"load": load, "tilt": tilt},
+            title=f"{self.title}, roller {roller} on the {ring} ring{method}".removeprefix(", "),
+            path=Path(f"{self.path.stem}-{roller}-{ring}.toml"),
+            title_block=self.title_block,
+        )
 
     def write(self, path: str | Path) -> None:
         """Write the bearing to a file that `read_bearing` reads back as the same.

@@ -17,6 +17,7 @@ from starlette.responses import HTMLResponse, Response
 from starlette.routing import Route
 
 from nonhertz import __version__
+from nonhertz.bearing.frames import RINGS
 from nonhertz.io.bearingfile import starting_bearing
 from nonhertz.web.limits import DOCUMENT_BYTES, LIVE_SECONDS, PATIENT_SECONDS, STRIPS_SECONDS
 from nonhertz.web.server.awaiting import while_awaited
@@ -87,6 +88,22 @@ class BearingPage:
             request, self.patient, bearing_jobs.solve, given, method, seconds=STRIPS_SECONDS, too_slow=_TOO_LONG
         )
 
+    async def contact(self, request: Request) -> Response:
+        """Answer with the case of one contact of a bearing."""
+        asked = json_object(await content(request, "application/json", DOCUMENT_BYTES))
+        document, roller, ring = document_in(asked), asked.get("roller"), asked.get("ring")
+        if type(roller) is not int or not isinstance(ring, str) or ring not in RINGS:
+            raise RefusedError(400, "roller must be a whole number, and ring 'inner' or 'outer'.")
+        # In the process that has solved it by strips already.
+        return await while_awaited(
+            request,
+            self.patient,
+            bearing_jobs.contact,
+            *(document, roller, ring),
+            seconds=STRIPS_SECONDS,
+            too_slow=_TOO_LONG,
+        )
+
     async def download(self, request: Request) -> Response:
         """Answer with a file made from a document."""
         name = request.path_params["name"]
@@ -118,6 +135,7 @@ class BearingPage:
             Route("/bearing", self.page),
             Route("/bearing/status", self.status),
             Route("/bearing/solve", self.solve, methods=["POST"]),
+            Route("/bearing/contact", self.contact, methods=["POST"]),
             Route("/bearing/download/{name}", self.download, methods=["POST"]),
         ]
 

@@ -6,7 +6,7 @@ import { Edits } from "./edits.js";
 import { byId, element } from "./elements.js";
 import { isOwnFile, nameIn } from "./files.js";
 import { AWAY, post } from "./live.js";
-import { Address, shared } from "./link.js";
+import { Address, fragment, shared } from "./link.js";
 import { showMistakes } from "./mistakes.js";
 import { digits } from "./numbers.js";
 import { Polar, degrees, newtons } from "./polar.js";
@@ -202,6 +202,7 @@ function drawPictures() {
   stale.title = page.fresh ? "" : "Of the bearing before the last change: strips are solved when the slider rests.";
   byId("most").hidden = page.chosen === null || number === answer.most;
   writeRollers(answer, number);
+  offerContacts(number);
 }
 
 function choose(number) {
@@ -313,6 +314,30 @@ function save(blob, name) {
   window.setTimeout(() => URL.revokeObjectURL(url), 60_000);
 }
 
+/** Open the contact of the roller that is shown on the page of single contacts. @param {"inner" | "outer"} ring */
+async function openContact(ring) {
+  notice("download", "The contact is being opened …");
+  try {
+    const response = await post("bearing/contact", { document: page.document, roller: roller(), ring });
+    const answer = await response.json();
+    if (answer.ok) {
+      await address.put(page.document, null); // to come back to
+      window.location.assign(`contact${await fragment(answer.document, null)}`);
+    } else showMistakes(answer.mistakes);
+  } catch {
+    notice("program", AWAY);
+  }
+  notice("download", "");
+}
+
+/** Offer those contacts of a roller that bear load. @param {number} number */
+function offerContacts(number) {
+  for (const [place, ring] of ["inner", "outer"].entries()) {
+    const button = /** @type {HTMLButtonElement} */ (document.querySelector(`[data-contact="${ring}"]`));
+    button.disabled = !(page.answer.load[number][place] > 0);
+  }
+}
+
 async function openFile(file) {
   if (file.size > start.limits.document_bytes) {
     const most = Math.floor(start.limits.document_bytes / 1024);
@@ -352,6 +377,8 @@ function wire() {
     if (target.files[0]) void openFile(target.files[0]);
     target.value = ""; // the same file may be opened again
   });
+  for (const ring of /** @type {("inner" | "outer")[]} */ (["inner", "outer"]))
+    document.querySelector(`[data-contact="${ring}"]`)?.addEventListener("click", () => void openContact(ring));
   for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-download]")))
     button.addEventListener("click", () => void download(button.dataset.download ?? ""));
   document.addEventListener("dragover", (event) => event.preventDefault());

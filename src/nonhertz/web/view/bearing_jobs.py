@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import time
 from collections.abc import Callable
 from dataclasses import asdict, replace
@@ -25,6 +26,8 @@ Method = Literal["strips", "slices"]
 
 PATH: Final = Path("bearing.toml")
 _TEXT: Final = "The bearing file"
+#: The bearing that this process solved last: whoever opens one of its contacts need not wait for strips again.
+_LATEST: Final[dict[str, tuple[BearingCase, BearingSolution]]] = {}
 
 
 def solve(given: dict[str, Any] | str, method: Method | None) -> bytes:
@@ -56,6 +59,29 @@ def solve(given: dict[str, Any] | str, method: Method | None) -> bytes:
     return as_bytes(found)
 
 
+def contact(document: dict[str, Any], roller: int, ring: str) -> bytes:
+    """Return the case of one contact of a bearing as JSON, or what is wrong with the bearing or the choice.
+
+    Parameters
+    ----------
+    document : dict
+        The bearing, solved by the method that it says.
+    roller : int
+        Its number, from 0.
+    ring : str
+        ``"inner"`` or ``"outer"``.
+    """
+    with calmly():
+        try:
+            case, solution = _solved(sound(document), None)
+            found = case.contact_case(solution, roller, ring).document
+        except CaseError as error:
+            return as_bytes(misfit(error))
+        except (ConvergenceError, InputError) as error:
+            return as_bytes(broken([("", str(error))]))
+    return as_bytes({"ok": True, "document": as_json_has_it(found)})
+
+
 def _document(given: dict[str, Any] | str) -> dict[str, Any]:
     if isinstance(given, str):
         document: dict[str, Any] = as_json_has_it(parsed(given, _TEXT))
@@ -80,12 +106,21 @@ def sound(document: dict[str, Any]) -> BearingCase:
 
 
 def _solved(case: BearingCase, method: Method | None) -> tuple[BearingCase, BearingSolution]:
-    """Return a bearing, loaded, and the case to assess it with.
+    """Return a bearing, loaded, and the case to assess it with; the latest is kept.
 
     Raises
     ------
     CaseError, ConvergenceError
     """
+    key = json.dumps([case.document, method or case.solver.get("method", "strips")])
+    if key not in _LATEST:
+        found = _newly_solved(case, method)
+        _LATEST.clear()
+        _LATEST[key] = found
+    return _LATEST[key]
+
+
+def _newly_solved(case: BearingCase, method: Method | None) -> tuple[BearingCase, BearingSolution]:
     try:
         solution = case.solve(method)
         if solution.method == "strips":
