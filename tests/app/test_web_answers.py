@@ -124,12 +124,14 @@ def test_stress_is_that_of_the_search(body):
 def test_what_a_body_bears_is_said_as_everywhere(body):
     steel = {"modulus": 2.07e5, "poisson": 0.3, "yield_strength": 1000.0, "pressure_limit": 4000.0}
     document = changed(**{f"body__{body}__material": steel, f"body__{body}__case_depth": 0.1})
-    found = json.loads(jobs.strength(document, body))["checks"]
+    answer = json.loads(jobs.strength(document, body))
+    found = answer["checks"]
     strength = assess(solution_of(document), body=body)
     assert [each["sentence"] for each in found] == list(strength.sentences)
     assert [each["verdict"] for each in found] == [check.verdict for check in strength.checks]
     assert {each["verdict"] for each in found} >= {"fine", "over"}
     assert found[0]["sentence"].endswith(f"static safety {strength.static_safety:.3g}.")
+    assert answer["stress"]["von_mises"]["value"] == strength.largest.von_mises.max
 
 
 def test_nothing_is_said_of_what_a_body_bears_without_a_solution(monkeypatch):

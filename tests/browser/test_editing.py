@@ -278,6 +278,7 @@ def test_what_a_body_bears_is_said_when_the_slider_rests(open_desk: Any) -> None
     assert f"of {desk.numbers['Largest pressure']:.1f} MPa" in pressure
     assert "static safety" in pressure
     assert "yields" in yielding
+    assert f"{desk.numbers['von Mises stress']:.1f} MPa" in yielding  # the tile has what was found in the whole body
     assert fresh.locator("li[data-verdict=over]").count() == 1
     desk.write("load.load", "10 kN")
     assert desk.page.locator("#strength.stale li").all_inner_texts() == [pressure, yielding]

@@ -60,7 +60,7 @@ function showStress(answer, fine) {
   if (answer.ok) view.stress(answer, fine);
 }
 
-const strength = new Strength();
+const strength = new Strength((largest) => view.searched(largest));
 
 /** Ask whether the body that is shown bears it. @param {boolean} stressed whether it has stresses */
 function searchStrength(stressed) {

@@ -17,7 +17,8 @@ function penetration(key) {
 /**
  * The numbers at the top.
  * @param {Answer} answer
- * @param {Answer["stress"]} stress the largest where the pressure is largest; missing if stresses are not shown
+ * @param {Answer["stress"]} stress the largest where the pressure is largest, or of the whole body; missing if stresses
+ *   are not shown
  * @returns {KeyNumber[]}
  */
 export function keyNumbers(answer, stress) {
@@ -50,12 +51,17 @@ export function keyNumbers(answer, stress) {
           name: "von Mises stress",
           value: digits(stress.von_mises.value),
           unit: "MPa",
-          where: `body ${stress.body}, ${digits(stress.von_mises.z, 3)} mm deep`,
+          where: `body ${stress.body}, ${place(stress)}`,
           number: stress.von_mises.value,
         }
       : { name: "von Mises stress", value: "–", unit: "", where: "not shown", number: null },
     life(answer.life),
   ];
+}
+
+/** Where the largest von Mises stress is; while a slider moves, only the plane of the largest pressure is looked at. */
+function place({ von_mises: { y, z }, searched }) {
+  return searched ? `y = ${digits(y, 3)} mm, ${digits(z, 3)} mm deep` : "below the largest pressure";
 }
 
 /** The life by laminae: in revolutions where there is a rating, else over that of an even pressure. */

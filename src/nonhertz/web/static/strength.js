@@ -10,7 +10,9 @@ const REST = 700; // ms without an edit before the search begins
 /** @typedef {{verdict: string, sentence: string}} Check */
 
 export class Strength {
-  constructor() {
+  /** @param {(largest: import("./types.js").Answer["stress"]) => void} found called with the largest of the whole body */
+  constructor(found) {
+    this.found = found;
     this.rest = 0;
     /** @type {AbortController | null} */
     this.asking = null;
@@ -49,6 +51,7 @@ export class Strength {
       const answer = await (await post("strength", { document, body }, stop.signal)).json();
       if (stop.signal.aborted) return;
       this.show(body, answer.checks ?? [], answer.mistakes?.[0].sentence ?? "");
+      this.found(answer.stress);
     } catch {
       if (stop.signal.aborted) return;
       this.show(body, [], AWAY);

@@ -64,6 +64,13 @@ export class View {
     this.writeKeys();
   }
 
+  /** Show the largest stress of the whole body. @param {Answer["stress"]} largest missing if none was found */
+  searched(largest) {
+    if (!this.latest?.stressed || !largest) return;
+    this.latest.stressed = { ...this.latest.stressed, stress: largest };
+    this.writeKeys();
+  }
+
   /** Pin a result, or unpin with null. @param {Result | null} result */
   pin(result) {
     this.pinned = result;

@@ -62,9 +62,10 @@ def stress_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
 
 
 def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
-    """Return whether a body bears it, in the sentences of `nonhertz.strength`; none where there are no stresses.
+    """Return whether a body bears it, in the sentences of `nonhertz.strength`, and its largest von Mises stress.
 
-    Unlike the planes above, this searches the whole body, which takes seconds.
+    Both are left out where there are no stresses. Unlike the planes above, this searches the whole body, which takes
+    seconds.
 
     Parameters
     ----------
@@ -79,7 +80,8 @@ def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
         return {"checks": []}
     if not np.isfinite(found.largest.von_mises.max):
         return {"checks": []}
-    return {"checks": [{"verdict": each.verdict, "sentence": each.sentence} for each in found.checks]}
+    checks = [{"verdict": each.verdict, "sentence": each.sentence} for each in found.checks]
+    return {"checks": checks, "stress": _worst(found.largest.von_mises, body) | {"searched": True}}
 
 
 def _axial(solution: Solution, body: BodyName) -> dict[str, Any]:
@@ -105,8 +107,11 @@ def _section(solution: Solution, station: float, body: BodyName) -> tuple[dict[s
         "von_mises": numbers(_short(both.T)),
         "largest": [_row(words, largest[name]) for name, words in NAMES.items()],
     }
-    worst = largest["von_mises"]
-    return section, {"body": body, "von_mises": {"value": worst.max, "x": worst.x, "y": worst.y, "z": worst.z}}
+    return section, _worst(largest["von_mises"], body)
+
+
+def _worst(found: Extreme, body: BodyName) -> dict[str, Any]:
+    return {"body": body, "von_mises": {"value": found.max, "x": found.x, "y": found.y, "z": found.z}}
 
 
 def _with_numbers(field: Field) -> Field:
