@@ -30,7 +30,12 @@ def _least_width(printing: Console, table: Table) -> int:
     options = printing.options.update(width=sys.maxsize)
     _, right, _, left = table.padding
     return sum(
-        right + left + max(_least(Measurement.get(printing, options, cell), column.no_wrap) for cell in cells)
+        right
+        + left
+        + max(
+            column.min_width or 0,
+            *(_least(Measurement.get(printing, options, cell), column.no_wrap) for cell in cells),
+        )
         for column in table.columns
         if (cells := [column.header, *column.cells])
     )

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from nonhertz.io.several import Attempt
 
 _TEXT = (0, 1, len(OVERVIEW_COLUMNS) - 1)
+_TITLE = 30  # columns at least for a title, which may be broken
 WIDTH = 120  # of piped output
 
 
@@ -25,7 +26,10 @@ def print_overview(attempts: Sequence[Attempt]) -> None:
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
     for column, name in enumerate(OVERVIEW_COLUMNS):
         # As text: rich would take [MPa] for markup.
-        table.add_column(Text(name), justify="left" if column in _TEXT else "right", no_wrap=column != 1)
+        justify, is_title = ("left" if column in _TEXT else "right"), column == 1
+        table.add_column(
+            Text(name), justify=justify, no_wrap=not is_title, min_width=_TITLE if is_title else None
+        )  # fmt: skip
     for row in overview_rows(attempts):
         table.add_row(*map(Text, row))
     print_table(printing, table)
