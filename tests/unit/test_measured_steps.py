@@ -314,7 +314,7 @@ def test_a_line_that_is_too_coarse_for_the_cutoff_in_places_is_warned_of():
     fine, coarse = np.arange(0.0, 8.0, 0.01), np.arange(8.0, 12.0, 0.3)
     y = np.concatenate([fine, coarse])
     measured = Measured(Trace(y, -(y**2) / 1000.0)).smoothed()
-    assert "On 3.9 of 11.9 mm points lie further apart than a fifth of the cutoff" in " ".join(measured.warnings)
+    assert "On 3.9 mm of 11.9 mm points lie further apart than a fifth of the cutoff" in " ".join(measured.warnings)
     assert "fifth" not in " ".join(Measured(Trace(fine, -(fine**2) / 1000.0)).smoothed().warnings)
 
 

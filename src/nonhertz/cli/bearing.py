@@ -13,11 +13,12 @@ from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.cli import FINE, NOT_CONVERGED
 from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import console, print_table
+from nonhertz.cli.printing import console, print_table, words
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.io.bearing_results import as_json, as_object, comparison_files, comparison_object, files
 from nonhertz.io.bearingfile import BearingCase, placed
 from nonhertz.io.folder import write_files
+from nonhertz.result.reading import chosen
 from nonhertz.show.bearing import (
     OF_LARGEST,
     bearing_warnings,
@@ -42,7 +43,7 @@ def report_bearing(case: BearingCase, out: Path | None, json: bool) -> int:
         life, reason = rated(case, solution)
         sentences = bearing_warnings(solution)
     except ConvergenceError as error:
-        print(error, file=sys.stderr)
+        print(chosen()(str(error)), file=sys.stderr)
         return NOT_CONVERGED
     except InputError as error:  # of a contact, when its pressure is solved
         raise placed(error) from None
@@ -63,7 +64,7 @@ def report_comparison(case: BearingCase, out: Path | None, json: bool) -> int:
     try:
         strips, slices = case.solve("strips"), case.solve("slices")
     except ConvergenceError as error:
-        print(error, file=sys.stderr)
+        print(chosen()(str(error)), file=sys.stderr)
         return NOT_CONVERGED
     written = () if out is None else write_files(out, comparison_files(strips, slices, case.title))
     if json:
@@ -113,12 +114,12 @@ def _print_bearing(
     table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
     speed = None if case.spectrum else case.prescribed.get("speed")
     for row in (*summary_rows(case, solution), *spectrum_rows(case), *life_rows(life, reason, speed)):
-        table.add_row(*map(Text, row))
+        table.add_row(*map(words, row))
     print_table(printing, table)
     printing.print()
     print_table(printing, _table(roller_columns(solution), roller_rows(solution)))
     for sentence in sentences:
-        printing.print(Text(f"warning: {sentence}", style="yellow"), soft_wrap=True)
+        printing.print(words(f"warning: {sentence}", "yellow"), soft_wrap=True)
 
 
 def _print_written(written: Iterable[Path]) -> None:
@@ -128,7 +129,7 @@ def _print_written(written: Iterable[Path]) -> None:
 
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]], *, left: Sequence[int] = ()) -> Table:
     """Return a table without the columns that are blank throughout."""
-    rows = list(rows)
+    head, rows = chosen().columns(head, list(rows))
     columns = [position for position in range(len(head)) if any(row[position] for row in rows)]
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
     for position in columns:

@@ -12,7 +12,7 @@ import sys
 import warnings
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Annotated, NoReturn
+from typing import Annotated, Literal, NoReturn
 
 from cyclopts import App, CycloptsError, Parameter, UnusedCliTokensError
 
@@ -41,6 +41,13 @@ DecimalComma = Annotated[
         name="--decimal-comma",
         negative="",
         help="Write CSV files with decimal commas and semicolons between cells, as a spreadsheet in German reads them.",
+    ),
+]
+UnitsRead = Annotated[
+    Literal["si", "us"],
+    Parameter(
+        name="--units",
+        help="Units of what is printed: us for in, lbf and ksi. Options, JSON, CSV and other files stay in mm, N, MPa.",
     ),
 ]
 
@@ -91,8 +98,15 @@ def _each_with_option(words: Sequence[str]) -> list[str]:
 def _plain_warnings() -> Iterator[None]:
     """Show warnings, such as those about a measured profile, as sentences without source lines."""
     with warnings.catch_warnings():
-        warnings.showwarning = lambda message, *_, **__: print(f"warning: {message}", file=sys.stderr)
+        warnings.showwarning = lambda message, *_, **__: _complain(f"warning: {message}")
         yield
+
+
+def _complain(sentence: object) -> None:
+    """Print a sentence about what was solved on standard error, in the chosen units."""
+    from nonhertz.result.reading import chosen
+
+    print(chosen()(str(sentence)), file=sys.stderr)
 
 
 @app.command
@@ -103,6 +117,7 @@ def solve(
     changes: Changes = (),
     out: Path | None = None,
     decimal_comma: DecimalComma = False,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve case files and print a summary, or a table of several.
@@ -122,8 +137,10 @@ def solve(
     from nonhertz.cli.solve import is_table, report_one, report_several
     from nonhertz.io.changes import changes_in
     from nonhertz.io.dialect import choose_decimal_commas
+    from nonhertz.result.reading import choose_units
 
     choose_decimal_commas(decimal_comma)
+    choose_units(units)
     if not more and not (out is not None and is_table(out)):
         return report_one(case, changes_in(changes), out, as_json)
     return report_several((case, *more), changes_in(changes), out, as_json)
@@ -139,6 +156,7 @@ def bearing(
     contact: Annotated[tuple[int, str] | None, Parameter(negative="", show_default=False)] = None,
     out: Path | None = None,
     decimal_comma: DecimalComma = False,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a bearing file and print loads, pressures and life of the whole bearing.
@@ -163,8 +181,10 @@ def bearing(
     from nonhertz.io.changes import changes_in
     from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.result.reading import choose_units
 
     choose_decimal_commas(decimal_comma)
+    choose_units(units)
     if contact is not None and (compare or as_json or out is not None):
         remedy = "send the case file that it prints to a file with >"
         raise InputError("--contact", contact, "be given without --compare, --json and --out", remedy)
@@ -185,6 +205,7 @@ def compare(
     out: Path | None = None,
     cells: Annotated[tuple[int, int] | None, Parameter(negative="", show_default=False)] = None,
     decimal_comma: DecimalComma = False,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file with strips of both elements and on a plane grid, and compare them.
@@ -209,15 +230,17 @@ def compare(
     from nonhertz.io.comparisons import as_json as json_text
     from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.result.reading import choose_units
 
     choose_decimal_commas(decimal_comma)
+    choose_units(units)
     problem = read_case(case, changes_in(changes))
     if out is not None:
         refuse_unwritable(out)
     try:
         found = compared(problem, cells)
     except ConvergenceError as error:
-        print(error, file=sys.stderr)
+        _complain(error)
         return NOT_CONVERGED
     written = comparison_written(out, found, problem.title) if out is not None else ()
     if as_json:
@@ -240,6 +263,7 @@ def stress(
     out: Path | None = None,
     vtk: Annotated[bool, Parameter(negative="")] = False,
     decimal_comma: DecimalComma = False,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file and find the largest stresses below the surface.
@@ -268,15 +292,17 @@ def stress(
     from nonhertz.io.changes import changes_in
     from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.result.reading import choose_units
 
     choose_decimal_commas(decimal_comma)
+    choose_units(units)
     name = checked_body(station, body, vtk and out is None)
     problem = read_case(case, changes_in(changes))
     if out is not None:
         refuse_unwritable(out)
     solution, complaint = solved_or_not(problem)
     if complaint:
-        print(complaint, file=sys.stderr)
+        _complain(complaint)
         return NOT_CONVERGED
     report_stresses(solution, problem.title, station, name, out, as_json, vtk)
     return FINE
@@ -292,6 +318,7 @@ def life(
     compared: Annotated[Path | None, Parameter(name="--compare")] = None,
     out: Path | None = None,
     decimal_comma: DecimalComma = False,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file and assess how long both bodies last by several fatigue models.
@@ -318,8 +345,10 @@ def life(
     from nonhertz.io.changes import changes_in
     from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.result.reading import choose_units
 
     choose_decimal_commas(decimal_comma)
+    choose_units(units)
     check_models(model)
     problems = [read_case(case, changes_in(changes))]
     if compared is not None:
@@ -423,6 +452,7 @@ def profile(
     fit: str | None = None,
     out: Path | None = None,
     decimal_comma: DecimalComma = False,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Prepare a measured profile step by step, and say what each step did.
@@ -470,8 +500,10 @@ def profile(
     from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
     from nonhertz.io.prepared import as_json as json_text
+    from nonhertz.result.reading import choose_units
 
     choose_decimal_commas(decimal_comma)
+    choose_units(units)
     if out is not None:
         refuse_unwritable(out)
     values = of_profile.options(
@@ -503,6 +535,7 @@ def contact_map(
     accuracy: float = 1e-4,
     out: Path | None = None,
     decimal_comma: DecimalComma = False,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Make a map of a case: load, moment and stiffness over approach and tilt, for other programs.
@@ -535,8 +568,10 @@ def contact_map(
     from nonhertz.io.changes import changes_in
     from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.result.reading import choose_units
 
     choose_decimal_commas(decimal_comma)
+    choose_units(units)
     asked = requested(approach, load, tilt, accuracy, out)
     problem = read_case(case, changes_in(changes))
     if out is not None:
@@ -561,6 +596,7 @@ def nodes(
     changes: Changes = (),
     out: Path | None = None,
     decimal_comma: DecimalComma = False,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file and find pressures and forces at the nodes of a finite element mesh.
@@ -585,15 +621,17 @@ def nodes(
     from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
     from nonhertz.io.nodes import read_nodes
+    from nonhertz.result.reading import choose_units
 
     choose_decimal_commas(decimal_comma)
+    choose_units(units)
     path = target(out, nodes)
     problem = read_case(case, changes_in(changes))
     found = read_nodes(nodes)
     refuse_unwritable(path.parent)
     solution, complaint = solved_or_not(problem)
     if complaint:
-        print(complaint, file=sys.stderr)
+        _complain(complaint)
         return NOT_CONVERGED
     report_nodes(solution, problem.title, found, path, as_json)
     return FINE
@@ -610,6 +648,7 @@ def design(
     out: Path | None = None,
     workers: int | None = None,
     decimal_comma: DecimalComma = False,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Find the profile or the dimensions with the least largest pressure, or the longest life.
@@ -637,8 +676,10 @@ def design(
     from nonhertz.io.changes import changes_in
     from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.result.reading import choose_units
 
     choose_decimal_commas(decimal_comma)
+    choose_units(units)
     directory = directory_for(plan) if out is None else out
     refuse_unwritable(directory)
     if front is not None:
@@ -674,6 +715,7 @@ def sweep_plan(
     scheduler: str | None = None,
     excel: Excel = False,
     decimal_comma: DecimalComma = False,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case or a bearing for many values of what its file holds.
@@ -705,8 +747,10 @@ def sweep_plan(
     from nonhertz.io.changes import changes_in
     from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.workbooks import refuse_missing_writer
+    from nonhertz.result.reading import choose_units
 
     choose_decimal_commas(decimal_comma)
+    choose_units(units)
     if excel:
         refuse_missing_writer()
     asked = planned(plan, over, quantities, "over", changes_in(changes))
@@ -735,6 +779,7 @@ def study_tolerance(
     scheduler: str | None = None,
     excel: Excel = False,
     decimal_comma: DecimalComma = False,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Find how results are distributed when dimensions and loads are, and which tolerance matters.
@@ -770,8 +815,10 @@ def study_tolerance(
     from nonhertz.io.changes import changes_in
     from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.workbooks import refuse_missing_writer
+    from nonhertz.result.reading import choose_units
 
     choose_decimal_commas(decimal_comma)
+    choose_units(units)
     if excel:
         refuse_missing_writer()
     asked = planned(plan, over, quantities, "tolerance", changes_in(changes))
@@ -809,7 +856,11 @@ def check(file: Path, /, *, changes: Changes = ()) -> int:
 
 @app.command
 def materials(
-    name: str | None = None, /, *, as_json: Annotated[bool, Parameter(name="--json", negative="")] = False
+    name: str | None = None,
+    /,
+    *,
+    units: UnitsRead = "si",
+    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """List the materials that a case file may name, with what they bear.
 
@@ -821,7 +872,9 @@ def materials(
         Print one JSON object with all numbers, sources and notes instead of the table.
     """
     from nonhertz.cli.materials import report_materials
+    from nonhertz.result.reading import choose_units
 
+    choose_units(units)
     report_materials(name, as_json)
     return FINE
 

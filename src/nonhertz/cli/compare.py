@@ -9,12 +9,13 @@ from rich.table import Table
 from rich.text import Text
 
 from nonhertz import comparison as methods
-from nonhertz.cli.printing import console, print_table
+from nonhertz.cli.printing import console, print_table, words
 from nonhertz.cli.verify import Progress
 from nonhertz.comparison import ComparedQuantity, Comparison, Stretch
 from nonhertz.errors import InputError
 from nonhertz.io.casefile import Case, placed
 from nonhertz.result.numerals import digits
+from nonhertz.result.reading import chosen
 
 _METHODS = 3
 _COLUMNS = ("", "plane grid", "semi-elliptic", "difference", "parabolic", "difference")
@@ -64,12 +65,12 @@ def print_comparison(found: Comparison, title: str) -> None:
     for position, name in enumerate(_COLUMNS):
         table.add_column(name, justify="right" if position else "left", no_wrap=bool(position))
     for row in comparison_rows(found):
-        table.add_row(*map(Text, row))
+        table.add_row(*map(Text, chosen().row(row)))
     print_table(printing, table)
     for sentence in sentences(found):
-        printing.print(Text(sentence), soft_wrap=True)
+        printing.print(words(sentence), soft_wrap=True)
     for warning in found.warnings:
-        printing.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
+        printing.print(words(f"warning: {warning}", "yellow"), soft_wrap=True)
 
 
 def comparison_rows(found: Comparison) -> list[tuple[str, ...]]:

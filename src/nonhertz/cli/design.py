@@ -17,7 +17,7 @@ from rich.table import Table
 from rich.text import Text
 
 from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import console, print_table
+from nonhertz.cli.printing import console, print_table, words
 from nonhertz.inputs.files import legible
 from nonhertz.io.casefile import as_toml
 from nonhertz.io.folder import write_files
@@ -101,7 +101,7 @@ def print_design(found: Design, files: Sequence[Path]) -> None:
         for name in head or [""] * len(rows[0]):
             table.add_column(Text(name))
         for row in rows:
-            table.add_row(*map(Text, row))
+            table.add_row(*map(words, row))
         print_table(printing, table)
         printing.print()
     for path in files:

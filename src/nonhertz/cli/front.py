@@ -13,12 +13,13 @@ from rich.table import Table
 from rich.text import Text
 
 from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import console, print_table
+from nonhertz.cli.printing import console, print_table, words
 from nonhertz.errors import InputError
 from nonhertz.io.casefile import as_toml
 from nonhertz.io.folder import write_files
 from nonhertz.io.planfile import read_design
 from nonhertz.result.numerals import digits
+from nonhertz.result.reading import chosen
 from nonhertz.study.design import Front, front
 from nonhertz.study.pictures import front_figure
 
@@ -79,12 +80,14 @@ def as_json(found: Front, files: Sequence[Path]) -> str:
 def print_front(found: Front, files: Sequence[Path]) -> None:
     """Print the points and the files."""
     numbers = _numbers(found)
+    pressure = chosen().of("MPa")[0]
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
-    for name in ("point", *(f"MPa {group}" for group in GROUPS), *numbers):
+    for name in ("point", *(f"{pressure} {group}" for group in GROUPS), *numbers):
         table.add_column(Text(name))
     for k, (first, second) in enumerate(zip(found.first, found.second, strict=True)):
         cells = [f"{digits(values[k])} {found.units.get(path, '')}".rstrip() for path, values in numbers.items()]
-        table.add_row(str(k + 1), digits(first), digits(second), *cells)
+        pressures = (chosen().value(digits(each), "MPa")[0] for each in (first, second))
+        table.add_row(str(k + 1), *pressures, *map(words, cells))
     print_table(console(), table)
     print()
     for path in files:

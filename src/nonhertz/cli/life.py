@@ -12,7 +12,7 @@ from rich.table import Table
 from rich.text import Text
 
 from nonhertz.cli import FINE, NOT_CONVERGED
-from nonhertz.cli.printing import console, print_table
+from nonhertz.cli.printing import console, print_table, words
 from nonhertz.cli.solve import spectrum_or_not
 from nonhertz.cli.verify import Progress
 from nonhertz.errors import InputError
@@ -20,6 +20,7 @@ from nonhertz.io.casefile import Case, named
 from nonhertz.io.lives import Assessment
 from nonhertz.io.lives import as_json as as_json_text
 from nonhertz.life import MODELS
+from nonhertz.result.reading import chosen
 from nonhertz.show.analysis import assessed, models_for
 from nonhertz.show.lives import (
     LIFE_COLUMNS,
@@ -59,7 +60,8 @@ def report_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_j
                 spectrum, complaint = spectrum_or_not(case)
                 if complaint:
                     progress.wipe()
-                    print(f"{case.path}: {complaint}" if found else complaint, file=sys.stderr)
+                    said = chosen()(complaint)
+                    print(f"{case.path}: {said}" if found else said, file=sys.stderr)
                     return NOT_CONVERGED
                 found.append(assessed(case, spectrum, models, notes, progress.announce))
     finally:
@@ -93,7 +95,7 @@ def print_lives(found: Assessment, other: Assessment | None) -> None:
     printing.print(Text(found.title, style="bold"))
     print_table(printing, _table(LIFE_COLUMNS, life_rows(found), left=(0, 4)))
     for sentence in sentences(found):
-        printing.print(Text(sentence), soft_wrap=True)
+        printing.print(words(sentence), soft_wrap=True)
     _print_spectrum(printing, found)
     _print_warnings(printing, found)
     if other is None:
@@ -103,7 +105,7 @@ def print_lives(found: Assessment, other: Assessment | None) -> None:
     head = ("", "life in a", "in b", REVOLUTIONS, "first / this, a", "first / this, b")
     print_table(printing, _table(head, ratio_rows(found, other), left=(0,)))
     for sentence in [RATIO, *without_ratio(found, other), *sentences(other)[1:]]:
-        printing.print(Text(sentence), soft_wrap=True)
+        printing.print(words(sentence), soft_wrap=True)
     _print_spectrum(printing, other)
     _print_warnings(printing, other)
 
@@ -115,11 +117,11 @@ def _print_spectrum(printing: Console, found: Assessment) -> None:
 
 def _print_warnings(printing: Console, found: Assessment) -> None:
     for warning in found.warnings:
-        printing.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
+        printing.print(words(f"warning: {warning}", "yellow"), soft_wrap=True)
 
 
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]], *, left: Sequence[int]) -> Table:
-    rows = list(rows)
+    head, rows = chosen().columns(head, list(rows))
     # Drop columns that are blank throughout, as revolutions are without a raceway.
     columns = [position for position in range(len(head)) if any(row[position] for row in rows)]
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")

@@ -11,7 +11,7 @@ from typing import Any
 
 from rich.text import Text
 
-from nonhertz.cli.printing import console
+from nonhertz.cli.printing import console, words
 from nonhertz.errors import InputError
 from nonhertz.io.casefile import Case
 from nonhertz.io.folder import write_files
@@ -162,4 +162,4 @@ def print_map(found: ContactMap, title: str) -> None:
     printing = console()
     printing.print(Text(title, style="bold"))
     for line in repr(found).splitlines()[1:]:
-        printing.print(Text(line.strip()), soft_wrap=True)
+        printing.print(words(line.strip()), soft_wrap=True)

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from rich.text import Text
 
-from nonhertz.cli.printing import console
+from nonhertz.cli.printing import console, words
 from nonhertz.errors import InputError
 from nonhertz.inputs.files import legible
 from nonhertz.io.folder import write_files
@@ -44,9 +44,9 @@ def report_nodes(solution: Solution, title: str, nodes: Nodes, path: Path, as_js
     printing = console()
     printing.print(Text(title, style="bold"))
     for sentence in sentences(solution, found):
-        printing.print(Text(sentence), soft_wrap=True)
+        printing.print(words(sentence), soft_wrap=True)
     for warning in solution.warnings:
-        printing.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
+        printing.print(words(f"warning: {warning}", "yellow"), soft_wrap=True)
     for each in written:
         print(f"wrote {each}")
 

@@ -7,6 +7,9 @@ import sys
 from rich.console import Console
 from rich.measure import Measurement
 from rich.table import Table
+from rich.text import Text
+
+from nonhertz.result.reading import chosen
 
 
 def console(piped: int | None = 100) -> Console:
@@ -15,6 +18,11 @@ def console(piped: int | None = 100) -> Console:
     With None, COLUMNS sets the piped width, or else it is 80.
     """
     return Console(highlight=False, width=None if sys.stdout.isatty() else piped)
+
+
+def words(text: str, style: str = "") -> Text:
+    """Return text of the program in the chosen units; as text, since rich would take [MPa] for markup."""
+    return Text(chosen()(text), style)
 
 
 def print_table(printing: Console, table: Table) -> None:

@@ -11,7 +11,7 @@ from typing import Any
 from rich.table import Table
 from rich.text import Text
 
-from nonhertz.cli.printing import console, print_table
+from nonhertz.cli.printing import console, print_table, words
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_of
 from nonhertz.io.folder import write_files
@@ -113,15 +113,15 @@ def print_profile(measured: Measured, fits: Sequence[Fit]) -> None:
     printing = console()
     printing.print(Text(measured.trace.name, style="bold"))
     for note in measured.trace.notes:
-        printing.print(Text(note), soft_wrap=True)
+        printing.print(words(note), soft_wrap=True)
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=False)
     for row in profile_rows(measured):
-        table.add_row(*map(Text, row))
+        table.add_row(*map(words, row))
     print_table(printing, table)
     if fits:
         print_table(printing, _fit_table(fits))
     for warning in measured.warnings:
-        printing.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
+        printing.print(words(f"warning: {warning}", "yellow"), soft_wrap=True)
 
 
 def profile_rows(measured: Measured) -> list[tuple[str, str]]:
@@ -166,7 +166,7 @@ def _fit_table(fits: Sequence[Fit]) -> Table:
     for position, name in enumerate(("fit", "parameters and standard errors", "rms", "largest", "behind")):
         table.add_column(name, justify="right" if position > 1 else "left", no_wrap=position != 1)
     for row in fit_rows(fits):
-        table.add_row(*map(Text, row))
+        table.add_row(*map(words, row))
     return table
 
 

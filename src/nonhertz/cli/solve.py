@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
 from nonhertz.errors import CaseError, ConvergenceError
+from nonhertz.result.reading import chosen
 
 if TYPE_CHECKING:
     from nonhertz.io.casefile import Case
@@ -68,7 +69,7 @@ def report_one(path: Path, changes: Mapping[str, Any], out: Path | None, as_json
         _print_written(written)
     if complaint:
         sys.stdout.flush()
-        print(complaint, file=sys.stderr)
+        print(chosen()(complaint), file=sys.stderr)
     return NOT_CONVERGED if complaint else FINE
 
 
@@ -93,7 +94,7 @@ def report_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path 
         _print_written(written)
     sys.stdout.flush()
     for each in found:
-        for sentence in each.complaints:
+        for sentence in map(chosen(), each.complaints):
             print(sentence if sentence.startswith(each.name) else f"{each.name}: {sentence}", file=sys.stderr)
     if any(each.solution is None for each in found):
         return BAD_INPUT

@@ -8,11 +8,12 @@ from pathlib import Path
 from rich.table import Table
 from rich.text import Text
 
-from nonhertz.cli.printing import console, print_table
+from nonhertz.cli.printing import console, print_table, words
 from nonhertz.cli.verify import Progress
 from nonhertz.errors import InputError
 from nonhertz.io.stresses import all_warnings
 from nonhertz.model.body import BODIES, BodyName
+from nonhertz.result.reading import chosen
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import largest_stresses
 from nonhertz.show.stresses import COLUMNS, sentences, stress_rows
@@ -106,16 +107,17 @@ def print_stresses(solution: Solution, overall: Extremes, section: Extremes, str
     printing = console()
     printing.print(Text(title, style="bold"))
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
-    for position, name in enumerate(COLUMNS):
+    heads, rows = chosen().columns(COLUMNS, stress_rows(solution, overall, section))
+    for position, name in enumerate(heads):
         # As text: rich would take [mm] for markup.
         table.add_column(Text(name), justify="right" if position else "left", no_wrap=bool(position))
-    for row in stress_rows(solution, overall, section):
+    for row in rows:
         table.add_row(*map(Text, row))
     print_table(printing, table)
     for sentence in (*sentences(solution, section), *strength.sentences):
-        printing.print(Text(sentence), soft_wrap=True)
+        printing.print(words(sentence), soft_wrap=True)
     for warning in all_warnings(solution, overall, section):
-        printing.print(Text(f"warning: {warning}", style="yellow"), soft_wrap=True)
+        printing.print(words(f"warning: {warning}", "yellow"), soft_wrap=True)
 
 
 def _check_station(solution: Solution, station: float, body: BodyName) -> None:

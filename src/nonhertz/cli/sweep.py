@@ -13,11 +13,12 @@ from rich.table import Table
 from rich.text import Text
 
 from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import console, print_table
+from nonhertz.cli.printing import console, print_table, words
 from nonhertz.errors import InputError
 from nonhertz.inputs.files import legible
 from nonhertz.io.casefile import case_text, parsed
 from nonhertz.io.planfile import Plan, case_or_bearing_in, holds_plan, plan_in
+from nonhertz.result.reading import chosen
 from nonhertz.show.studies import SWEEP_COLUMNS, failure_rows, sweep_rows, varied_rows
 from nonhertz.study.sweeps import Progress, Sweep, sweep
 
@@ -107,11 +108,11 @@ def print_sweep(found: Sweep, files: Sequence[Path]) -> None:
         for column, name in enumerate(head or ("", "", "")):
             table.add_column(Text(name), justify="left" if column in left else "right")
         for row in rows:
-            table.add_row(*map(Text, row))
+            table.add_row(*map(Text, chosen().row(row)))
         printing.print()
         print_table(printing, table)
     for sentence in failure_rows(found):
-        printing.print(Text(sentence, style="yellow"), soft_wrap=True)
+        printing.print(words(sentence, "yellow"), soft_wrap=True)
     for path in files:
         print(f"wrote {path}")
 

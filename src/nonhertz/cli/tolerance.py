@@ -12,9 +12,10 @@ from rich.table import Table
 from rich.text import Text
 
 from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import console, print_table
+from nonhertz.cli.printing import console, print_table, words
 from nonhertz.cli.sweep import progress
 from nonhertz.io.planfile import Plan
+from nonhertz.result.reading import chosen
 from nonhertz.show.studies import (
     INDEX_COLUMNS,
     QUANTILE_COLUMNS,
@@ -90,7 +91,7 @@ def print_tolerance(found: Tolerance, files: Sequence[Path]) -> None:
     for label, rows in index_rows(found):
         _print(printing, (label, *INDEX_COLUMNS[1:]), rows, left=(0, 3))
     for sentence in failure_rows(sweep):
-        printing.print(Text(sentence, style="yellow"), soft_wrap=True)
+        printing.print(words(sentence, "yellow"), soft_wrap=True)
     for path in files:
         print(f"wrote {path}")
 
@@ -102,7 +103,7 @@ def _print(printing: Any, head: Sequence[str] | None, rows: Sequence[Sequence[st
     for column, name in enumerate(head or [""] * len(rows[0])):
         table.add_column(Text(name), justify="left" if column in left else "right")
     for row in rows:
-        table.add_row(*map(Text, row))
+        table.add_row(*map(Text, chosen().row(row)))
     printing.print()
     print_table(printing, table)
 

@@ -262,7 +262,7 @@ class Measured:
         if length <= _COARSE * points.span:
             return []
         return [
-            f"On {length:.3g} of {points.span:.4g} mm points lie further apart than a fifth of the cutoff, "
+            f"On {length:.3g} mm of {points.span:.4g} mm points lie further apart than a fifth of the cutoff, "
             f"{cutoff:.3g} mm; there the filter transmits more or less than half of a wave of that length."
         ]
 

@@ -8,15 +8,15 @@ from typing import Any, Final
 
 from nonhertz.errors import InputError
 from nonhertz.io.units import in_unit, number_and_unit
+from nonhertz.result.reading import INCH, POUND_FORCE
 
-_INCH, _POUND = 25.4, 4.4482216152605  # mm, N
 #: Per base unit, words as files have them and their size.
 CHOICES: Final[dict[str, dict[str, float]]] = {
-    "mm": {"um": 1e-3, "mm": 1.0, "m": 1e3, "in": _INCH},
-    "N": {"N": 1.0, "kN": 1e3, "lbf": _POUND},
-    "MPa": {"MPa": 1.0, "GPa": 1e3, "psi": _POUND / _INCH**2},
+    "mm": {"um": 1e-3, "mm": 1.0, "m": 1e3, "in": INCH},
+    "N": {"N": 1.0, "kN": 1e3, "lbf": POUND_FORCE},
+    "MPa": {"MPa": 1.0, "GPa": 1e3, "psi": POUND_FORCE / INCH**2},
     "rad": {"mrad": 1e-3, "arcmin": math.pi / 10800.0, "deg": math.pi / 180.0, "um/mm": 1e-3, "rad": 1.0},
-    "N mm": {"N mm": 1.0, "N m": 1e3, "lbf in": _POUND * _INCH},
+    "N mm": {"N mm": 1.0, "N m": 1e3, "lbf in": POUND_FORCE * INCH},
 }
 SLOPE: Final = "um/mm"
 """Of this the angle is not proportional to the number."""
