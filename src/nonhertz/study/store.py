@@ -12,6 +12,7 @@ import csv
 import json
 import math
 import sqlite3
+import weakref
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -54,6 +55,7 @@ class Store:
     ) -> None:
         self._directory, self.paths, self.names = directory, tuple(paths), tuple(names)
         self._rows = _opened(directory)
+        weakref.finalize(self, _closed, self._rows)
         try:
             self._begin(dict(_leaves("", made_from)))
         except BaseException:
@@ -174,16 +176,24 @@ class Store:
             writer.writerows(self.cells())
 
 
+def _closed(rows: sqlite3.Connection) -> None:
+    with contextlib.suppress(sqlite3.ProgrammingError):  # in another thread, which must not close it
+        rows.close()
+
+
 def _opened(directory: Path | None) -> sqlite3.Connection:
     if directory is None:
         return sqlite3.connect(":memory:", isolation_level=None)
     try:
         directory.mkdir(parents=True, exist_ok=True)
-        rows = sqlite3.connect(directory / FILE, isolation_level=None, timeout=1.0)
-        # Held until it is closed, or the process ends, however it ends.
-        rows.execute("pragma locking_mode = exclusive")
-        rows.execute("begin exclusive")
-        rows.commit()
+        with contextlib.ExitStack() as if_refused:
+            rows = sqlite3.connect(directory / FILE, isolation_level=None, timeout=1.0)
+            if_refused.callback(rows.close)
+            # Held until it is closed, or the process ends, however it ends.
+            rows.execute("pragma locking_mode = exclusive")
+            rows.execute("begin exclusive")
+            rows.commit()
+            if_refused.pop_all()
     except (OSError, sqlite3.Error) as error:
         locked = "locked" in str(error)
         reason = "a study that is under way uses it" if locked else (getattr(error, "strerror", None) or str(error))
