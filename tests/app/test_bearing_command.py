@@ -22,7 +22,7 @@ import nonhertz.io.bearing_results
 from nonhertz.bearing import BearingSolution
 from nonhertz.cli import main
 from nonhertz.io.bearing_results import UNITS
-from nonhertz.io.bearingfile import BearingCase, read_bearing, starting_bearing
+from nonhertz.io.bearingfile import BEARING_TEMPLATES, BearingCase, read_bearing, starting_bearing
 from nonhertz.show.bearing import bearing_warnings, load_zones, roller_rows, summary_rows
 
 # Half of the rollers, without corners: as few contacts as make a bearing.
@@ -381,6 +381,21 @@ def test_new_prints_a_bearing_that_solves(folder, capsys):
     assert main(["new", "nu206.toml", "--bearing"]) == 2
     assert "must not exist yet" in capsys.readouterr().err
     assert main(["check", "nu206.toml"]) == 0
+
+
+@pytest.mark.parametrize("name", BEARING_TEMPLATES)
+def test_templates_solve_without_a_warning(folder, capsys, name):
+    assert main(["new", "--bearing", "--template", name, "bearing.toml"]) == 0
+    assert capsys.readouterr().out == "wrote bearing.toml; solve it with: nonhertz bearing bearing.toml\n"
+    assert Path("bearing.toml").read_text(encoding="utf-8") == starting_bearing(name)
+    assert main(["bearing", "bearing.toml", "--json"]) == 0
+    found = parsed(capsys.readouterr().out)
+    assert found["warnings"] == []
+    assert found["method"] == "strips"
+    assert found["life_reason"] in {None, ""}
+    # Loads of usual size: no warning says so where they are not.
+    assert found["life"]["static_safety"] > 2.0
+    assert np.max(found["max_pressure"]) < 2500.0
 
 
 def test_check_says_in_one_line_that_all_is_well(folder, capsys):

@@ -289,7 +289,10 @@ def test_templates_solve_without_a_warning(
     ("words", "sentence"),
     [
         (("--template", "needles"), "--template = 'needles' must be one of"),
-        (("--template", "cam", "--bearing"), "--template = 'cam' must not be given with --bearing"),
+        (
+            ("--template", "cam", "--bearing"),
+            "--template = 'cam' must be one of 'cylindrical', 'needle', 'tapered-pair'",
+        ),
         (("--template", "cam", "--plan"), "--template = 'cam' must not be given with --plan"),
         (("--plan", "--bearing"), "--plan = True must not be given with --bearing"),
     ],

@@ -22,7 +22,7 @@ from serving import raw, running
 import nonhertz as nh
 from nonhertz.cli import main
 from nonhertz.cli.serve import starting_document
-from nonhertz.io.bearingfile import bearing_in, starting_bearing
+from nonhertz.io.bearingfile import BEARING_TEMPLATES, bearing_in, starting_bearing
 from nonhertz.io.casefile import starting_case
 from nonhertz.web import limits
 from nonhertz.web.form.sliders import sliders
@@ -377,6 +377,17 @@ def test_the_server_solves(page, method):
     del alone["ms"]
     # Another process, but the same machine and the same compiled code.
     assert found == alone
+
+
+def test_templates(page):
+    shown = page.get("/bearing").text
+    assert re.findall(r'data-template="(.*?)"', shown) == list(BEARING_TEMPLATES)
+    for name in BEARING_TEMPLATES:
+        text = page.get(f"/bearing/template/{name}").json()["text"]
+        assert text == starting_bearing(name)
+        assert post(page, "/bearing/solve", json={"text": text, "method": "slices"}).json()["ok"]
+    for name in ("cam", "../starting_bearing", "needle.toml", "%2e%2e"):
+        assert page.get(f"/bearing/template/{name}").status_code == 404
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from conftest import desks, served
 from desk import Desk
 from numpy.testing import assert_allclose
 
-from nonhertz.io.bearingfile import bearing_in
+from nonhertz.io.bearingfile import bearing_in, starting_bearing
 
 pytestmark = pytest.mark.browser
 
@@ -215,6 +215,17 @@ def test_nothing_hangs_over_the_edge(open_bearing: Any, theme: str, width: int) 
     desk = open_bearing(color_scheme=theme, viewport={"width": width, "height": 844})
     assert desk.page.evaluate("() => document.documentElement.scrollWidth") <= width
     desk.photograph(f"bearing-{theme}-{width}", whole=True)
+
+
+def test_a_template_is_where_to_start_from(bearing: Desk) -> None:
+    bearing.page.locator("#templates summary").click()
+    bearing.press('[data-template="needle"]')
+    assert text_of(bearing) == starting_bearing("needle"), "with its comments"
+    assert bearing.page.locator("h1").inner_text().startswith("Needle")
+    assert bearing.page.locator("#rollers tbody tr").count() == 22
+    assert not bearing.page.locator("#templates [data-template]").first.is_visible()
+    bearing.press("#undo")
+    assert bearing.page.locator("h1").inner_text() == "six"
 
 
 def test_a_contact_is_opened_on_the_page_of_contacts(bearing: Desk) -> None:

@@ -895,8 +895,9 @@ def new(
     path : Path
         The file to write; an existing file is never overwritten. By default the text is printed.
     template : str
-        A machine element: cylindrical, tapered, spherical, needle, wheel-on-rail, gear-flank or cam. By default a
-        roller on a plate, with all that a case file may hold.
+        A machine element: cylindrical, tapered, spherical, needle, wheel-on-rail, gear-flank or cam; with --bearing a
+        bearing: cylindrical, needle, tapered-pair, spherical or thrust. By default a roller on a plate, or a NU 206,
+        with all that such a file may hold.
     bearing : bool
         Write a bearing file instead.
     plan : bool
@@ -907,13 +908,12 @@ def new(
     from nonhertz.io.casefile import starting_case, write_new
     from nonhertz.io.planfile import starting_plan
 
-    if (bearing or plan) and template is not None:
-        option = "--bearing" if bearing else "--plan"
-        raise InputError("--template", template, f"not be given with {option}", "leave one out")
+    if plan and template is not None:
+        raise InputError("--template", template, "not be given with --plan", "leave one out")
     if bearing and plan:
         raise InputError("--plan", True, "not be given with --bearing", "write one file after the other")
     with named_as(template="--template"):
-        text = starting_bearing() if bearing else starting_plan() if plan else starting_case(template)
+        text = starting_bearing(template) if bearing else starting_plan() if plan else starting_case(template)
     if path is None:
         print(text, end="")
     else:

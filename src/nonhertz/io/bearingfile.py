@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,7 +16,7 @@ from nonhertz.bearing.spectrum import LoadCase
 from nonhertz.errors import CaseError, InputError
 from nonhertz.inputs.checks import one_line, one_of, whole
 from nonhertz.inputs.files import legible
-from nonhertz.io.casefile import OF_BEARINGS, Case, as_toml, case_text, parsed, write_document
+from nonhertz.io.casefile import OF_BEARINGS, Case, as_toml, case_text, parsed, starting_text, write_document
 from nonhertz.io.changes import changed
 from nonhertz.io.fits import FIT, mounted, operating
 from nonhertz.io.title_block import TitleBlock
@@ -442,9 +441,34 @@ def bearing_schema() -> Mapping[str, Any]:
     return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | BearingFileTable.model_json_schema()
 
 
-def starting_bearing() -> str:
-    """Return a commented bearing file to start from."""
-    return resources.files("nonhertz.io").joinpath("starting_bearing.toml").read_text(encoding="utf-8")
+#: Bearings whose files `starting_bearing` returns, by name, in words.
+BEARING_TEMPLATES = {
+    "cylindrical": "cylindrical roller bearing",
+    "needle": "needle roller bearing",
+    "tapered-pair": "pair of tapered roller bearings, back to back",
+    "spherical": "spherical roller bearing",
+    "thrust": "cylindrical roller thrust bearing",
+}
+
+
+def starting_bearing(template: str | None = None) -> str:
+    """Return a commented bearing file to start from.
+
+    Parameters
+    ----------
+    template : str, optional
+        One of `BEARING_TEMPLATES`, each an example of a kind of bearing; one with all that a bearing file may hold if
+        left out.
+
+    Raises
+    ------
+    InputError
+        If there is no such template.
+    """
+    if template is None:
+        return starting_text("starting_bearing.toml")
+    one_of("template", template, tuple(BEARING_TEMPLATES), "choose one of them")
+    return starting_text(f"templates/bearings/{template}.toml")
 
 
 def placed(error: InputError, *sections: str) -> CaseError:

@@ -427,9 +427,14 @@ def starting_case(template: str | None = None) -> str:
     InputError
         If there is no such template.
     """
-    if template is not None:
-        one_of("template", template, tuple(TEMPLATES), "choose one of them")
-    name = "starting_case.toml" if template is None else f"templates/{template}.toml"
+    if template is None:
+        return starting_text("starting_case.toml")
+    one_of("template", template, tuple(TEMPLATES), "choose one of them")
+    return starting_text(f"templates/{template}.toml")
+
+
+def starting_text(name: str) -> str:
+    """Return the text of one of our own files to start from."""
     return resources.files("nonhertz.io").joinpath(name).read_text(encoding="utf-8")
 
 

@@ -18,7 +18,7 @@ from starlette.routing import Route
 
 from nonhertz import __version__
 from nonhertz.bearing.frames import RINGS
-from nonhertz.io.bearingfile import starting_bearing
+from nonhertz.io.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.web.limits import DOCUMENT_BYTES, LIVE_SECONDS, PATIENT_SECONDS, STRIPS_SECONDS
 from nonhertz.web.server.awaiting import while_awaited
 from nonhertz.web.server.documents import as_attachment, document_in, in_script
@@ -68,7 +68,7 @@ class BearingPage:
         self.patient.wake()
         start = {"text": self.text, "version": __version__, "limits": {"document_bytes": DOCUMENT_BYTES}}
         text = self.templates.get_template("bearing.html").render(
-            start=Markup(in_script(start)), title="", version=__version__
+            start=Markup(in_script(start)), title="", version=__version__, templates=BEARING_TEMPLATES
         )
         return HTMLResponse(text)
 
@@ -104,6 +104,13 @@ class BearingPage:
             too_slow=_TOO_LONG,
         )
 
+    async def template(self, request: Request) -> Response:
+        """Answer with the text of a template."""
+        name = request.path_params["name"]
+        if name not in BEARING_TEMPLATES:
+            raise HTTPException(404)
+        return reply({"ok": True, "text": starting_bearing(name)})
+
     async def download(self, request: Request) -> Response:
         """Answer with a file made from a document."""
         name = request.path_params["name"]
@@ -136,6 +143,7 @@ class BearingPage:
             Route("/bearing/status", self.status),
             Route("/bearing/solve", self.solve, methods=["POST"]),
             Route("/bearing/contact", self.contact, methods=["POST"]),
+            Route("/bearing/template/{name}", self.template),
             Route("/bearing/download/{name}", self.download, methods=["POST"]),
         ]
 

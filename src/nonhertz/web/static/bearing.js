@@ -354,6 +354,17 @@ function read(text) {
   want({ text });
 }
 
+/** Start from a kind of bearing. @param {string} name */
+async function startFrom(name) {
+  byId("templates").open = false;
+  try {
+    const response = await fetch(`bearing/template/${name}`);
+    read((await response.json()).text);
+  } catch {
+    notice("program", AWAY);
+  }
+}
+
 function wire() {
   let typing = 0;
   byId("text").addEventListener("input", ({ target }) => {
@@ -381,6 +392,8 @@ function wire() {
     document.querySelector(`[data-contact="${ring}"]`)?.addEventListener("click", () => void openContact(ring));
   for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-download]")))
     button.addEventListener("click", () => void download(button.dataset.download ?? ""));
+  for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-template]")))
+    button.addEventListener("click", () => void startFrom(button.dataset.template ?? ""));
   document.addEventListener("dragover", (event) => event.preventDefault());
   document.addEventListener("drop", (event) => {
     event.preventDefault(); // a browser would leave the page for the file
