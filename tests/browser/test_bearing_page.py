@@ -199,6 +199,11 @@ def test_a_reload_loses_no_work(bearing: Desk) -> None:
     bearing.settle()
     assert bearing.numbers == before
     assert bearing.field("load.radial").input_value() == "7"
+    bearing.page.locator('[data-roller="2"] .mark').click()
+    bearing.page.wait_for_function("() => history.state?.roller === 2")
+    bearing.page.reload()
+    bearing.settle()
+    assert bearing.page.locator("#roller-name").inner_text() == "Roller 2 at 120.0°"
 
 
 def test_it_can_be_reached_from_the_contact_and_back(bearing: Desk) -> None:
@@ -242,6 +247,7 @@ def test_a_contact_is_opened_on_the_page_of_contacts(bearing: Desk) -> None:
     bearing.page.go_back()
     bearing.settle()
     assert bearing.page.locator('[data-roller="1"]').get_attribute("aria-label") == loads
+    assert bearing.page.locator("#roller-name").inner_text() == "Roller 1 at 60.0°"
     bearing.page.locator('[data-roller="3"]').click()
     assert bearing.page.locator("[data-contact]:disabled").count() == 2  # it bears no load
 

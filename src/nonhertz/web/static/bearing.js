@@ -205,9 +205,11 @@ function drawPictures() {
   offerContacts(number);
 }
 
+/** Show a roller, or the most loaded one. @param {number | null} number */
 function choose(number) {
   page.chosen = number;
   drawPictures();
+  remember();
 }
 
 function writeKeys(answer) {
@@ -270,7 +272,12 @@ function keep() {
   if (first) edits.restart(page.document);
   else edits.note(page.document);
   first = false;
-  address.keep(page.document, null);
+  remember();
+}
+
+/** Keep the bearing, and which roller is looked at. */
+function remember() {
+  address.keep(page.document, null, { roller: page.chosen });
 }
 
 function change(changed) {
@@ -291,7 +298,7 @@ function step(by) {
   const document = edits.step(by);
   if (!document) return;
   page.document = document;
-  address.keep(document, null);
+  remember();
   want({ document });
 }
 
@@ -321,7 +328,7 @@ async function openContact(ring) {
     const response = await post("bearing/contact", { document: page.document, roller: roller(), ring });
     const answer = await response.json();
     if (answer.ok) {
-      await address.put(page.document, null); // to come back to
+      await address.put(page.document, null, { roller: page.chosen }); // to come back to
       window.location.assign(`contact${await fragment(answer.document, null)}`);
     } else showMistakes(answer.mistakes);
   } catch {
@@ -351,6 +358,7 @@ async function openFile(file) {
 /** Take the text of a bearing file. @param {string} text */
 function read(text) {
   byId("text").value = text;
+  page.chosen = null; // it was one of another bearing
   want({ text });
 }
 
@@ -379,10 +387,7 @@ function wire() {
   });
   byId("undo").addEventListener("click", () => step(-1));
   byId("redo").addEventListener("click", () => step(1));
-  byId("most").addEventListener("click", () => {
-    page.chosen = null;
-    drawPictures();
-  });
+  byId("most").addEventListener("click", () => choose(null));
   byId("open").addEventListener("click", () => byId("open-file").click());
   byId("open-file").addEventListener("change", ({ target }) => {
     if (target.files[0]) void openFile(target.files[0]);
@@ -413,6 +418,7 @@ async function fromLink() {
     const found = await shared(window.location.hash);
     if (!found) return false;
     page.document = found.document;
+    page.chosen = history.state?.roller ?? null;
     keep();
     want({ document: page.document });
     return true;

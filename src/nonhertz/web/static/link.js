@@ -77,17 +77,22 @@ export class Address {
     this.rest = 0;
   }
 
-  /** Put a case into the address after a pause in editing. @param {object} document @param {object | null} pinned */
-  keep(document, pinned) {
+  /**
+   * Put a case into the address after a pause in editing.
+   * @param {object} document
+   * @param {object | null} pinned
+   * @param {object | null} [looked] what is looked at, which `history.state` keeps: no part of the case or of its link
+   */
+  keep(document, pinned, looked = null) {
     window.clearTimeout(this.rest);
-    this.rest = window.setTimeout(() => void this.put(document, pinned), REST);
+    this.rest = window.setTimeout(() => void this.put(document, pinned, looked), REST);
   }
 
-  /** @param {object} document @param {object | null} pinned */
-  async put(document, pinned) {
+  /** @param {object} document @param {object | null} pinned @param {object | null} [looked] */
+  async put(document, pinned, looked = null) {
     window.clearTimeout(this.rest);
     // Replaced, not pushed: a drag would fill the history with a hundred entries.
-    history.replaceState(null, "", await fragment(document, pinned));
+    history.replaceState(looked, "", await fragment(document, pinned));
     return window.location.href;
   }
 }
