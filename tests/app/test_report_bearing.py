@@ -293,7 +293,7 @@ def test_inputs_have_value_unit_and_say_what_is_a_default(few, pair):
     assert "bearing.contact_angle" not in entries
     entries = {entry.place: entry for group in bearing_inputs(pair.case) for entry in group.entries}
     assert (entries["bearing.pair.clearance"].value, entries["bearing.pair.clearance"].unit) == ("-40", "µm")
-    assert entries["bearing.rib"].value == "end_radius = 140, height = 4.8 mm"
+    assert entries["bearing.rib"].value == "end_radius = 140 mm, height = 4.8 mm"
     assert entries["roller.length"].value == "11.6"
 
 

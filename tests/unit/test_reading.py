@@ -73,6 +73,19 @@ def test_columns_have_the_units_of_their_heads() -> None:
     assert rows == [("0.7874 in", "4496.2, at 0.1969 in", "+-0.009071"), ("b", "", "0")]
 
 
+def test_rows_of_a_table_may_have_units_in_their_names() -> None:
+    rows = [
+        ("diameter [mm]", "10.9371 to 10.1233"),
+        ("relief at y = 5 mm [µm]", "9.16 and 9.16"),
+        ("corner", "R 0.3 mm"),
+    ]
+    assert US.columns(("", "rollers"), rows)[1] == [
+        ("diameter [in]", "0.430594 to 0.398555"),
+        ("relief at y = 0.1969 in [µin]", "360.6 and 360.6"),
+        ("corner", "R 0.01181 in"),
+    ]
+
+
 @pytest.mark.parametrize(
     ("said", "read"),
     [

@@ -47,7 +47,7 @@ UnitsRead = Annotated[
     Literal["si", "us"],
     Parameter(
         name="--units",
-        help="Units of what is printed: us for in, lbf and ksi. Options, JSON, CSV and other files stay in mm, N, MPa.",
+        help="Units of what is shown: us for in, lbf and ksi. Options, JSON, CSV and other files stay in mm, N, MPa.",
     ),
 ]
 
@@ -374,6 +374,7 @@ def report(
     remarks: str = "",
     logo: Path | None = None,
     language: str = "",
+    units: UnitsRead = "si",
 ) -> int:
     """Solve case files or bearing files and write one HTML report that anyone can open in a browser.
 
@@ -413,7 +414,9 @@ def report(
     from nonhertz.cli.report import composed, read_cases, target, title_block, write
     from nonhertz.io.changes import changes_in
     from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.result.reading import choose_units
 
+    choose_units(units)
     if not cases:
         raise InputError("CASE", "", "be given", "name one case file or bearing file, or more")
     lines = {"project": project, "author": author, "revision": revision, "date": date, "remarks": remarks}
@@ -426,7 +429,8 @@ def report(
     print(f"wrote {path}")
     if complaints:
         sys.stdout.flush()
-        print(*complaints, sep="\n", file=sys.stderr)
+        for complaint in complaints:
+            _complain(complaint)
     return NOT_CONVERGED if complaints else FINE
 
 

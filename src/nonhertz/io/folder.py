@@ -10,6 +10,7 @@ from pathlib import Path
 from nonhertz.errors import InputError
 from nonhertz.io.dialect import rewrite_tables
 from nonhertz.io.drafts import drafts_in
+from nonhertz.result.reading import read_in
 
 _OUT_REMEDY = "give a directory to write to"
 _OF_FILES = (
@@ -23,7 +24,7 @@ def write_files(
 ) -> tuple[Path, ...]:
     """Write texts, and what ``draw`` writes, into a directory: all files or none.
 
-    CSV files are written as `nonhertz.io.dialect` says.
+    CSV files are written as `nonhertz.io.dialect` says, figures in SI units whatever results are read in.
 
     Parameters
     ----------
@@ -49,7 +50,8 @@ def write_files(
         for name, text in texts.items():
             (drafts / name).write_text(text, encoding="utf-8", newline="\n")
         if draw is not None:
-            draw(drafts)
+            with read_in("si"):
+                draw(drafts)
         rewrite_tables(drafts)
         return _moved(drafts, directory)
 

@@ -15,6 +15,7 @@ from nonhertz.model.profile import PARAMETER_UNITS
 from nonhertz.plot.axial import AXIAL_LABEL, number
 from nonhertz.plot.sheets import LEFT, TITLE, WIDTH, blank, panel, write_title
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
+from nonhertz.result.reading import chosen
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,7 +26,7 @@ Array = NDArray[np.float64]
 MILLIMETRES_FROM = 0.5  # mm: a greater range of heights is drawn in mm
 # Inches.
 TALL, SLIM, HEAD, LAST_HEAD, GAP, FOOT, MARGIN = 1.05, 0.5, 0.3, 0.45, 0.1, 0.27, 0.15
-LABEL = -0.52  # inches from the axes to the middle of the vertical axis labels
+LABEL = -0.62  # inches from the axes to the middle of the vertical axis labels
 GREY = "#BBBBBB"
 LETTERS = 104  # in a line of a heading
 COLUMNS = 900  # into which a line with more points is reduced: print resolves no more across a sheet
@@ -215,7 +216,7 @@ def _draw_fit(axes: Axes, y: Array, fit: Fit, ruler: _Ruler) -> str:
 
 
 def _head(axes: Axes, words: str, letters: int = LETTERS) -> None:
-    lines = textwrap.wrap(words.replace(" um", " µm"), letters)
+    lines = textwrap.wrap(chosen()(words).replace(" um", " µm").replace(" uin", " µin"), letters)
     text = "\n".join(lines[:2]) + (" ..." if len(lines) > 2 else "")
     style: dict[str, Any] = {"fontsize": SMALL_SIZE, "linespacing": 1.25, "parse_math": False}
     axes.text(0.0, 1.04, text, transform=axes.transAxes, va="bottom", **style)

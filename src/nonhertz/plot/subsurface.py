@@ -26,6 +26,7 @@ from nonhertz.plot.sheets import (
     write_title,
 )
 from nonhertz.plot.style import COLOUR_MAP, END_DASHES, FAINT_INK, HAIR, INK, SECOND, SMALL_SIZE, THIN, sheet_style
+from nonhertz.result.reading import chosen
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
@@ -271,7 +272,7 @@ def _draw_contours(field: Field, along: Array, limit: float, ax: Axes, bar: Axes
     """Fill bands of von Mises stress, draw the lines between them and the colour bar; return the lines."""
     from matplotlib.ticker import MaxNLocator
 
-    levels = MaxNLocator(BANDS, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, limit or 1.0)
+    levels = chosen().ticks(MaxNLocator(BANDS, steps=[1, 2, 2.5, 5, 10]).tick_values, 0.0, limit or 1.0, "MPa")
     stress, depths = np.ma.masked_invalid(field.von_mises.T), field.z[0]
     # On the surface itself the stress is also unbounded at a step of the pressure from strip to strip.
     extend = "max" if float(stress[depths > 0.0].max()) > levels[-1] else "neither"
@@ -301,7 +302,9 @@ def _label(lines: ContourSet, field: Field, along: Array, column: int, found: Ex
             taken.append(depth)
             places.append((float(along[column]), depth))
     if places:
-        ax.clabel(lines, manual=places, fmt="%g", fontsize=SMALL_SIZE, inline_spacing=2.0)
+        factor = chosen().of("MPa")[1]
+        written = {level: f"{factor * level:.4g}" for level in lines.levels}
+        ax.clabel(lines, manual=places, fmt=written, fontsize=SMALL_SIZE, inline_spacing=2.0)
 
 
 def _crossing(stress: Array, depths: Array, level: float, apart: float) -> float | None:

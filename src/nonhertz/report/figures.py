@@ -8,12 +8,14 @@ from itertools import count
 from typing import TYPE_CHECKING
 
 from nonhertz.plot import figures, life_figure, measured_figure, stress_figures
+from nonhertz.plot.units import rewrite_units
 from nonhertz.report.drawing import inline_svg
 from nonhertz.report.language import Language, in_letters, translate_figure
 from nonhertz.report.measurements import Measurement
 from nonhertz.report.overlay import pressures, reliefs
 from nonhertz.report.overview import Key, keys
 from nonhertz.report.results import CaseResults
+from nonhertz.result.reading import chosen
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
@@ -75,7 +77,7 @@ class Gallery:
             f"The largest is {largest.max:.5g} MPa at x = {largest.x:.3g}, y = {largest.y:.3g}, z = {largest.z:.3g} mm."
         )
         return {
-            name: self.picture(drawn, captions[name], summary)
+            name: self.picture(drawn, captions[name], chosen()(summary))
             for name, drawn in stress_figures(found.solution, overall, section).items()
         }
 
@@ -95,7 +97,7 @@ class Gallery:
     def of_measurement(self, measurement: Measurement) -> ReportFigure:
         """Return the steps from measured points to a profile."""
         caption = f"From the measured points of {measurement.file} to the profile, step by step."
-        summary = " ".join(self._language(in_letters(words)) for _, words in measurement.rows)
+        summary = chosen()(" ".join(self._language(in_letters(words)) for _, words in measurement.rows))
         return self.picture(measured_figure(measurement.measured), caption, summary)
 
     def of_all(self, found: Sequence[CaseResults]) -> Iterator[ReportFigure]:
@@ -108,15 +110,15 @@ class Gallery:
     def in_words(self, numbers: Iterable[Key]) -> str:
         """Return key numbers as the description of a figure, for those who do not see it."""
         word, named = self._language.words, self._language
-        return "; ".join(
-            f"{named(key.name)} {word(key.value)} {word(key.unit)} {named(key.remark)}".strip() for key in numbers
-        )
+        said = (f"{named(key.name)} {word(key.value)} {word(key.unit)} {named(key.remark)}".strip() for key in numbers)
+        return chosen()("; ".join(said))
 
     def picture(self, figure: Figure, caption: str, description: str) -> ReportFigure:
         """Return a figure with the next number; its description is in the language of the page."""
         number = next(self._numbers)
         translate_figure(figure, self._language)
-        svg = inline_svg(figure, f"figure-{number}", self._language(caption), description)
+        rewrite_units(figure)
+        svg = inline_svg(figure, f"figure-{number}", chosen()(self._language(caption)), description)
         return ReportFigure(number, svg, caption)
 
 

@@ -41,6 +41,14 @@ _BORNE = {
     "hardness": ("hardness", ""),
     "pressure_limit": ("limit of pressure", " MPa"),
 }
+# Units of numbers within an input that is a table.
+_WITHIN = {
+    **dict.fromkeys(("length", "blend_radius", "approach", "end_radius", "height", "crown_radius", "edge"), " mm"),
+    **dict.fromkeys(("load", "radial", "axial"), " N"),
+    **dict.fromkeys(("angle", "tilt"), " rad"),
+    "moment": " N mm",
+    "speed": " 1/min",
+}
 _OF_THE_BODY, _OF_BOTH, _AT_THE_END = "from the body", "from both bodies", "the end of the land"
 
 
@@ -165,7 +173,7 @@ def _life_entries(table: Mapping[str, Any]) -> Iterator[Entry]:
     for name, property_ in _properties("LifeTable").items():
         if name == "spectrum" and table.get(name):
             for number, case in enumerate(table[name], start=1):
-                text = ", ".join(f"{key} {shown(value)}" for key, value in case.items())
+                text = ", ".join(f"{key} {_entry_within(key, value)}" for key, value in case.items())
                 yield Entry(f"life.spectrum[{number}]", text, "", property_["description"], False)
         elif name in table:
             yield Entry(f"life.{name}", shown(table[name]), unit_of(property_), property_["description"], False)
@@ -218,8 +226,12 @@ def shown(value: Any) -> str:
     if isinstance(value, Chamfer):
         value = asdict(value)
     if isinstance(value, dict):
-        return ", ".join(f"{key} = {shown(entry)}" for key, entry in value.items())
+        return ", ".join(f"{key} = {_entry_within(key, entry)}" for key, entry in value.items())
     return _sequence(value) if isinstance(value, list | tuple) else str(value)
+
+
+def _entry_within(key: str, value: Any) -> str:
+    return shown(value) + (_WITHIN.get(key, "") if isinstance(value, float | int | list | tuple) else "")
 
 
 def _sequence(values: Sequence[Any]) -> str:

@@ -15,6 +15,9 @@ from collections.abc import Callable, Iterator, Sequence
 from importlib import resources
 from typing import TYPE_CHECKING, Final
 
+from nonhertz.errors import InputError
+from nonhertz.result.reading import SI, chosen
+
 if TYPE_CHECKING:
     from matplotlib.axis import Axis
     from matplotlib.figure import Figure
@@ -38,9 +41,16 @@ class Language:
         As HTML has it, ``"en"`` or ``"de"``.
     missing : set of str
         Text with words that had no entry.
+
+    Raises
+    ------
+    InputError
+        If results are read in other units than those in which the sentences are worded.
     """
 
     def __init__(self, code: str) -> None:
+        if code != "en" and chosen() is not SI:
+            raise InputError("units", chosen().code, "be 'si' in other languages than English", "leave one of both out")
         self.code = code
         self.missing: set[str] = set()
         table = {} if code == "en" else _entries(code)

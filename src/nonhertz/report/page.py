@@ -23,6 +23,7 @@ from nonhertz.report.measurements import measurements
 from nonhertz.report.method import paragraphs, references
 from nonhertz.report.overview import ends_in_words, geometry, keys, opening
 from nonhertz.report.results import CaseResults, examined, settled
+from nonhertz.result.reading import SI, read_in
 from nonhertz.show.analysis import Announce, in_silence
 from nonhertz.show.lives import LIFE_COLUMNS, RATIO, SPECTRUM_COLUMNS, life_rows, spectrum_rows
 from nonhertz.show.lives import sentences as life_sentences
@@ -33,7 +34,7 @@ from nonhertz.show.summary import summary_rows
 WORDS = Words(
     kind="Elastic contact, solved with strip elements",
     what="cases",
-    conventions="Units are mm, N, MPa and rad unless stated otherwise; y runs along the contact from the middle of the "
+    conventions=f"{SI.stated}; y runs along the contact from the middle of the "
     "bodies, x across it, z down into a body; positive relief is material removed; a positive tilt loads the side of "
     "positive y.",
 )
@@ -46,6 +47,7 @@ def compose(
     stress: bool = True,
     compare: bool = False,
     title_block: TitleBlock | None = None,
+    units: str = "si",
     announce: Announce = in_silence,
 ) -> str:
     """Return a report on one case, or on several with a comparison first, as the text of an HTML file.
@@ -63,6 +65,8 @@ def compose(
         Whether to solve bearings by slices as well.
     title_block : TitleBlock or None
         Project, author, logo and so on for the head of the page; what it leaves empty is that of the first case.
+    units : {"si", "us"}
+        Units in which numbers are shown: ``"us"`` for in, lbf and ksi. The files in the report keep theirs.
     announce : callable
         Called with the name of each step as it begins.
 
@@ -76,7 +80,7 @@ def compose(
     CaseError
         If the solver rejects a case.
     InputError
-        If there are cases of both kinds.
+        If there are cases of both kinds, or the report is to be in US units and another language than English.
     """
     if not (title_block is None or isinstance(title_block, TitleBlock)):
         remedy = "make one with nonhertz.report.TitleBlock"
@@ -86,10 +90,11 @@ def compose(
     if contacts and bearings:
         remedy = "make a report of each kind"
         raise InputError("cases", "of both kinds", "be all single contacts or all bearings", remedy)
-    if bearings:
-        found = settled_bearings(bearings, life=life, compare=compare, announce=announce)
-        return rendered_bearings(found, title_block)
-    return rendered(examined(settled(contacts), life=life, stress=stress, announce=announce), title_block)
+    with read_in(units):
+        if bearings:
+            found = settled_bearings(bearings, life=life, compare=compare, announce=announce)
+            return rendered_bearings(found, title_block)
+        return rendered(examined(settled(contacts), life=life, stress=stress, announce=announce), title_block)
 
 
 def rendered(found: Sequence[CaseResults], block: TitleBlock | None = None) -> str:

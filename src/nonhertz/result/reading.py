@@ -10,8 +10,9 @@ and an input with up to six. A standard error stays at its second digit, and so 
 
 from __future__ import annotations
 
+import contextlib
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextvars import ContextVar
 from types import MappingProxyType
 from typing import Final
@@ -67,15 +68,16 @@ _UNIT: Final = "|".join(re.escape(word) for word in _LONGEST_FIRST)
 _STRENGTH: Final = re.compile(rf"({_NUMBER}) MPa mm(\$\^\{{|\^)([\d.]+)(\}}\$)?")
 _TEXT: Final = re.compile(
     rf"(?<![\w.^/$])(?P<numbers>{_NUMBER}(?: [x×] {_NUMBER})+|{_NUMBER}(?:{_BETWEEN}{_NUMBER})*) "
-    rf"(?P<unit>{_UNIT})(?![\w/^²³$])"
+    rf"(?P<unit>{_UNIT})(?![\w/^²³$]|\.\w)"
 )
 _PAIR: Final = re.compile(rf"({_NUMBER}) (\+-|±) ({_NUMBER})")
-_ONE: Final = re.compile(rf"(?<![\w.^]){_NUMBER}(?![\w^]| values)")
+_ONE: Final = re.compile(rf"(?<![\w.^])(?>{_NUMBER})(?![\w^]| values| %)")
 _HEAD: Final = re.compile(rf"\[({_UNIT})\]")
 _MIXED: Final = re.compile(rf"({_NUMBER}) ({_UNIT})")
 _BARE: Final = re.compile(rf"{_NUMBER}(?: to {_NUMBER})?")
 
 Rows = list[tuple[str, ...]]
+Ticks = Callable[[float, float], Sequence[float]]
 
 
 class Units:
@@ -85,10 +87,12 @@ class Units:
     ----------
     code : str
         ``"si"`` or ``"us"``.
+    stated : str
+        Words on the units of numbers that have none beside them.
     """
 
-    def __init__(self, code: str, words: Mapping[str, tuple[str, float]]) -> None:
-        self.code = code
+    def __init__(self, code: str, stated: str, words: Mapping[str, tuple[str, float]]) -> None:
+        self.code, self.stated = code, stated
         self._words = words
 
     def __call__(self, text: str) -> str:
@@ -116,26 +120,41 @@ class Units:
         return _HEAD.sub(lambda found: f"[{self.of(found[1])[0]}]", self(text))
 
     def columns(self, heads: Sequence[str], rows: Sequence[Sequence[str]]) -> tuple[tuple[str, ...], Rows]:
-        """Return a table whose numbers have the units in brackets of its heads, or their own."""
+        """Return a table whose numbers have the units in brackets of its heads or of their row's name, or their own."""
         units = [_unit_in(head) for head in heads]
-        return tuple(map(self.head, heads)), [
-            tuple(self._cell(cell, unit) for cell, unit in zip(row, units, strict=True)) for row in rows
-        ]
+        found = []
+        for row in rows:
+            own = _unit_in(row[0])
+            first = self.head(row[0]) if own else self._cell(row[0], units[0])
+            rest = zip(row[1:], units[1:], strict=True)
+            found.append((first, *(self._cell(cell, unit or own) for cell, unit in rest)))
+        return tuple(map(self.head, heads)), found
 
-    def row(self, cells: Sequence[str]) -> tuple[str, ...]:
-        """Return a row whose bare numbers have its unit: in brackets of a name, in a cell of its own, or in another."""
+    def row(self, cells: Sequence[str], *, given: bool = False) -> tuple[str, ...]:
+        """Return a row whose numbers have the unit in brackets of its name, or the bare ones that of another cell.
+
+        Inputs that were given are exact.
+        """
+        unit = _unit_in(cells[0])
+        if unit:
+            return self.head(cells[0]), *(self._cell(cell, unit) for cell in cells[1:])
         own = (found[2] for cell in cells if (found := _MIXED.fullmatch(cell)))
-        unit = _unit_in(cells[0]) or next((cell for cell in cells if cell in self._words), "") or next(own, "")
-        return tuple(self._of_row(cell, unit) for cell in cells)
+        unit = next((cell for cell in cells if cell in self._words), "") or next(own, "")
+        return tuple(self._of_row(cell, unit, given) for cell in cells)
 
-    def _of_row(self, cell: str, unit: str) -> str:
+    def ticks(self, ticks: Ticks, low: float, high: float, unit: str) -> list[float]:
+        """Return values in the program's ``unit``, between two others, that are round in these units."""
+        factor = self.of(unit)[1]
+        return [float(each) / factor for each in ticks(factor * low, factor * high)]
+
+    def _of_row(self, cell: str, unit: str, given: bool) -> str:
         if cell in self._words:
             return self.of(cell)[0]
         if unit and _BARE.fullmatch(cell):
-            return self.value(cell, unit)[0]
+            return self.value(cell, unit, given=given)[0]
         mixed = _MIXED.fullmatch(cell)
         # Of one kind with the bare numbers, however small it is.
-        return " ".join(self.value(mixed[1], unit)) if mixed and mixed[2] == unit else self.head(cell)
+        return " ".join(self.value(mixed[1], unit, given=given)) if mixed and mixed[2] == unit else self.head(cell)
 
     def _cell(self, text: str, unit: str) -> str:
         if not unit:
@@ -162,8 +181,10 @@ class Units:
         return f"{_shown(found[1], factor)} ksi in{found[2]}{found[3]}{found[4] or ''}"
 
 
-SI: Final = Units("si", {})
-US: Final = Units("us", _UNITS)
+SI: Final = Units("si", "Units are mm, N, MPa and rad unless stated otherwise", {})
+US: Final = Units(
+    "us", "Units are in, lbf, ksi and rad, those of files mm, N, MPa and rad, unless stated otherwise", _UNITS
+)
 SYSTEMS: Final[Mapping[str, Units]] = MappingProxyType({each.code: each for each in (SI, US)})
 
 _CHOSEN: ContextVar[Units] = ContextVar("units", default=SI)
@@ -185,6 +206,17 @@ def choose_units(code: str) -> None:
     if code not in SYSTEMS:
         raise InputError("units", code, "be 'si' or 'us'", "write 'us' for in, lbf and ksi")
     _CHOSEN.set(SYSTEMS[code])
+
+
+@contextlib.contextmanager
+def read_in(code: str) -> Iterator[None]:
+    """Show results in the units of a code within a ``with`` statement; raise what `choose_units` does."""
+    before = _CHOSEN.get()
+    choose_units(code)
+    try:
+        yield
+    finally:
+        _CHOSEN.set(before)
 
 
 def _unit_in(head: str) -> str:

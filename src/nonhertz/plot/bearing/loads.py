@@ -21,6 +21,7 @@ from nonhertz.plot.style import (
     SMALL_SIZE,
     THIN,
 )
+from nonhertz.result.reading import chosen
 
 if TYPE_CHECKING:
     from matplotlib.projections.polar import PolarAxes
@@ -104,15 +105,15 @@ def _lay(ax: PolarAxes, numbers_at: float, top: float, unit: float, name: str) -
     spokes = 2.0 * math.pi * np.arange(SPOKES) / SPOKES
     axes = {0: " (+y)", SPOKES // 4: "\n(+z)"}
     ax.set_xticks(spokes, [f"{360 * k // SPOKES}°{axes.get(k, '')}" for k in range(SPOKES)])
-    ticks = [
-        each for each in MaxNLocator(MOST_RINGS, steps=STEPS).tick_values(0.0, unit * top) if 0 < each < unit * top
-    ]
+    locator = MaxNLocator(MOST_RINGS, steps=STEPS)
+    ticks = [each for each in chosen().ticks(locator.tick_values, 0.0, unit * top, name) if 0 < each < unit * top]
+    read, factor = chosen().of(name)
     ax.set_yticks(ticks, [])
     for each in ticks:
         # Not as labels of the ticks, which bars would cover.
+        words = f"{number(factor * each)} {read}"
         ax.text(
-            numbers_at, each, f"{number(each)} {name}", ha="center", va="center", fontsize=SMALL_SIZE, bbox=BACKING,
-            zorder=5.0,
+            numbers_at, each, words, ha="center", va="center", fontsize=SMALL_SIZE, bbox=BACKING, zorder=5.0,
         )  # fmt: skip
     ax.tick_params(axis="x", pad=3.0, labelsize=SMALL_SIZE)
     ax.grid(True, color=FAINT_INK, linewidth=HAIR, alpha=0.5)

@@ -13,6 +13,7 @@ from nonhertz.plot.bearing.pressure import RINGS, bearing_pressure, draw_colour_
 from nonhertz.plot.bearing.roller import most_loaded_roller, roller_relief
 from nonhertz.plot.sheets import BAR, BAR_GAP, BAR_ROOM, BOTTOM, LEFT, WIDTH, blank, panel
 from nonhertz.plot.style import SMALL_SIZE, TITLE_SIZE, sheet_style
+from nonhertz.result.reading import chosen
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -125,7 +126,7 @@ def _displacement(solution: BearingSolution, title: str, maps: BearingMaps | Non
 def _sheet(solution: BearingSolution, title: str, height: float) -> tuple[Figure, float]:
     """Return a sheet with its head, below which there is room of a height [inch], and where that begins."""
     titles = textwrap.wrap(title, TITLE_LETTERS)
-    lines = _lines(conditions(solution))
+    lines = _lines([chosen()(part) for part in conditions(solution)])
     head = 0.08 + TITLE_LINE * len(titles) + CONDITIONS + 0.14 * (len(lines) - 1)
     figure = blank(head + height)
     place, line = MARGIN / WIDTH, head + height - 0.08

@@ -91,7 +91,7 @@ def _unlike(written: str, text: str, unit: str) -> str:
 
 
 def _rib(rib: Rib) -> str:
-    return shown({name: value for name, value in vars(rib).items() if value is not None}) + " mm"
+    return shown({name: value for name, value in vars(rib).items() if value is not None})
 
 
 _TABLES = {"load": "BearingLoadTable", "solver": "BearingSolverTable", "life": "BearingLifeTable", "fit": "FitTable"}

@@ -22,6 +22,7 @@ from nonhertz.report.figures import Gallery
 from nonhertz.report.language import Language, in_letters
 from nonhertz.report.layout import Words, laid_out, marked, measured, merged
 from nonhertz.report.measurements import measurements
+from nonhertz.result.reading import SI
 from nonhertz.show.bearing import (
     OF_LARGEST,
     compared_columns,
@@ -37,7 +38,7 @@ from nonhertz.show.bearing import (
 WORDS = Words(
     kind="Whole bearing, rollers and rings in equilibrium",
     what="bearings",
-    conventions="Units are mm, N, MPa and rad unless stated otherwise. x is the bearing's axis, y points to the first "
+    conventions=f"{SI.stated}. x is the bearing's axis, y points to the first "
     "roller; forces and motions are those of the inner ring. Along a roller, y is its own axis, from its middle; "
     "positive relief is material removed; positive clearance is room.",
 )
