@@ -200,6 +200,7 @@ CASES = {
     "solve, sharp ends": (["solve"], SHARP, {}, {LENGTHS, STRESSES, (0.5, 1.0)}),
     "stress": (["stress"], ROLLER, {"more": "tilt = 0.3e-3"}, {LENGTHS, STRESSES}),
     "stress, sharp ends": (["stress", "--body", "a"], SHARP, {}, {LENGTHS, STRESSES}),
+    "map": (["map", "--load", "0:{F15000} N:5", "--tilt", "0", "--accuracy", "0.1"], ROLLER, {"more": ""}, {LENGTHS}),
     "bearing": (["bearing"], BEARING, {}, {LENGTHS, STRESSES, FORCES, MOMENTS, STIFFNESSES}),
 }  # fmt: skip
 
@@ -209,8 +210,10 @@ def test_every_number_is_converted_as_its_dimension_says(name: str, printed: Cal
     command, text, others, dimensions = CASES[name]
     Path("one.toml").write_text(similar(text, 1.0, 1.0, **others), encoding="utf-8")
     Path("two.toml").write_text(similar(text, LENGTH, STRESS, **others), encoding="utf-8")
-    said, larger = printed(*command, "one.toml"), printed(*command, "two.toml")
-    read = printed(*command, "one.toml", "--units", "us")
+    first, *one = (similar(word, 1.0, 1.0) for word in command)
+    two = [similar(word, LENGTH, STRESS) for word in command[1:]]
+    said, larger = printed(first, "one.toml", *one), printed(first, "two.toml", *two)
+    read = printed(first, "one.toml", *one, "--units", "us")
     compare_words(said, read)
     assert compare_numbers(said, larger, read) >= dimensions
 

@@ -50,6 +50,7 @@ def test_inch_and_pound_are_exact() -> None:
         ("0, 11000, 0 N", "0, 2472.9, 0 lbf"),
         ("4041.1 and 4043.0 N", "908.48 and 908.90 lbf"),
         ("at x = 0.2304, y = -0.1108 mm", "at x = 0.009071, y = -0.004362 in"),
+        ("roller (diameter 15, length 20 mm; ends free)", "roller (diameter 0.5906, length 0.7874 in; ends free)"),
         ("C = 44.00 kN, C0 = 36.53 kN", "C = 9892 lbf, C0 = 8212 lbf"),
         ("9 values, 0 to 8 mm", "9 values, 0 to 0.315 in"),
         ("Ra 0.0832, Rq 0.105, Rz 0.551 um", "Ra 3.276, Rq 4.134, Rz 21.69 uin"),

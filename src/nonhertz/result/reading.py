@@ -60,7 +60,7 @@ _SAME: Final = ("um/mm", "mm^2/s")
 
 _SIGN = r"(?:\+-|[-+−±])?"
 _NUMBER: Final = rf"{_SIGN}(?:\d+\.?\d*|\.\d+)(?:e[-+−]?\d+)?"
-_NAMED = r"(?:\$?[xyz]\$? = |R[aqz] )?"
+_NAMED = r"(?:\$?[xyz]\$? = |R[aqz] |length )?"
 _BETWEEN: Final = rf"(?: (?:\+-|±|to|or|:) |; |,? and {_NAMED}|, {_NAMED})"
 _LONGEST_FIRST = sorted((*_UNITS, *_SAME), key=len, reverse=True)
 _UNIT: Final = "|".join(re.escape(word) for word in _LONGEST_FIRST)
