@@ -445,7 +445,7 @@ def bearing_schema() -> Mapping[str, Any]:
 BEARING_TEMPLATES = {
     "cylindrical": "cylindrical roller bearing",
     "needle": "needle roller bearing",
-    "tapered-pair": "pair of tapered roller bearings, back to back",
+    "tapered-pair": "pair of tapered roller bearings",
     "spherical": "spherical roller bearing",
     "thrust": "cylindrical roller thrust bearing",
 }
