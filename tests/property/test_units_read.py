@@ -161,6 +161,10 @@ def compare_numbers(said: str, larger: str, read: str) -> set[tuple[float, float
         slack = spacing(one[0]) + spacing(two[0])
         fitting = [(p, q) for p, q in DIMENSIONS if near(grown / value, LENGTH**p * STRESS**q, slack)]
         own = re.match(r" (\S+)", said[one.end() :])
+        if own is not None and own[1].startswith("%"):
+            # An error that was found may be another one in a similar case, but no unit changes it.
+            assert three[0] == one[0], here
+            continue
         if own is not None and own[1] in MASSES:
             assert us == pytest.approx(value * MASSES[own[1]], rel=1e-3), here
             continue
