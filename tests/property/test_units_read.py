@@ -209,7 +209,13 @@ CASES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", CASES)
+#: That take seconds each: the whole body is searched for its stresses, or a map refined.
+LONG = ("stress", "stress, sharp ends", "map")
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.slow] if name in LONG else []) for name in CASES]
+)
 def test_every_number_is_converted_as_its_dimension_says(name: str, printed: Callable[..., str]) -> None:
     command, text, others, dimensions = CASES[name]
     Path("one.toml").write_text(similar(text, 1.0, 1.0, **others), encoding="utf-8")
@@ -256,6 +262,7 @@ REPORTS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", REPORTS)
 def test_every_number_of_a_report_is_converted_as_its_dimension_says(name: str, printed: Callable[..., str]) -> None:
     text, others, dimensions = REPORTS[name]
