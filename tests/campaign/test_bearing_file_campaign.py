@@ -15,7 +15,7 @@ from nonhertz.errors import CaseError
 from nonhertz.io.bearingfile import read_bearing, starting_bearing
 from nonhertz.io.bounds import MISTAKES
 
-CASES = extent(30_000, 1_200)
+CASES = extent(30_000, 600)
 SLOWEST = 2.0
 """s of computing, for any file."""
 BARRELS = """

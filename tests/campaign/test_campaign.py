@@ -18,7 +18,7 @@ from random_cases import random_case
 
 import nonhertz as nh
 
-CASES, SOME = 20_000, 1_500
+CASES, SOME = 20_000, 800
 CHUNK = 250
 
 

@@ -14,7 +14,7 @@ from extent import extent
 
 from nonhertz.io.casefile import read_case
 
-CASES, PORTION, PROCESSES = extent(100_000, 3_000), 1_000, 2
+CASES, PORTION, PROCESSES = extent(100_000, 2_000), 1_000, 2
 SLOWEST = 2.0
 """s of computing, for any file."""
 MEMORY = 500.0

@@ -19,7 +19,7 @@ import nonhertz as nh
 from nonhertz.bodies.influence import influence_of
 from nonhertz.strip.influence import displacements
 
-CASES, SOME = 20_000, 40
+CASES, SOME = 20_000, 25
 SEED = 20261123
 GAP, BALANCE = 1e-7, 1e-8  # of the penetration, and of the load
 TWIN = 1e-6  # beside the error estimates of both

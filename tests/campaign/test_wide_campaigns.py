@@ -12,7 +12,7 @@ from extent import extent
 
 import nonhertz as nh
 
-CASES, SOME = 50_000, 200
+CASES, SOME = 50_000, 100
 MOST_UNCONVERGED = 1e-3  # of cases near practice
 
 
