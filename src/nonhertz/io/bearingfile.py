@@ -465,10 +465,7 @@ def starting_bearing(template: str | None = None) -> str:
     InputError
         If there is no such template.
     """
-    if template is None:
-        return starting_text("starting_bearing.toml")
-    one_of("template", template, tuple(BEARING_TEMPLATES), "choose one of them")
-    return starting_text(f"templates/bearings/{template}.toml")
+    return starting_text("starting_bearing.toml", template, BEARING_TEMPLATES, "templates/bearings")
 
 
 def placed(error: InputError, *sections: str) -> CaseError:

@@ -427,14 +427,20 @@ def starting_case(template: str | None = None) -> str:
     InputError
         If there is no such template.
     """
-    if template is None:
-        return starting_text("starting_case.toml")
-    one_of("template", template, tuple(TEMPLATES), "choose one of them")
-    return starting_text(f"templates/{template}.toml")
+    return starting_text("starting_case.toml", template, TEMPLATES, "templates")
 
 
-def starting_text(name: str) -> str:
-    """Return the text of one of our own files to start from."""
+def starting_text(name: str, template: str | None = None, known: Iterable[str] = (), folder: str = "") -> str:
+    """Return the text of one of our own files to start from: of a template in a folder, or of the one of a name.
+
+    Raises
+    ------
+    InputError
+        If a template is asked for that is not known.
+    """
+    if template is not None:
+        one_of("template", template, tuple(known), "choose one of them")
+        name = f"{folder}/{template}.toml"
     return resources.files("nonhertz.io").joinpath(name).read_text(encoding="utf-8")
 
 

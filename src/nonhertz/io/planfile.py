@@ -9,7 +9,6 @@ import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,7 +16,7 @@ from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.inputs.checks import one_line, one_of
 from nonhertz.inputs.files import legible
 from nonhertz.io.bearingfile import BearingCase, bearing_in, bearing_schema
-from nonhertz.io.casefile import Case, case_in, case_text, holds_bearing, named, parsed, schema
+from nonhertz.io.casefile import Case, case_in, case_text, holds_bearing, named, parsed, schema, starting_text
 from nonhertz.io.forms import with_form
 from nonhertz.io.paths import FORM, Parameter, parameter, parameters
 from nonhertz.io.sampling import Sampling
@@ -331,7 +330,7 @@ def plan_in(
 
 def starting_plan() -> str:
     """Return a commented plan to start from, with a table for each command."""
-    return resources.files("nonhertz.io").joinpath("starting_plan.toml").read_text(encoding="utf-8")
+    return starting_text("starting_plan.toml")
 
 
 def plan_schema() -> dict[str, Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -86,12 +86,7 @@ def _of_contact() -> dict[str, Quantity]:
     def taken(quantity: Quantity) -> Callable[[SolvedContact], float]:
         return lambda solved: quantity.clean(solved.solution)
 
-    found = {
-        name: Quantity(
-            name, each.label, each.symbol, each.unit, taken(each), each.shown_unit, each.factor
-        )
-        for name, each in QUANTITIES.items()
-    }  # fmt: skip
+    found = {name: replace(each, get=taken(each), scale=None) for name, each in QUANTITIES.items()}
     for quantity in (
         Quantity("error", "estimated error of approach or load", "", "", _error, "%", 100.0),
         Quantity("warnings", "warnings", "", "", lambda solved: len(solved.solution.warnings), ""),

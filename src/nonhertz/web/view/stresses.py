@@ -64,8 +64,8 @@ def stress_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
 def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
     """Return whether a body bears it, in the sentences of `nonhertz.strength`, and its largest von Mises stress.
 
-    Both are left out where there are no stresses. Unlike the planes above, this searches the whole body, which takes
-    seconds.
+    There are no sentences and no stress where none can be found. Unlike the planes above, this searches the whole
+    body, which takes seconds.
 
     Parameters
     ----------
