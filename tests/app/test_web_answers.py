@@ -117,7 +117,6 @@ def test_stress_is_that_of_the_search(body):
     assert_allclose(told["z"], searched.z, rtol=0.1)
     # A drawing is rounded to a hundred-thousandth of the largest, and its net misses the largest by a hundredth.
     assert_allclose(np.max(section["von_mises"]), searched.max, rtol=1e-2)
-    assert [row[0] for row in section["largest"]] == ["von Mises", "maximum shear", "orthogonal shear"]
 
 
 @pytest.mark.parametrize("body", ["a", "b"])

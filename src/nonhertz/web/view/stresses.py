@@ -10,14 +10,11 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.model.body import BodyName
-from nonhertz.result.numerals import digits
 from nonhertz.result.solution import Solution
-from nonhertz.show.stresses import NAMES
 from nonhertz.strength import assess
 from nonhertz.subsurface import Extreme, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
 from nonhertz.subsurface.inside import Inside
-from nonhertz.subsurface.rolling import QUANTITIES
 from nonhertz.web.view.replies import numbers
 
 Array = NDArray[np.float64]
@@ -105,9 +102,8 @@ def _section(solution: Solution, station: float, body: BodyName) -> tuple[dict[s
         "x": numbers(np.concatenate([-x[:0:-1], x])),
         "z": numbers(field.z[0]),
         "von_mises": numbers(_short(both.T)),
-        "largest": [_row(words, largest[name]) for name, words in NAMES.items()],
     }
-    return section, _worst(largest["von_mises"], body)
+    return section, _worst(largest, body)
 
 
 def _worst(found: Extreme, body: BodyName) -> dict[str, Any]:
@@ -132,27 +128,19 @@ def _short(values: Array) -> Array:
     return np.round(values / step) * step
 
 
-def _largest(solution: Solution, field: Field, body: BodyName) -> dict[str, Extreme]:
-    """Return the largest stresses of a cross-section: the maxima on its grid, refined locally."""
+def _largest(solution: Solution, field: Field, body: BodyName) -> Extreme:
+    """Return the largest von Mises stress of a cross-section: that on its grid, refined locally."""
     x, z, station = field.x[:, 0], field.z[0], float(field.y[0, 0])
-    found = {}
-    for name, quantity in QUANTITIES.items():
-        values = quantity(field.stress)
-        row, column = np.unravel_index(int(values.argmax()), values.shape)
-        near_x, near_z = _close_to(x, int(row)), _close_to(z, int(column))
-        close = _with_numbers(cross_section(solution, station, near_x, near_z, body=body, threads=1))
-        values = quantity(close.stress)
-        at = np.unravel_index(int(values.argmax()), values.shape)
-        found[name] = Extreme(float(values[at]), float(close.x[at]), station, float(close.z[at]))
-    return found
+    coarse = field.von_mises
+    row, column = np.unravel_index(int(coarse.argmax()), coarse.shape)
+    near_x, near_z = _close_to(x, int(row)), _close_to(z, int(column))
+    close = _with_numbers(cross_section(solution, station, near_x, near_z, body=body, threads=1))
+    fine = close.von_mises
+    at = np.unravel_index(int(fine.argmax()), fine.shape)
+    return Extreme(float(fine[at]), float(close.x[at]), station, float(close.z[at]))
 
 
 def _close_to(places: Array, at: int) -> Array:
     """Return positions between the two neighbours of a grid position."""
     low, high = places[max(at - 1, 0)], places[min(at + 1, places.size - 1)]
     return np.linspace(low, high, CLOSE)
-
-
-def _row(name: str, found: Extreme) -> list[str]:
-    side = f"x = +-{digits(found.x, 3)}" if found.x > 0.0 else "x = 0"
-    return [name, f"{digits(found.max, 4)} MPa", f"{side}, z = {digits(found.z, 3)} mm"]
