@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING
 from nonhertz.plot import figures, life_figure, measured_figure, stress_figures
 from nonhertz.plot.units import rewrite_units
 from nonhertz.report.drawing import inline_svg
-from nonhertz.report.language import Language, in_letters, translate_figure
+from nonhertz.report.language import Language, translate_figure
 from nonhertz.report.measurements import Measurement
 from nonhertz.report.overlay import pressures, reliefs
 from nonhertz.report.overview import Key, keys
 from nonhertz.report.results import CaseResults
-from nonhertz.result.reading import chosen
+from nonhertz.result.reading import chosen, in_letters
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:

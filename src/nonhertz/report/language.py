@@ -134,11 +134,6 @@ def _pattern(english: str) -> re.Pattern[str]:
     return re.compile("".join(own), re.DOTALL)
 
 
-def in_letters(text: str) -> str:
-    """Return text with units as they are printed."""
-    return text.replace(" um", " µm").replace("/um", "/µm")
-
-
 def translate_figure(figure: Figure, language: Language) -> None:
     """Put the words of a figure, and the numbers at its axes, into a language."""
     from matplotlib.text import Text

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 from nonhertz import __version__
 from nonhertz.io.title_block import TitleBlock
 from nonhertz.report.figures import ReportFigure
-from nonhertz.report.language import Language, in_letters
+from nonhertz.report.language import Language
 from nonhertz.report.measurements import Measurement
-from nonhertz.result.reading import SI, Units, chosen
+from nonhertz.result.reading import SI, Units, chosen, in_letters
 
 if TYPE_CHECKING:
     from jinja2 import Environment

@@ -73,6 +73,7 @@ _TEXT: Final = re.compile(
 _PAIR: Final = re.compile(rf"({_NUMBER}) (\+-|±) ({_NUMBER})")
 _ONE: Final = re.compile(rf"(?<![\w.^])(?>{_NUMBER})(?![\w^]| values| %)")
 _HEAD: Final = re.compile(rf"\[({_UNIT})\]")
+_MICROMETRE: Final = re.compile(r"(?<=[ /\[])um\b")
 _MIXED: Final = re.compile(rf"({_NUMBER}) ({_UNIT})")
 _BARE: Final = re.compile(rf"{_NUMBER}(?: to {_NUMBER})?")
 
@@ -217,6 +218,11 @@ def read_in(code: str) -> Iterator[None]:
         yield
     finally:
         _CHOSEN.set(before)
+
+
+def in_letters(text: str) -> str:
+    """Return text of the program with units as they are printed, where all letters can be."""
+    return _MICROMETRE.sub("µm", text)
 
 
 def _unit_in(head: str) -> str:

@@ -19,10 +19,10 @@ from nonhertz.report.bearing.results import BearingResults
 from nonhertz.report.differences import differing_inputs
 from nonhertz.report.downloads import Download, given_files, left_out, text_download
 from nonhertz.report.figures import Gallery
-from nonhertz.report.language import Language, in_letters
+from nonhertz.report.language import Language
 from nonhertz.report.layout import Words, laid_out, marked, measured, merged
 from nonhertz.report.measurements import measurements
-from nonhertz.result.reading import SI
+from nonhertz.result.reading import SI, in_letters
 from nonhertz.show.bearing import (
     OF_LARGEST,
     compared_columns,
