@@ -26,6 +26,10 @@ UNITS = ("mm", "N", "MPa", "1/MPa", "rad", "N mm")
         ("0.1 um", "mm", 0.0001),
         ("-1.5e-3 m", "mm", -1.5),
         ("1 in", "mm", 25.4),
+        ("1 mil", "mm", 0.0254),
+        ("2 mils", "mm", 0.0508),
+        ("1 mil/in", "rad", math.atan(0.001)),
+        ("1 thou", "mm", 0.0254),
         ("20 kN", "N", 20000.0),
         ("20kN", "N", 20000.0),
         ("  20   kN ", "N", 20000.0),
@@ -89,6 +93,12 @@ def test_decimal_submultiples_do_not_gain_digits() -> None:
             "8 um",
             "rad",
             "length = '8 um' must have a unit of angle: "
+            "write a number in rad, or text with a unit of angle such as '0.5 mrad' or '8 um/25 mm'.",
+        ),
+        (
+            "1 mil",
+            "rad",
+            "length = '1 mil' must have a unit of angle, and a mil is a thousandth of an inch: "
             "write a number in rad, or text with a unit of angle such as '0.5 mrad' or '8 um/25 mm'.",
         ),
         (

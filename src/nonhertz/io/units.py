@@ -41,6 +41,8 @@ _LONGEST = 40
 _RUN_TOGETHER = re.compile(r"\b([kM]?N)(m|cm|mm)\b")
 # Turns as ISO writes them; pint knows neither.
 _TURN = re.compile(r"\br(?:ev)?\b")
+# A thousandth of an inch; to pint one of three angles of gunners.
+_MIL = re.compile(r"\bmils?\b")
 _BARE_EXPONENT = re.compile(r"(?<=[A-Za-zµμ])(-?\d)")
 
 
@@ -169,6 +171,9 @@ def _factor(written: str, unit: str) -> float:
     spelled = _RUN_TOGETHER.sub(r"\1 \2", written)
     spelled = _BARE_EXPONENT.sub(r"^\1", spelled.replace("**", "^"))
     spelled = "1" + spelled if spelled.startswith("/") else spelled
+    if unit == "rad" and _MIL.search(spelled):
+        raise ValueError("have a unit of angle, and a mil is a thousandth of an inch")
+    spelled = _MIL.sub("thou", spelled)
     if unit == "1/min":
         spelled = _TURN.sub("turn", spelled)
     try:
