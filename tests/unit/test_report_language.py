@@ -25,8 +25,9 @@ from nonhertz.io.title_block import ENGLISH, LANGUAGES, TitleBlock
 from nonhertz.measured import Trace, prepare
 from nonhertz.report import compose
 from nonhertz.report.assumptions import ENDS, Verdict
-from nonhertz.report.language import Language, in_letters
+from nonhertz.report.language import Language
 from nonhertz.result.quantities import QUANTITIES
+from nonhertz.result.reading import in_letters
 from nonhertz.result.solution import EdgeKind, Status
 from nonhertz.show.lives import LIFE_COLUMNS, SPECTRUM_COLUMNS
 from nonhertz.show.stresses import COLUMNS, NAMES
