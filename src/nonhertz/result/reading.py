@@ -90,21 +90,22 @@ class Units:
         ``"si"`` or ``"us"``.
     stated : str
         Words on the units of numbers that have none beside them.
+    table : mapping
+        By unit of the program: the one in its place, and how many of it make one of that; what is missing stays.
     """
 
-    def __init__(self, code: str, stated: str, words: Mapping[str, tuple[str, float]]) -> None:
-        self.code, self.stated = code, stated
-        self._words = words
+    def __init__(self, code: str, stated: str, table: Mapping[str, tuple[str, float]]) -> None:
+        self.code, self.stated, self.table = code, stated, table
 
     def __call__(self, text: str) -> str:
         """Return text of the program with every number and unit in these units; one without units is unchanged."""
-        if not self._words:
+        if not self.table:
             return text
         return _TEXT.sub(self._rewritten, _STRENGTH.sub(self._of_strength, text))
 
     def of(self, unit: str) -> tuple[str, float]:
         """Return the unit in place of one of the program's, and how many of it make one of that."""
-        return self._words.get(unit, (unit, 1.0))
+        return self.table.get(unit, (unit, 1.0))
 
     def value(self, text: str, unit: str, *, given: bool = False) -> tuple[str, str]:
         """Return a value, and the unit that is shown apart from it; all numbers of the value have that unit.
@@ -112,7 +113,7 @@ class Units:
         An input that was given is exact.
         """
         word, factor = self.of(unit)
-        if unit not in self._words:
+        if unit not in self.table:
             return text, unit
         return _each(text, factor, _OF_INPUTS if given else _FIGURES), word
 
@@ -140,7 +141,7 @@ class Units:
         if unit:
             return self.head(cells[0]), *(self._cell(cell, unit) for cell in cells[1:])
         own = (found[2] for cell in cells if (found := _MIXED.fullmatch(cell)))
-        unit = next((cell for cell in cells if cell in self._words), "") or next(own, "")
+        unit = next((cell for cell in cells if cell in self.table), "") or next(own, "")
         return tuple(self._of_row(cell, unit, given) for cell in cells)
 
     def ticks(self, ticks: Ticks, low: float, high: float, unit: str) -> list[float]:
@@ -149,7 +150,7 @@ class Units:
         return [float(each) / factor for each in ticks(factor * low, factor * high)]
 
     def _of_row(self, cell: str, unit: str, given: bool) -> str:
-        if cell in self._words:
+        if cell in self.table:
             return self.of(cell)[0]
         if unit and _BARE.fullmatch(cell):
             return self.value(cell, unit, given=given)[0]
@@ -169,7 +170,7 @@ class Units:
 
     def _rewritten(self, found: re.Match[str]) -> str:
         numbers, unit = found["numbers"], found["unit"]
-        if unit not in self._words:
+        if unit not in self.table:
             return found[0]
         word, factor = self.of(unit)
         if word == "ksi":

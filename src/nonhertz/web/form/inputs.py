@@ -10,6 +10,7 @@ from typing import Any, Final
 from nonhertz.errors import InputError
 from nonhertz.io.mistakes import Place, path_of
 from nonhertz.io.units import in_unit
+from nonhertz.result.reading import chosen
 from nonhertz.web.form.fields import FormField, Option, Slider, text_of
 from nonhertz.web.form.keys import Schema, alternatives, default_of, is_quantity, meaning_of, unit_of, words_for
 from nonhertz.web.form.ranges import range_of
@@ -64,12 +65,13 @@ def _with_units(made: FormField, value: Any, name: str) -> FormField:
     if text_of(made.kind, value) is None and value is not ABSENT:
         return made
     text, units = units_of(made.unit, name, None if value is ABSENT else value)
-    chosen = next((unit.word for unit in units if unit.chosen), "")
-    default = f"{made.default} {made.unit}" if _is_number(made.default) and chosen != made.unit else made.default
-    made = replace(made, units=units, default=default)
+    word = next((unit.word for unit in units if unit.chosen), "")
+    if _is_number(made.default) and word != made.unit:
+        made = replace(made, default=chosen()(f"{made.default} {made.unit}"))
+    made = replace(made, units=units)
     if text is None:
         return made
-    stands_for = "" if value == (float(text) if chosen == made.unit else f"{text} {chosen}") else json.dumps(value)
+    stands_for = "" if value == (float(text) if word == made.unit else f"{text} {word}") else json.dumps(value)
     return replace(made, value=text, stands_for=stands_for)
 
 

@@ -1,8 +1,8 @@
 """The sliders of a bearing: its loads, tilt, clearances and profile drops, in the units that people read.
 
-Lengths are in um, forces in kN, rotations in mrad. Which sliders a bearing has, its own checks say: an axial force,
-say, where the bearing bears one. Ranges depend on the bearing's size and not on the values, so that they keep still
-while a slider is dragged.
+Lengths are in um, forces in kN, rotations in mrad, or in what people read in place of these. Which sliders a bearing
+has, its own checks say: an axial force, say, where the bearing bears one. Ranges depend on the bearing's size and not
+on the values, so that they keep still while a slider is dragged.
 """
 
 from __future__ import annotations
@@ -23,14 +23,9 @@ from nonhertz.model.body import Body
 from nonhertz.model.profile.catalogue import BY_DROP, CATALOGUE
 from nonhertz.model.profile.drop import determined
 from nonhertz.result.numerals import given
+from nonhertz.result.reading import chosen
 
-#: Unit shown, and its size in that of the quantity.
-SHOWN: Final[dict[str, tuple[str, float]]] = {
-    "mm": ("um", 1e-3),
-    "N": ("kN", 1e3),
-    "rad": ("mrad", 1e-3),
-    "N mm": ("N m", 1e3),
-}
+_SHOWN: Final = {"mm": ("um", 1e-3), "N": ("kN", 1e3), "rad": ("mrad", 1e-3), "N mm": ("N m", 1e3)}
 _PAIRS: Final = (("radial", "radial_displacement"), ("axial", "axial_displacement"), ("tilt", "moment"))
 _UNITS: Final = {
     "radial": "N",
@@ -55,7 +50,7 @@ _MEANING: Final = {
     "axial_displacement": "How far the inner ring is moved along the axis, in place of a force.",
 }
 MOST_TILT: Final = 5.0  # mrad
-LEAST_DROP: Final = 0.1  # um
+LEAST_DROP: Final = 1e-4  # mm
 MOST_DROP: Final = 0.01  # of the roller's length: corners begin with a gentle slope
 _TIGHT, _LOOSE = -1e-3, 3e-3  # of the pitch diameter: beyond the clearance groups of catalogues
 _FLAT = 44.0  # N/mm^2, of ISO 76: a static load rating is about this times Z L D
@@ -139,25 +134,24 @@ def _bears(bearing: RollerBearing | Paired, name: str) -> bool:
 def _range(bearing: RollerBearing | Paired, name: str) -> tuple[float, float]:
     """Return the range of a load or a displacement, in its shown unit."""
     row = bearing.rows[0].bearing
-    force = _round(_FLAT * row.rollers * len(bearing.rows) * row.roller_length * row.roller_diameter / SHOWN["N"][1])
+    force = _FLAT * row.rollers * len(bearing.rows) * row.roller_length * row.roller_diameter
     match name:
         case "radial":
-            return 0.0, force
+            return 0.0, _round(force, "N")
         case "axial":
-            return -force, force
+            reach = _round(force, "N")
         case "moment":
-            reach = _round(0.25 * force * row.pitch)  # kN mm = N m
-            return -reach, reach
+            reach = _round(0.25 * force * row.pitch, "N mm")
         case "tilt":
-            return -MOST_TILT, MOST_TILT
+            reach = MOST_TILT
         case _:
-            reach = _round(_LOOSE * row.pitch / SHOWN["mm"][1])
-            return -reach, reach
+            reach = _round(_LOOSE * row.pitch, "mm")
+    return -reach, reach
 
 
 def _of_clearances(bearing: RollerBearing | Paired) -> Iterator[BearingSlider]:
     row = bearing.rows[0].bearing
-    low, high = (math.copysign(_round(abs(share) * row.pitch / SHOWN["mm"][1]), share) for share in (_TIGHT, _LOOSE))
+    low, high = (math.copysign(_round(abs(share) * row.pitch, "mm"), share) for share in (_TIGHT, _LOOSE))
     clearance = getattr(row, "clearance", None)
     if clearance is not None:
         words = "Internal clearance of a row; negative is preload."
@@ -169,7 +163,7 @@ def _of_clearances(bearing: RollerBearing | Paired) -> Iterator[BearingSlider]:
 
 def _of_drops(case: BearingCase, document: dict[str, Any]) -> Iterator[BearingSlider]:
     row = case.bearing.rows[0].bearing
-    most = _round(MOST_DROP * row.roller_length / SHOWN["mm"][1])
+    least, most = _round(LEAST_DROP, "mm"), _round(MOST_DROP * row.roller_length, "mm")
     for part in PARTS:
         body, tables = getattr(row, part), profile_tables(document[part])
         single = isinstance(document[part].get("profile"), dict)
@@ -185,7 +179,7 @@ def _of_drops(case: BearingCase, document: dict[str, Any]) -> Iterator[BearingSl
                 "has at the end of its land than in the middle."
             )
             yield _slider(
-                f"{place}.drop", f"drop, {part}{several}", words, "mm", drop, LEAST_DROP, most,
+                f"{place}.drop", f"drop, {part}{several}", words, "mm", drop, least, most,
                 figures=6 if "drop" in table else 4, scale="log", without=tuple(f"{place}.{name}" for name in free),
             )  # fmt: skip
 
@@ -218,18 +212,26 @@ def _freed(table: dict[str, Any]) -> list[str]:
 def _slider(
     path: str, label: str, help_: str, unit: str, value: float, low: float, high: float, figures: int = 6, **more: Any
 ) -> BearingSlider:
-    shown, size = SHOWN[unit]
-    return BearingSlider(path, label, help_, shown, given(float(value) / size, figures), low, high, **more)
+    word, size = shown(unit)
+    return BearingSlider(path, label, help_, word, given(float(value) / size, figures), low, high, **more)
 
 
-def _round(value: float) -> float:
-    """Return the next round number above a positive one.
+def shown(unit: str) -> tuple[str, float]:
+    """Return the unit in which a quantity is read and typed, and its size in that of the quantity."""
+    word, size = _SHOWN[unit]
+    read, factor = chosen().of(word)
+    return read, size / factor
+
+
+def _round(quantity: float, unit: str) -> float:
+    """Return the next round number above a positive quantity, in the unit in which it is read.
 
     Examples
     --------
-    >>> _round(51.5), _round(0.7)
+    >>> _round(51.5e3, "N"), _round(0.7e-3, "mm")
     (60.0, 0.8)
     """
+    value = quantity / shown(unit)[1]
     if not 0.0 < value < math.inf:
         return 1.0
     power = 10.0 ** math.floor(math.log10(value))

@@ -8,13 +8,13 @@ from typing import Any, Final
 
 from nonhertz.errors import InputError
 from nonhertz.io.units import in_unit, number_and_unit
-from nonhertz.result.reading import INCH, POUND_FORCE
+from nonhertz.result.reading import INCH, POUND_FORCE, chosen
 
 #: Per base unit, words as files have them and their size.
 CHOICES: Final[dict[str, dict[str, float]]] = {
-    "mm": {"um": 1e-3, "mm": 1.0, "m": 1e3, "in": INCH},
+    "mm": {"um": 1e-3, "mm": 1.0, "m": 1e3, "in": INCH, "uin": 1e-6 * INCH},
     "N": {"N": 1.0, "kN": 1e3, "lbf": POUND_FORCE},
-    "MPa": {"MPa": 1.0, "GPa": 1e3, "psi": POUND_FORCE / INCH**2},
+    "MPa": {"MPa": 1.0, "GPa": 1e3, "psi": POUND_FORCE / INCH**2, "ksi": 1e3 * POUND_FORCE / INCH**2},
     "rad": {"mrad": 1e-3, "arcmin": math.pi / 10800.0, "deg": math.pi / 180.0, "um/mm": 1e-3, "rad": 1.0},
     "N mm": {"N mm": 1.0, "N m": 1e3, "lbf in": POUND_FORCE * INCH},
 }
@@ -25,6 +25,7 @@ _SMALL: Final = {"amplitude", "approach", "drop", "zm"}
 _LARGE: Final = {"N": (1e3, "kN"), "MPa": (1e4, "GPa"), "N mm": (1e4, "N m")}
 _SMALL_ANGLE: Final = 0.05
 _FIGURES: Final = 12
+_FEWER: Final = 6  # of one that was given in other units
 _LINEAR: Final = 1e-3  # relative: the angle of a slope is not proportional to it, which a slider takes for granted
 
 
@@ -49,11 +50,13 @@ class Unit:
     @property
     def label(self) -> str:
         """As people read it."""
-        return self.word.replace("um", "µm").replace("deg", "°").replace("arcmin", "′")
+        return self.word.replace("um", "µm").replace("uin", "µin").replace("deg", "°").replace("arcmin", "′")
 
 
 def units_of(base: str, name: str, value: Any) -> tuple[str | None, tuple[Unit, ...]]:
     """Return the number of a value in the unit in which it is shown, and the units to choose from.
+
+    What was given with a unit is shown in that, unless results are read in US units.
 
     Parameters
     ----------
@@ -78,7 +81,7 @@ def units_of(base: str, name: str, value: Any) -> tuple[str | None, tuple[Unit, 
     if isinstance(value, str):
         written = number_and_unit(value)
         if written is None:
-            return None, _chosen(units, base)
+            return None, _chosen(units, chosen().of(base)[0])
         number, unit = written
         word = unit.replace("µ", "u").replace("μ", "u")
         if word not in known:
@@ -86,18 +89,26 @@ def units_of(base: str, name: str, value: Any) -> tuple[str | None, tuple[Unit, 
                 size = in_unit(name, value, base)
                 one = in_unit(name, f"1 {unit}", base)
             except InputError:
-                return None, _chosen(units, base)
+                return None, _chosen(units, chosen().of(base)[0])
             word = unit
             units += (Unit(word, one if math.isclose(one * float(number), size, rel_tol=_LINEAR) else None),)
-        return number, _chosen(units, word)
+        if word not in chosen().table:
+            return number, _chosen(units, word)
+        value = in_unit(name, value, base)
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        return None, _chosen(units, _usual(base, name, None))
-    word = _usual(base, name, float(value))
-    return _shown(float(value) / known[word]), _chosen(units, word)
+        return None, _chosen(units, _usual(base, name, None)[0])
+    word, figures = _usual(base, name, float(value))
+    return _shown(float(value) / known[word], figures), _chosen(units, word)
 
 
-def _usual(base: str, name: str, value: float | None) -> str:
-    """Return the unit in which people write a quantity of this name and size."""
+def _usual(base: str, name: str, value: float | None) -> tuple[str, int]:
+    """Return the unit in which people write a quantity of this name and size, and with how many digits."""
+    word = _of_files(base, name, value)
+    read, factor = chosen().of(word)
+    return read, _FIGURES if factor == 1.0 else _FEWER
+
+
+def _of_files(base: str, name: str, value: float | None) -> str:
     size = abs(value) if value is not None else 0.0
     if base == "mm":
         return "um" if name in _SMALL and size < 1.0 else "mm"
@@ -111,7 +122,7 @@ def _chosen(units: tuple[Unit, ...], word: str) -> tuple[Unit, ...]:
     return tuple(replace(unit, chosen=unit.word == word) for unit in units)
 
 
-def _shown(number: float) -> str:
+def _shown(number: float, figures: int) -> str:
     """Return a number without the digits that dividing by a unit has added."""
-    rounded = float(f"{number:.{_FIGURES}g}")
+    rounded = float(f"{number:.{figures}g}")
     return str(int(rounded)) if rounded == int(rounded) and abs(rounded) < 1e9 else repr(rounded)

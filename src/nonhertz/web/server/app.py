@@ -20,6 +20,7 @@ from starlette.routing import Route
 from nonhertz import __version__
 from nonhertz.io.casefile import TEMPLATES, parsed, starting_case
 from nonhertz.model.body import BODIES, BodyName
+from nonhertz.result.reading import US
 from nonhertz.web.form.fields import is_number
 from nonhertz.web.form.form import form
 from nonhertz.web.limits import (
@@ -38,6 +39,7 @@ from nonhertz.web.server.bearings import BearingPage
 from nonhertz.web.server.documents import as_attachment, document_in, in_script
 from nonhertz.web.server.guard import Guard
 from nonhertz.web.server.intake import RefusedError, content, json_object
+from nonhertz.web.server.units import InUnits
 from nonhertz.web.server.workers import EndedError, FailedError, TooSlowError, Workers
 from nonhertz.web.view import jobs
 from nonhertz.web.view.curves import curve
@@ -80,6 +82,7 @@ class Page:
         self.searching = Workers(1, jobs.step_back, waiting=STRENGTH_SECONDS, eager=False)
         loader = jinja2.PackageLoader("nonhertz.web")
         self.templates = jinja2.Environment(loader=loader, autoescape=True, undefined=jinja2.StrictUndefined)
+        self.templates.globals["us"] = Markup(in_script(dict(US.table)))
         self.files = _static_files()
         self.bearings = BearingPage(text, workers, self.templates)
 
@@ -272,7 +275,7 @@ def application(document: dict[str, Any], port: int, workers: int = 2, text: str
     )
     app.router.redirect_slashes = False
     # Wraps everything, including the handler of our own errors.
-    return Guard(app, port)
+    return Guard(InUnits(app), port)
 
 
 def _body_in(asked: dict[str, Any]) -> BodyName:

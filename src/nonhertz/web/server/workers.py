@@ -20,6 +20,7 @@ import anyio
 import anyio.to_thread
 from anyio.abc import TaskGroup
 
+from nonhertz.result.reading import chosen, read_in
 from nonhertz.web.limits import WAITING_REQUESTS, WAITING_SECONDS
 from nonhertz.web.server.intake import RefusedError
 
@@ -85,9 +86,9 @@ class Worker:
         return value
 
     def do(self, job: Job, arguments: tuple[Any, ...], seconds: float) -> Any:
-        """Return what a job returns; raise as `wait` does."""
+        """Return what a job returns in the units that are chosen here; raise as `wait` does."""
         try:
-            self._connection.send_bytes(pickle.dumps((job, arguments)))
+            self._connection.send_bytes(pickle.dumps((job, arguments, chosen().code)))
         except OSError:
             raise EndedError("its process ended") from None
         return self.wait(seconds)
@@ -261,10 +262,11 @@ def _work(connection: Connection, warm_up: Job | None) -> None:
         _answer(connection, warm_up, ())
     while True:
         try:
-            job, arguments = pickle.loads(connection.recv_bytes())
+            job, arguments, units = pickle.loads(connection.recv_bytes())
         except (EOFError, OSError):
             return
-        _answer(connection, job, arguments)
+        with read_in(units):
+            _answer(connection, job, arguments)
 
 
 def _answer(connection: Connection, job: Job, arguments: tuple[Any, ...]) -> None:

@@ -21,7 +21,7 @@ from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, Solution
 from nonhertz.show.summary import summary_rows
 from nonhertz.study.quantities import LIFE_MODEL, life_of
-from nonhertz.web.view.replies import numbers
+from nonhertz.web.view.replies import as_read, numbers
 
 Array = NDArray[np.float64]
 
@@ -46,10 +46,10 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "ok": True,
         "title": case.title,
         "status": solution.status.label,
-        "complaint": complaint,
+        "complaint": as_read(complaint),
         "key": _key_numbers(solution),
-        "summary": [list(row) for row in summary_rows(solution)],
-        "warnings": list(solution.warnings),
+        "summary": [list(map(as_read, row)) for row in summary_rows(solution)],
+        "warnings": [as_read(sentence) for sentence in solution.warnings],
         "line": _line(solution),
         "footprint": _footprint(solution),
         "gap": _gap(solution),
@@ -68,7 +68,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
 def _key_numbers(solution: Solution) -> dict[str, Any]:
     """Return the numbers by which cases are compared, unrounded."""
     return {name: plain(quantity.get(solution)) for name, quantity in QUANTITIES.items()} | {
-        "largest": where_largest(solution, 3),
+        "largest": as_read(where_largest(solution, 3)),
         "strips": solution.strips,
         "ends": [
             {

@@ -20,7 +20,7 @@ from nonhertz.web.form.sliders import sliders
 from nonhertz.web.limits import oversizes, slow_bearing, unfit
 from nonhertz.web.view.bearings import bearing_answer, nothing_drawn
 from nonhertz.web.view.jobs import as_json_has_it, calmly
-from nonhertz.web.view.replies import as_bytes, broken, misfit
+from nonhertz.web.view.replies import as_bytes, as_read, broken, misfit
 
 Method = Literal["strips", "slices"]
 
@@ -54,7 +54,7 @@ def solve(given: dict[str, Any] | str, method: Method | None) -> bytes:
         except CaseError as error:
             return as_bytes(found | misfit(error))
         except ConvergenceError as error:
-            return as_bytes(found | broken([("load", str(error))]))
+            return as_bytes(found | broken([("load", as_read(str(error)))]))
     found["ms"] = round(1e3 * (time.perf_counter() - begun), 1)
     return as_bytes(found)
 
@@ -161,10 +161,14 @@ def drawn(document: dict[str, Any], name: str, kind: Literal["svg", "png"]) -> b
     """Return a figure of a bearing as a file, or what is wrong with a document."""
     from nonhertz.plot.bearing.sheets import bearing_figures
     from nonhertz.plot.sheets import image
+    from nonhertz.plot.units import rewrite_units
 
     def make(case: BearingCase, solution: BearingSolution) -> bytes | dict[str, Any]:
         figures = bearing_figures(solution, case.title)
-        return image(figures[name], kind) if name in figures else broken([("", nothing_drawn(name, solution))])
+        if name not in figures:
+            return broken([("", nothing_drawn(name, solution))])
+        rewrite_units(figures[name])
+        return image(figures[name], kind)
 
     return _made(document, make)
 
@@ -178,7 +182,7 @@ def _made(
         except CaseError as error:
             return misfit(error)
         except ConvergenceError as error:
-            return broken([("load", str(error))])
+            return broken([("load", as_read(str(error)))])
 
 
 def warm_up() -> None:

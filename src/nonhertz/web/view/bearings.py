@@ -15,6 +15,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.results import plain
+from nonhertz.result.reading import chosen, in_letters
 from nonhertz.result.solution import Solution
 from nonhertz.show.bearing import (
     bearing_warnings,
@@ -25,7 +26,7 @@ from nonhertz.show.bearing import (
     roller_rows,
     summary_rows,
 )
-from nonhertz.web.view.replies import numbers
+from nonhertz.web.view.replies import as_read, numbers
 
 Array = NDArray[np.float64]
 
@@ -50,6 +51,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
     life, reason = rated(case, solution)
     pressed = solution.method == "strips"
     rows = [*summary_rows(case, solution), *life_rows(life, reason, case.prescribed.get("speed"))]
+    columns, rollers = chosen().columns([in_letters(head) for head in roller_columns(solution)], roller_rows(solution))
     return {
         "ok": True,
         "title": case.title,
@@ -62,10 +64,10 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "force": numbers(solution.force),
         "most": most_loaded(solution),
         "contacts": _by_strips(solution) if pressed else _by_slices(solution, case.solver.get("laminae", LAMINAE)),
-        "summary": [list(row) for row in rows],
-        "columns": list(roller_columns(solution)),
-        "rollers": [list(row) for row in roller_rows(solution)],
-        "warnings": bearing_warnings(solution),
+        "summary": [list(map(as_read, row)) for row in rows],
+        "columns": list(columns),
+        "rollers": [list(row) for row in rollers],
+        "warnings": [as_read(sentence) for sentence in bearing_warnings(solution)],
     }
 
 

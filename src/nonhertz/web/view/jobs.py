@@ -12,11 +12,12 @@ from typing import Any
 
 import numpy as np
 
-from nonhertz.errors import CaseError
+from nonhertz.errors import CaseError, InputError
 from nonhertz.io.casefile import Case, as_toml, case_in, parsed, starting_case
 from nonhertz.io.mistakes import Mistake, case_error
 from nonhertz.io.results import as_json, as_table
 from nonhertz.model.body import BodyName
+from nonhertz.result.reading import chosen
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import attempted
 from nonhertz.web.form.fields import is_number
@@ -145,9 +146,11 @@ def report(document: dict[str, Any]) -> bytes | dict[str, Any]:
 
     with calmly():
         try:
-            return compose([sound(document)]).encode()
+            return compose([sound(document)], units=chosen().code).encode()
         except CaseError as error:
             return misfit(error)
+        except InputError as error:  # of units that its language does not have
+            return broken([("report.language", str(error))])
 
 
 def upload(content: bytes, name: str, options: dict[str, str]) -> bytes:

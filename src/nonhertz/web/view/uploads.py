@@ -18,7 +18,7 @@ from nonhertz.model.profile import Tabulated
 from nonhertz.model.profile.table import Interpolation
 from nonhertz.result.numerals import digits
 from nonhertz.web.limits import UPLOAD_POINTS
-from nonhertz.web.view.replies import as_bytes, broken
+from nonhertz.web.view.replies import as_bytes, as_read, broken
 
 Array = NDArray[np.float64]
 
@@ -101,16 +101,16 @@ def _answer(measured: Measured, interpolation: Interpolation | None) -> dict[str
         "steps": [
             {
                 "name": after.name,
-                "sentence": after.words,
+                "sentence": as_read(after.words),
                 "before": _drawn(before.y, before.height),
                 "after": _drawn(after.y, after.height),
                 "floor_um": _floor(after),
             }
             for before, after in itertools.pairwise(states)
         ],
-        "notes": list(measured.trace.notes),
+        "notes": [as_read(note) for note in measured.trace.notes],
         "roughness": _roughness_rows(measured),
-        "warnings": list(measured.warnings),
+        "warnings": [as_read(warning) for warning in measured.warnings],
     }
 
 
@@ -154,6 +154,6 @@ def _roughness_rows(measured: Measured) -> list[list[str]]:
     found = measured.roughness
     rows = {"Ra": found.ra, "Rq": found.rq, "Rz": found.rz}
     return [
-        *([name, f"{digits(1e3 * value, 3)} um", ""] for name, value in rows.items()),
-        ["cutoff", f"{digits(found.cutoff, 3)} mm", f"{found.sections} sections"],
+        *([name, as_read(f"{digits(1e3 * value, 3)} um"), ""] for name, value in rows.items()),
+        ["cutoff", as_read(f"{digits(found.cutoff, 3)} mm"), f"{found.sections} sections"],
     ]

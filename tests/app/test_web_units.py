@@ -1,0 +1,221 @@
+"""The page in US units: the same numbers, sentences and fields in those, files as they are."""
+
+from __future__ import annotations
+
+import copy
+import json
+import re
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import jinja2
+import pytest
+from form_reading import document_in
+from numpy.testing import assert_allclose
+from serving import running
+
+from nonhertz.io.bearingfile import BEARING_TEMPLATES, bearing_in, starting_bearing
+from nonhertz.io.casefile import TEMPLATES, starting_case
+from nonhertz.io.units import in_unit
+from nonhertz.result.reading import US, read_in
+from nonhertz.web.form.fields import FormField
+from nonhertz.web.form.form import form
+from nonhertz.web.form.sliders import shown, sliders
+from nonhertz.web.server import workers
+from nonhertz.web.server.units import HEADER
+from nonhertz.web.view import bearing_jobs, curves, jobs, uploads
+
+STARTING = tomllib.loads(starting_case())
+SHARP = copy.deepcopy(STARTING)
+SHARP["body"]["a"].pop("profile")
+OF_SI = re.compile(r"(?:\d |\[)(?:mm|[uµ]m|nm|MPa|GPa|k?N)(?!\w)")
+US_ALONE = {HEADER: "us"}
+
+
+def texts(found: Any, leaving: tuple[str, ...] = ("title", "document", "text", "sliders")) -> Iterator[str]:
+    """All text of an answer but for what somebody wrote."""
+    if isinstance(found, dict):
+        for name, value in found.items():
+            if name not in leaving:
+                yield from texts(value)
+    elif isinstance(found, list):
+        for value in found:
+            yield from texts(value)
+    elif isinstance(found, str):
+        yield found
+
+
+def numbers(found: Any, leaving: tuple[str, ...] = ("ms", "sliders")) -> Iterator[float]:
+    if isinstance(found, dict):
+        for name, value in found.items():
+            if name not in leaving:
+                yield from numbers(value)
+    elif isinstance(found, list):
+        for value in found:
+            yield from numbers(value)
+    elif isinstance(found, int | float):
+        yield float(found)
+
+
+def in_us_units(job: Any, *arguments: Any) -> Any:
+    with read_in("us"):
+        return json.loads(job(*arguments))
+
+
+def in_si_units(found: Any) -> list[str]:
+    return [text for text in texts(found) if OF_SI.search(text)]
+
+
+CASES = {name: tomllib.loads(starting_case(name)) for name in TEMPLATES} | {"start": STARTING, "sharp": SHARP}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_of_a_contact_sentences_change_and_numbers_do_not(name):
+    usual, found = json.loads(jobs.solve(CASES[name], True, "a")), in_us_units(jobs.solve, CASES[name], True, "a")
+    assert in_si_units(usual)
+    assert in_si_units(found) == []
+    assert list(numbers(found)) == list(numbers(usual))
+
+
+def test_strength_curves_and_measured_files():
+    case = CASES["cylindrical"]
+    checks = in_us_units(jobs.strength, case, "a")["checks"]
+    assert in_si_units(json.loads(jobs.strength(case, "a"))["checks"])
+    assert checks
+    assert in_si_units(checks) == []
+    # The page itself converts the numbers of a curve; that a value has no solution is a sentence.
+    usual, found = (tell(curves.curve, STARTING, "load.load", [2e4, 1e9]) for tell in (in_us_units, in_us_units))
+    assert list(numbers(found)) == list(numbers(usual))
+    rows = "\n".join(f"{0.1 * number},{1e-3 * (0.1 * number - 5.0) ** 2}" for number in range(101))
+    measured = in_us_units(uploads.answer_to_file, rows.encode(), "roller.csv", {})
+    assert measured["ok"]
+    assert in_si_units(measured) == []
+    assert "uin" not in json.dumps(measured)
+
+
+@pytest.mark.parametrize("method", ["slices", "strips"])
+@pytest.mark.parametrize("name", ["cylindrical", "tapered-pair"])
+def test_of_a_bearing_sentences_change_and_numbers_do_not(name, method):
+    assert name in BEARING_TEMPLATES
+    document = tomllib.loads(starting_bearing(name))
+    usual = json.loads(bearing_jobs.solve(document, method))
+    found = in_us_units(bearing_jobs.solve, document, method)
+    assert in_si_units(usual)
+    assert in_si_units(found) == []
+    assert list(numbers(found)) == list(numbers(usual))
+    assert found["text"] == usual["text"]
+
+
+@pytest.mark.parametrize("name", BEARING_TEMPLATES)
+def test_sliders_of_a_bearing(name):
+    document = tomllib.loads(starting_bearing(name))
+    case = bearing_in(document, Path("b.toml"))
+    usual = sliders(case, document)
+    with read_in("us"):
+        found = sliders(case, document)
+        assert shown("N")[0] == "lbf"
+    assert [each.path for each in found] == [each.path for each in usual]
+    for here, there in zip(found, usual, strict=True):
+        base = {"um": "mm", "kN": "N", "mrad": "rad", "N m": "N mm"}[there.unit]
+        ends = [
+            [in_unit("end", f"{end!r} {each.unit}", base) for end in (float(each.value), each.low, each.high)]
+            for each in (here, there)
+        ]
+        assert here.unit in {"uin", "lbf", "lbf in", "mrad"}
+        assert_allclose(ends[0][0], ends[1][0], rtol=6e-4)  # a drop that follows from others has four digits
+        assert_allclose(ends[0][1:], ends[1][1:], rtol=1.0)  # each is round in its own unit
+        assert here.low == pytest.approx(float(f"{here.low:.2g}"))
+
+
+def fields(document: dict[str, Any]) -> dict[str, FormField]:
+    return {each.path: each for each in form(document).fields if each.kind in {"quantity", "integer-or-word"}}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_fields_are_in_us_units_and_stand_for_what_the_case_says(name):
+    usual = fields(CASES[name])
+    with read_in("us"):
+        found = fields(CASES[name])
+    converted = 0
+    for path, each in found.items():
+        unit = next((unit for unit in each.units if unit.chosen), None)
+        before = next((unit for unit in usual[path].units if unit.chosen), None)
+        if unit is None or not each.value:
+            assert each.value == usual[path].value
+            continue
+        assert unit.word not in US.table
+        if unit != before and each.value != usual[path].value:  # a word is one in any unit
+            assert_allclose(
+                float(each.value) * unit.factor, float(usual[path].value) * before.factor, rtol=1e-5, err_msg=path
+            )
+            assert each.stands_for
+            assert len(re.sub(r"\D", "", each.value).lstrip("0")) <= 6
+            converted += 1
+        assert not OF_SI.search(each.default) or not re.search(r"\d", each.default)
+    assert converted >= 3
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_form_in_us_units_is_still_its_case(name):
+    templates = jinja2.Environment(loader=jinja2.PackageLoader("nonhertz.web"), autoescape=True)
+    with read_in("us"):
+        text = templates.get_template("form.html").render(form=form(CASES[name]))
+    assert document_in(text) == CASES[name]
+
+
+# Over the network
+
+
+@pytest.fixture(scope="module")
+def client():
+    with (
+        running(STARTING) as port,
+        httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=workers.WARM_UP_SECONDS) as made,
+    ):
+        yield made
+
+
+def test_each_request_has_units_of_its_own(client):
+    told = [client.post("/solve", json={"document": STARTING}, headers=headers) for headers in (US_ALONE, {}, US_ALONE)]
+    assert [each.status_code for each in told] == [200] * 3
+    first, second, third = (" ".join(texts(each.json())) for each in told)
+    assert "ksi" in first
+    assert "MPa" not in first
+    assert "ksi" not in second
+    assert "MPa" in second
+    assert first == third
+    assert "lbf" in client.post("/form", json={"document": STARTING}, headers=US_ALONE).text.split("selected")[3]
+
+
+def test_other_units_are_refused(client):
+    answer = client.post("/solve", json={"document": STARTING}, headers={HEADER: "imperial"})
+    assert answer.status_code == 400
+    assert answer.json()["mistakes"][0]["sentence"] == "The units must be 'si' or 'us'."
+
+
+def test_reports_and_pictures_are_in_them_and_tables_are_not(client):
+    case = {"document": STARTING | {"life": {}}}
+    report = client.post("/download/report.html", json=case, headers=US_ALONE)
+    assert report.status_code == 200
+    assert "ksi" in report.text
+    usual, table = (client.post("/download/table.csv", json=case, headers=each) for each in ({}, US_ALONE))
+    assert table.content == usual.content
+    bearing = {"document": tomllib.loads(starting_bearing()) | {"solver": {"method": "slices"}}}
+    picture = client.post("/bearing/download/loads.svg", json=bearing, headers=US_ALONE)
+    assert picture.status_code == 200, picture.text
+    with read_in("us"):
+        drawn = bearing_jobs.drawn(bearing["document"], "loads", "svg")
+    assert picture.content != client.post("/bearing/download/loads.svg", json=bearing).content
+    assert isinstance(drawn, bytes)
+
+
+def test_a_german_report_in_us_units_is_refused_in_a_sentence(client):
+    german = {"document": STARTING | {"report": {"language": "de"}}}
+    answer = client.post("/download/report.html", json=german, headers=US_ALONE)
+    assert answer.status_code == 422
+    [mistake] = answer.json()["mistakes"]
+    assert mistake["path"] == "report.language"
+    assert "'si' in other languages" in mistake["sentence"]
