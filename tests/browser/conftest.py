@@ -132,6 +132,7 @@ def desks(browser: Any, usual: Any, address: str) -> Iterator[Any]:
 
     yield opening
     for context, desk in opened:
+        desk.page.evaluate("() => localStorage.clear()")  # colours and units that were chosen
         desk.page.close()
         if context is not usual:
             context.close()

@@ -44,6 +44,7 @@ def sharp(desk: Desk) -> None:
 STATES: dict[str, Callable[[Desk], Any]] = {
     "as it opens": lambda desk: None,
     "dark": lambda desk: desk.page.locator("#theme").click(),
+    "US units": lambda desk: desk.press("#units"),
     "curve": curve,
     "menu": lambda desk: desk.page.locator("#templates summary").click(),
     "downloads": lambda desk: desk.page.locator("#downloads summary").click(),

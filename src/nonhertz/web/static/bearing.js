@@ -14,6 +14,7 @@ import { sayLater, writeKeyNumbers, writeRows } from "./results.js";
 import { drawRoller } from "./roller.js";
 import { Sliders } from "./sliders.js";
 import { notice, timed, watchProgram } from "./status.js";
+import { amount, parts, watchUnits } from "./units.js";
 
 const start = JSON.parse(byId("start").textContent);
 const REST = 250; // ms without a change before strips are asked for
@@ -226,8 +227,8 @@ function displacement({ key }) {
   const [along, ...across] = key.displacement.slice(0, 3);
   const number = Math.hypot(...across);
   const where =
-    Math.abs(along) > NO_MOTION ? `radial; axial ${digits(1e3 * along, 3)} µm` : "radial, of the inner ring";
-  return { name: "Displacement", value: digits(1e3 * number), unit: "µm", where, number };
+    Math.abs(along) > NO_MOTION ? `radial; axial ${amount(1e3 * along, "µm", 3)}` : "radial, of the inner ring";
+  return { name: "Displacement", ...parts(1e3 * number, "µm"), where, number };
 }
 
 function loaded({ key }) {
@@ -239,7 +240,7 @@ function pressure({ key, method }) {
   const { max_pressure: number, at } = key;
   const name = "Largest pressure";
   if (number === null) return { name, value: "–", unit: "", where: method === "slices" ? "by strips only" : "", number };
-  return { name, value: digits(number), unit: "MPa", where: `roller ${at[0]}, ${at[1]} ring`, number };
+  return { name, ...parts(number, "MPa"), where: `roller ${at[0]}, ${at[1]} ring`, number };
 }
 
 function life({ key, method }) {
@@ -262,7 +263,7 @@ function writeRollers({ columns, rollers }, number) {
 }
 
 function spoken({ key, method }) {
-  const largest = key.max_pressure === null ? "" : `, largest pressure ${digits(key.max_pressure)} MPa`;
+  const largest = key.max_pressure === null ? "" : `, largest pressure ${amount(key.max_pressure, "MPa")}`;
   const few = `${key.loaded} of ${key.rollers} rollers loaded`;
   return `By ${method}: largest load of a roller ${newtons(key.load)}, ${few}${largest}`;
 }
@@ -408,6 +409,7 @@ function wire() {
   });
   window.addEventListener("hashchange", () => void fromLink());
   watchKeys(step);
+  watchUnits(() => page.document && want({ document: page.document }));
   watchHelp();
   whenResized(drawPictures);
 }

@@ -2,6 +2,7 @@
 
 import { element } from "./elements.js";
 import { save } from "./save.js";
+import { named, scaled } from "./units.js";
 
 export const INK = "currentColor";
 export const FIRST = "var(--first)";
@@ -112,13 +113,30 @@ function saversOf(host) {
 }
 
 /** The axis along the contact. @param {[number, number]} span @param {boolean} [named] */
-export function alongAxis(span, named = true) {
-  return { domain: span, label: named ? "y [mm]" : null, labelAnchor: "center", labelArrow: "none", tickFormat: PLAIN };
+export function alongAxis(span, labelled = true) {
+  return { ...axis("y", "mm", span), ...(labelled ? {} : { label: null }) };
 }
 
-/** The vertical axis. @param {[number, number]} domain @param {string} label @param {object} [more] */
-export function uprightAxis(domain, label, more = {}) {
-  return { domain, label, labelAnchor: "center", labelArrow: "none", ticks: 5, tickFormat: PLAIN, grid: true, ...more };
+/**
+ * The vertical axis.
+ * @param {[number, number] | undefined} domain
+ * @param {string} label
+ * @param {string} unit of the program
+ * @param {object} [more]
+ */
+export function uprightAxis(domain, label, unit, more = {}) {
+  return { ...axis(label, unit, domain), ticks: 5, grid: true, ...more };
+}
+
+/**
+ * An axis with a label in its middle.
+ * @param {string} label
+ * @param {string} unit of the program
+ * @param {[number, number] | undefined} domain
+ */
+export function axis(label, unit, domain) {
+  const title = unit ? `${label} [${named(unit)}]` : label;
+  return { ...scaled(unit, domain), label: title, labelAnchor: "center", labelArrow: "none", tickFormat: PLAIN };
 }
 
 /** Thin lines where the bodies end, if they do. @param {import("./types.js").Answer} answer */

@@ -9,6 +9,7 @@ import { ends, factorOf, isLogarithmic, unitOf, valueOf } from "./fields.js";
 import { AWAY, post } from "./live.js";
 import { digits, rounded } from "./numbers.js";
 import { withValue } from "./paths.js";
+import { amount } from "./units.js";
 
 const POINTS = 33; // a power of two and one
 const AT_ONCE = 4; // points of a request
@@ -132,6 +133,12 @@ export class Curve {
     else this.draw();
   }
 
+  /** Results and fields are read in other units from now on. */
+  reread() {
+    this.forget();
+    if (this.chosen()) this.choose(this.path);
+  }
+
   forget() {
     this.asking?.abort();
     this.asking = null;
@@ -214,7 +221,7 @@ export class Curve {
       ? `${failed.length} of ${along.length} values have no solution, the first at ${first}`
       : "";
     const quantity = this.quantities[number];
-    const [sideways, upright] = [titled(choice.label, unitOf(choice.control)), titled(quantity.label, quantity.unit)];
+    const unit = unitOf(choice.control);
     head(figure("curve"), capital(`${quantity.label} over ${choice.label}`), []);
     draw(
       figure("curve"),
@@ -226,18 +233,18 @@ export class Curve {
         x: {
           type: isLogarithmic(choice.slider) ? "log" : "linear",
           domain: ["curve-low", "curve-high"].map((end) => Number(byId(end).value)).sort((one, other) => one - other),
-          label: sideways,
+          label: unit ? `${choice.label} [${unit}]` : choice.label,
           labelAnchor: "center",
           labelArrow: "none",
           ticks: 6,
           tickFormat: PLAIN,
         },
-        y: uprightAxis(undefined, upright, { nice: true }),
+        y: uprightAxis(undefined, quantity.label, quantity.unit, { nice: true }),
         marks: [
           ...this.mark(choice, quantity, factor),
           line(x, y, { stroke: FIRST }),
           Plot.dot(x, { x, y, r: 2, fill: FIRST }),
-          ...reading(x, y, (place) => `${digits(x[place])} ${unitOf(choice.control)}\n${digits(y[place])} ${quantity.unit}`),
+          ...reading(x, y, (place) => `${digits(x[place])} ${unit}\n${amount(y[place], quantity.unit)}`),
         ],
       },
       words(quantity, choice, x, y),
@@ -279,16 +286,11 @@ function capital(text) {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-/** @param {string} label @param {string} unit */
-function titled(label, unit) {
-  return unit ? `${label} [${unit}]` : label;
-}
-
 /** @param {Quantity} quantity @param {Choice} choice @param {number[]} x @param {(number | null)[]} y */
 function words(quantity, choice, x, y) {
   const solved = y.flatMap((value, place) => (value === null ? [] : [{ value, at: x[place] }]));
   if (!solved.length) return `${capital(quantity.label)} over ${choice.label}: no value has a solution.`;
-  const told = (each) => `${digits(each.value)} ${quantity.unit} at ${digits(each.at)} ${unitOf(choice.control)}`;
+  const told = (each) => `${amount(each.value, quantity.unit)} at ${digits(each.at)} ${unitOf(choice.control)}`;
   const sorted = [...solved].sort((one, other) => one.value - other.value);
   return `${capital(quantity.label)} over ${choice.label}: least ${told(sorted[0])}, largest ${told(sorted[sorted.length - 1])}.`;
 }

@@ -66,7 +66,23 @@ export function convert(units, control) {
   units.dataset.before = units.value;
   const number = quantity(control.value);
   if (!before || !after || typeof number !== "number") return;
-  control.value = String(Number(outOf(inBase(number, before), after).toPrecision(12)));
+  const value = exact(control, units) ?? inBase(number, before);
+  control.value = String(Number(outOf(value, after).toPrecision(12)));
+}
+
+/**
+ * What the case says, in the base unit, where a field shows it rounded; null once it has been edited.
+ * @param {Control} control
+ * @param {HTMLSelectElement} units
+ */
+function exact(control, units) {
+  const stands = control.dataset.standsFor;
+  if (!stands || !(control instanceof HTMLInputElement) || control.value !== control.defaultValue) return null;
+  const said = JSON.parse(stands);
+  if (typeof said === "number") return said;
+  const written = split(String(said));
+  const unit = written && [...units.options].find(({ value }) => value === written.unit);
+  return written && unit ? inBase(Number(written.number), unit) : null;
 }
 
 /** A number in the base unit; of a slope, the angle. @param {number} number @param {HTMLOptionElement} unit */

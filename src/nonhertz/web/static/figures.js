@@ -21,6 +21,7 @@ import {
 import { drawFootprint } from "./footprint.js";
 import { drawGap } from "./gap.js";
 import { digits } from "./numbers.js";
+import { amount, strength } from "./units.js";
 
 // Where the pressure has no limit, the axis ends at this multiple of the largest pressure away from sharp ends.
 const BEYOND = 1.6;
@@ -85,7 +86,7 @@ function drawPressure(answer, pinned, span) {
       ...MARGINS,
       height: 236,
       x: alongAxis(span, false),
-      y: uprightAxis(top, "p₀ [MPa]", { clamp: false }),
+      y: uprightAxis(top, "p₀", "MPa", { clamp: false }),
       marks: [
         Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 }),
         ends(answer),
@@ -94,7 +95,7 @@ function drawPressure(answer, pinned, span) {
         line(y, clamped(pressure), { stroke: FIRST, clip: true }),
         ...largestMark(answer, top[1]),
         ...singularMarks(answer, top[1], span),
-        ...reading(y, clamped(pressure), (place) => `y  ${digits(y[place])} mm\np₀ ${digits(pressure[place])} MPa`),
+        ...reading(y, clamped(pressure), (place) => `y  ${amount(y[place], "mm")}\np₀ ${amount(pressure[place], "MPa")}`),
       ],
     },
     pressureWords(answer),
@@ -106,7 +107,7 @@ function largestMark(answer, top) {
   return [
     Plot.dot(place, { r: 3, fill: FIRST }),
     Plot.text(place, {
-      text: [`${digits(place[0][1])} MPa`],
+      text: [amount(place[0][1], "MPa")],
       dy: -10,
       fontWeight: 600,
       fill: INK,
@@ -128,7 +129,7 @@ function singularMarks(answer, top, span) {
       text: () =>
         [
           end.corner ? "no limit at a corner" : `no limit, as 1/s^${digits(end.exponent, 2)}`,
-          ...(end.strength === null ? [] : [`K = ${digits(end.strength)} MPa mm^${digits(end.exponent, 2)}`]),
+          ...(end.strength === null ? [] : [`K = ${strength(end.strength, end.exponent)}`]),
         ].join("\n"),
       fill: INK,
       stroke: "var(--surface)",
@@ -149,20 +150,20 @@ function drawHalfWidth(answer, pinned, span) {
       ...MARGINS,
       height: 112,
       x: alongAxis(span, false),
-      y: uprightAxis(fromZero([halfWidth, before?.values ?? []]), "b [mm]", { ticks: 3 }),
+      y: uprightAxis(fromZero([halfWidth, before?.values ?? []]), "b", "mm", { ticks: 3 }),
       marks: [
         Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 }),
         ends(answer),
         ...pinnedLine(before?.y, before?.values),
         line(y, halfWidth, { stroke: SECOND }),
-        ...reading(y, halfWidth, (place) => `y ${digits(y[place])} mm\nb ${digits(halfWidth[place])} mm`),
+        ...reading(y, halfWidth, (place) => `y ${amount(y[place], "mm")}\nb ${amount(halfWidth[place], "mm")}`),
       ],
     },
-    `Half-width along y: at most ${digits(Math.max(...halfWidth.map((value) => value ?? 0)), 3)} mm.`,
+    `Half-width along y: at most ${amount(Math.max(...halfWidth.map((value) => value ?? 0)), "mm", 3)}.`,
   );
 }
 
 function pressureWords(answer) {
   const { key } = answer;
-  return `Pressure on the centre line along y: largest ${digits(key.max_pressure)} MPa ${key.largest}.`;
+  return `Pressure on the centre line along y: largest ${amount(key.max_pressure, "MPa")} ${key.largest}.`;
 }

@@ -14,6 +14,7 @@ import {
   uprightAxis,
 } from "./chart.js";
 import { digits } from "./numbers.js";
+import { amount } from "./units.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
 
@@ -35,7 +36,7 @@ export function drawFootprint(answer, span) {
       ...MARGINS,
       height: across + MARGINS.marginTop + MARGINS.marginBottom,
       x: alongAxis(span, false),
-      y: uprightAxis([-reach, reach], "x [mm]", { ticks: 3, grid: false }),
+      y: uprightAxis([-reach, reach], "x", "mm", { ticks: 3, grid: false }),
       marks: [
         () => gradient(answer),
         Plot.ruleY([0], { stroke: FAINT, strokeWidth: 0.6, strokeDasharray: "7 2 1.5 2" }),
@@ -50,7 +51,7 @@ export function drawFootprint(answer, span) {
         }),
       ],
     },
-    `Footprint seen from above, ${shape}: from y = ${digits(extent(y)[0])} to ${digits(extent(y)[1])} mm, at most ${digits(2 * Math.max(...halfWidth.map((value) => value ?? 0)), 3)} mm wide.`,
+    `Footprint seen from above, ${shape}: from y = ${amount(extent(y)[0], "mm")} to ${amount(extent(y)[1], "mm")}, at most ${amount(2 * Math.max(...halfWidth.map((value) => value ?? 0)), "mm", 3)} wide.`,
   );
 }
 

@@ -18,7 +18,7 @@ import {
   reading,
   uprightAxis,
 } from "./chart.js";
-import { digits } from "./numbers.js";
+import { amount, scaled, spelled } from "./units.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
 
@@ -43,7 +43,7 @@ export function drawGap(answer, pinned, span, held) {
     host,
     "Distance of the surfaces",
     [["second dashed", "undeformed"], ["first", "deformed"], ...pinnedKey(pinned)],
-    beyond ? `axis cut: undeformed up to ${digits(extent(before)[1], 3)} µm` : "",
+    beyond ? `axis cut: undeformed up to ${amount(extent(before)[1], "µm", 3)}` : "",
   );
   const chart = draw(
     host,
@@ -52,7 +52,7 @@ export function drawGap(answer, pinned, span, held) {
       marginBottom: NAMED,
       height: HEIGHT,
       x: alongAxis(span),
-      y: uprightAxis(limits, "distance [µm]"),
+      y: uprightAxis(limits, "distance", "µm"),
       marks: [
         Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 }),
         ends(answer),
@@ -64,11 +64,16 @@ export function drawGap(answer, pinned, span, held) {
         ...reading(
           y,
           inside(before),
-          (place) => `y ${digits(y[place])} mm\nundeformed ${digits(before[place])} µm\ndeformed ${digits(after[place])} µm`,
+          (place) => `y ${amount(y[place], "mm")}\nundeformed ${amount(before[place], "µm")}\ndeformed ${amount(after[place], "µm")}`,
         ),
       ],
     },
-    `Distance of the surfaces along y: undeformed they would overlap by up to ${digits(Math.max(0, -extent(before)[0]), 3)} micrometres; deformed it is zero in contact.`,
+    `Distance of the surfaces along y: undeformed they would overlap by up to ${spelled(Math.max(0, -extent(before)[0]), "µm", 3)}; deformed it is zero in contact.`,
   );
-  return { x: chart.scale("x").apply, y: chart.scale("y").apply, height: HEIGHT, limits };
+  const place = (name, unit) => {
+    const { transform = (value) => value } = scaled(unit);
+    const scale = chart.scale(name);
+    return (value) => scale.apply(transform(value));
+  };
+  return { x: place("x", "mm"), y: place("y", "µm"), height: HEIGHT, limits };
 }

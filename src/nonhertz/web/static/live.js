@@ -4,6 +4,8 @@
 // lost until the drag pauses. Stresses take longer: they come with every answer while that is quick enough for dragging,
 // otherwise when the drag pauses, and then a newer case aborts them.
 
+import { code } from "./units.js";
+
 const REST = 120; // ms without a new case before stresses are requested separately
 const QUICK = 100; // ms from request to drawn; up to this, stresses come with every answer
 const PATIENCE = 3; // slow answers in a row, or one three times as slow, after which stresses are requested separately
@@ -43,7 +45,8 @@ export function post(place, body, signal) {
  */
 export async function send(place, type, body, signal) {
   for (let left = ATTEMPTS; ; left -= 1) {
-    const response = await fetch(place, { method: "POST", headers: { "Content-Type": type }, body, signal });
+    const headers = { "Content-Type": type, "Nonhertz-Units": code() };
+    const response = await fetch(place, { method: "POST", headers, body, signal });
     if (response.status !== 503 || left <= 1) return response;
     await new Promise((done) => window.setTimeout(done, AGAIN / 3));
   }

@@ -14,6 +14,7 @@ import { showMistakes } from "./mistakes.js";
 import { drawProfiles, placeProfiles } from "./profiles.js";
 import { notice, roundTrip, watchProgram } from "./status.js";
 import { Strength } from "./strength.js";
+import { watchUnits } from "./units.js";
 import { View } from "./view.js";
 
 const start = JSON.parse(byId("start").textContent);
@@ -170,6 +171,13 @@ async function openFile(file) {
   }
 }
 
+/** Show everything in the units that are chosen now. */
+async function reread() {
+  await form.open(form.document);
+  curve.reread();
+  if (view.pinned) await pinShared(view.pinned.document);
+}
+
 /** Start from a machine element. @param {string} name */
 async function startFrom(name) {
   byId("templates").open = false;
@@ -213,6 +221,7 @@ function wire() {
     });
   }
   watchKeys((by) => void step(by));
+  watchUnits(() => void reread());
   watchDrops({
     isTable: (path) => form.isTable(path),
     open: (file) => void openFile(file),

@@ -1,6 +1,6 @@
 // The loads of all rollers around the bearing's axis, one picture for each row; a roller can be chosen.
 
-import { digits } from "./numbers.js";
+import { force, read } from "./units.js";
 
 const SPACE = "http://www.w3.org/2000/svg";
 // Of the picture; radii of the rollers' circle, of the largest load, of the angles.
@@ -39,7 +39,8 @@ export class Polar {
       this.host.replaceChildren(...this.pictures.map(({ svg }) => svg));
       this.host.classList.toggle("several", answer.rows.length > 1);
     }
-    const top = topOf(Math.max(...answer.load.flat()));
+    const factor = read("N")[1];
+    const top = topOf(factor * Math.max(...answer.load.flat())) / factor;
     for (const [number, row] of answer.rows.entries()) this.update(this.pictures[number], row, answer, chosen, top);
   }
 
@@ -122,7 +123,8 @@ function drawGrid(grid, row, answer, top, radius) {
     if (axis) parts.push(text(OUTSIDE * x, OUTSIDE * y + 14, axis, "angle"));
   }
   const at = emptiest(row, answer);
-  const rings = d3.ticks(0, top, 3).filter((load) => load > 0 && load <= top);
+  const factor = read("N")[1];
+  const rings = d3.ticks(0, factor * top, 3).slice(1).map((load) => load / factor);
   for (const load of rings) parts.push(made("circle", { class: "ring", r: radius(load) }));
   parts.push(made("circle", { class: "circle", r: HOLE }));
   for (const load of rings)
@@ -197,7 +199,6 @@ export function degrees(at) {
 
 /** @param {number} load N */
 export function newtons(load) {
-  if (load === 0) return "0 N";
-  const trimmed = (value) => (value.includes(".") && !value.includes("e") ? value.replace(/\.?0+$/, "") : value);
-  return Math.abs(load) < 1e3 ? `${trimmed(digits(load))} N` : `${trimmed(digits(load / 1e3))} kN`;
+  const { value, unit } = force(load);
+  return `${value.includes(".") && !value.includes("e") ? value.replace(/\.?0+$/, "") : value} ${unit}`;
 }

@@ -1,8 +1,8 @@
 // The small drawing of each body's profile, above the list of profiles in the form.
 
-import { FIRST, INK, PINNED, PLAIN, draw, extent, figure, line, reading, widthOf } from "./chart.js";
+import { FIRST, INK, PINNED, axis, draw, extent, figure, line, reading, widthOf } from "./chart.js";
 import { element } from "./elements.js";
-import { digits } from "./numbers.js";
+import { amount, code, named, spelled } from "./units.js";
 
 /** @typedef {import("./types.js").Profiles} Profiles */
 
@@ -47,7 +47,7 @@ export function drawProfiles(profiles, pinned) {
     host.classList.toggle("outdated", !profile); // the last drawing of an invalid body stays, dimmed
     if (!profile) continue;
     // Redrawn only if it changed: dragging the load, for example, changes no profile.
-    const numbers = `${widthOf(host)} ${profile.y} ${profile.relief_um} ${pinned?.[body]?.relief_um}`;
+    const numbers = `${code()} ${widthOf(host)} ${profile.y} ${profile.relief_um} ${pinned?.[body]?.relief_um}`;
     if (drawn.get(host) !== numbers) drawProfile(host, body, profile, pinned?.[body]);
     drawn.set(host, numbers);
   }
@@ -64,24 +64,24 @@ function drawProfile(host, body, { y, relief_um: relief }, pinned) {
       marginRight: 10,
       marginTop: 10,
       marginBottom: 22,
-      x: { label: null, domain: extent(y), ticks: 5 },
-      y: { label: null, domain: [high, low], ticks: 3, tickFormat: PLAIN, grid: true },
+      x: { ...axis("", "mm", extent(y)), label: null, ticks: 5 },
+      y: { ...axis("", "µm", [high, low]), label: null, ticks: 3, grid: true },
       marks: [
         Plot.areaY(y, { x: y, y1: cut, y2: () => 2 * high, fill: INK, fillOpacity: 0.07, clip: true }),
         ...(pinned ? [line(pinned.y, pinned.relief_um, { stroke: PINNED, strokeDasharray: "2 3", clip: true })] : []),
         line(y, cut, { stroke: FIRST, clip: true }),
         Plot.text([[low, high]], {
           frameAnchor: "bottom",
-          text: ["relief [µm] along y [mm]"],
+          text: [`relief [${named("µm")}] along y [${named("mm")}]`],
           dy: -4,
           fill: INK,
           fillOpacity: 0.7,
           fontSize: 10,
         }),
-        ...reading(y, cut, (place) => `y ${digits(y[place])} mm\n${digits(relief[place])} µm`),
+        ...reading(y, cut, (place) => `y ${amount(y[place], "mm")}\n${amount(relief[place], "µm")}`),
       ],
     },
-    `Profile of body ${body}: relief up to ${digits(extent(relief)[1], 3)} micrometres.`,
+    `Profile of body ${body}: relief up to ${spelled(extent(relief)[1], "µm", 3)}.`,
   );
 }
 

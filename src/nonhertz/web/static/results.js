@@ -2,6 +2,7 @@
 
 import { byId, element } from "./elements.js";
 import { difference, digits } from "./numbers.js";
+import { amount, force, parts, spelled } from "./units.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
 /** @typedef {{name: string, value: string, unit: string, where: string, number: number | null}} KeyNumber */
@@ -11,7 +12,7 @@ let speaking = 0;
 /** The approach beyond first touch where it differs from the approach, in words. @param {Answer["key"]} key */
 function penetration(key) {
   const noticeable = Math.abs(key.approach - key.penetration) > 0.05 * Math.abs(key.penetration);
-  return noticeable ? `, ${digits(1e3 * key.penetration, 4)} µm after first touch` : "";
+  return noticeable ? `, ${amount(1e3 * key.penetration, "µm")} after first touch` : "";
 }
 
 /**
@@ -26,31 +27,27 @@ export function keyNumbers(answer, stress) {
   return [
     {
       name: "Largest pressure",
-      value: digits(key.max_pressure),
-      unit: "MPa",
+      ...parts(key.max_pressure, "MPa"),
       where: key.largest,
       number: key.max_pressure,
     },
     {
       name: "Approach",
-      value: digits(1e3 * key.approach),
-      unit: "µm",
+      ...parts(1e3 * key.approach, "µm"),
       where: `tilt ${digits(1e3 * key.tilt, 3)} mrad${penetration(key)}`,
       number: key.approach,
     },
-    { name: "Load", ...load(key.load), where: `moment ${digits(moment(answer) / 1e3, 3)} N m`, number: key.load },
+    { name: "Load", ...force(key.load), where: `moment ${amount(moment(answer) / 1e3, "N m", 3)}`, number: key.load },
     {
       name: "Half-width",
-      value: digits(key.max_half_width),
-      unit: "mm",
+      ...parts(key.max_half_width, "mm"),
       where: answer.singular.length ? "largest, away from singular ends" : "largest",
       number: key.max_half_width,
     },
     stress
       ? {
           name: "von Mises stress",
-          value: digits(stress.von_mises.value),
-          unit: "MPa",
+          ...parts(stress.von_mises.value, "MPa"),
           where: `body ${stress.body}, ${place(stress)}`,
           number: stress.von_mises.value,
         }
@@ -61,7 +58,7 @@ export function keyNumbers(answer, stress) {
 
 /** Where the largest von Mises stress is; while a slider moves, only the plane of the largest pressure is looked at. */
 function place({ von_mises: { y, z }, searched }) {
-  return searched ? `y = ${digits(y, 3)} mm, ${digits(z, 3)} mm deep` : "below the largest pressure";
+  return searched ? `y = ${amount(y, "mm", 3)}, ${amount(z, "mm", 3)} deep` : "below the largest pressure";
 }
 
 /** The life by laminae: in revolutions where there is a rating, else over that of an even pressure. */
@@ -72,10 +69,6 @@ function life(found) {
     return { name: "Life", value: digits(found.relative, 3), unit: "× ideal", where: model, number: found.relative };
   const number = found.million_revolutions;
   return { name: "Life", value: digits(number, 4), unit: "10⁶ rev.", where: `L₁₀, ${model}`, number };
-}
-
-function load(newtons) {
-  return Math.abs(newtons) < 1e3 ? { value: digits(newtons), unit: "N" } : { value: digits(newtons / 1e3), unit: "kN" };
 }
 
 /** The moment, zero where it is only the rounding error of load times length. */
@@ -141,9 +134,9 @@ export function writeRows(summary, warnings) {
 }
 
 function spoken({ key, warnings }) {
-  const pressure = `largest pressure ${digits(key.max_pressure)} MPa`;
+  const pressure = `largest pressure ${amount(key.max_pressure, "MPa")}`;
   const warned = warnings.length ? `, ${warnings.length} warning${warnings.length > 1 ? "s" : ""}` : "";
-  return `${pressure}, approach ${digits(1e3 * key.approach)} micrometres, half-width ${digits(key.max_half_width)} mm${warned}`;
+  return `${pressure}, approach ${spelled(1e3 * key.approach, "µm")}, half-width ${amount(key.max_half_width, "mm")}${warned}`;
 }
 
 /** Announce something to screen readers once editing pauses: not every answer of a drag. @param {string} words */

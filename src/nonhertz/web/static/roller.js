@@ -17,8 +17,8 @@ import {
   uprightAxis,
 } from "./chart.js";
 import { byId } from "./elements.js";
-import { digits } from "./numbers.js";
 import { degrees } from "./polar.js";
+import { amount } from "./units.js";
 
 const RINGS = /** @type {const} */ (["inner", "outer"]);
 const COLOURS = { inner: FIRST, outer: SECOND };
@@ -73,7 +73,7 @@ function drawPressure(pressed, roller, span) {
       ...MARGINS,
       height: 190,
       x: alongAxis(span, false),
-      y: uprightAxis(top, "p₀ [MPa]"),
+      y: uprightAxis(top, "p₀", "MPa"),
       marks: [
         Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 }),
         ...contacts.map(([ring, { y, pressure }]) => along(ring, y, clamped(pressure))),
@@ -93,7 +93,7 @@ function drawPressure(pressed, roller, span) {
 }
 
 function pressureWords(contacts) {
-  const words = contacts.map(([ring, each]) => `at most ${digits(each.max_pressure)} MPa at the ${ring} ring`);
+  const words = contacts.map(([ring, each]) => `at most ${amount(each.max_pressure, "MPa")} at the ${ring} ring`);
   return `Pressure along the roller: ${words.join(", ")}.`;
 }
 
@@ -108,7 +108,7 @@ function drawLineLoad(answer, roller, span) {
       ...MARGINS,
       height: 120,
       x: alongAxis(span, false),
-      y: uprightAxis(top, "q [N/mm]", { ticks: 3 }),
+      y: uprightAxis(top, "q", "N/mm", { ticks: 3 }),
       marks: [
         Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 }),
         ...contacts.map(([ring, { y, line_load }]) => along(ring, y, line_load)),
@@ -116,7 +116,7 @@ function drawLineLoad(answer, roller, span) {
       ],
     },
     contacts.length
-      ? `Line load along the roller by ${answer.method}, largest ${digits(top[1] / 1.15)} N/mm.`
+      ? `Line load along the roller by ${answer.method}, largest ${amount(top[1] / 1.15, "N/mm")}.`
       : "The roller bears no load.",
   );
 }
@@ -141,7 +141,7 @@ function drawRelief(answer, row, roller, span) {
       marginBottom: NAMED,
       height: 150,
       x: alongAxis(span),
-      y: uprightAxis([-0.06 * shown, 1.2 * shown], "relief [µm]", { ticks: 4, reverse: true }),
+      y: uprightAxis([-0.06 * shown, 1.2 * shown], "relief", "µm", { ticks: 4, reverse: true }),
       marks: [
         Plot.ruleY([0], { stroke: FAINT, strokeWidth: 0.6 }),
         ...RINGS.map((ring) => along(ring, row.relief[ring].y, row.relief[ring].um)),
@@ -175,9 +175,9 @@ function along(ring, y, values) {
 function readout(contacts, at, name, symbol, unit) {
   const values = contacts.map(([ring, each]) => {
     const place = d3.minIndex(each.y, (y) => (y === null ? Infinity : Math.abs(y - at)));
-    return `${symbol} ${digits(each[name][place])} ${unit}, ${ring}`;
+    return `${symbol} ${amount(each[name][place], unit)}, ${ring}`;
   });
-  return [`y  ${digits(at)} mm`, ...values].join("\n");
+  return [`y  ${amount(at, "mm")}`, ...values].join("\n");
 }
 
 function nothing(contacts, span, top) {

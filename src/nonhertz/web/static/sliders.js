@@ -144,5 +144,5 @@ export class Sliders {
 
 /** @param {string} unit */
 function shown(unit) {
-  return unit === "um" ? "µm" : unit;
+  return unit.replace(/^u(?=m$|in$)/, "µ");
 }

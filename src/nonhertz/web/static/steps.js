@@ -1,7 +1,8 @@
 // What each step did to a measured profile: small drawings, before in grey and after in colour.
 
-import { FIRST, PINNED, draw, extent, line } from "./chart.js";
+import { FIRST, PINNED, axis, draw, extent, line } from "./chart.js";
 import { element } from "./elements.js";
+import { named } from "./units.js";
 
 /**
  * Draw the steps into their element.
@@ -30,13 +31,13 @@ function drawStep(host, { name, sentence, before, after, floor_um: floor }) {
       marginRight: 8,
       marginTop: 8,
       marginBottom: 30,
-      x: { label: "y [mm]", labelAnchor: "center", labelArrow: "none", ticks: 5 },
-      y: { label: null, domain: extent(heights), nice: true, ticks: 3, grid: true },
+      x: { ...axis("y", "mm"), ticks: 5 },
+      y: { ...axis("height", "µm", extent(heights)), nice: true, ticks: 3, grid: true },
       marks: [
         line(before.y, before.height_um, { stroke: PINNED, strokeWidth: 1, clip: true }),
         line(after.y, after.height_um, { stroke: FIRST, strokeWidth: 1.4, clip: true }),
       ],
     },
-    `Heights in micrometres before and after the step ${name}. ${sentence}`,
+    `Heights in ${named("µm")} before and after the step ${name}. ${sentence}`,
   );
 }

@@ -1,8 +1,8 @@
 // The von Mises stress below the surface, in the plane under the centre line and in a cross-section.
 
-import { INK, MARGINS, NAMED, PLAIN, draw, figure, head, innerWidthOf } from "./chart.js";
+import { INK, MARGINS, NAMED, PLAIN, axis, draw, figure, head, innerWidthOf } from "./chart.js";
 import { proportions } from "./footprint.js";
-import { digits } from "./numbers.js";
+import { amount, named, read } from "./units.js";
 
 const BANDS = 10;
 // Cells of the grids for contours, along and down. Fine ones take too long to paint during a drag.
@@ -20,8 +20,8 @@ const HEIGHT = 270; // pixels of the planes
  */
 export function drawStress(answer, unit, fine) {
   if (!answer.axial || !answer.section || !answer.stress) return;
-  const scale = unit === "p0" ? 1 / (answer.key.max_pressure || 1) : 1;
-  const label = unit === "p0" ? "von Mises stress / largest p₀" : "von Mises stress [MPa]";
+  const scale = unit === "p0" ? 1 / (answer.key.max_pressure || 1) : read("MPa")[1];
+  const label = unit === "p0" ? "von Mises stress / largest p₀" : `von Mises stress [${named("MPa")}]`;
   // One scale for both, up to the largest stress away from singular ends.
   const top = scale * Math.max(largestAlong(answer).value, answer.stress.von_mises.value) || 1;
   const shared = { label, scale, top, net: fine ? FINE : QUICK };
@@ -38,8 +38,8 @@ function drawAlong(answer, { label, scale, top, net }) {
   drawPlane(
     host,
     resampled(y, z, values, scale, net),
-    { top, label, height: HEIGHT, axis: "y [mm]", place: [found.y, found.z] },
-    `Von Mises stress along the contact in body ${answer.body}: largest ${digits(found.value)} MPa at y = ${digits(found.y)} mm, ${digits(found.z)} mm deep${away(answer)}.`,
+    { top, label, height: HEIGHT, along: "y", place: [found.y, found.z] },
+    `Von Mises stress along the contact in body ${answer.body}: largest ${amount(found.value, "MPa")} at y = ${amount(found.y, "mm")}, ${amount(found.z, "mm")} deep${away(answer)}.`,
   );
 }
 
@@ -49,12 +49,12 @@ function drawAcross(answer, { label, scale, top, net }) {
   const found = answer.stress.von_mises;
   const natural = (innerWidthOf(host) * (last(z) - z[0])) / (last(x) - x[0]);
   const height = Math.min(natural, HEIGHT);
-  head(host, `Across, body ${answer.body}, y = ${digits(y, 3)} mm`, [], proportions(height / natural, ["z", "x"]));
+  head(host, `Across, body ${answer.body}, y = ${amount(y, "mm", 3)}`, [], proportions(height / natural, ["z", "x"]));
   drawPlane(
     host,
     resampled(x, z, values, scale, net),
-    { top, label, height, axis: "x [mm]", place: [found.x, found.z] },
-    `Von Mises stress across the contact in body ${answer.body} at y = ${digits(y)} mm: largest ${digits(found.value)} MPa, ${digits(found.z)} mm deep.`,
+    { top, label, height, along: "x", place: [found.x, found.z] },
+    `Von Mises stress across the contact in body ${answer.body} at y = ${amount(y, "mm")}: largest ${amount(found.value, "MPa")}, ${amount(found.z, "mm")} deep.`,
   );
 }
 
@@ -86,22 +86,15 @@ function last(values) {
   return values[values.length - 1];
 }
 
-function drawPlane(host, plane, { top, label, height, axis, place }, words) {
+function drawPlane(host, plane, { top, label, height, along, place }, words) {
   draw(
     host,
     {
       ...MARGINS,
       marginBottom: NAMED,
       height: height + MARGINS.marginTop + NAMED,
-      x: { label: axis, domain: [plane.x1, plane.x2], labelAnchor: "center", labelArrow: "none", tickFormat: PLAIN },
-      y: {
-        ticks: 4,
-        domain: [plane.y2, plane.y1],
-        label: "depth z [mm]",
-        labelAnchor: "center",
-        labelArrow: "none",
-        tickFormat: PLAIN,
-      },
+      x: axis(along, "mm", [plane.x1, plane.x2]),
+      y: { ...axis("depth z", "mm", [plane.y2, plane.y1]), ticks: 4 },
       color: {
         type: "linear",
         domain: [0, top],

@@ -5,7 +5,7 @@
 
 import { element } from "./elements.js";
 import { ends, said, valueOf } from "./fields.js";
-import { digits } from "./numbers.js";
+import { spelled } from "./units.js";
 
 const PATH = "load.tilt";
 const MICROMETRES = 1e3; // in a mm
@@ -111,7 +111,7 @@ export class Tilt {
       ["max", Math.max(...range)],
     ]))
       handle.setAttribute(`aria-value${name}`, String(Number(value.toPrecision(4))));
-    const up = `${digits(Math.abs(now), 3)} micrometres ${now < 0 ? "down" : "up"}`;
+    const up = `${spelled(Math.abs(now), "µm", 3)} ${now < 0 ? "down" : "up"}`;
     handle.setAttribute("aria-valuetext", `tilt ${slider.getAttribute("aria-valuetext")}, ${up}`);
   }
 

@@ -1,0 +1,167 @@
+"""The page in US units: everything that is read, and nothing else."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from typing import Any
+
+import pytest
+from desk import Desk
+from numpy.testing import assert_allclose
+
+pytestmark = pytest.mark.browser
+
+MPA_PER_KSI, N_PER_LBF, MM_PER_IN = 6.894757293, 4.4482216152605, 25.4
+#: Units after a number, in brackets, or alone beside it.
+OF_SI = re.compile(r"(?:\d ?|\[|^)(?:mm|[uµ]m|MPa|GPa|k?N|N m|micrometres)(?![\w])", re.MULTILINE)
+
+
+def switch(desk: Desk) -> None:
+    desk.press("#units")
+
+
+def everything(desk: Desk, within: str) -> str:
+    """All text of a part of the page, what is only heard included."""
+    text: str = desk.page.locator(within).evaluate(
+        """(part) => {
+          const heard = [...part.querySelectorAll("[aria-label], [aria-valuetext], [title]")]
+            .flatMap((each) => ["aria-label", "aria-valuetext", "title"].map((name) => each.getAttribute(name) ?? ""));
+          const drawn = [...part.querySelectorAll("text, td, th, li, span, dd, figcaption")]
+            .filter((each) => each.children.length === 0).map((each) => each.textContent);
+          return [part.innerText, ...heard, ...drawn].join("\\n");
+        }"""
+    )
+    return text
+
+
+def tile(desk: Desk, name: str) -> tuple[float, str]:
+    """Number and unit of a key number, as they are read."""
+    shown = desk.page.locator(f'.key-number[data-key="{name}"]')
+    number = shown.locator(".value").inner_text().replace("\u2212", "-")
+    return float(number), shown.locator(".unit").inner_text()
+
+
+def test_all_that_is_read_of_a_contact(desk: Desk) -> None:
+    desk.page.locator("#curve-on").check()
+    desk.page.locator('#curve[data-state="done"]').wait_for()
+    before, words = desk.numbers, everything(desk, "#results")
+    assert OF_SI.search(words)
+    switch(desk)
+    desk.page.locator('#curve[data-state="done"]').wait_for()
+    desk.page.locator('#strength[data-state="done"]').wait_for()
+    words = everything(desk, "#results")
+    assert [found[0] for found in OF_SI.finditer(words)] == []
+    for unit in ("[ksi]", "[in]", "[µin]", "lbf", "microinches"):
+        assert unit in words
+    assert {name: value for name, value in desk.numbers.items() if name != "von Mises stress"} == {
+        name: value for name, value in before.items() if name != "von Mises stress"
+    }
+    for name, unit, size in (
+        *(("Largest pressure", "ksi", MPA_PER_KSI), ("Approach", "µin", 1e-6 * MM_PER_IN)),
+        *(("Load", "lbf", N_PER_LBF), ("Half-width", "in", MM_PER_IN), ("von Mises stress", "ksi", MPA_PER_KSI)),
+    ):
+        number, shown = tile(desk, name)
+        assert shown == unit
+        assert_allclose(number * size, desk.numbers[name], rtol=6e-4, err_msg=name)
+    desk.photograph("us-units", whole=True)
+    switch(desk)
+    desk.page.locator('#strength[data-state="done"]').wait_for()
+    assert not re.search(r"ksi|lbf|\bin\b(?= |$)", " ".join(tile(desk, name)[1] for name in ("Load", "Half-width")))
+
+
+def test_axes_are_divided_in_round_numbers_of_their_unit(desk: Desk) -> None:
+    switch(desk)
+    pressure = desk.page.locator('[data-figure="pressure"] svg')
+    top = float(desk.page.locator('[data-key="Largest pressure"] .value').inner_text())
+    ticks = [
+        float(each)
+        for each in pressure.locator("text").all_text_contents()
+        if re.fullmatch(r"\d+", each.strip()) and float(each) >= 50
+    ]
+    assert ticks == [100.0, 200.0, 300.0]
+    assert top > ticks[-1]
+    # The mark of the largest is where the axis says: between the ticks around it.
+    places = pressure.evaluate(
+        """(svg) => {
+          const ticks = [...svg.querySelectorAll("text")].filter((each) => /^(200|300)$/.test(each.textContent));
+          const [dot] = svg.querySelectorAll("circle");
+          const middle = (each) => { const box = each.getBoundingClientRect(); return box.top + box.height / 2; };
+          return [...ticks.sort((a, b) => a.textContent - b.textContent), dot].map(middle);
+        }"""
+    )
+    read = 200.0 + 100.0 * (places[0] - places[2]) / (places[0] - places[1])
+    assert_allclose(read, top, atol=3.0)  # a pixel is two ksi
+
+
+def test_the_readout_at_the_pointer(desk: Desk) -> None:
+    switch(desk)
+    for name, unit in (("pressure", "ksi"), ("gap", "µin"), ("half-width", "in")):
+        drawing = desk.page.locator(f'[data-figure="{name}"] svg')
+        drawing.scroll_into_view_if_needed()
+        box = drawing.bounding_box()
+        desk.page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
+        tip = drawing.locator('[aria-label="tip"], g:has(> path) text').last
+        tip.wait_for()
+        words = " ".join(drawing.locator("tspan").all_text_contents())
+        assert re.search(rf"\d {unit}\b", words)
+        assert not OF_SI.search(words)
+
+
+def test_fields_follow_and_the_case_stays(desk: Desk) -> None:
+    before = desk.numbers
+    document = desk.download("case.toml")
+    switch(desk)
+    assert desk.shown("load.load") == "4496.18 lbf"
+    assert desk.shown("body.a.diameter") == "0.787402 in"
+    assert desk.download("case.toml") == document
+    assert desk.page.locator("#undo").is_disabled()
+    # Another unit shows what the case says, not what the field rounds it to.
+    answers = desk.answers
+    desk.page.locator('#case .field[data-path="body.a.diameter"] select.unit').select_option("mm")
+    desk.wait_for_answer(answers)
+    assert desk.shown("body.a.diameter") == "20 mm"
+    assert_allclose(desk.numbers["Largest pressure"], before["Largest pressure"], rtol=1e-12)
+    # A plain number is in what stands beside it.
+    answers = desk.answers
+    desk.type(desk.field("load.load"), "5000")
+    desk.wait_for_answer(answers)
+    assert_allclose(desk.numbers["Load"], 5000.0 * N_PER_LBF, rtol=1e-9)
+    assert tomllib.loads(desk.download("case.toml").decode())["load"]["load"] == "5000 lbf"
+
+
+def test_the_choice_is_kept_and_is_that_of_both_pages(open_desk: Any) -> None:
+    desk = open_desk()
+    assert desk.page.locator("#units").inner_text() == "US units"
+    switch(desk)
+    assert desk.page.locator("#units").inner_text() == "SI units"
+    desk.page.reload()
+    desk.settle()
+    assert tile(desk, "Load")[1] == "lbf"
+    bearing = open_desk("bearing")
+    words = everything(bearing, "#results")
+    assert [found[0] for found in OF_SI.finditer(words)] == []
+    assert {"lbf", "ksi", "µin"} <= set(re.findall(r"\w+", words))
+    rings = bearing.page.locator("#polar .of-ring").all_text_contents()
+    assert rings
+    assert all(re.fullmatch(r"\d+ lbf", ring) and int(ring.split()[0]) % 100 == 0 for ring in rings)
+    assert bearing.page.locator('[data-path="load.radial"] .unit').inner_text() == "lbf"
+    assert bearing.page.locator('[data-path="bearing.clearance"] .unit').inner_text() == "µin"
+    before = tile(bearing, "Displacement")[0]
+    number = bearing.numbers["Displacement"]
+    assert_allclose(before * 1e-6 * MM_PER_IN, number, rtol=6e-4)
+    bearing.write("load.radial", "3000")
+    assert tomllib.loads(bearing.page.locator("#text").input_value())["load"]["radial"] == "3000 lbf"
+    bearing.photograph("us-units-bearing", whole=True)
+    switch(bearing)
+    assert "kN" in everything(bearing, "#results")
+
+
+def test_a_pinned_case_goes_along(desk: Desk) -> None:
+    desk.page.locator("#pin").click()
+    desk.write("load.load", "30 kN")
+    switch(desk)
+    pinned = desk.page.locator('[data-key="Load"] .pinned-number')
+    pinned.filter(has_text="lbf").wait_for()
+    assert pinned.inner_text() == "pinned 4496 lbf +50.0 %"
+    assert "in" in desk.page.locator('[data-key="Largest pressure"] .where').inner_text()
