@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from few_rollers import PAIR, SIX, changed
 from numpy.testing import assert_allclose, assert_array_equal
 
 import nonhertz as nh
@@ -25,47 +26,7 @@ from nonhertz.io.bearing_results import UNITS
 from nonhertz.io.bearingfile import BEARING_TEMPLATES, BearingCase, read_bearing, starting_bearing
 from nonhertz.show.bearing import bearing_warnings, load_zones, roller_rows, summary_rows
 
-# Half of the rollers, without corners: as few contacts as make a bearing.
-FEW = """
-title = "six"
-[bearing]
-kind = "cylindrical"
-rollers = 6
-[roller]
-diameter = 9.0
-length = 10.0
-profile = { kind = "crown", radius = 1200 }
-side_faces = "none"
-depth = "none"
-[inner]
-diameter = 37.5
-[outer]
-diameter = -55.5
-[load]
-radial = "5 kN"
-tilt = "0.2 mrad"
-"""
-PAIR = """
-title = "pair"
-[bearing]
-kind = "tapered"
-rollers = 6
-contact_angle = "12 deg"
-pair = { arrangement = "O", distance = 20, clearance = "-40 um" }
-[roller]
-diameter = { y = [-5.8, 5.8], diameter = [10.94, 10.12] }
-length = 11.6
-profile = { kind = "crown", radius = 4000 }
-side_faces = "none"
-depth = "none"
-[inner]
-diameter = 40.8
-[outer]
-diameter = -62.32
-[load]
-radial = "8 kN"
-axial = "3 kN"
-"""
+FEW = changed(SIX, ('clearance = "12 um"\n', ""))
 SLICES = '[solver]\nmethod = "slices"\n'
 
 

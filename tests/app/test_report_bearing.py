@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from few_rollers import PAIR, SIX, changed
 
 import nonhertz as nh
 import nonhertz.report.figures
@@ -23,31 +24,10 @@ from nonhertz.report.bearing.differences import bearing_differences
 from nonhertz.report.bearing.inputs import bearing_inputs
 from nonhertz.report.bearing.overview import bearing_geometry, bearing_keys, bearing_opening, part_rows
 
-# Few rollers, of bodies without ends: as little as makes a bearing.
-FEW = """
-title = "Six & <b>few</b>"
-[bearing]
-kind = "cylindrical"
-rollers = 6
-clearance = "12 um"
-[roller]
-diameter = 9.0
-length = 10.0
-profile = { kind = "tabulated", file = "points/crown.csv" }
-side_faces = "none"
-depth = "none"
-[inner]
-diameter = 37.5
-[outer]
-diameter = -55.5
-[load]
-radial = "5 kN"
-tilt = "0.2 mrad"
-speed = "1500 rpm"
-"""
-POINTS = "y, relief\n" + "".join(f"{y}, {y**2 / 2400.0}\n" for y in range(-5, 6))
 CROWN = '{ kind = "crown", radius = 1200 }'
-PLAIN = FEW.replace('{ kind = "tabulated", file = "points/crown.csv" }', CROWN)
+PLAIN = changed(SIX, ('"six"', '"Six & <b>few</b>"')) + 'speed = "1500 rpm"\n'
+FEW = changed(PLAIN, (CROWN, '{ kind = "tabulated", file = "points/crown.csv" }'))
+POINTS = "y, relief\n" + "".join(f"{y}, {y**2 / 2400.0}\n" for y in range(-5, 6))
 SLICES = '[solver]\nmethod = "slices"\n'
 CASE = """
 [body.a]
@@ -59,28 +39,8 @@ kind = "plate"
 [load]
 load = "6 kN"
 """
-TAPERED = """
-title = "Pair"
-[bearing]
-kind = "tapered"
-rollers = 6
-contact_angle = "12 deg"
-rib = { end_radius = 140, height = 4.8 }
-pair = { arrangement = "O", distance = 20, clearance = "-40 um" }
-[roller]
-diameter = { y = [-5.8, 5.8], diameter = [10.94, 10.12] }
-length = 11.6
-profile = { kind = "crown", radius = 4000 }
-side_faces = "none"
-depth = "none"
-[inner]
-diameter = 40.8
-[outer]
-diameter = -62.32
-[load]
-radial = "8 kN"
-axial = "3 kN"
-"""
+RIB = "rib = { end_radius = 140, height = 4.8 }"
+TAPERED = changed(PAIR, ('"pair"', '"Pair"'), ("pair = ", f"{RIB}\npair = "))
 
 
 class Page(HTMLParser):

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import few_rollers
 import httpx
 import numpy as np
 import pytest
@@ -30,48 +31,15 @@ from nonhertz.web.server import app, bearings, workers
 from nonhertz.web.view import bearing_jobs, jobs
 
 STARTING = tomllib.loads(starting_bearing())
-# Few rollers without corners, sides and depth: strips are solved in a blink.
-FEW_TEXT = """
-title = "six & <seven>"
-[bearing]
-kind = "cylindrical"
-rollers = 6
-clearance = "12 um"
-[roller]
-diameter = 9.0
-length = 10.0
-profile = { kind = "crown", radius = 1200 }
-side_faces = "none"
-depth = "none"
-[inner]
-diameter = 37.5
-[outer]
-diameter = -55.5
-[load]
-radial = "5 kN"
-tilt = "0.2 mrad"
-"""
+FEW_TEXT = few_rollers.changed(few_rollers.SIX, ('"six"', '"six & <seven>"'))
 FEW = tomllib.loads(FEW_TEXT)
-PAIR = tomllib.loads("""
-[bearing]
-kind = "tapered"
-rollers = 6
-contact_angle = "12 deg"
-pair = { arrangement = "O", distance = 20, clearance = "-40 um" }
-[roller]
-diameter = { y = [-5.8, 5.8], diameter = [10.94, 10.12] }
-length = 11.6
-profile = [{ kind = "crown", drop = 0.02 }]
-side_faces = "none"
-depth = "none"
-[inner]
-diameter = 40.8
-[outer]
-diameter = -62.32
-[load]
-radial = ["8 kN", "1 kN"]
-axial = "3 kN"
-""")
+PAIR = tomllib.loads(
+    few_rollers.changed(
+        few_rollers.PAIR,
+        ('{ kind = "crown", radius = 4000 }', '[{ kind = "crown", drop = 0.02 }]'),
+        ('radial = "8 kN"', 'radial = ["8 kN", "1 kN"]'),
+    )
+)
 THRUST = tomllib.loads("""
 [bearing]
 kind = "thrust"

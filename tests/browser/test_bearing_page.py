@@ -13,34 +13,14 @@ from typing import Any
 import pytest
 from conftest import desks, served
 from desk import Desk
+from few_rollers import SIX, changed
 from numpy.testing import assert_allclose
 
 from nonhertz.io.bearingfile import bearing_in, starting_bearing
 
 pytestmark = pytest.mark.browser
 
-# Few rollers without corners, sides and depth: strips are solved in a blink.
-FEW = """
-# Six rollers.
-title = "six"
-[bearing]
-kind = "cylindrical"
-rollers = 6
-clearance = "12 um"
-[roller]
-diameter = 9.0
-length = 10.0
-profile = { kind = "crown", drop = "30 um" }
-side_faces = "none"
-depth = "none"
-[inner]
-diameter = 37.5
-[outer]
-diameter = -55.5
-[load]
-radial = "5 kN"
-tilt = "0.2 mrad"
-"""
+FEW = "# Six rollers." + changed(SIX, ("radius = 1200", 'drop = "30 um"'))
 SAME = 1e-9  # the same solve of the same numbers, through JSON or TOML, which keep all digits
 
 

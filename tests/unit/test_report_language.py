@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from few_rollers import PAIR, SIX, changed
 
 import nonhertz as nh
 import nonhertz.report.bearing.page
@@ -61,50 +62,9 @@ NOT_SHOWN = {
     *(("BearingTable", "kind"), ("BearingTable", "pair"), ("FitTable", "shaft"), ("FitTable", "housing")),
     *(("RollerTable", "kind"), ("RacewayTable", "kind")),
 }
-# Little of everything: few rollers of bodies without ends.
-CYLINDRICAL = """
-title = "Sechs"
-[bearing]
-kind = "cylindrical"
-rollers = 6
-clearance = "12 um"
-[roller]
-diameter = 9.0
-length = 10.0
-profile = { kind = "crown", radius = 1200 }
-side_faces = "none"
-depth = "none"
-[inner]
-diameter = 37.5
-[outer]
-diameter = -55.5
-[load]
-radial = "5 kN"
-tilt = "0.2 mrad"
-speed = "1500 rpm"
-"""
-TAPERED = """
-title = "Paar"
-[bearing]
-kind = "tapered"
-rollers = 6
-contact_angle = "12 deg"
-rib = { end_radius = 140, height = 4.8 }
-pair = { arrangement = "O", distance = 20, clearance = "-40 um" }
-[roller]
-diameter = { y = [-5.8, 5.8], diameter = [10.94, 10.12] }
-length = 11.6
-profile = { kind = "crown", radius = 4000 }
-side_faces = "none"
-depth = "none"
-[inner]
-diameter = 40.8
-[outer]
-diameter = -62.32
-[load]
-radial = "8 kN"
-axial = "3 kN"
-"""
+CYLINDRICAL = changed(SIX, ('"six"', '"Sechs"')) + 'speed = "1500 rpm"\n'
+RIB = "rib = { end_radius = 140, height = 4.8 }"
+TAPERED = changed(PAIR, ('"pair"', '"Paar"'), ("pair = ", f"{RIB}\npair = "))
 SPHERICAL = """
 title = "Tonnen"
 [bearing]
