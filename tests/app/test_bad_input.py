@@ -629,7 +629,7 @@ def test_a_file_is_refused_in_the_words_of_python(
     [
         (["slove", "case.toml"], 'Unknown command "slove". Did you mean "solve"?'),
         (["solve"], 'Command "solve" parameter CASE requires an argument'),
-        (["check", "a", "b"], "Nothing is to be done with 'b'; see"),
+        (["check", "a", "b"], "This command takes no 'b'; see"),
         (["solve", "a", "--jsn"], "Unknown option: --jsn. Did you mean --json?"),
         (["check"], 'Command "check" parameter FILE requires an argument'),
     ],

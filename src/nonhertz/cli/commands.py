@@ -11,6 +11,7 @@ import re
 import sys
 import warnings
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Literal, NoReturn
 
@@ -51,6 +52,25 @@ UnitsRead = Annotated[
     ),
 ]
 
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class Shown:
+    """How results are shown and written."""
+
+    decimal_comma: DecimalComma = False
+    units: UnitsRead = "si"
+
+    def choose(self) -> None:
+        """Choose it for the rest of the command."""
+        from nonhertz.io.dialect import choose_decimal_commas
+        from nonhertz.result.reading import choose_units
+
+        choose_decimal_commas(self.decimal_comma)
+        choose_units(self.units)
+
+
+_AS_USUAL = Shown()
 _CHANGE = re.compile(r"[A-Za-z][\w.\[\]-]*=")
 
 app = App(
@@ -73,7 +93,7 @@ def run(words: Sequence[str]) -> int:
             code = contextvars.copy_context().run(app, _each_with_option(words))
     except UnusedCliTokensError as error:
         unused = ", ".join(repr(word) for word in error.unused_tokens or ())
-        print(f"Nothing is to be done with {unused}; see 'nonhertz --help'.", file=sys.stderr)
+        print(f"This command takes no {unused}; see 'nonhertz --help'.", file=sys.stderr)
         return BAD_INPUT
     except CycloptsError as error:
         print(f"{' '.join(str(error).split()).rstrip('.')}; see 'nonhertz --help'.", file=sys.stderr)
@@ -116,8 +136,7 @@ def solve(
     *more: Path,
     changes: Changes = (),
     out: Path | None = None,
-    decimal_comma: DecimalComma = False,
-    units: UnitsRead = "si",
+    shown: Shown = _AS_USUAL,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve case files and print a summary, or a table of several.
@@ -136,11 +155,8 @@ def solve(
     """
     from nonhertz.cli.solve import is_table, report_one, report_several
     from nonhertz.io.changes import changes_in
-    from nonhertz.io.dialect import choose_decimal_commas
-    from nonhertz.result.reading import choose_units
 
-    choose_decimal_commas(decimal_comma)
-    choose_units(units)
+    shown.choose()
     if not more and not (out is not None and is_table(out)):
         return report_one(case, changes_in(changes), out, as_json)
     return report_several((case, *more), changes_in(changes), out, as_json)
@@ -155,8 +171,7 @@ def bearing(
     compare: Annotated[bool, Parameter(negative="")] = False,
     contact: Annotated[tuple[int, str] | None, Parameter(negative="", show_default=False)] = None,
     out: Path | None = None,
-    decimal_comma: DecimalComma = False,
-    units: UnitsRead = "si",
+    shown: Shown = _AS_USUAL,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a bearing file and print loads, pressures and life of the whole bearing.
@@ -179,12 +194,9 @@ def bearing(
     from nonhertz.cli.bearing import print_contact, report_bearing, report_comparison
     from nonhertz.io.bearingfile import read_bearing
     from nonhertz.io.changes import changes_in
-    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
-    from nonhertz.result.reading import choose_units
 
-    choose_decimal_commas(decimal_comma)
-    choose_units(units)
+    shown.choose()
     if contact is not None and (compare or as_json or out is not None):
         remedy = "send the case file that it prints to a file with >"
         raise InputError("--contact", contact, "be given without --compare, --json and --out", remedy)
@@ -204,8 +216,7 @@ def compare(
     changes: Changes = (),
     out: Path | None = None,
     cells: Annotated[tuple[int, int] | None, Parameter(negative="", show_default=False)] = None,
-    decimal_comma: DecimalComma = False,
-    units: UnitsRead = "si",
+    shown: Shown = _AS_USUAL,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file with strips of both elements and on a plane grid, and compare them.
@@ -228,12 +239,9 @@ def compare(
     from nonhertz.io.casefile import read_case
     from nonhertz.io.changes import changes_in
     from nonhertz.io.comparisons import as_json as json_text
-    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
-    from nonhertz.result.reading import choose_units
 
-    choose_decimal_commas(decimal_comma)
-    choose_units(units)
+    shown.choose()
     problem = read_case(case, changes_in(changes))
     if out is not None:
         refuse_unwritable(out)
@@ -262,8 +270,7 @@ def stress(
     body: str = "a",
     out: Path | None = None,
     vtk: Annotated[bool, Parameter(negative="")] = False,
-    decimal_comma: DecimalComma = False,
-    units: UnitsRead = "si",
+    shown: Shown = _AS_USUAL,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file and find the largest stresses below the surface.
@@ -290,12 +297,9 @@ def stress(
     from nonhertz.cli.stress import checked_body, report_stresses
     from nonhertz.io.casefile import read_case
     from nonhertz.io.changes import changes_in
-    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
-    from nonhertz.result.reading import choose_units
 
-    choose_decimal_commas(decimal_comma)
-    choose_units(units)
+    shown.choose()
     name = checked_body(station, body, vtk and out is None)
     problem = read_case(case, changes_in(changes))
     if out is not None:
@@ -317,8 +321,7 @@ def life(
     model: Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)] = (),
     compared: Annotated[Path | None, Parameter(name="--compare")] = None,
     out: Path | None = None,
-    decimal_comma: DecimalComma = False,
-    units: UnitsRead = "si",
+    shown: Shown = _AS_USUAL,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file and assess how long both bodies last by several fatigue models.
@@ -343,12 +346,9 @@ def life(
     from nonhertz.cli.life import check_models, report_lives
     from nonhertz.io.casefile import named, read_case
     from nonhertz.io.changes import changes_in
-    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
-    from nonhertz.result.reading import choose_units
 
-    choose_decimal_commas(decimal_comma)
-    choose_units(units)
+    shown.choose()
     check_models(model)
     problems = [read_case(case, changes_in(changes))]
     if compared is not None:
@@ -455,8 +455,7 @@ def profile(
     points: str | None = None,
     fit: str | None = None,
     out: Path | None = None,
-    decimal_comma: DecimalComma = False,
-    units: UnitsRead = "si",
+    shown: Shown = _AS_USUAL,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Prepare a measured profile step by step, and say what each step did.
@@ -501,13 +500,10 @@ def profile(
         Print one JSON object instead of the tables.
     """
     from nonhertz.cli import profile as of_profile
-    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
     from nonhertz.io.prepared import as_json as json_text
-    from nonhertz.result.reading import choose_units
 
-    choose_decimal_commas(decimal_comma)
-    choose_units(units)
+    shown.choose()
     if out is not None:
         refuse_unwritable(out)
     values = of_profile.options(
@@ -538,8 +534,7 @@ def contact_map(
     tilt: Annotated[str | None, Parameter(allow_leading_hyphen=True)] = None,
     accuracy: float = 1e-4,
     out: Path | None = None,
-    decimal_comma: DecimalComma = False,
-    units: UnitsRead = "si",
+    shown: Shown = _AS_USUAL,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Make a map of a case: load, moment and stiffness over approach and tilt, for other programs.
@@ -570,12 +565,9 @@ def contact_map(
     from nonhertz.cli.map import made, print_map, requested, write
     from nonhertz.io.casefile import read_case
     from nonhertz.io.changes import changes_in
-    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
-    from nonhertz.result.reading import choose_units
 
-    choose_decimal_commas(decimal_comma)
-    choose_units(units)
+    shown.choose()
     asked = requested(approach, load, tilt, accuracy, out)
     problem = read_case(case, changes_in(changes))
     if out is not None:
@@ -599,8 +591,7 @@ def nodes(
     *,
     changes: Changes = (),
     out: Path | None = None,
-    decimal_comma: DecimalComma = False,
-    units: UnitsRead = "si",
+    shown: Shown = _AS_USUAL,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file and find pressures and forces at the nodes of a finite element mesh.
@@ -622,13 +613,10 @@ def nodes(
     from nonhertz.cli.solve import solved_or_not
     from nonhertz.io.casefile import read_case
     from nonhertz.io.changes import changes_in
-    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
     from nonhertz.io.nodes import read_nodes
-    from nonhertz.result.reading import choose_units
 
-    choose_decimal_commas(decimal_comma)
-    choose_units(units)
+    shown.choose()
     path = target(out, nodes)
     problem = read_case(case, changes_in(changes))
     found = read_nodes(nodes)
@@ -651,8 +639,7 @@ def design(
     front: int | None = None,
     out: Path | None = None,
     workers: int | None = None,
-    decimal_comma: DecimalComma = False,
-    units: UnitsRead = "si",
+    shown: Shown = _AS_USUAL,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Find the profile or the dimensions with the least largest pressure, or the longest life.
@@ -678,12 +665,9 @@ def design(
     from nonhertz.cli.design import as_json as json_text
     from nonhertz.cli.design import designed, directory_for, print_design, written
     from nonhertz.io.changes import changes_in
-    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.folder import refuse_unwritable
-    from nonhertz.result.reading import choose_units
 
-    choose_decimal_commas(decimal_comma)
-    choose_units(units)
+    shown.choose()
     directory = directory_for(plan) if out is None else out
     refuse_unwritable(directory)
     if front is not None:
@@ -718,8 +702,7 @@ def sweep_plan(
     workers: int | None = None,
     scheduler: str | None = None,
     excel: Excel = False,
-    decimal_comma: DecimalComma = False,
-    units: UnitsRead = "si",
+    shown: Shown = _AS_USUAL,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case or a bearing for many values of what its file holds.
@@ -749,12 +732,9 @@ def sweep_plan(
     from nonhertz.cli.sweep import as_json as json_text
     from nonhertz.cli.sweep import directory_for, planned, print_sweep, swept, written
     from nonhertz.io.changes import changes_in
-    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.workbooks import refuse_missing_writer
-    from nonhertz.result.reading import choose_units
 
-    choose_decimal_commas(decimal_comma)
-    choose_units(units)
+    shown.choose()
     if excel:
         refuse_missing_writer()
     asked = planned(plan, over, quantities, "over", changes_in(changes))
@@ -782,8 +762,7 @@ def study_tolerance(
     workers: int | None = None,
     scheduler: str | None = None,
     excel: Excel = False,
-    decimal_comma: DecimalComma = False,
-    units: UnitsRead = "si",
+    shown: Shown = _AS_USUAL,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Find how results are distributed when dimensions and loads are, and which tolerance matters.
@@ -817,12 +796,9 @@ def study_tolerance(
     from nonhertz.cli.tolerance import as_json as json_text
     from nonhertz.cli.tolerance import print_tolerance, studied, written
     from nonhertz.io.changes import changes_in
-    from nonhertz.io.dialect import choose_decimal_commas
     from nonhertz.io.workbooks import refuse_missing_writer
-    from nonhertz.result.reading import choose_units
 
-    choose_decimal_commas(decimal_comma)
-    choose_units(units)
+    shown.choose()
     if excel:
         refuse_missing_writer()
     asked = planned(plan, over, quantities, "tolerance", changes_in(changes))
