@@ -4,7 +4,7 @@ import { watchHelp, watchKeys } from "./anywhere.js";
 import { figure, head, whenResized } from "./chart.js";
 import { Edits } from "./edits.js";
 import { byId, element } from "./elements.js";
-import { isOwnFile, nameIn } from "./files.js";
+import { isOwnFile, saved } from "./files.js";
 import { AWAY, post } from "./live.js";
 import { Address, fragment, shared } from "./link.js";
 import { showMistakes } from "./mistakes.js";
@@ -307,19 +307,12 @@ async function download(name) {
   byId("downloads").open = false;
   notice("download", `${name} is being made …`);
   try {
-    const response = await post(`bearing/download/${name}`, { document: page.document });
-    if (response.ok) save(await response.blob(), nameIn(response.headers.get("Content-Disposition")) ?? name);
-    else showMistakes((await response.json()).mistakes);
+    const mistakes = await saved(`bearing/download/${name}`, page.document);
+    if (mistakes.length) showMistakes(mistakes);
   } catch {
     notice("program", AWAY);
   }
   notice("download", "");
-}
-
-function save(blob, name) {
-  const url = URL.createObjectURL(blob);
-  element("a", { href: url, download: name }).click();
-  window.setTimeout(() => URL.revokeObjectURL(url), 60_000);
 }
 
 /** Open the contact of the roller that is shown on the page of single contacts. @param {"inner" | "outer"} ring */

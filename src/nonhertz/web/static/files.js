@@ -27,22 +27,22 @@ export async function opened(file, most) {
 }
 
 /**
- * Save a file that the program makes from a case; return the mistakes if it cannot.
- * @param {string} name such as "case.toml"
+ * Save a file that the program makes from a case or a bearing; return the mistakes if it cannot.
+ * @param {string} place such as "download/case.toml"
  * @param {object} document
  * @returns {Promise<Mistake[]>}
  */
-export async function saved(name, document) {
-  const response = await post(`download/${name}`, { document });
+export async function saved(place, document) {
+  const response = await post(place, { document });
   if (!response.ok) return (await response.json()).mistakes;
   const address = URL.createObjectURL(await response.blob());
-  const link = element("a", { href: address, download: nameIn(response.headers.get("Content-Disposition")) ?? name });
-  link.click();
+  const name = nameIn(response.headers.get("Content-Disposition")) ?? place.split("/").pop() ?? place;
+  element("a", { href: address, download: name }).click();
   window.setTimeout(() => URL.revokeObjectURL(address), 60_000);
   return [];
 }
 
 /** @param {string | null} disposition */
-export function nameIn(disposition) {
+function nameIn(disposition) {
   return disposition?.match(/filename="([^"]+)"/)?.[1];
 }

@@ -153,7 +153,7 @@ async function download(name) {
   byId("downloads").open = false;
   notice("download", `${name} is being written …`);
   try {
-    const mistakes = await saved(name, form.document);
+    const mistakes = await saved(`download/${name}`, form.document);
     if (mistakes.length) showMistakes(mistakes);
   } catch {
     notice("program", AWAY); // until the next answer
