@@ -37,7 +37,7 @@ export function keyNumbers(answer, stress) {
       where: `tilt ${digits(1e3 * key.tilt, 3)} mrad${penetration(key)}`,
       number: key.approach,
     },
-    { name: "Load", ...force(key.load), where: `moment ${amount(moment(answer) / 1e3, "N m", 3)}`, number: key.load },
+    { name: "Load", ...force(key.load), where: `moment ${amount(key.moment / 1e3, "N m", 3)}`, number: key.load },
     {
       name: "Half-width",
       ...parts(key.max_half_width, "mm"),
@@ -69,12 +69,6 @@ function life(found) {
     return { name: "Life", value: digits(found.relative, 3), unit: "× ideal", where: model, number: found.relative };
   const number = found.million_revolutions;
   return { name: "Life", value: digits(number, 4), unit: "10⁶ rev.", where: `L₁₀, ${model}`, number };
-}
-
-/** The moment, zero where it is only the rounding error of load times length. */
-function moment({ key, line }) {
-  const reach = Math.max(...line.y.map(Math.abs));
-  return Math.abs(key.moment) < 1e-9 * Math.abs(key.load) * reach ? 0 : key.moment;
 }
 
 /**

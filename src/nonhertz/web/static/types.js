@@ -7,7 +7,7 @@
  * @typedef {{a?: Relief, b?: Relief}} Profiles
  * @typedef {{
  *   max_pressure: number, max_pressure_y: number, largest: string,
- *   approach: number, penetration: number, load: number, tilt: number, moment: number, max_half_width: number, strips: number,
+ *   approach: number, penetration: number, load: number, tilt: number, moment: number, max_half_width: number,
  * }} Key
  * @typedef {{
  *   ok: true, title: string, ms: number, status: string, complaint: string, warnings: string[],

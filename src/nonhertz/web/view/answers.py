@@ -66,22 +66,9 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
 
 
 def _key_numbers(solution: Solution) -> dict[str, Any]:
-    """Return the numbers by which cases are compared, unrounded."""
-    return {name: plain(quantity.get(solution)) for name, quantity in QUANTITIES.items()} | {
-        "largest": as_read(where_largest(solution, 3)),
-        "strips": solution.strips,
-        "ends": [
-            {
-                "y": plain(edge.y),
-                "kind": edge.kind.label,
-                "pressure": plain(edge.pressure),
-                "strip_width": plain(edge.strip_width),
-                "exponent": plain(edge.exponent),
-                "strength": plain(edge.strength),
-            }
-            for edge in solution.edge_pressure
-        ],
-    }
+    """Return the numbers by which cases are compared, all their digits but those of rounding alone."""
+    found = {name: plain(quantity.clean(solution)) for name, quantity in QUANTITIES.items()}
+    return found | {"largest": as_read(where_largest(solution, 3))}
 
 
 def _life(case: Case, solution: Solution) -> dict[str, Any] | None:
