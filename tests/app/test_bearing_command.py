@@ -229,6 +229,7 @@ def table(path: Path) -> list[dict[str, str]]:
         return list(csv.DictReader(file))
 
 
+@pytest.mark.slow
 def test_out_writes_result_rollers_and_lines(folder, capsys, few):
     assert main(["bearing", "few.toml", "--out", "new/results"]) == 0
     out = Path("new/results")
@@ -259,6 +260,7 @@ def test_out_writes_result_rollers_and_lines(folder, capsys, few):
         )
 
 
+@pytest.mark.slow
 def test_lines_of_slices_add_up_to_the_loads(folder, capsys):
     assert main(["bearing", "sliced.toml", "--out", "results"]) == 0
     capsys.readouterr()

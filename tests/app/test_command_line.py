@@ -162,6 +162,7 @@ def test_what_makes_a_body_finite_reaches_the_solver(case: str, capsys: pytest.C
     np.testing.assert_array_equal(result["centre_pressure"], expected.centre_pressure)
 
 
+@pytest.mark.slow
 def test_out_writes_results_table_and_figures(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["solve", case, "--out", "new/results", "--json"]) == 0
     printed = capsys.readouterr().out
@@ -184,6 +185,7 @@ def test_out_writes_results_table_and_figures(case: str, capsys: pytest.CaptureF
         assert "<svg" in path.read_text(encoding="utf-8")[:1000]
 
 
+@pytest.mark.slow
 def test_out_replaces_an_older_result_and_leaves_other_files(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     Path("results").mkdir()
     Path("results/result.json").write_text("old", encoding="utf-8")
@@ -222,6 +224,7 @@ def test_out_that_is_no_directory_is_refused(case: str, capsys: pytest.CaptureFi
     assert Path(case).read_text(encoding="utf-8") == CASE
 
 
+@pytest.mark.slow
 def test_out_refuses_a_directory_in_the_place_of_a_file(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     Path("results/table.csv").mkdir(parents=True)
     assert main(["solve", case, "--out", "results"]) == 2
@@ -229,6 +232,7 @@ def test_out_refuses_a_directory_in_the_place_of_a_file(case: str, capsys: pytes
     assert [path.name for path in Path("results").iterdir()] == ["table.csv"]
 
 
+@pytest.mark.slow
 def test_an_unconverged_solve_is_shown_for_what_it_is(
     case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, solution: Solution
 ) -> None:
@@ -324,6 +328,7 @@ def test_new_never_overwrites(case: str, capsys: pytest.CaptureFixture[str]) -> 
     assert len(capsys.readouterr().err.splitlines()) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="a file that may not grow stands for a full disk")
 def test_new_leaves_nothing_on_a_full_disk(tmp_path: Path) -> None:
     import resource

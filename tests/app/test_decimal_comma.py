@@ -62,6 +62,7 @@ def test_every_table_is_the_same_but_for_its_commas(words: list[str]) -> None:
     assert not list(Path("german").rglob("*.rewritten"))
 
 
+@pytest.mark.slow
 def test_a_profile_in_this_form_can_be_solved_with() -> None:
     assert main(["profile", str(EXAMPLES / "measured-roller.txt"), "--out", "p", "--decimal-comma"]) == 0
     text = '[body.a]\ndiameter = 16\nlength = 20\nprofile = [{ kind = "tabulated", file = "p/profile.csv" }]\n'
@@ -69,6 +70,7 @@ def test_a_profile_in_this_form_can_be_solved_with() -> None:
     assert main(["check", "case.toml"]) == 0
 
 
+@pytest.mark.slow
 def test_the_choice_ends_with_the_command() -> None:
     assert main(["solve", CASE, "--out", "german", "--decimal-comma"]) == 0
     assert main(["solve", CASE, "--out", "plain"]) == 0

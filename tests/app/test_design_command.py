@@ -44,6 +44,7 @@ def folder(tmp_path, monkeypatch) -> Path:
     return tmp_path
 
 
+@pytest.mark.slow
 def test_a_plan_is_designed(folder, capsys):
     assert main(["check", "plan.toml"]) == 0
     assert capsys.readouterr().out == "plan.toml is fine: 'plan', a design over body.a.profile.radius.\n"

@@ -35,6 +35,7 @@ def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     return "case.toml"
 
 
+@pytest.mark.slow
 def test_a_map_is_printed_and_written_in_all_formats(case, capsys):
     words = ["map", case, "--accuracy", "0.02"]
     assert main([*words, "--approach", "-5um:8um:14", "--tilt", "-0.2mrad:0.2mrad:5", "--out", "k.csv"]) == 0

@@ -55,6 +55,7 @@ def test_on_scattered_nodes_too(solution: nh.Solution) -> None:
     assert found.force @ y == pytest.approx(solution.moment, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_the_interpolated_load_tends_to_the_load_as_the_mesh_is_refined(solution: nh.Solution) -> None:
     errors = [abs(solution.at_nodes(*grid(n, 2 * n)).interpolated_load / solution.load - 1.0) for n in (10, 40, 160)]
     assert errors[0] > 0.01

@@ -60,6 +60,7 @@ def test_json_has_all_numbers(file, capsys):
     assert len(found["y"]) == len(found["relief"]) == found["steps"][-1]["points"]
 
 
+@pytest.mark.slow
 def test_what_is_written_is_what_a_case_file_reads(file, tmp_path, capsys):
     """The piece of a case file, the table and the numbers are one profile."""
     assert main(["profile", file, "--height-unit", "um", "--cutoff", "0.5 mm", "--fit", "crown", "--out", "out"]) == 0
@@ -118,6 +119,7 @@ def test_a_missing_file_is_told(tmp_path, monkeypatch, capsys):
     assert "file = 'none.txt' must be a file that can be read" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_a_figure_has_a_panel_for_each_step(file):
     from nonhertz.io.traces import read_trace
     from nonhertz.plot import measured_figure

@@ -145,6 +145,7 @@ def test_the_files_inside_solve_to_the_same_numbers(folder, tmp_path):
     assert len(files["few-rollers.csv"].splitlines()) == 1 + solved.angle.size
 
 
+@pytest.mark.slow
 def test_it_is_the_same_file_every_time(few, undrawn):
     text = rendered_bearings([few])
     assert text == compose([case_of(PLAIN)])
@@ -358,6 +359,7 @@ def test_a_life_under_a_spectrum_has_no_hours(undrawn):
 # Several
 
 
+@pytest.mark.slow
 def test_several_bearings_are_compared_with_the_first(few, undrawn):
     other = PLAIN.replace("12 um", "30 um").replace("five", "six")
     found = settled_bearings([case_of(PLAIN, "tight.toml"), case_of(other, "loose.toml")])

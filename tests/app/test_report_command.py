@@ -63,6 +63,7 @@ def test_a_report_is_written_beside_and_replaced(case: str, capsys: pytest.Captu
     assert "7000 N" in Path("case-report.html").read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_several_cases_become_one_report(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     Path("other.toml").write_text(CASE.replace("6 kN", "7 kN"), encoding="utf-8")
     assert main(["report", case, "other.toml", *QUICK, "--out", "new/both.html"]) == 0
@@ -127,6 +128,7 @@ def test_all_mistakes_of_all_files_are_named(case: str, capsys: pytest.CaptureFi
     assert line.startswith("CASE = '' must be given: ")
 
 
+@pytest.mark.slow
 def test_a_case_that_has_not_converged_is_reported_and_told(
     case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -64,6 +64,7 @@ def figures_once() -> dict[str, Figure]:
     return figures_in_us_units()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name",
     [
@@ -112,6 +113,7 @@ def test_no_unit_of_a_figure_is_left(figures: dict[str, Figure]) -> None:
             assert not re.search(r"(?<![\w/])(mm|um|µm|MPa|kN|N)(?![\w])", text.get_text()), (name, text.get_text())
 
 
+@pytest.mark.slow
 def test_figures_of_files_stay_in_si(tmp_path: Path) -> None:
     for units in ("si", "us"):
         assert main(["stress", str(CASE), "--out", str(tmp_path / units), "--units", units]) == 0
@@ -119,6 +121,7 @@ def test_figures_of_files_stay_in_si(tmp_path: Path) -> None:
         assert (tmp_path / "us" / path.name).read_bytes() == path.read_bytes()
 
 
+@pytest.mark.slow
 def test_the_files_in_a_report_stay_in_si() -> None:
     def files(page: str) -> list[str]:
         return re.findall(r'<ul class="files">.*?</details>', page, re.DOTALL)
@@ -135,6 +138,7 @@ def test_only_english_reports_have_us_units() -> None:
         compose([read_case(CASE)], units="us", stress=False, title_block=TitleBlock(language="de"))
 
 
+@pytest.mark.slow
 def test_what_the_user_wrote_stays(tmp_path: Path) -> None:
     text = CASE.read_text(encoding="utf-8").replace("Roller 15 x 20 on a ring of 80", "Roller 20 mm, 5 kN")
     (tmp_path / "case.toml").write_text(text, encoding="utf-8")

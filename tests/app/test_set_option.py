@@ -144,6 +144,7 @@ def test_a_bearing_takes_it_too(capsys: pytest.CaptureFixture[str]) -> None:
     assert nh.read_bearing(file, {"load.radial": 5e3}).prescribed["radial"] == 5000.0
 
 
+@pytest.mark.slow
 def test_every_command_with_a_case_says_what_was_set(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -159,6 +160,7 @@ def test_every_command_with_a_case_says_what_was_set(
         assert "load.load = 6kN" in capsys.readouterr().out, words
 
 
+@pytest.mark.slow
 def test_reports_plans_and_designs_take_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -72,6 +72,7 @@ def test_one_that_fails_does_not_hide_the_others(cases: list[str], capsys: pytes
     assert [len(each["complaints"]) for each in found] == [2, 0, 1, 1]
 
 
+@pytest.mark.slow
 def test_one_that_does_not_converge_is_said_and_shown(
     cases: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -94,6 +95,7 @@ def test_one_that_does_not_converge_is_said_and_shown(
     assert [row["complaint"] for row in table] == ["", "It did not converge."]
 
 
+@pytest.mark.slow
 def test_each_has_a_folder_of_its_own_beside_the_table(cases: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["solve", *cases, "missing.toml", "--out", "results"]) == 2
     printed = capsys.readouterr().out

@@ -69,6 +69,7 @@ def test_a_command_that_nobody_reads_ends_as_others_do(words: str) -> None:
     assert (done.returncode, done.stderr) == (141, "")
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="a device that is always full")
 def test_a_full_disk_below_the_output_is_one_sentence() -> None:
     done = ran("new", ">/dev/full")

@@ -94,6 +94,7 @@ def test_json_is_what_the_search_returns(case: str, capsys: pytest.CaptureFixtur
     assert told["units"]["section"]["shear"] == {"max": "MPa", "x": "mm", "y": "mm", "z": "mm"}
 
 
+@pytest.mark.slow
 def test_without_a_station_the_section_is_the_worst(sharp: str, capsys: pytest.CaptureFixture[str]) -> None:
     told = found(capsys, sharp)
     assert told["section"]["y"] == told["overall"]["von_mises"]["y"] > 9.0
@@ -172,6 +173,7 @@ def test_files_are_the_json_and_both_planes(case: str, capsys: pytest.CaptureFix
         )
 
 
+@pytest.mark.slow
 def test_nothing_is_left_behind_when_drawing_fails(
     case: str, leaves_nothing_behind: Callable[..., None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -232,6 +234,7 @@ def test_an_unconverged_solve_has_no_stress(
     assert not Path("folder").exists()
 
 
+@pytest.mark.slow
 def test_a_terminal_sees_what_is_being_done(
     case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

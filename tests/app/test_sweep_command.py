@@ -39,6 +39,7 @@ def folder(tmp_path, monkeypatch) -> Path:
     return tmp_path
 
 
+@pytest.mark.slow
 def test_a_case_is_swept_from_the_command_line(folder, capsys):
     assert main(["sweep", "roller.toml", "--over", "load.load=5kN:20kN:4", "load.tilt=0,0.5mrad"]) == 0
     out = capsys.readouterr().out
@@ -207,6 +208,7 @@ def test_on_a_cluster_a_worker_may_be_killed_and_another_added(folder, cluster):
     assert (folder / "spread" / "rows.csv").read_bytes() == (folder / "whole" / "rows.csv").read_bytes()
 
 
+@pytest.mark.slow
 def test_an_address_where_nothing_answers_is_refused(folder, capsys, monkeypatch):
     pytest.importorskip("distributed")
     monkeypatch.setattr("nonhertz.study.crew.CONNECTING", "1s")

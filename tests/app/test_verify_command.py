@@ -52,6 +52,7 @@ def test_a_section_is_printed_and_written(capsys: pytest.CaptureFixture[str]) ->
     assert all((Path("new/page") / name).exists() for name in re.findall(r"!\[.*?\]\((.+?)\)", page))
 
 
+@pytest.mark.slow
 def test_json_is_one_list_and_nothing_else(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["verify", "--only", "half-space", "--json", "--out", "page"]) == 0
     printed = capsys.readouterr()

@@ -90,6 +90,7 @@ def test_what_is_no_surface_or_field_is_refused(solution: nh.Solution, tmp_path:
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_the_command_writes_them_beside_its_tables(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

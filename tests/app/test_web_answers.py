@@ -119,6 +119,7 @@ def test_stress_is_that_of_the_search(body):
     assert_allclose(np.max(section["von_mises"]), searched.max, rtol=1e-2)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("body", ["a", "b"])
 def test_what_a_body_bears_is_said_as_everywhere(body):
     steel = {"modulus": 2.07e5, "poisson": 0.3, "yield_strength": 1000.0, "pressure_limit": 4000.0}

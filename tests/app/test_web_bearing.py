@@ -336,6 +336,7 @@ def test_without_a_file_there_is_a_bearing_beside_the_contact():
         client.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", ["slices", "strips"])
 def test_the_server_solves(page, method):
     response = post(page, "/bearing/solve", json={"document": FEW, "method": method})
@@ -347,6 +348,7 @@ def test_the_server_solves(page, method):
     assert found == alone
 
 
+@pytest.mark.slow
 def test_templates(page):
     shown = page.get("/bearing").text
     assert re.findall(r'data-template="(.*?)"', shown) == list(BEARING_TEMPLATES)

@@ -144,6 +144,7 @@ def test_a_form_is_the_document_again(name):
     assert as_text(document_in(form_of(document))) == as_text(document)
 
 
+@pytest.mark.slow
 def test_a_form_is_the_document_again_whatever_is_changed():
     picked = random.Random(11)
     junk = [0, -1.5, "", "5 um", "x y", "7", [], ["1 mm", 2], {}, {"kind": "crown"}, True, 1e300, [[1]], "[", "{}"]
@@ -240,6 +241,7 @@ def test_the_format_of_a_file_is_not_asked_for_but_a_wrong_one_is_shown():
     assert "format" in {field.path for field in form({"format": 7} | with_life()).fields}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", range(3))
 def test_every_choice_that_changes_the_form_leads_to_a_case_that_can_be_solved(number):
     """Nobody is to be met with a mistake that the page has made."""

@@ -284,6 +284,7 @@ def test_uploading_what_is_no_profile(client, content):
     assert found["mistakes"][0]["path"].partition(".")[0] == "upload"
 
 
+@pytest.mark.slow
 def test_of_more_points_than_the_page_takes_neighbours_are_averaged(client, monkeypatch):
     y = np.linspace(-10.0, 10.0, 2 * limits.UPLOAD_POINTS + 1)
     text = "\n".join(f"{a:.5f} {b:.5f}" for a, b in zip(y, -(y**2) / 8.0, strict=True))  # a crown of 4000 mm, in um
@@ -444,6 +445,7 @@ def test_malformed_wishes(client, more):
         refused(client.post("/strength", json={"document": STARTING} | more), 400)
 
 
+@pytest.mark.slow
 def test_whether_a_body_bears_it(client, monkeypatch):
     found = asked_again(client, "/strength", json={"document": STARTING, "body": "b"}).json()
     assert [each["verdict"] for each in found["checks"]] == ["not known", "not known"]
@@ -549,6 +551,7 @@ def test_methods_and_addresses(client):
     assert client.options("/solve").status_code == 405
 
 
+@pytest.mark.slow
 def test_more_than_can_wait_is_told_to_come_again(client, monkeypatch):
     monkeypatch.setattr(workers, "WAITING_REQUESTS", 2)
     document = STARTING | {"solver": {"strips": limits.STRIPS}}

@@ -80,6 +80,7 @@ def test_of_a_contact_sentences_change_and_numbers_do_not(name):
     assert list(numbers(found)) == list(numbers(usual))
 
 
+@pytest.mark.slow
 def test_strength_curves_and_measured_files():
     case = CASES["cylindrical"]
     checks = in_us_units(jobs.strength, case, "a")["checks"]
@@ -178,6 +179,7 @@ def client():
         yield made
 
 
+@pytest.mark.slow
 def test_each_request_has_units_of_its_own(client):
     told = [client.post("/solve", json={"document": STARTING}, headers=headers) for headers in (US_ALONE, {}, US_ALONE)]
     assert [each.status_code for each in told] == [200] * 3
@@ -196,6 +198,7 @@ def test_other_units_are_refused(client):
     assert answer.json()["mistakes"][0]["sentence"] == "The units must be 'si' or 'us'."
 
 
+@pytest.mark.slow
 def test_reports_and_pictures_are_in_them_and_tables_are_not(client):
     case = {"document": STARTING | {"life": {}}}
     report = client.post("/download/report.html", json=case, headers=US_ALONE)
@@ -212,6 +215,7 @@ def test_reports_and_pictures_are_in_them_and_tables_are_not(client):
     assert isinstance(drawn, bytes)
 
 
+@pytest.mark.slow
 def test_a_german_report_in_us_units_is_refused_in_a_sentence(client):
     german = {"document": STARTING | {"report": {"language": "de"}}}
     answer = client.post("/download/report.html", json=german, headers=US_ALONE)

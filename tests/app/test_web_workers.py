@@ -71,6 +71,7 @@ def test_a_process_does_one_job_after_another():
 posix = pytest.mark.skipif(os.name != "posix", reason="signal 0 asks whether a process lives on Unix alone")
 
 
+@pytest.mark.slow
 @posix
 @pytest.mark.parametrize(("job", "error"), [(never_done, TooSlowError), (dying, EndedError)])
 def test_a_process_that_takes_too_long_or_ends_is_replaced(job, error):
@@ -88,6 +89,7 @@ def test_a_process_that_takes_too_long_or_ends_is_replaced(job, error):
         os.kill(first, 0)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "waitid"), reason="waits for a process without taking note of its end")
 def test_a_process_that_was_ended_while_it_had_nothing_to_do_is_replaced():
     async def use(workers):
@@ -102,6 +104,7 @@ def test_a_process_that_was_ended_while_it_had_nothing_to_do_is_replaced():
     assert first != second
 
 
+@pytest.mark.slow
 def test_a_process_that_does_not_start_is_started_again(tmp_path, monkeypatch):
     monkeypatch.setattr(workers, "_PAUSE", 0.0)
 
@@ -124,6 +127,7 @@ def test_a_job_that_fails_is_told_and_its_process_goes_on():
     assert first == second
 
 
+@pytest.mark.slow
 def test_a_long_job_has_a_process_of_its_own_and_the_next_is_refused():
     async def use(workers):
         outcomes = []
@@ -157,6 +161,7 @@ def test_all_processes_end_with_the_server():
         os.kill(number, 0)
 
 
+@pytest.mark.slow
 def test_one_that_was_ended_may_be_replaced_with_the_next_job_only():
     async def use(workers):
         with pytest.raises(TooSlowError):

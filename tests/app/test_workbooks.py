@@ -67,6 +67,7 @@ def test_one_case_makes_a_table_too_and_csv_has_the_same() -> None:
         assert float(row[name]) == pytest.approx(book[name], rel=DIGITS), name
 
 
+@pytest.mark.slow
 def test_rows_of_a_sweep(capsys: pytest.CaptureFixture[str]) -> None:
     words = ["sweep", CASES[0], "--over", "load.load=5kN:20kN:4", "--excel", "--out", "found"]
     assert main(words) == 0

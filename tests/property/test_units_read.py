@@ -318,6 +318,7 @@ def compare_beside(said: str, read: str) -> None:
         assert us * sizes[word] == pytest.approx(value * sizes[unit], rel=6e-4), (value, unit, us, word)
 
 
+@pytest.mark.slow
 def test_json_and_files_never_change_units(printed: Callable[..., str]) -> None:
     case = str(EXAMPLES / "roller-15x20.toml")
     assert printed("solve", case, "--json", "--units", "us") == printed("solve", case, "--json")

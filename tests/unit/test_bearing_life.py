@@ -296,6 +296,7 @@ def test_lives_by_volume_and_by_laminae_agree_where_pressures_are_smooth():
     assert B.volume_life(found).rings == pytest.approx(B.assess(found).reference, rel=0.01)
 
 
+@pytest.mark.slow
 def test_a_tilt_shortens_lives_by_all_models_and_a_limit_lengthens_them():
     bearing = row(profile=nh.profile.iso_logarithmic(diameter=10, length=9.6))
     upright, tilted = (B.solve(bearing, radial=12e3, tilt=tilt) for tilt in (0.0, 3e-3))
@@ -323,6 +324,7 @@ def test_rows_that_differ_have_lives_by_volume_of_their_own():
     assert lives.bearing < lives.of_rows.min()
 
 
+@pytest.mark.slow
 def test_steep_pressures_are_said_where_sections_do_not_do():
     corner = dataclasses.replace(row(), roller=nh.Roller(diameter=10.0, length=9.6, corner_radius=0.3))
     smooth, steep = B.solve(row(profile=nh.profile.crown(1000)), radial=3e3), B.solve(corner, radial=6e3, tilt=1e-3)

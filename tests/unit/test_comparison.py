@@ -364,6 +364,7 @@ def test_nothing_on_the_sheet_overlaps_or_leaves_the_paper(found, name):
             assert not box.overlaps(its), (text, other)
 
 
+@pytest.mark.slow
 def test_the_same_comparison_gives_the_same_figure(found, tmp_path):
     files = [plot.save(plot.comparison(found["crown"]), tmp_path / name)[0].read_bytes() for name in "ab"]
     assert files[0] == files[1]

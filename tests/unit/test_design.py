@@ -93,6 +93,7 @@ def test_the_longest_life_is_longer_than_that_of_neighbours():
     assert "% of the damage" in found.worst
 
 
+@pytest.mark.slow
 def test_without_tilt_a_free_profile_comes_close_to_uniform_pressure():
     case = nh.Case(CASE.contact, {"load": 20e3}, {})
     found = best(case, vary={"body.a.profile": "free(60 um, 6)"}, starts=1, workers=1)

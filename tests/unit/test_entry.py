@@ -121,12 +121,14 @@ def test_other_types_of_arguments_are_other_code(built):
     assert len(set(found)) == 1
 
 
+@pytest.mark.slow
 def test_a_change_in_what_is_called_is_a_change(built):
     assert outcome(example()) != outcome(example(rate=3.0))
     assert outcome(example(source=SOURCE.replace("RATE * rate", "RATE + rate"))) != outcome(example())
     assert built == ["whole"] * 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", ["llvm.get_host_cpu_name", "_numba", "ourselves"])
 def test_another_compiler_is_another_machine_code(monkeypatch, built, what):
     outcome(example())
@@ -151,6 +153,7 @@ def test_a_damaged_file_is_compiled_anew_and_replaced(kept, built, damage):
     assert built == ["whole", "whole"]
 
 
+@pytest.mark.slow
 def test_nowhere_to_write_is_said_once(tmp_path, monkeypatch, caplog):
     (tmp_path / "file").touch()
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "file"))
@@ -364,6 +367,7 @@ print(out.tobytes().hex(), "numba" in sys.modules)
 """
 
 
+@pytest.mark.slow
 def test_a_later_process_needs_no_numba(tmp_path):
     program = tmp_path / "program.py"
     program.write_text(PROGRAM)

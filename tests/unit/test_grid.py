@@ -300,6 +300,7 @@ def test_a_bump_narrower_than_any_sample_is_found():
     assert any(low < place < high for low, high in solution.contact_y)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("load", [3809.409, 3809.447, 3809.79, 3813.2])
 def test_a_peak_at_a_corner_is_resolved_beside_a_middle_that_bears_as_much(load):
     """As long as it was not, it was 4 % too low, just under what the middle bears."""

@@ -110,6 +110,7 @@ def test_the_ideal_pressure_is_the_reference():
         np.testing.assert_allclose(life.density, 1.0, rtol=1e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 def test_the_reference_is_the_integral_of_the_line_contact():
     line = nh.hertz.line_contact(
@@ -156,12 +157,14 @@ def test_a_tilt_shortens_life_and_moves_the_damage(lives):
         assert np.average(life.y, weights=life.density) > 0.3
 
 
+@pytest.mark.slow
 def test_a_limit_above_all_stress_leaves_no_damage():
     (life,) = assess(solved(load=500.0, strips=9), ioannides_harris(fatigue_limit=2000.0))
     assert (life.damage, life.reference) == (0.0, 0.0)
     assert math.isnan(life.relative)
 
 
+@pytest.mark.slow
 def test_damage_where_the_ideal_has_none_is_no_life():
     pressed = solved(load=3e3, profile=nh.profile.crown(radius=400))
     (life,) = assess(pressed, ioannides_harris(fatigue_limit=360.0))
@@ -169,6 +172,7 @@ def test_damage_where_the_ideal_has_none_is_no_life():
     assert (life.reference, life.relative) == (0.0, 0.0)
 
 
+@pytest.mark.slow
 def test_at_a_sharp_end_it_is_said_what_is_not_counted():
     (coarse,) = assess(solved(profile=nh.profile.straight(), strips=21), "zaretsky")
     assert f"nearer to them than {LEFT_OUT:g} of the largest half-width nothing was counted" in coarse.warnings[-2]
@@ -399,6 +403,7 @@ def test_one_load_twice_is_that_load(logarithmic, lives):
     np.testing.assert_allclose(life.density, of_one.density, rtol=1e-9, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_lives_are_compared_by_one_model(lives):
     shorter, longer = assess(solved(strips=9), ["zaretsky", "lundberg-palmgren"])
     assert lives["zaretsky"].over(shorter) == pytest.approx((shorter.damage / lives["zaretsky"].damage) ** (8 / 9))

@@ -99,6 +99,7 @@ def test_given_edges_and_unbounded_bodies_work():
     assert_same(unbounded, 0, alone(BALL, load=500.0, strips=30), **SAME)
 
 
+@pytest.mark.slow
 def test_the_number_of_threads_changes_nothing():
     load = np.linspace(2e3, 30e3, 200)
     one, three = (nh.solve_many(CROWNED, load=load, tilt=4e-4, strips=31, threads=count) for count in (1, 3))

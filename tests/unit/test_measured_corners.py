@@ -68,6 +68,7 @@ def test_other_corners_keep_their_pressure(corner, rtol):
     assert_allclose(solution.max_pressure_y, nominal.max_pressure_y, atol=0.02)
 
 
+@pytest.mark.slow
 def test_the_noise_of_a_corner_does_not_make_the_pressure():
     pressures = [solved(prepare(trace(step=1e-3, seed=seed)).profile()).max_pressure for seed in range(5)]
     rough = [

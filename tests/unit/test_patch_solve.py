@@ -344,6 +344,7 @@ def test_arrays_are_read_only_and_stay_so_in_a_pickle(solution):
     assert np.array_equal(pickle.loads(pickle.dumps(solution)).pressure, solution.pressure)
 
 
+@pytest.mark.slow
 def test_threads_change_nothing():
     one, three = (nh.patch.solve(CROWNED, load=3e3, cells=(256, 256), tolerance=1e-4, threads=n) for n in (1, 3))
     assert np.array_equal(one.pressure, three.pressure)

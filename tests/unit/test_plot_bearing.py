@@ -254,6 +254,7 @@ class TestDisplacement:
         line = labelled(axes, "radial by slices")
         assert_allclose(np.interp(2.0, *line.get_xydata().T), 1e3 * found.displacement[1], rtol=1e-3)
 
+    @pytest.mark.slow
     def test_radial_and_axial_displacement_are_two_lines(self, both):
         axes = plot.displacement_against_load(both, flat())
         for name, at in (("radial", 1), ("axial", 0)):
@@ -306,6 +307,7 @@ class TestFigures:
         acting = "radial 4 kN, axial 1 kN, tilt 0 mrad, by strips"
         assert conditions(both) == ["2 rows: Tapered roller bearing, 12 rollers each", acting]
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("name", ["tilted", "both"])
     def test_no_word_leaves_the_sheet(self, name, request):
         title = (
@@ -320,12 +322,14 @@ class TestFigures:
                 assert sheet.x0 <= box.x0 <= box.x1 <= sheet.x1, text
                 assert sheet.y0 <= box.y0 <= box.y1 <= sheet.y1, text
 
+    @pytest.mark.slow
     def test_a_row_for_every_ring_and_axes_for_every_row(self, both):
         drawn = plot.bearing_figures(both)
         assert [axes.name for axes in drawn["loads"].axes] == ["polar", "polar"]
         titles = [axes.get_title(loc="left") for axes in drawn["pressure"].axes]
         assert titles == ["Row 1, inner ring", "Row 1, outer ring", "Row 2, inner ring", "Row 2, outer ring", ""]
 
+    @pytest.mark.slow
     def test_files_are_the_same_every_time(self, tilted, tmp_path):
         first, second = (plot.save(plot.bearing_figures(tilted)["loads"], tmp_path / name) for name in "ab")
         assert first[0].read_bytes() == second[0].read_bytes()

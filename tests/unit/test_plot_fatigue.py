@@ -40,6 +40,7 @@ def peaked(life: Life) -> Life:
     return replace(life, density=density)
 
 
+@pytest.mark.slow
 def test_lines_are_densities_and_laminae_steps(solution: nh.Solution, lives: tuple[Life, ...]) -> None:
     volume, laminae = lives
     axes = life_density([(solution, 1.0)], lives, Figure().add_subplot())

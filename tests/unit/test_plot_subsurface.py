@@ -161,6 +161,7 @@ def test_a_sharp_end_does_not_set_the_colours(sharp: Found, point: Found, ax: Ax
     assert contours(other)[0].extend == "neither"
 
 
+@pytest.mark.slow
 def test_the_end_of_a_body_is_inside_the_frame(sharp: Found, ax: Axes) -> None:
     sharp.axial(ax)
     low, high = ax.get_xlim()

@@ -34,6 +34,7 @@ def assert_equal(found: nh.Solutions, expected: nh.Solutions) -> None:
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("strips", [15, None], ids=["equal", "automatic"])
 def test_portions_hold_every_case_once_as_the_results_do(strips):
     portions: list[nh.Portion] = []
@@ -94,6 +95,7 @@ def interrupted(**case) -> nh.Interrupted:
     return stopped.value
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("count", "strips"), [(3000, 41), (400, None)], ids=["equal", "automatic"])
 def test_what_was_solved_before_an_interruption_is_kept(count, strips):
     case = {"load": np.linspace(2e3, 9e3, count), "strips": strips}
@@ -172,6 +174,7 @@ except nh.Interrupted as stop:
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no SIGINT to one process alone")
 def test_ctrl_c_ends_a_script_with_what_was_solved():
     script = subprocess.Popen(

@@ -89,6 +89,7 @@ def test_a_place_on_the_other_side_counts_there() -> None:
     assert drop_of(with_drop("conical", 0.02, -AT), AT) == pytest.approx(-0.02, rel=1e-12)
 
 
+@pytest.mark.slow
 @settings(deadline=None)
 @given(radius=st.floats(30.0, 1e6), at=st.floats(0.1, 20.0), centre=st.floats(-0.04, 0.04))
 def test_a_crown_is_found_from_its_drop(radius: float, at: float, centre: float) -> None:

@@ -40,6 +40,7 @@ def test_values_of_another_quadrature_are_met(poisson, u, v, expected):
     assert added(free_face(poisson), u, v) == pytest.approx(expected, rel=4e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("poisson", MATERIALS)
 def test_faces_alternate_towards_the_same_loads(poisson):
     # One face after the other, a hundred times, instead of the sum of the series at once: on a plain grid, which is
@@ -100,6 +101,7 @@ def test_what_is_kept_is_what_was_solved(poisson):
     np.testing.assert_allclose(added(free_face(poisson), u, v), solved.at(u, v), atol=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("from_face", "at", "expected"),
     [(0.5, 0.0, 1.506), (0.5, 1.0, 1.833), (0.0, 0.0, 1.677), (0.0, 0.5, 1.783), (0.0, 1.0, 1.741)],

@@ -178,6 +178,7 @@ def test_the_files_inside_solve_to_the_same_numbers(page: Page, results_of_case:
     assert files["roller-table.csv"].count(b"\n") == 16
 
 
+@pytest.mark.slow
 def test_it_is_the_same_file_every_time(text: str, results_of_case: CaseResults) -> None:
     assert rendered([results_of_case]) == text
 

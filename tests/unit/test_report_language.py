@@ -379,6 +379,7 @@ def test_german_reports_of_all_examples_have_nothing_english(monkeypatch: pytest
     refuse_english(*german_page(single_contacts(EXAMPLES[1:]), monkeypatch))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", OF_KINDS)
 def test_a_german_report_of_bearings_has_nothing_english(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
     cases = [

@@ -77,6 +77,7 @@ def test_what_is_known_of_the_line_contact_is_what_johnson_prints():
     assert round(0.5 / largest_of(shear_on_axis)[0], 2) == 1.67
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("criterion", "pressure_over_strength"),
     [("von-mises", 1.0 / largest_of(von_mises_on_axis)[0]), ("tresca", 0.5 / largest_of(shear_on_axis)[0])],
@@ -91,6 +92,7 @@ def test_a_line_contact_yields_from_the_exact_pressure_on(plain, criterion, pres
         assert CRITERIA[criterion] in found.checks[1].sentence
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("depth", [1.0, 2.0])
 def test_the_core_bears_the_stress_at_the_case_core_boundary(plain, depth):
     # Below the depth of the largest stress, it is largest at the boundary; for nu = 0.3 on the axis.
@@ -103,6 +105,7 @@ def test_the_core_bears_the_stress_at_the_case_core_boundary(plain, depth):
     assert tresca.core_yield_ratio == pytest.approx(2.0 * shear_on_axis(depth) * pressure / 700.0, rel=1e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("depth", "verdict"), [(0.78, Verdict.OVER), (0.79, Verdict.FINE)])
 def test_a_case_has_to_reach_below_the_largest_shear_stresses(plain, depth, verdict):
     # The maximum shear stress is largest at 0.786 b, the orthogonal one at 0.5 b.
@@ -126,6 +129,7 @@ def test_a_case_has_to_reach_below_the_middle_where_the_ends_are_stressed_more()
     assert check.ratio == pytest.approx(middle / 0.1, rel=0.01)
 
 
+@pytest.mark.slow
 def test_a_shallow_case_yields_by_the_stress_within_it(plain):
     found = assess(with_material(plain, **KNOWN, case_depth=0.3 * plain.max_half_width))
     within = extremes(plain, depths=(0.0, 0.3 * plain.max_half_width)).von_mises.max
@@ -134,6 +138,7 @@ def test_a_shallow_case_yields_by_the_stress_within_it(plain):
     assert found.core_yield_ratio == pytest.approx(found.largest.von_mises.max / 700.0, rel=1e-5)
 
 
+@pytest.mark.slow
 def test_static_safety_is_the_square_of_the_pressures(plain):
     found = assess(with_material(plain, pressure_limit=2.0 * plain.max_pressure))
     assert found.static_safety == pytest.approx(4.0, rel=1e-12)
@@ -149,6 +154,7 @@ def test_static_safety_is_the_square_of_the_pressures(plain):
 # What is not known
 
 
+@pytest.mark.slow
 def test_what_is_not_given_is_not_known(plain):
     found = assess(plain)
     assert found.verdict is Verdict.UNKNOWN
@@ -162,18 +168,21 @@ def test_what_is_not_given_is_not_known(plain):
     assert len(found.checks) == 2
 
 
+@pytest.mark.slow
 def test_a_core_whose_depth_is_not_known_is_asked_for():
     found = assess(crowned(**KNOWN))
     assert found.checks[2].sentence == "Whether the core of body a yields is not known: the body has no case_depth."
     assert found.checks[2].verdict is Verdict.UNKNOWN
 
 
+@pytest.mark.slow
 def test_a_core_without_a_strength_is_not_known(plain):
     found = assess(with_material(plain, yield_strength=1500.0, case_depth=1.0))
     assert found.checks[2].sentence.startswith("Whether the core of body a yields is not known: the material has no")
     assert math.isnan(found.core_yield_ratio)
 
 
+@pytest.mark.slow
 def test_a_sharp_end_leaves_no_confident_number():
     found = assess(crowned(profile=nh.profile.straight(), **KNOWN, case_depth=1.0))
     assert {check.verdict for check in found.checks} == {Verdict.UNKNOWN}
@@ -193,6 +202,7 @@ def test_what_yields_away_from_a_sharp_end_yields():
     assert weak.checks[0].verdict is Verdict.OVER
 
 
+@pytest.mark.slow
 def test_a_contact_with_nothing_away_from_its_ends_is_never_known():
     # 1 mm long and wider than that.
     roller = nh.Roller(
@@ -227,6 +237,7 @@ def test_both_bodies_and_both_methods():
     assert other.checks[0].verdict is Verdict.UNKNOWN  # the plate's material knows nothing
 
 
+@pytest.mark.slow
 def test_stresses_at_hand_are_not_searched_again(plain):
     largest = extremes(plain)
     assert assess(plain, largest=largest).largest is largest
@@ -246,6 +257,7 @@ def test_bad_arguments_are_refused(plain, given, complaint):
     assert str(refusal.value).startswith(complaint)
 
 
+@pytest.mark.slow
 def test_stresses_of_the_other_body_are_refused(plain):
     with pytest.raises(nh.InputError, match="be the largest stresses of body b"):
         assess(plain, body="b", largest=extremes(plain))

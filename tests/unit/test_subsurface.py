@@ -80,6 +80,7 @@ def test_planes_and_volumes_are_points_in_rows_and_columns(tilted):
     np.testing.assert_array_equal(block.stress[:, 1], section.stress)
 
 
+@pytest.mark.slow
 def test_planes_cover_the_contact_unless_told_otherwise(tilted):
     plane, section = axial_plane(tilted), cross_section(tilted, 4.0)
     assert plane.y.min() < tilted.contact_y[0][0] + 0.2
@@ -89,6 +90,7 @@ def test_planes_cover_the_contact_unless_told_otherwise(tilted):
     assert section.z.min() == plane.z.min() == 0.0
 
 
+@pytest.mark.slow
 def test_threads_and_portions_change_no_digit(tilted):
     points = np.random.default_rng(3).uniform(-1.0, 1.0, (3, 2 * PORTION + 5)) * [[0.5], [9.0], [1.0]]
     points[2] = np.abs(points[2])
@@ -178,6 +180,7 @@ def test_over_a_pass_close_to_the_surface_the_narrow_peak_is_found(plane_strain)
     assert float(seen.orthogonal_shear) == pytest.approx(shear.max(), rel=2e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore:The estimated error of the largest pressure")
 def test_over_a_pass_of_a_dent_the_range_is_from_one_side_to_the_other():
     roller = nh.Roller(diameter=20, length=4, profile=nh.profile.crown(radius=500))
@@ -221,6 +224,7 @@ def test_off_contact_the_largest_orthogonal_shear_lies_deeper(tilted):
     assert found.max == pytest.approx(np.abs(block.tau_xz).max(), rel=2e-3)
 
 
+@pytest.mark.slow
 def test_towards_a_sharp_end_nothing_is_searched_and_that_is_said():
     solution = nh.solve(nh.Contact(nh.Roller(diameter=20, length=20), RING), load=10e3)
     found = extremes(solution)
@@ -248,6 +252,7 @@ def test_below_a_corner_the_field_is_that_of_the_strips_on_finer_grids_too(chamf
     assert found == pytest.approx(stress(finer, 0.0, y, depths).von_mises, rel=5e-3)
 
 
+@pytest.mark.slow
 def test_towards_a_corner_where_the_contact_ends_nothing_is_searched_and_that_is_said(chamfered):
     found = extremes(chamfered)
     assert abs(found.von_mises.y) < 9.0 - 0.9 * chamfered.half_width.max()
@@ -295,6 +300,7 @@ def test_a_run_out_that_ends_next_to_a_bend_stays_one():
     assert nh.solve(nh.Contact(both, RING), load=3e3).singular_ends == ()
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 def test_the_largest_is_found_up_to_where_a_contact_runs_out():
     tapered = nh.Roller(diameter=20, length=20, profile=nh.profile.tapered_ends(straight=10, angle=0.004))
@@ -400,6 +406,7 @@ def test_the_largest_shear_is_found_between_the_depths_of_the_net(plane_strain):
     assert found.z == pytest.approx(0.786 * half_width, rel=0.01)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("depths", [(1.2, np.inf), (0.0, 0.4), (0.4, 1.0)])
 def test_the_largest_stresses_within_depths(plane_strain, depths):
     half_width, pressure = plane_strain.max_half_width, plane_strain.max_pressure

@@ -173,6 +173,7 @@ def test_a_plan_that_has_changed_is_refused_with_what_differs(tmp_path, change, 
         nh.sweep(**given | change)
 
 
+@pytest.mark.slow
 def test_a_directory_in_use_is_refused(tmp_path):
     tried = []
 

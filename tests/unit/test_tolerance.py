@@ -97,6 +97,7 @@ def test_in_a_block_of_samples_one_parameter_differs_from_the_first():
     assert np.all(found[:, 0] != found[:, -1])
 
 
+@pytest.mark.slow
 def test_a_tolerance_study_ranks_what_matters():
     over = {"load.load": "normal(20 kN, 1 kN)", "body.a.diameter": "normal(nominal, 1 um)"}
     found = nh.tolerance(CASE, over=over, samples=400, seed=3, quantities=("max_pressure", "load"))

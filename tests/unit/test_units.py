@@ -186,6 +186,7 @@ def test_any_text_is_read_or_refused_in_a_sentence(text: str, unit: str) -> None
 
 
 # The first text with a unit imports pint.
+@pytest.mark.slow
 @settings(deadline=None)
 @given(text=st.from_regex(r"[0-9]{1,3} ?[a-zA-Z]{1,4}([ */^][a-zA-Z0-9]{1,3})?", fullmatch=True))
 def test_whatever_looks_like_a_quantity_is_read_or_refused(text: str) -> None:
@@ -194,6 +195,7 @@ def test_whatever_looks_like_a_quantity_is_read_or_refused(text: str) -> None:
         assert isinstance(outcome, float) or outcome.startswith("field = ")
 
 
+@pytest.mark.slow
 def test_pint_is_not_imported_for_numbers() -> None:
     program = (
         "import sys\n"

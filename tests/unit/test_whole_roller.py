@@ -166,6 +166,7 @@ def recessed(wall, deep=0.1, radius=0.4):
     return Outline(z, (1.0,) * 6, (radius, radius, 0.0, 0.0, radius, radius))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("n", [0, 2, 4])
 def test_the_wall_of_a_step_can_be_as_short_as_one_likes(n):
     def at_ends(wall, most=24):

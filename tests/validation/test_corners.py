@@ -19,6 +19,7 @@ def rounded(drop):
     return nh.Contact(roller, nh.Ring(diameter=80.0))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("drop", [0.010, 0.015, 0.020, 0.025])
 def test_the_peak_at_a_rounded_corner_is_that_of_the_plane_grid(drop):
     strips, grid = nh.solve(rounded(drop), **LOAD), nh.patch.solve(rounded(drop), **LOAD, cells=(64, 2048))
