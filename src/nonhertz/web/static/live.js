@@ -4,7 +4,7 @@
 // lost until the drag pauses. Stresses take longer: they come with every answer while that is quick enough for dragging,
 // otherwise when the drag pauses, and then a newer case aborts them.
 
-import { code } from "./units.js";
+import { unitsCode } from "./units.js";
 
 const REST = 120; // ms without a new case before stresses are requested separately
 const QUICK = 100; // ms from request to drawn; up to this, stresses come with every answer
@@ -45,7 +45,7 @@ export function post(place, body, signal) {
  */
 export async function send(place, type, body, signal) {
   for (let left = ATTEMPTS; ; left -= 1) {
-    const headers = { "Content-Type": type, "Nonhertz-Units": code() };
+    const headers = { "Content-Type": type, "Nonhertz-Units": unitsCode() };
     const response = await fetch(place, { method: "POST", headers, body, signal });
     if (response.status !== 503 || left <= 1) return response;
     await new Promise((done) => window.setTimeout(done, AGAIN / 3));

@@ -2,7 +2,7 @@
 
 import { FIRST, INK, PINNED, axis, draw, extent, figure, line, reading, widthOf } from "./chart.js";
 import { element } from "./elements.js";
-import { amount, code, named, spelled } from "./units.js";
+import { amount, named, spelled, unitsCode } from "./units.js";
 
 /** @typedef {import("./types.js").Profiles} Profiles */
 
@@ -47,7 +47,7 @@ export function drawProfiles(profiles, pinned) {
     host.classList.toggle("outdated", !profile); // the last drawing of an invalid body stays, dimmed
     if (!profile) continue;
     // Redrawn only if it changed: dragging the load, for example, changes no profile.
-    const numbers = `${code()} ${widthOf(host)} ${profile.y} ${profile.relief_um} ${pinned?.[body]?.relief_um}`;
+    const numbers = `${unitsCode()} ${widthOf(host)} ${profile.y} ${profile.relief_um} ${pinned?.[body]?.relief_um}`;
     if (drawn.get(host) !== numbers) drawProfile(host, body, profile, pinned?.[body]);
     drawn.set(host, numbers);
   }

@@ -25,7 +25,7 @@ function kept() {
 }
 
 /** The code of the units that are chosen, as requests have it. */
-export function code() {
+export function unitsCode() {
   return chosen;
 }
 
