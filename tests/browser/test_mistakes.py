@@ -111,13 +111,32 @@ def test_the_program_may_be_away_for_a_while(open_desk: Any) -> None:
     desk.forgive("ERR_FAILED")
 
 
-def test_the_page_says_that_the_solver_is_being_compiled(desk: Desk) -> None:
-    desk.page.route("**/status", lambda route: route.fulfill(json={"ready": False}), times=1)
+@pytest.mark.parametrize(("times", "said"), [(2, False), (5, True)])
+def test_the_page_says_that_the_solver_is_being_compiled_unless_it_is_only_starting(
+    desk: Desk, times: int, said: bool
+) -> None:
+    asked = 0
+
+    def answer(route: Any) -> None:
+        nonlocal asked
+        asked += 1
+        route.fulfill(json={"ready": asked > times})
+
+    desk.page.route("**/status", answer)
+    desk.page.add_init_script(
+        """addEventListener("DOMContentLoaded", () => {
+          const notice = document.getElementById("notice");
+          new MutationObserver(() => (window.told ||= !notice.hidden)).observe(notice, { attributeFilter: ["hidden"] });
+        });"""
+    )
     desk.page.reload()
-    notice = desk.page.locator("#notice", has_text="being compiled")
-    notice.wait_for()
-    notice.wait_for(state="detached")
-    assert not desk.page.locator("#notice").is_visible()
+    if said:
+        desk.page.locator("#notice", has_text="being compiled").wait_for()
+    desk.page.wait_for_timeout(1000)
+    while asked <= times:
+        desk.page.wait_for_timeout(100)
+    desk.page.locator("#notice").wait_for(state="hidden")
+    assert desk.page.evaluate("() => Boolean(window.told)") is said
 
 
 def test_a_mistaken_file_is_refused_in_a_sentence(desk: Desk, tmp_path: Path) -> None:

@@ -13,8 +13,9 @@ export function notice(reason, sentence) {
   byId("notice").hidden = !text;
 }
 
-// The first start on a machine compiles the solver.
+// The first start on a machine compiles the solver. Any other takes a second or two, of which nothing need be said.
 const AGAIN = 1000; // ms
+const USUAL = 4; // times that a program which is only starting is asked
 
 /**
  * Show a notice while the solver is being compiled.
@@ -22,13 +23,14 @@ const AGAIN = 1000; // ms
  * @param {string} [place] where to ask
  */
 export async function watchProgram(tell, place = "status") {
-  for (let said = false; ; said = true) {
+  for (let asked = 1; ; asked += 1) {
     const ready = await isReady(place);
     if (ready) {
-      if (said) tell("");
+      if (asked > USUAL) tell("");
       return;
     }
-    tell("The solver is being compiled, which takes half a minute the first time. The result will appear by itself.");
+    if (asked === USUAL)
+      tell("The solver is being compiled, which takes half a minute the first time. The result will appear by itself.");
     await new Promise((done) => window.setTimeout(done, AGAIN));
   }
 }
