@@ -100,7 +100,10 @@ def middle_of(handle: Any) -> tuple[float, float]:
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
-def test_a_body_is_tilted_by_the_ends_of_its_surface(desk: Desk) -> None:
+@pytest.mark.parametrize("units", ["SI", "US"])
+def test_a_body_is_tilted_by_the_ends_of_its_surface(desk: Desk, units: str) -> None:
+    if units == "US":
+        desk.press("#units")
     before = desk.value("load.tilt")
     for side, sign in (("right", 1.0), ("left", -1.0)):
         tilt = desk.value("load.tilt")

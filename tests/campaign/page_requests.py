@@ -4,7 +4,7 @@ import copy
 import json
 import random
 import tomllib
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 from urllib.parse import urlencode
 
@@ -26,7 +26,6 @@ class Sent:
     path: str
     kind: str
     content: bytes
-    headers: dict[str, str] = field(default_factory=dict)
 
 
 class Requests:

@@ -29,6 +29,7 @@ from page_requests import PATHS, Requests
 from nonhertz.io.casefile import starting_case
 from nonhertz.web.form.fields import FormField
 from nonhertz.web.form.form import form
+from nonhertz.web.server.units import HEADER
 
 EDITS, HOSTILE, CHANGED = extent(2_000, 300), 200, extent(10_000, 1_000)
 SLOWEST = 2.0
@@ -58,6 +59,7 @@ NONSENSE = [
 ]
 NONSENSE += [True, [], [[]], {}, {"a": 1}, [1, "2 mm"], {"kind": "crown"}, "a" * 5000, [0.0] * 2000, -0.0, 0]
 MAGNITUDES = [1e-300, 1e-30, 1e-9, 1e-3, 1e3, 1e9, 1e30, 1e300]
+READ_IN: list[dict[str, str]] = [{}, {HEADER: "us"}, {HEADER: "imperial"}]
 UNITS = {"mm": ["um", "cm", "in"], "N": ["kN", "lbf"], "MPa": ["GPa", "psi"], "rad": ["mrad", "deg"], "N mm": ["N m"]}
 
 
@@ -209,7 +211,7 @@ def test_random_edits(server, capsys):
                 {"stress": number % 3 != 0, "body": "ab"[number % 2]} if path == "/solve" else {}
             )
             begun = time.perf_counter()
-            response = client.post(path, json=asked)
+            response = client.post(path, json=asked, headers=READ_IN[number // 6 % 2])
             times.append(time.perf_counter() - begun)
             outcome = outcome_of(path, response)
             assert response.status_code in {200, 422, 503}, (number, response.text, document)
@@ -287,6 +289,7 @@ def hostile(picked: random.Random, port: int) -> bytes:
     headers += picked.choice(
         [[], [], ["Transfer-Encoding: chunked"], ["Origin: http://evil"], ["Expect: 100-continue"]]
     )
+    headers += picked.choice([[], [], [f"{HEADER}: us"], [f"{HEADER}: \xff"], [f"{HEADER}: us"] * 2])
     headers += picked.choice([[], [], ["X: " + "y" * 50_000], ["\x00: 1"], ["Sec-Fetch-Site: cross-site"], ["a b"]])
     head = f"{method} {path} HTTP/1.1\r\n" + "\r\n".join(headers) + "\r\n\r\n"
     return head.encode("latin-1", "replace") + body
@@ -324,7 +327,9 @@ def test_changed_requests(server, capsys):
         for number in range(CHANGED):
             sent = requests.request(number)
             begun = time.perf_counter()
-            answer = client.post(sent.path, content=sent.content, headers={"content-type": sent.kind})
+            answer = client.post(
+                sent.path, content=sent.content, headers={"content-type": sent.kind, **READ_IN[number % 3]}
+            )
             times.append(time.perf_counter() - begun)
             path = sent.path.partition("?")[0]
             outcomes[f"{path} {answer.status_code}"] += 1
