@@ -131,6 +131,8 @@ def test_a_body_is_tilted_by_the_ends_of_its_surface(desk: Desk, units: str) -> 
 
 def test_a_finger_tilts_a_body(open_desk: Any) -> None:
     desk = open_desk(viewport={"width": 390, "height": 844}, has_touch=True)
+    if desk.is_firefox:
+        pytest.skip("playwright moves no finger in Firefox")
     handle = handle_of(desk, "left")
     handle.evaluate("each => each.scrollIntoView({block: 'center'})")
     x, y = middle_of(handle)
