@@ -309,19 +309,22 @@ class _Question:
         allowed = getattr(self.body.material, strength)
         open_question = f"Whether {what} yields is not known"
         place = f"at y = {digits(found.y, 3)} mm and z = {digits(found.z, 3)} mm"
-        stress = f"its largest {CRITERIA[self.criterion]}, {digits(found.max)} MPa {place}"
+        stress = CRITERIA[self.criterion]
+        found_there = f"{digits(found.max)} MPa {place}"
         towards = f"the stress has no limit towards {self.limit.towards}"
         if allowed is None:
-            known = f"; {stress}" if self.limit else ""
+            known = f"; its largest {stress} is {found_there}" if self.limit else ""
             return _unknown(name, f"{open_question}: the material has no {strength}{known}.")
         ratio = found.max / allowed
         if self.limit:
             answer = "does not yield" if ratio <= 1.0 else "yields"
-            return _known(name, ratio, f"{_begin(what)} {answer}: {stress},", allowed, "yield strength")
+            return _known(
+                name, ratio, f"{_begin(what)} {answer}: its largest {stress}, {found_there},", allowed, "yield strength"
+            )
         if ratio <= 1.0 or not self.limit.away:
             return _unknown(name, f"{open_question}: {towards}.")
-        stress = f"more than a half-width away the largest {CRITERIA[self.criterion]}, {digits(found.max)} MPa {place},"
-        return _known(name, ratio, f"{_begin(what)} yields: {towards}; {stress}", allowed, "yield strength")
+        away = f"more than a half-width away the largest {stress}, {found_there},"
+        return _known(name, ratio, f"{_begin(what)} yields: {towards}; {away}", allowed, "yield strength")
 
 
 def _known(name: str, ratio: float, what: str, allowed: float, noun: str, then: str = "") -> Check:

@@ -163,7 +163,7 @@ def test_what_is_not_given_is_not_known(plain):
     assert math.isnan(found.core_yield_ratio)
     assert found.sentences[0] == "Static safety is not known: the material of body a has no pressure_limit."
     assert found.sentences[1].startswith(
-        "Whether body a yields is not known: the material has no yield_strength; its largest von Mises stress, "
+        "Whether body a yields is not known: the material has no yield_strength; its largest von Mises stress is "
     )
     assert len(found.checks) == 2
 

@@ -4,8 +4,9 @@ Everything is computed, worded and stored in mm, N and MPa. Where text and figur
 terminal, a report - the units chosen in this context (see `contextvars`) rewrite them: a number, or several in a row
 that share a unit, together with that unit. Nothing below knows of this, and what other programs read never changes.
 
-A number keeps its significant digits; one with fewer than four, such as a size or a limit, is shown with up to four,
-and an input with up to six. A standard error stays at its second digit, and so does the number before it.
+A number keeps its significant digits: more would not be true of one that was rounded. A whole one, or one with fewer
+than three, such as a size or a limit, is shown with up to four, and an input with up to six. A standard error stays at
+its second digit, and so does the number before it.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ POUND_FORCE: Final = 4.4482216152605
 _KSI: Final = 1e3 * POUND_FORCE / INCH**2  # MPa
 _POUND: Final = 0.45359237  # kg
 _FIGURES, _OF_INPUTS = 4, 6
+_ROUNDED = 3  # figures of a number with decimals that has been computed
 _LEAST_KSI: Final = 1.0  # below which a pressure is shown in psi
 
 _UNITS: Final[Mapping[str, tuple[str, float]]] = MappingProxyType(
@@ -244,13 +246,14 @@ def _each(text: str, factor: float, least: int = _FIGURES) -> str:
 
 
 def _shown(number: str, factor: float, least: int = _FIGURES) -> str:
-    """Return a number times a factor with as many significant digits, or with up to ``least`` if it has fewer."""
+    """Return a number times a factor with as many significant digits, or with up to ``least`` if it may be exact."""
     sign = "+-" if number.startswith("+-") else number[0] if number[0] in "+±" else ""
     bare = number.removeprefix(sign)
     mantissa = re.split("e", bare)[0]
     figures = len(re.sub(r"\D", "", mantissa).lstrip("0"))
     value = factor * _read(bare)
-    text = digits(value, figures) if figures >= least else given(value, least)
+    is_rounded = figures >= least or (least == _FIGURES and figures >= _ROUNDED and "." in mantissa)
+    text = digits(value, figures) if is_rounded else given(value, least)
     return sign + (text.replace("-", "−") if "−" in bare else text)
 
 
