@@ -14,8 +14,8 @@ from nonhertz.result.reading import read_in
 
 _OUT_REMEDY = "give a directory to write to"
 _OF_FILES = (
-    *(".csv", ".html", ".htm", ".jpg", ".json", ".md", ".npz", ".parquet", ".pdf", ".png", ".svg", ".toml", ".txt"),
-    *(".vtk", ".vtu", ".xls", ".xlsx", ".xml"),
+    *(".csv", ".docx", ".html", ".htm", ".jpg", ".json", ".md", ".npz", ".ods", ".parquet", ".pdf", ".png", ".svg"),
+    *(".toml", ".txt", ".vtk", ".vtu", ".xls", ".xlsx", ".xml", ".zip"),
 )
 
 
