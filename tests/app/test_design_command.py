@@ -90,6 +90,15 @@ def test_a_mistake_ends_in_a_sentence_and_leaves_nothing(folder, capsys, change,
     assert sorted(folder.iterdir()) == before
 
 
+@pytest.mark.parametrize(("options", "held"), [((), "case"), (("--bearing",), "bearing")])
+def test_a_case_is_no_plan(folder, capsys, options, held):
+    assert main(["new", *options, "alone.toml"]) == 0
+    capsys.readouterr()
+    assert main(["design", "alone.toml"]) == 2
+    remedy = f"begin with one from 'nonhertz new --plan', and name the {held} file in it"
+    assert capsys.readouterr().err == f"alone.toml must be a plan, and holds a {held}: {remedy}.\n"
+
+
 def test_a_bearing_is_no_case_of_a_design(folder, capsys):
     assert main(["new", "--bearing", "bearing.toml"]) == 0
     (folder / "plan.toml").write_text(

@@ -64,7 +64,7 @@ def swept(plan: Plan, out: Path, workers: int | None, scheduler: str | None) -> 
     InputError
         If an option is refused, named as on the command line.
     """
-    with progress() as announce, named_as(threads="--workers"):
+    with progress() as announce, named_as(threads="--workers", over="--over"):
         return sweep(plan, out=out, workers=workers, scheduler=scheduler, announce=announce)
 
 

@@ -38,7 +38,7 @@ def studied(
     InputError
         If an option is refused, named as on the command line.
     """
-    with progress() as announce, named_as(threads="--workers", count="--samples", seed="--seed"):
+    with progress() as announce, named_as(threads="--workers", count="--samples", seed="--seed", over="--over"):
         return tolerance(
             plan, samples=samples, seed=seed, out=out, workers=workers, scheduler=scheduler, announce=announce
         )

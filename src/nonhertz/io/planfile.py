@@ -308,6 +308,10 @@ def plan_in(
     from nonhertz.io.mistakes import Mistake, case_error, in_order, mistakes_in
     from nonhertz.io.plan_document import PlanTable
 
+    held = next((kind for kind, table in (("case", "body"), ("bearing", "bearing")) if table in document), "")
+    if held and not holds_plan(document):
+        remedy = f"begin with one from 'nonhertz new --plan', and name the {held} file in it"
+        raise CaseError([f"{path} must be a plan, and holds a {held}: {remedy}."], [""])
     try:
         read = PlanTable.model_validate(document)
     except ValidationError as error:

@@ -265,6 +265,9 @@ def tolerance(
     'load.load'
     """
     asked = planned(plan, over, None, quantities, "tolerance")
+    if not asked.spreads:
+        remedy = "say how a path of the case is distributed, such as 'load.load=normal(nominal,1kN)'"
+        raise InputError("over", {}, "vary something", remedy)
     for path, spread in asked.spreads.items():
         if not isinstance(spread, Distribution):
             remedy = "write one, such as 'normal(nominal, 5 um)', or sweep over values"
