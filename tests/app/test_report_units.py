@@ -13,11 +13,10 @@ from matplotlib.figure import Figure
 
 from nonhertz import plot
 from nonhertz.cli import main
-from nonhertz.errors import InputError
 from nonhertz.io.bearingfile import read_bearing
 from nonhertz.io.casefile import read_case
 from nonhertz.plot.units import rewrite_units
-from nonhertz.report import TitleBlock, compose
+from nonhertz.report import compose
 from nonhertz.result.reading import read_in
 from nonhertz.show.analysis import largest_stresses, solved
 
@@ -131,11 +130,6 @@ def test_the_files_in_a_report_stay_in_si() -> None:
     assert files(us) == files(si)
     assert "Units are in, lbf, ksi and rad" in us
     assert "Units are mm" not in us
-
-
-def test_only_english_reports_have_us_units() -> None:
-    with pytest.raises(InputError, match="units = 'us' must be 'si' in other languages than English"):
-        compose([read_case(CASE)], units="us", stress=False, title_block=TitleBlock(language="de"))
 
 
 @pytest.mark.slow

@@ -213,13 +213,3 @@ def test_reports_and_pictures_are_in_them_and_tables_are_not(client):
         drawn = bearing_jobs.drawn(bearing["document"], "loads", "svg")
     assert picture.content != client.post("/bearing/download/loads.svg", json=bearing).content
     assert isinstance(drawn, bytes)
-
-
-@pytest.mark.slow
-def test_a_german_report_in_us_units_is_refused_in_a_sentence(client):
-    german = {"document": STARTING | {"report": {"language": "de"}}}
-    answer = client.post("/download/report.html", json=german, headers=US_ALONE)
-    assert answer.status_code == 422
-    [mistake] = answer.json()["mistakes"]
-    assert mistake["path"] == "report.language"
-    assert "'si' in other languages" in mistake["sentence"]

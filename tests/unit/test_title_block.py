@@ -53,12 +53,6 @@ def test_a_title_block_is_read_and_written(folder: Path, name, read) -> None:
     assert replace(case, title_block=TitleBlock(author="A")).document["report"] == {"author": "A"}
 
 
-@pytest.mark.parametrize("language", ["fr", ["en"], {"en": 1}, 3])
-def test_languages_that_are_none_are_refused(language) -> None:
-    with pytest.raises(InputError, match=r"language = .* must be 'en' or 'de': leave it out for English"):
-        TitleBlock(language=language)
-
-
 def test_what_is_left_of_an_svg_file_only_draws(folder: Path) -> None:
     left = logo_from("logo.svg", folder).content.decode()
     for gone in ("bad", "script", "foreignObject", "import", "onload", "OnClick", "DOCTYPE", "<a", "animate"):
@@ -105,7 +99,7 @@ def test_the_page_has_the_fields_and_holds_the_logo_itself(folder: Path) -> None
     assert document["report"]["logo"] == logo_from("logo.png", folder).address
     (group,) = [each for each in form(document).folded if each.path == "report"]
     shown = [field.path for field in group.members]
-    names = ("project", "author", "revision", "date", "remarks", "language", "logo")
+    names = ("project", "author", "revision", "date", "remarks", "logo")
     assert shown == [f"report.{name}" for name in names]
     (group,) = [each for each in form({}).folded if each.path == "report"]
     assert "report.logo" not in [field.path for field in group.members]

@@ -11,7 +11,6 @@ import re
 import sys
 import warnings
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Literal, NoReturn
 
@@ -36,14 +35,6 @@ Excel = Annotated[
     bool,
     Parameter(name="--excel", negative="", help="Write the rows as rows.xlsx, too, with the inputs on a second sheet."),
 ]
-DecimalComma = Annotated[
-    bool,
-    Parameter(
-        name="--decimal-comma",
-        negative="",
-        help="Write CSV files with decimal commas and semicolons between cells, as a spreadsheet in German reads them.",
-    ),
-]
 UnitsRead = Annotated[
     Literal["si", "us"],
     Parameter(
@@ -53,24 +44,6 @@ UnitsRead = Annotated[
 ]
 
 
-@Parameter(name="*")
-@dataclass(frozen=True)
-class Shown:
-    """How results are shown and written."""
-
-    decimal_comma: DecimalComma = False
-    units: UnitsRead = "si"
-
-    def choose(self) -> None:
-        """Choose it for the rest of the command."""
-        from nonhertz.io.dialect import choose_decimal_commas
-        from nonhertz.result.reading import choose_units
-
-        choose_decimal_commas(self.decimal_comma)
-        choose_units(self.units)
-
-
-_AS_USUAL = Shown()
 _CHANGE = re.compile(r"[A-Za-z][\w.\[\]-]*=")
 
 app = App(
@@ -99,6 +72,13 @@ def run(words: Sequence[str]) -> int:
         print(f"{' '.join(str(error).split()).rstrip('.')}; see 'nonhertz --help'.", file=sys.stderr)
         return BAD_INPUT
     return code if isinstance(code, int) else FINE
+
+
+def _show_in(units: str) -> None:
+    """Choose the units of what is shown in the rest of the command."""
+    from nonhertz.result.reading import choose_units
+
+    choose_units(units)
 
 
 def _each_with_option(words: Sequence[str]) -> list[str]:
@@ -136,7 +116,7 @@ def solve(
     *more: Path,
     changes: Changes = (),
     out: Path | None = None,
-    shown: Shown = _AS_USUAL,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve case files and print a summary, or a table of several.
@@ -156,7 +136,7 @@ def solve(
     from nonhertz.cli.solve import is_table, report_one, report_several
     from nonhertz.io.changes import changes_in
 
-    shown.choose()
+    _show_in(units)
     if not more and not (out is not None and is_table(out)):
         return report_one(case, changes_in(changes), out, as_json)
     return report_several((case, *more), changes_in(changes), out, as_json)
@@ -171,7 +151,7 @@ def bearing(
     compare: Annotated[bool, Parameter(negative="")] = False,
     contact: Annotated[tuple[int, str] | None, Parameter(negative="", show_default=False)] = None,
     out: Path | None = None,
-    shown: Shown = _AS_USUAL,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a bearing file and print loads, pressures and life of the whole bearing.
@@ -196,7 +176,7 @@ def bearing(
     from nonhertz.io.changes import changes_in
     from nonhertz.io.folder import refuse_unwritable
 
-    shown.choose()
+    _show_in(units)
     if contact is not None and (compare or as_json or out is not None):
         remedy = "send the case file that it prints to a file with >"
         raise InputError("--contact", contact, "be given without --compare, --json and --out", remedy)
@@ -216,7 +196,7 @@ def compare(
     changes: Changes = (),
     out: Path | None = None,
     cells: Annotated[tuple[int, int] | None, Parameter(negative="", show_default=False)] = None,
-    shown: Shown = _AS_USUAL,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file with strips of both elements and on a plane grid, and compare them.
@@ -241,7 +221,7 @@ def compare(
     from nonhertz.io.comparisons import as_json as json_text
     from nonhertz.io.folder import refuse_unwritable
 
-    shown.choose()
+    _show_in(units)
     problem = read_case(case, changes_in(changes))
     if out is not None:
         refuse_unwritable(out)
@@ -270,7 +250,7 @@ def stress(
     body: str = "a",
     out: Path | None = None,
     vtk: Annotated[bool, Parameter(negative="")] = False,
-    shown: Shown = _AS_USUAL,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file and find the largest stresses below the surface.
@@ -299,7 +279,7 @@ def stress(
     from nonhertz.io.changes import changes_in
     from nonhertz.io.folder import refuse_unwritable
 
-    shown.choose()
+    _show_in(units)
     name = checked_body(station, body, vtk and out is None)
     problem = read_case(case, changes_in(changes))
     if out is not None:
@@ -321,7 +301,7 @@ def life(
     model: Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)] = (),
     compared: Annotated[Path | None, Parameter(name="--compare")] = None,
     out: Path | None = None,
-    shown: Shown = _AS_USUAL,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file and assess how long both bodies last by several fatigue models.
@@ -348,7 +328,7 @@ def life(
     from nonhertz.io.changes import changes_in
     from nonhertz.io.folder import refuse_unwritable
 
-    shown.choose()
+    _show_in(units)
     check_models(model)
     problems = [read_case(case, changes_in(changes))]
     if compared is not None:
@@ -373,7 +353,6 @@ def report(
     date: str = "",
     remarks: str = "",
     logo: Path | None = None,
-    language: str = "",
     units: UnitsRead = "si",
 ) -> int:
     """Solve case files or bearing files and write one HTML report that anyone can open in a browser.
@@ -408,19 +387,16 @@ def report(
         Remarks in the head of the report.
     logo : Path
         PNG or SVG file of at most 200 kB, shown in the head of the report.
-    language : str
-        Language of the report, "en" or "de".
     """
     from nonhertz.cli.report import composed, read_cases, target, title_block, write
     from nonhertz.io.changes import changes_in
     from nonhertz.io.folder import refuse_unwritable
-    from nonhertz.result.reading import choose_units
 
-    choose_units(units)
+    _show_in(units)
     if not cases:
         raise InputError("CASE", "", "be given", "name one case file or bearing file, or more")
     lines = {"project": project, "author": author, "revision": revision, "date": date, "remarks": remarks}
-    block = title_block(logo, **lines, language=language)
+    block = title_block(logo, **lines)
     path = target(out, cases)
     read = read_cases(cases, changes_in(changes))
     refuse_unwritable(path.parent)
@@ -455,7 +431,7 @@ def profile(
     points: str | None = None,
     fit: str | None = None,
     out: Path | None = None,
-    shown: Shown = _AS_USUAL,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Prepare a measured profile step by step, and say what each step did.
@@ -503,7 +479,7 @@ def profile(
     from nonhertz.io.folder import refuse_unwritable
     from nonhertz.io.prepared import as_json as json_text
 
-    shown.choose()
+    _show_in(units)
     if out is not None:
         refuse_unwritable(out)
     values = of_profile.options(
@@ -534,7 +510,7 @@ def contact_map(
     tilt: Annotated[str | None, Parameter(allow_leading_hyphen=True)] = None,
     accuracy: float = 1e-4,
     out: Path | None = None,
-    shown: Shown = _AS_USUAL,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Make a map of a case: load, moment and stiffness over approach and tilt, for other programs.
@@ -567,7 +543,7 @@ def contact_map(
     from nonhertz.io.changes import changes_in
     from nonhertz.io.folder import refuse_unwritable
 
-    shown.choose()
+    _show_in(units)
     asked = requested(approach, load, tilt, accuracy, out)
     problem = read_case(case, changes_in(changes))
     if out is not None:
@@ -591,7 +567,7 @@ def nodes(
     *,
     changes: Changes = (),
     out: Path | None = None,
-    shown: Shown = _AS_USUAL,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case file and find pressures and forces at the nodes of a finite element mesh.
@@ -616,7 +592,7 @@ def nodes(
     from nonhertz.io.folder import refuse_unwritable
     from nonhertz.io.nodes import read_nodes
 
-    shown.choose()
+    _show_in(units)
     path = target(out, nodes)
     problem = read_case(case, changes_in(changes))
     found = read_nodes(nodes)
@@ -639,7 +615,7 @@ def design(
     front: int | None = None,
     out: Path | None = None,
     workers: int | None = None,
-    shown: Shown = _AS_USUAL,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Find the profile or the dimensions with the least largest pressure, or the longest life.
@@ -667,7 +643,7 @@ def design(
     from nonhertz.io.changes import changes_in
     from nonhertz.io.folder import refuse_unwritable
 
-    shown.choose()
+    _show_in(units)
     directory = directory_for(plan) if out is None else out
     refuse_unwritable(directory)
     if front is not None:
@@ -702,7 +678,7 @@ def sweep_plan(
     workers: int | None = None,
     scheduler: str | None = None,
     excel: Excel = False,
-    shown: Shown = _AS_USUAL,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Solve a case or a bearing for many values of what its file holds.
@@ -734,7 +710,7 @@ def sweep_plan(
     from nonhertz.io.changes import changes_in
     from nonhertz.io.workbooks import refuse_missing_writer
 
-    shown.choose()
+    _show_in(units)
     if excel:
         refuse_missing_writer()
     asked = planned(plan, over, quantities, "over", changes_in(changes))
@@ -762,7 +738,7 @@ def study_tolerance(
     workers: int | None = None,
     scheduler: str | None = None,
     excel: Excel = False,
-    shown: Shown = _AS_USUAL,
+    units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
     """Find how results are distributed when dimensions and loads are, and which tolerance matters.
@@ -798,7 +774,7 @@ def study_tolerance(
     from nonhertz.io.changes import changes_in
     from nonhertz.io.workbooks import refuse_missing_writer
 
-    shown.choose()
+    _show_in(units)
     if excel:
         refuse_missing_writer()
     asked = planned(plan, over, quantities, "tolerance", changes_in(changes))
@@ -852,9 +828,8 @@ def materials(
         Print one JSON object with all numbers, sources and notes instead of the table.
     """
     from nonhertz.cli.materials import report_materials
-    from nonhertz.result.reading import choose_units
 
-    choose_units(units)
+    _show_in(units)
     report_materials(name, as_json)
     return FINE
 

@@ -44,7 +44,7 @@ from nonhertz.io.dimensions import BROKEN, dimensions
 from nonhertz.io.logo import Logo, logo_from
 from nonhertz.io.mistakes import Mistake, TableError, missing, mistake_in, mistakes_in, nearest, unknown
 from nonhertz.io.profiles import profile_schema, quantity_schema, read_profile
-from nonhertz.io.title_block import LANGUAGES, TitleBlock
+from nonhertz.io.title_block import TitleBlock
 from nonhertz.io.units import begins_with_digits, in_unit
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter, convex
 from nonhertz.model.contact import Contact
@@ -744,9 +744,6 @@ class ReportTable(Table):
     revision: Line = Field(default="", description="revision of the report, such as 'B'")
     date: Line = Field(default="", description="date of the report, in quotation marks; no other date is shown")
     remarks: Line = Field(default="", description="remarks; a blank line begins a paragraph")
-    language: Annotated[str, PlainValidator(_read_line), WithJsonSchema({"enum": list(LANGUAGES)})] = Field(
-        default="", description="language of the report, English if left out"
-    )
     logo: Annotated[Logo, PlainValidator(_read_logo), WithJsonSchema({"type": "string"})] | None = Field(
         default=None, description="name of a PNG or SVG file of at most 200 kB, or its content as a data URI"
     )

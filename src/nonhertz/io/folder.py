@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from nonhertz.errors import InputError
-from nonhertz.io.dialect import rewrite_tables
 from nonhertz.io.drafts import drafts_in
 from nonhertz.result.reading import read_in
 
@@ -24,7 +23,7 @@ def write_files(
 ) -> tuple[Path, ...]:
     """Write texts, and what ``draw`` writes, into a directory: all files or none.
 
-    CSV files are written as `nonhertz.io.dialect` says, figures in SI units whatever results are read in.
+    Figures are in SI units whatever results are read in.
 
     Parameters
     ----------
@@ -52,7 +51,6 @@ def write_files(
         if draw is not None:
             with read_in("si"):
                 draw(drafts)
-        rewrite_tables(drafts)
         return _moved(drafts, directory)
 
 

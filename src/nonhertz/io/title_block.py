@@ -13,9 +13,6 @@ LINE: Final = 200
 """Letters of a field."""
 REMARKS: Final = 5000
 """Letters of the remarks."""
-ENGLISH: Final = "en"
-LANGUAGES: Final = (ENGLISH, "de")
-"""Of reports; each but English has a file in nonhertz/report/languages."""
 _OF_ONE_LINE: Final = ("project", "author", "revision", "date")
 
 
@@ -29,8 +26,6 @@ class TitleBlock:
         A line each; a report has no date but this one.
     remarks : str
         Text of one or more lines; a blank line begins a paragraph.
-    language : str
-        That of the report, one of `LANGUAGES`; English if empty.
     logo : Logo or None
         A picture beside the title; see `nonhertz.io.logo.logo_from`.
 
@@ -50,15 +45,11 @@ class TitleBlock:
     revision: str = ""
     date: str = ""
     remarks: str = ""
-    language: str = ""
     logo: Logo | None = None
 
     def __post_init__(self) -> None:
         for name in (*_OF_ONE_LINE, "remarks"):
             self._check(name, getattr(self, name))
-        if self.language not in ("", *LANGUAGES):  # a list is not in a set, but an error
-            names = " or ".join(f"'{name}'" for name in LANGUAGES)
-            raise InputError("language", self.language, f"be {names}", "leave it out for English")
         if not (self.logo is None or isinstance(self.logo, Logo)):
             remedy = "make one with nonhertz.report.logo_from"
             raise InputError("logo", self.logo, "be a Logo", remedy)

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from nonhertz.plot import figures, life_figure, measured_figure, stress_figures
 from nonhertz.plot.units import rewrite_units
 from nonhertz.report.drawing import inline_svg
-from nonhertz.report.language import Language, translate_figure
 from nonhertz.report.measurements import Measurement
 from nonhertz.report.overlay import pressures, reliefs
 from nonhertz.report.overview import Key, keys
@@ -44,11 +43,10 @@ class ReportFigure:
 
 
 class Gallery:
-    """Draws the figures of one page in its language and numbers them."""
+    """Draws the figures of one page and numbers them."""
 
-    def __init__(self, language: Language) -> None:
+    def __init__(self) -> None:
         self._numbers = count(1)
-        self._language = language
 
     def of_solution(self, found: CaseResults) -> dict[str, ReportFigure]:
         """Return pressure, footprint and profile, by these names."""
@@ -73,9 +71,8 @@ class Gallery:
             "proportions.",
         }
         largest = overall.von_mises
-        summary = self._language(
-            f"The largest is {largest.max:.5g} MPa at x = {largest.x:.3g}, y = {largest.y:.3g}, z = {largest.z:.3g} mm."
-        )
+        at = f"x = {largest.x:.3g}, y = {largest.y:.3g}, z = {largest.z:.3g} mm"
+        summary = f"The largest is {largest.max:.5g} MPa at {at}."
         return {
             name: self.picture(drawn, captions[name], chosen()(summary))
             for name, drawn in stress_figures(found.solution, overall, section).items()
@@ -90,14 +87,13 @@ class Gallery:
             "Where along the contact the bodies fatigue: damage per length over its mean under the ideal pressure."
         )
         lives = [life for body in found.lives.lives.values() for life in body]
-        sentences = (f"{life.model.name} in body {life.body}: life {life.relative:.3g}" for life in lives)
-        summary = "; ".join(map(self._language, sentences))
+        summary = "; ".join(f"{life.model.name} in body {life.body}: life {life.relative:.3g}" for life in lives)
         return self.picture(drawn, caption, summary)
 
     def of_measurement(self, measurement: Measurement) -> ReportFigure:
         """Return the steps from measured points to a profile."""
         caption = f"From the measured points of {measurement.file} to the profile, step by step."
-        summary = chosen()(" ".join(self._language(in_letters(words)) for _, words in measurement.rows))
+        summary = chosen()(" ".join(in_letters(words) for _, words in measurement.rows))
         return self.picture(measured_figure(measurement.measured), caption, summary)
 
     def of_all(self, found: Sequence[CaseResults]) -> Iterator[ReportFigure]:
@@ -109,16 +105,14 @@ class Gallery:
 
     def in_words(self, numbers: Iterable[Key]) -> str:
         """Return key numbers as the description of a figure, for those who do not see it."""
-        word, named = self._language.words, self._language
-        said = (f"{named(key.name)} {word(key.value)} {word(key.unit)} {named(key.remark)}".strip() for key in numbers)
+        said = (f"{key.name} {key.value} {key.unit} {key.remark}".strip() for key in numbers)
         return chosen()("; ".join(said))
 
     def picture(self, figure: Figure, caption: str, description: str) -> ReportFigure:
-        """Return a figure with the next number; its description is in the language of the page."""
+        """Return a figure with the next number."""
         number = next(self._numbers)
-        translate_figure(figure, self._language)
         rewrite_units(figure)
-        svg = inline_svg(figure, f"figure-{number}", chosen()(self._language(caption)), description)
+        svg = inline_svg(figure, f"figure-{number}", chosen()(caption), description)
         return ReportFigure(number, svg, caption)
 
 

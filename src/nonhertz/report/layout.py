@@ -13,9 +13,8 @@ from typing import TYPE_CHECKING, Any
 from nonhertz import __version__
 from nonhertz.io.title_block import TitleBlock
 from nonhertz.report.figures import ReportFigure
-from nonhertz.report.language import Language
 from nonhertz.report.measurements import Measurement
-from nonhertz.result.reading import SI, Units, chosen, in_letters
+from nonhertz.result.reading import SI, chosen, in_letters
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -47,41 +46,20 @@ class Words:
     conventions: str
 
 
-class Reader:
-    """Puts text of the program into a language and units, of which one is that in which it was worded."""
-
-    def __init__(self, language: Language, units: Units) -> None:
-        self.code = language.code
-        self._language, self._units = language, units
-
-    def __call__(self, text: str) -> str:
-        """Return a sentence."""
-        return self._units.head(self._language(text))
-
-    def words(self, text: str) -> str:
-        """Return what may be words of the program, or a number, or a name that stays as it is."""
-        return self._units(self._language.words(text))
-
-
 def laid_out(
     title: str,
     words: Words,
     block: TitleBlock,
     comparison: dict[str, Any] | None,
     parts: Sequence[dict[str, Any]],
-    language: Language,
 ) -> str:
     """Return the text of a page; comparison and parts name the templates that lay them out."""
     units = chosen()
-    reader = Reader(language, units)
     page = (
         _environment()
         .get_template("report.html")
         .render(
-            t=reader,
-            w=reader.words,
             u=units,
-            whole=language.whole,
             title=title,
             mark=_safe(MARK),
             style=_safe(_resource("style.css")),

@@ -8,7 +8,7 @@ from typing import Any
 from nonhertz.errors import InputError
 from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.casefile import Case
-from nonhertz.io.title_block import ENGLISH, TitleBlock
+from nonhertz.io.title_block import TitleBlock
 from nonhertz.report.assumptions import assumptions
 from nonhertz.report.basis import basis
 from nonhertz.report.bearing.page import rendered_bearings
@@ -17,7 +17,6 @@ from nonhertz.report.differences import differing_inputs, lives, remarks_on_live
 from nonhertz.report.downloads import downloads, left_out
 from nonhertz.report.figures import Gallery
 from nonhertz.report.inputs import inputs
-from nonhertz.report.language import Language
 from nonhertz.report.layout import Words, laid_out, marked, measured, merged
 from nonhertz.report.measurements import measurements
 from nonhertz.report.method import paragraphs, references
@@ -80,7 +79,7 @@ def compose(
     CaseError
         If the solver rejects a case.
     InputError
-        If there are cases of both kinds, or the report is to be in US units and another language than English.
+        If there are cases of both kinds.
     """
     if not (title_block is None or isinstance(title_block, TitleBlock)):
         remedy = "make one with nonhertz.report.TitleBlock"
@@ -100,13 +99,12 @@ def compose(
 def rendered(found: Sequence[CaseResults], block: TitleBlock | None = None) -> str:
     """Return the text of the report on these cases; what ``block`` leaves empty in its head is that of the first."""
     head = (block or TitleBlock()).over(found[0].case.title_block)
-    language = Language(head.language or ENGLISH)
-    gallery = Gallery(language)
+    gallery = Gallery()
     several = len(found) > 1
     comparison = _comparison(found, gallery) if several else None
     parts = [_part(each, number, several, gallery) for number, each in enumerate(found, start=1)]
-    title = language(f"{len(found)} cases compared") if several else found[0].case.title
-    return laid_out(title, WORDS, head, comparison, parts, language)
+    title = f"{len(found)} cases compared" if several else found[0].case.title
+    return laid_out(title, WORDS, head, comparison, parts)
 
 
 def _part(found: CaseResults, number: int, several: bool, gallery: Gallery) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from nonhertz.io.bearing_results import as_json, as_object, comparison_files, rollers_table
-from nonhertz.io.title_block import ENGLISH, TitleBlock
+from nonhertz.io.title_block import TitleBlock
 from nonhertz.report.bearing.assumptions import bearing_assumptions
 from nonhertz.report.bearing.basis import bearing_basis
 from nonhertz.report.bearing.differences import bearing_differences
@@ -19,7 +19,6 @@ from nonhertz.report.bearing.results import BearingResults
 from nonhertz.report.differences import differing_inputs
 from nonhertz.report.downloads import Download, given_files, left_out, text_download
 from nonhertz.report.figures import Gallery
-from nonhertz.report.language import Language
 from nonhertz.report.layout import Words, laid_out, marked, measured, merged
 from nonhertz.report.measurements import measurements
 from nonhertz.result.reading import SI, in_letters
@@ -47,13 +46,12 @@ WORDS = Words(
 def rendered_bearings(found: Sequence[BearingResults], block: TitleBlock | None = None) -> str:
     """Return the text of the report on these bearings; what ``block`` leaves empty in its head is that of the first."""
     head = (block or TitleBlock()).over(found[0].case.title_block)
-    language = Language(head.language or ENGLISH)
-    gallery = Gallery(language)
+    gallery = Gallery()
     several = len(found) > 1
     comparison = _comparison(found, gallery) if several else None
     parts = [_part(each, number, several, gallery) for number, each in enumerate(found, start=1)]
-    title = language(f"{len(found)} bearings compared") if several else found[0].case.title
-    return laid_out(title, WORDS, head, comparison, parts, language)
+    title = f"{len(found)} bearings compared" if several else found[0].case.title
+    return laid_out(title, WORDS, head, comparison, parts)
 
 
 def _part(found: BearingResults, number: int, several: bool, gallery: Gallery) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from nonhertz.errors import CaseError, InputError
+from nonhertz.errors import CaseError
 from nonhertz.io.casefile import Case, as_toml, case_in, parsed, starting_case
 from nonhertz.io.mistakes import Mistake, case_error
 from nonhertz.io.results import as_json, as_table
@@ -149,8 +149,6 @@ def report(document: dict[str, Any]) -> bytes | dict[str, Any]:
             return compose([sound(document)], units=chosen().code).encode()
         except CaseError as error:
             return misfit(error)
-        except InputError as error:  # of units that its language does not have
-            return broken([("report.language", str(error))])
 
 
 def upload(content: bytes, name: str, options: dict[str, str]) -> bytes:
