@@ -80,6 +80,10 @@ MISTAKES = {
         f"[body.a]\ndiameter = 0\n{B}{LOAD}",
         [f"body.a.diameter = 0.0 must not be zero: {DIAMETER_REMEDY}."],
     ),
+    "diameter of nearly zero": (
+        f"[body.a]\ndiameter = 1e-320\nlength = 20\n{B}{LOAD}",
+        [f"body.a.diameter = 1e-320 must be at least 1e-100 in magnitude: {DIAMETER_REMEDY}."],
+    ),
     "effective length beyond the length": (
         f"{A}effective_length = 21\n{B}{LOAD}",
         [

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import csv
+import ctypes
 import dataclasses
 import importlib.metadata
 import io
 import json
 import os
 import re
+import signal
 import subprocess
 import sys
+import time
 import warnings
 from pathlib import Path
 from typing import Any
@@ -412,6 +415,37 @@ def test_interruption(case: str, capsys: pytest.CaptureFixture[str], monkeypatch
     monkeypatch.setattr(nonhertz.solver.one, "solve", interrupt)
     assert main(["solve", case]) == 130
     assert capsys.readouterr().err == "Interrupted.\n"
+
+
+def test_an_interruption_of_a_callback_ends_the_program(
+    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # As LLVM calls Numba back: C code ignores what a callback raises, and Python drops it.
+    callback = ctypes.CFUNCTYPE(None)(lambda: signal.raise_signal(signal.SIGINT))
+
+    def interrupted_in_callback(*_: object, **__: object) -> None:
+        callback()
+        time.sleep(10.0)
+        pytest.fail("The interruption was dropped.")
+
+    monkeypatch.setattr(nonhertz.solver.one, "solve", interrupted_in_callback)
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        assert main(["solve", case]) == 130
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert capsys.readouterr().err == "Interrupted.\n"
+
+
+@pytest.mark.parametrize("command", ["solve", "bearing", "report", "map", "nodes", "sweep", "schema", "verify"])
+@pytest.mark.parametrize("words", [["--out", ""], ["--out="]])
+def test_an_empty_name_for_results_is_refused(
+    case: str, capsys: pytest.CaptureFixture[str], command: str, words: list[str]
+) -> None:
+    assert main([command, case, *words]) == 2
+    error = "--out = '' must name a directory or a file: write --out . for the current directory.\n"
+    assert capsys.readouterr().err == error
+    assert [path.name for path in Path.cwd().iterdir()] == [case]
 
 
 @pytest.mark.parametrize("package", ["cyclopts", "pydantic", "pint", "matplotlib"])

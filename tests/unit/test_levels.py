@@ -40,6 +40,18 @@ def test_levels_that_failed_do_not_count():
     assert estimate(1.0, 5.0, 0.99, converged=[True, False, True]) == pytest.approx(0.02)
 
 
+def test_a_case_that_diverged_wants_no_finer_grid():
+    contact = nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate())
+    problem = problem_of(contact, Prescription.checked(None, 1e3, 0.0, None), nh.SEMI_ELLIPTIC)
+    diverged = SimpleNamespace(
+        rigid=np.full((1, 2), np.inf), load=np.array([1e3]), converged=np.array([False]), counts=np.array([24])
+    )
+    learning = strip_levels._Learning(
+        problem, (-10.0, 10.0), (-10.0, 10.0), (np.zeros(0), np.zeros(0)), np.array([[1e3, 0.0]]), np.ones(1)
+    )
+    assert learning.finer_wanted([diverged, diverged], 1e-4) == 1.0
+
+
 @pytest.mark.filterwarnings("ignore:.*maximum pressure is not known")
 def test_a_single_strip_has_no_estimate():
     with pytest.warns(nh.AccuracyWarning, match="error of the approach is not known"):

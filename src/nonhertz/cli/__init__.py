@@ -5,13 +5,15 @@ Only the argument parser is imported before a command runs, so that ``--help`` a
 
 from __future__ import annotations
 
+import _thread
 import contextlib
 import errno
 import io
 import os
 import sys
+import threading
 import traceback
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from nonhertz.errors import CaseError, InputError, Interrupted
@@ -20,6 +22,7 @@ FINE, NOT_CONVERGED, BAD_INPUT, INTERNAL = range(4)
 NOT_VERIFIED = NOT_KEPT = NOT_CONVERGED
 # As a shell reports a program ended by a signal.
 INTERRUPTED, BROKEN_PIPE = 130, 141
+_OUT_OF_CALLBACK = 0.02  # s; where this was too early, the next repetition is not
 
 _EXTRAS = {
     **dict.fromkeys(
@@ -66,7 +69,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             raise OSError(errno.EBADF, "standard output is closed")
         from nonhertz.cli.commands import run  # here, since its dependencies may be missing
 
-        code = run([word for word in words if word != "--debug"])
+        with _interrupts_repeated():
+            code = run([word for word in words if word != "--debug"])
         sys.stdout.flush()
         return code
     except SystemExit as error:
@@ -79,6 +83,27 @@ def main(arguments: Sequence[str] | None = None) -> int:
             with contextlib.suppress(OSError):
                 traceback.print_exception(error)
         return _ended(error)
+
+
+@contextlib.contextmanager
+def _interrupts_repeated() -> Iterator[None]:
+    """Repeat a Ctrl-C that Python drops: one during a finaliser, or a callback from C such as the compiler's."""
+    before, timers = sys.unraisablehook, []
+
+    def repeat(dropped: sys.UnraisableHookArgs) -> None:
+        if issubclass(dropped.exc_type, KeyboardInterrupt):
+            timers.append(threading.Timer(_OUT_OF_CALLBACK, _thread.interrupt_main))
+            timers[-1].start()
+        else:
+            before(dropped)
+
+    sys.unraisablehook = repeat
+    try:
+        yield
+    finally:
+        sys.unraisablehook = before
+        for timer in timers:
+            timer.cancel()
 
 
 def _ended(error: BaseException) -> int:

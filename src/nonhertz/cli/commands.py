@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import contextvars
+import itertools
 import re
 import sys
 import warnings
@@ -60,6 +61,8 @@ app = App(
 
 def run(words: Sequence[str]) -> int:
     """Run one command and return its exit code."""
+    if ("--out", "") in itertools.pairwise(words) or "--out=" in words:
+        raise InputError("--out", "", "name a directory or a file", "write --out . for the current directory")
     try:
         with _plain_warnings():
             # In a context of its own, which ends with what the command has chosen.

@@ -167,8 +167,9 @@ class Body:
             raise InputError("profile", self.profile, "be a Profile", "make one with nonhertz.profile")
         if self.diameter is not None and not callable(self.diameter):
             finite("diameter", self.diameter, _DIAMETER_REMEDY)
-            if self.diameter == 0.0:
-                raise InputError("diameter", self.diameter, "not be zero", _DIAMETER_REMEDY)
+            if abs(self.diameter) < LEAST:
+                condition = f"be at least {LEAST:g} in magnitude" if self.diameter else "not be zero"
+                raise InputError("diameter", self.diameter, condition, _DIAMETER_REMEDY)
         elif isinstance(self.diameter, TabulatedDiameter) and 0.0 in self.diameter.diameter:
             raise InputError("diameter", self.diameter.diameter, "not be zero", _DIAMETER_REMEDY)
         if self.bore is not None:

@@ -228,14 +228,11 @@ class _Learning:
         """Return by what share strips have to be narrower for the accuracy to be met; 1 where it is or cannot be."""
         finest, half = levels[:2]
         samples, h = self.problem.sampled(*self.finite, SAMPLES)
-        pressed = np.max(finest.rigid[:, :1] + finest.rigid[:, 1:] * samples - h, axis=1)
-        known, change = (
-            (np.abs(pressed), finest.rigid[:, 0] - half.rigid[:, 0])
-            if self.problem.prescribed[0]
-            else (finest.load, finest.load - half.load)
-        )
-        with np.errstate(divide="ignore", invalid="ignore"):
-            error = LEFT_OF_CHANGE * np.abs(change) / known
+        by_load = self.problem.prescribed[0]
+        fine, coarse = (finest.rigid[:, 0], half.rigid[:, 0]) if by_load else (finest.load, half.load)
+        with np.errstate(divide="ignore", invalid="ignore"):  # a case that has not converged may be infinite
+            pressed = np.max(finest.rigid[:, :1] + finest.rigid[:, 1:] * samples - h, axis=1)
+            error = LEFT_OF_CHANGE * np.abs(fine - coarse) / (np.abs(pressed) if by_load else fine)
             finer = np.maximum(LEAST_FINER, MARGIN * (accuracy / error) ** (1.0 / ORDER))
         met = ~(error > accuracy) | ~(finest.converged & half.converged)
         # More strips than the limit are not laid, whatever is asked for.
