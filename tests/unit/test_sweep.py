@@ -186,6 +186,36 @@ def test_a_directory_in_use_is_refused(tmp_path):
     assert tried
 
 
+def test_a_full_disk_is_said_and_the_rows_before_are_kept(tmp_path):
+    """SQLite reports a file that may not grow as it reports a full disk."""
+    found = nh.sweep(CASE, over={"load.load": [5e3, 6e3]}, quantities=("approach",), out=tmp_path)
+    (pages,) = found._store._rows.execute("pragma page_count").fetchone()
+    found._store._rows.execute(f"pragma max_page_count = {pages}")
+    with pytest.raises(nh.InputError, match=r"with space for more rows \(no space left on device\): make room"):
+        found._store.add(9, range(2, 2000), [(5e3,)] * 1998, [Row((1.0,))] * 1998)
+    assert len(found._store) == 2
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        lambda data: data[:9000],
+        lambda data: b"\xff" + data[1:],
+        lambda data: data.replace(b"load.load", b"load.l\xffad"),
+        lambda data: data.replace(b"TABLE rows", b"TABLE r\xffws"),
+        lambda data: data.replace(b"n0 real", b"n1 real"),
+        lambda data: data[:4196] + bytes(4000) + data[8196:],
+    ],
+    ids=["cut off", "head", "text", "schema", "column", "page"],
+)
+def test_a_damaged_store_is_called_so(tmp_path, damage):
+    given = {"plan": CASE, "over": {"load.load": [5e3, 6e3]}, "quantities": ("approach",), "out": tmp_path}
+    nh.sweep(**given)
+    (tmp_path / FILE).write_bytes(damage((tmp_path / FILE).read_bytes()))
+    with pytest.raises(nh.InputError, match=r"the store is damaged: .*\): delete rows\.sqlite3 to solve"):
+        nh.sweep(**given)
+
+
 def test_rows_are_written_to_the_last_bit(tmp_path):
     import polars
 

@@ -25,7 +25,8 @@ from nonhertz.result.brief import shortened
 from nonhertz.study.rows import Row
 
 FILE = "rows.sqlite3"
-_PAGE = 10_000  # rows read at a time
+# What SQLite reports of a place that cannot be written to; anything else that it reports is damage.
+_PLACE = ("SQLITE_IOERR", "SQLITE_READONLY", "SQLITE_CANTOPEN", "SQLITE_PERM", "SQLITE_AUTH")
 _TABLES = """
 create table made_from (place text primary key, value text not null) without rowid;
 create table portions (number integer primary key);
@@ -47,7 +48,8 @@ class Store:
     Raises
     ------
     InputError
-        If the directory holds the rows of something else, is in use, or cannot be written to.
+        If the directory holds the rows of something else or a damaged file, is in use, or cannot be written to. Every
+        method raises the same where the disk is full or the file turns out to be damaged.
     """
 
     def __init__(
@@ -57,7 +59,8 @@ class Store:
         self._rows = _opened(directory)
         weakref.finalize(self, _closed, self._rows)
         try:
-            self._begin(dict(_leaves("", made_from)))
+            with _intact(directory):
+                self._begin(dict(_leaves("", made_from)))
         except BaseException:
             self._rows.close()
             raise
@@ -72,10 +75,22 @@ class Store:
                 rows.execute(f"create table rows (number integer primary key, {columns}, {numbers}, failure text)")
                 rows.executemany("insert into made_from values (?, ?)", made_from.items())
             return
-        before = dict(self._rows.execute("select place, value from made_from").fetchall())
+        self._check()
+        before = dict(self._read("select place, value from made_from"))
         different = [place for place in {**before, **made_from} if before.get(place) != made_from.get(place)]
         if different:
             raise self._changed(different, before, made_from)
+
+    def _check(self) -> None:
+        """Raise what SQLite raises of a damaged file if this one is."""
+        found = self._read("pragma quick_check(1)")[0][0]
+        other = " or ".join(f"typeof(n{k}) not in ('real', 'null')" for k in range(len(self.names)))
+        if found != "ok" or self._read(f"select 1 from rows where {other} limit 1"):
+            raise sqlite3.DatabaseError(found if found != "ok" else "text where numbers belong")
+
+    def _read(self, statement: str, *values: Any) -> list[tuple[Any, ...]]:
+        with _intact(self._directory):
+            return self._rows.execute(statement, values).fetchall()
 
     def _changed(self, places: Sequence[str], before: Mapping[str, str], now: Mapping[str, str]) -> InputError:
         said = [
@@ -90,22 +105,24 @@ class Store:
     @contextlib.contextmanager
     def _changes(self) -> Iterator[sqlite3.Connection]:
         """Make changes that are kept whole, or not at all."""
-        self._rows.execute("begin immediate")
-        try:
-            yield self._rows
-        except BaseException:
-            self._rows.rollback()
-            raise
-        self._rows.commit()
+        with _intact(self._directory):
+            self._rows.execute("begin immediate")
+            try:
+                yield self._rows
+                self._rows.commit()
+            except BaseException:
+                if self._rows.in_transaction:  # SQLite has ended it where the disk is full
+                    self._rows.rollback()
+                raise
 
     def release(self) -> None:
         """Let others use the directory; what is there can still be read."""
-        self._rows.execute("pragma locking_mode = normal")
-        self._rows.execute("select count(*) from portions").fetchone()
+        self._read("pragma locking_mode = normal")
+        self._read("select count(*) from portions")
 
     def portions(self) -> set[int]:
         """Return the numbers of the portions that are there."""
-        return {number for (number,) in self._rows.execute("select number from portions")}
+        return {number for (number,) in self._read("select number from portions")}
 
     def add(self, portion: int, numbers: Iterable[int], values: Iterable[Sequence[Any]], rows: Iterable[Row]) -> None:
         """Keep the rows of a portion; one that is there already is left as it is."""
@@ -119,8 +136,7 @@ class Store:
                 changing.executemany(f"insert into rows values ({marks})", entries)
 
     def __len__(self) -> int:
-        (count,) = self._rows.execute("select count(*) from rows").fetchone()
-        return int(count)
+        return int(self._read("select count(*) from rows")[0][0])
 
     def failures(self, most: int) -> list[tuple[str, int, int]]:
         """Return why rows failed, the commonest reason first: sentence, how many rows, the first of them."""
@@ -128,21 +144,20 @@ class Store:
             "select failure, count(*) as times, min(number) from rows where failure is not null "
             "group by failure order by times desc, 3 limit ?"
         )
-        return self._rows.execute(asked, (most,)).fetchall()
+        return [(why, times, first) for why, times, first in self._read(asked, most)]
 
     def failed_count(self) -> int:
         """Return how many rows have failed."""
-        (count,) = self._rows.execute("select count(failure) from rows").fetchone()
-        return int(count)
+        return int(self._read("select count(failure) from rows")[0][0])
 
     def failed(self) -> dict[int, str]:
         """Return the sentence of every row that failed, by its number."""
-        return dict(self._rows.execute("select number, failure from rows where failure is not null order by number"))
+        return dict(self._read("select number, failure from rows where failure is not null order by number"))
 
     def column(self, name: str) -> NDArray[Any]:
         """Return a column of all rows in the order of their numbers; nan where a row has no number."""
         place = f"v{self.paths.index(name)}" if name in self.paths else f"n{self.names.index(name)}"
-        found = [value for (value,) in self._rows.execute(f"select {place} from rows order by number")]
+        found = [value for (value,) in self._read(f"select {place} from rows order by number")]
         if any(isinstance(value, str) for value in found):
             return np.array(found, dtype=object)
         return np.array([math.nan if value is None else value for value in found], dtype=float)
@@ -150,7 +165,7 @@ class Store:
     def extremes(self, name: str) -> tuple[float, float] | None:
         """Return the smallest and the largest number of a column; None if it has none."""
         place = f"n{self.names.index(name)}"
-        low, high = self._rows.execute(f"select min({place}), max({place}) from rows").fetchone()
+        low, high = self._read(f"select min({place}), max({place}) from rows")[0]
         return None if low is None else (float(low), float(high))
 
     def head(self, units: Sequence[str]) -> list[str]:
@@ -164,9 +179,8 @@ class Store:
 
     def cells(self) -> Iterator[tuple[Any, ...]]:
         """Yield the cells of every row, with numbers to the last bit; a row that failed has its sentence."""
-        found = self._rows.execute("select * from rows order by number")
-        while page := found.fetchmany(_PAGE):
-            yield from page
+        with _intact(self._directory):
+            yield from self._rows.execute("select * from rows order by number")
 
     def write_csv(self, path: Path, units: Sequence[str]) -> None:
         """Write all rows as CSV."""
@@ -184,23 +198,39 @@ def _closed(rows: sqlite3.Connection) -> None:
 def _opened(directory: Path | None) -> sqlite3.Connection:
     if directory is None:
         return sqlite3.connect(":memory:", isolation_level=None)
-    try:
+    with _intact(directory), contextlib.ExitStack() as if_refused:
         directory.mkdir(parents=True, exist_ok=True)
-        with contextlib.ExitStack() as if_refused:
-            rows = sqlite3.connect(directory / FILE, isolation_level=None, timeout=1.0)
-            if_refused.callback(rows.close)
-            # Held until it is closed, or the process ends, however it ends.
-            rows.execute("pragma locking_mode = exclusive")
-            rows.execute("begin exclusive")
-            rows.commit()
-            if_refused.pop_all()
-    except (OSError, sqlite3.Error) as error:
-        locked = "locked" in str(error)
-        reason = "a study that is under way uses it" if locked else (getattr(error, "strerror", None) or str(error))
-        remedy = "wait until it has ended, or choose another" if locked else "choose another"
-        condition = f"be a directory to write to ({reason.lower()})"
-        raise InputError("--out", str(directory), condition, remedy) from None
+        rows = sqlite3.connect(directory / FILE, isolation_level=None, timeout=1.0)
+        if_refused.callback(rows.close)
+        # Held until it is closed, or the process ends, however it ends.
+        rows.execute("pragma locking_mode = exclusive")
+        rows.execute("begin exclusive")
+        rows.commit()
+        if_refused.pop_all()
     return rows
+
+
+@contextlib.contextmanager
+def _intact(directory: Path | None) -> Iterator[None]:
+    """Refuse a directory of which the system or SQLite reports that it is in use, full, not writable or damaged."""
+    try:
+        yield
+    except sqlite3.ProgrammingError:  # ours
+        raise
+    except (OSError, sqlite3.Error, UnicodeDecodeError) as error:  # the last of a damaged schema
+        kind = getattr(error, "sqlite_errorname", "")
+        reason = " ".join(str(getattr(error, "strerror", None) or error).lower().split())
+        condition, remedy = f"be a directory to write to ({reason})", "choose another"
+        if kind.startswith(("SQLITE_BUSY", "SQLITE_LOCKED")):
+            condition = "be a directory to write to (a study that is under way uses it)"
+            remedy = "wait until it has ended, or choose another"
+        elif kind.startswith("SQLITE_FULL"):
+            condition = "be a directory with space for more rows (no space left on device)"
+            remedy = "make room and repeat: the rows so far are kept"
+        elif not isinstance(error, OSError) and not kind.startswith(_PLACE):
+            condition = f"hold an intact {FILE} (the store is damaged: {shortened(reason)})"
+            remedy = f"delete {FILE} to solve all rows anew, or choose another directory"
+        raise InputError("--out", str(directory), condition, remedy) from None
 
 
 def _leaves(place: str, value: Any) -> Iterator[tuple[str, str]]:
