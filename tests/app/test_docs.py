@@ -112,7 +112,6 @@ MODULES = {"nonhertz.profile": nh.profile} | {
         "io.casefile",
         "io.force_tables",
         "io.bearingfile",
-        "io.vtk",
         "life",
         "maps",
         "measured",

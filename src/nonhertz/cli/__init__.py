@@ -31,14 +31,12 @@ _EXTRAS = {
     **dict.fromkeys(("anyio", "starlette", "uvicorn"), "web"),
     "distributed": "cluster",
     "openpyxl": "data",
-    "meshio": "vtk",
 }
 _NEEDS = {
     "cli": "the command line",
     "web": "the page",
     "cluster": "a Dask scheduler",
     "data": "a workbook",
-    "vtk": "a VTK file",
 }
 
 

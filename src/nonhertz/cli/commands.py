@@ -252,7 +252,6 @@ def stress(
     station: float | None = None,
     body: str = "a",
     out: Path | None = None,
-    vtk: Annotated[bool, Parameter(negative="")] = False,
     units: UnitsRead = "si",
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
@@ -271,8 +270,6 @@ def stress(
         The body to examine, a or b. Both bear the same pressure.
     out : Path
         Directory for stress.json, tables and figures of two planes; created if it does not exist.
-    vtk : bool
-        Write the surface and both planes as VTK files, too, which ParaView opens.
     as_json : bool
         Print one JSON object instead of the table.
     """
@@ -283,7 +280,7 @@ def stress(
     from nonhertz.io.folder import refuse_unwritable
 
     _show_in(units)
-    name = checked_body(station, body, vtk and out is None)
+    name = checked_body(station, body)
     problem = read_case(case, changes_in(changes))
     if out is not None:
         refuse_unwritable(out)
@@ -291,7 +288,7 @@ def stress(
     if complaint:
         _complain(complaint)
         return NOT_CONVERGED
-    report_stresses(solution, problem.title, station, name, out, as_json, vtk)
+    report_stresses(solution, problem.title, station, name, out, as_json)
     return FINE
 
 

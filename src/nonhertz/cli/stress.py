@@ -24,7 +24,7 @@ _SEARCHES = 2  # for the largest stresses: in the whole body and in a cross-sect
 _STATION_REMEDY = "choose a position in the body, or leave it out for the cross-section of the largest von Mises stress"
 
 
-def checked_body(station: float | None, body: str, without_place: bool) -> BodyName:
+def checked_body(station: float | None, body: str) -> BodyName:
     """Return the body; reject arguments that can be checked before solving.
 
     Raises
@@ -33,8 +33,6 @@ def checked_body(station: float | None, body: str, without_place: bool) -> BodyN
     """
     if body not in BODIES:
         raise InputError("--body", body, "be one of the two bodies", "write a or b")
-    if without_place:
-        raise InputError("--vtk", True, "be given together with --out", "name a directory for the files")
     if station is not None and not math.isfinite(station):
         raise InputError("--station", station, "be finite", "give a position along the contact in mm")
     return BODIES[BODIES.index(body)]
@@ -56,7 +54,7 @@ def searched(
 
 
 def report_stresses(
-    solution: Solution, title: str, station: float | None, body: BodyName, out: Path | None, as_json: bool, vtk: bool
+    solution: Solution, title: str, station: float | None, body: BodyName, out: Path | None, as_json: bool
 ) -> None:
     """Find the largest stresses, write them if requested, and print them."""
     from nonhertz.io.stresses import as_json as json_text
@@ -69,7 +67,7 @@ def report_stresses(
         written: tuple[Path, ...] = ()
         if out is not None:
             progress.announce("planes and figures")
-            written = _stresses_written(out, solution, (overall, section), text, title, vtk)
+            written = _stresses_written(out, solution, (overall, section), text, title)
     finally:
         progress.wipe()
     if as_json:
@@ -81,7 +79,7 @@ def report_stresses(
 
 
 def _stresses_written(
-    directory: Path, solution: Solution, found: tuple[Extremes, Extremes], text: str, title: str, vtk: bool
+    directory: Path, solution: Solution, found: tuple[Extremes, Extremes], text: str, title: str
 ) -> tuple[Path, ...]:
     from nonhertz.io.folder import write_files
     from nonhertz.io.stresses import files
@@ -92,12 +90,6 @@ def _stresses_written(
     def draw(folder: Path) -> None:
         for name, figure in stress_figures(solution, *found, title, planes).items():
             save(figure, folder / name)
-        if vtk:
-            from nonhertz.io.vtk import write_field, write_surface
-
-            write_surface(folder / "surface.vtu", solution)
-            for name, plane in planes.items():
-                write_field(folder / f"{name}.vtu", plane)
 
     return write_files(directory, files(text, planes), draw)
 
