@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from nonhertz import measured as measured
     from nonhertz import patch as patch
     from nonhertz import plot as plot
-    from nonhertz import rotor as rotor
     from nonhertz import strength as strength
     from nonhertz import study as study
     from nonhertz import subsurface as subsurface
@@ -134,7 +133,6 @@ _MODULES = {
     "patch": "nonhertz.patch",
     "plot": "nonhertz.plot",
     "profile": "nonhertz.model.profile",
-    "rotor": "nonhertz.rotor",
     "strength": "nonhertz.strength",
     "study": "nonhertz.study",
     "subsurface": "nonhertz.subsurface",

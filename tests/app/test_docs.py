@@ -117,7 +117,6 @@ MODULES = {"nonhertz.profile": nh.profile} | {
         "measured",
         "patch",
         "plot",
-        "rotor",
         "strength",
         "study",
         "study.design",

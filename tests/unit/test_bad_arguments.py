@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz import bearing, hertz, life, measured, profile, rotor, strength, subsurface
+from nonhertz import bearing, hertz, life, measured, profile, strength, subsurface
 from nonhertz.io.casefile import LifeCase
 from nonhertz.io.results import as_json
 from nonhertz.io.title_block import TitleBlock
@@ -672,7 +672,6 @@ ENTRIES: dict[str, Entry] = {
     "bearing.BearingSolution.unrolled_pressure": entry(
         LOADED.unrolled_pressure, ring=("inner", "word"), row=(0, "count"), y=([0.0, 1.0], "row?")
     ),
-    "rotor.stiffness": entry(rotor.stiffness, solution=(LOADED, "thing"), free=(["x"], "names")),
     "bearing.oil_viscosity": entry(
         bearing.oil_viscosity,
         temperature=(70.0, "number"),
