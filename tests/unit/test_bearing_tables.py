@@ -8,7 +8,6 @@ import warnings
 
 import numpy as np
 import pytest
-import scipy.io
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
@@ -126,9 +125,6 @@ def test_states_without_a_balance_are_gaps(monkeypatch, tmp_path):
     assert len(gaps.checked_force) == 2
     with pytest.raises(nh.InputError, match="kind = 'cubic' must not be used"):
         gaps.interpolated(kind="cubic", y=0.0)
-    with pytest.raises(nh.InputError, match="table = '4 states' must have converged everywhere, not failed at 2 poi"):
-        force_tables.write(tmp_path / "gaps.mat", gaps, "simulink")
-    assert list(tmp_path.iterdir()) == []
     force_tables.write(tmp_path / "gaps.csv", gaps)
     assert (tmp_path / "gaps.csv").read_text().splitlines()[2].endswith("nan,0")
 
@@ -188,55 +184,21 @@ def test_csv_has_a_line_for_each_state(found, tmp_path):
     assert len(rows[0]) == 5 + 5 + 25 + 1
 
 
-def test_mat_has_the_arrays(found, tmp_path):
-    read = scipy.io.loadmat(force_tables.write(tmp_path / "table.mat", found))
-    assert [str(each[0]) for each in read["motions"].ravel()] == ["y", "z", "about_z"]
-    assert_allclose(read["z"].ravel(), Z, rtol=0)
-    assert_allclose(read["force"], found.force, rtol=0)
-    assert_allclose(read["stiffness"], found.stiffness, rtol=0)
-    assert_allclose(read["bound"].ravel(), found.bound(), rtol=0)
-    assert "moment_z [N mm]" in str(read["units"][0])
-    assert "13 rollers, by slices" in str(read["description"][0])
-
-
-def test_lookup_tables_have_a_dimension_for_each_input(found, tmp_path):
-    path = force_tables.write(tmp_path / "lookup.mat", found, "simulink")
-    read = scipy.io.loadmat(path)
-    order = [str(each[0]) for each in read["motions"].ravel()]
-    sizes = tuple(read[f"breakpoints{k}"].size for k in (1, 2, 3))
-    assert read["force_y"].shape == sizes == (6, 4, 5)
-    # As the block counts: table(i, j, k) belongs to breakpoints1(i), breakpoints2(j), breakpoints3(k).
-    for at in [(0, 0, 0), (5, 1, 3), (2, 3, 4)]:
-        point = {name: read[f"breakpoints{k}"].ravel()[at[k - 1]] for k, name in enumerate(order, 1)}
-        alone = B.solve(ROW, radial_displacement=(point["y"], point["z"]), tilt=point["about_z"], method="slices").force
-        for k, name in enumerate(["force_x", "force_y", "force_z", "moment_y", "moment_z"]):
-            assert read[name][at] == pytest.approx(alone[k], rel=1e-8, abs=1e-6)
-
-
-def test_a_lookup_table_of_one_motion_is_a_column(tmp_path):
-    one = B.table(ROW, y=np.linspace(0.0, 0.02, 5), method="slices")
-    read = scipy.io.loadmat(force_tables.write(tmp_path / "one.mat", one, "simulink"))
-    assert read["force_y"].shape == read["breakpoints1"].shape == (5, 1)
-
-
 @pytest.mark.parametrize(
-    ("path", "layout", "said"),
+    ("path", "said"),
     [
-        (3, "table", "path = 3 must be the name of a file to write"),
-        ("table.txt", "table", "path = .* must be a file ending in .csv, .mat"),
-        ("table.csv", "simulink", "must end in .mat for Simulink"),
-        ("table.csv", "sheet", "layout = 'sheet' must be one of 'table', 'simulink'"),
-        ("taken/table.csv", "table", "path = .* must be a directory, not a file"),
+        (3, "path = 3 must be the name of a file to write"),
+        ("table.txt", "path = .* must be a file ending in .csv"),
+        ("taken/table.csv", "path = .* must be a directory, not a file"),
     ],
 )
-def test_files_that_cannot_be_are_refused(found, tmp_path, path, layout, said):
+def test_files_that_cannot_be_are_refused(found, tmp_path, path, said):
     (tmp_path / "taken").write_text("")
     with pytest.raises(nh.InputError, match=said):
-        force_tables.write(tmp_path / path if isinstance(path, str) else path, found, layout)
+        force_tables.write(tmp_path / path if isinstance(path, str) else path, found)
     assert [each.name for each in tmp_path.iterdir()] == ["taken"]
 
 
-@pytest.mark.parametrize("write", [force_tables.as_csv_text, force_tables.as_mat, force_tables.as_lookup])
-def test_only_tables_are_written(write):
+def test_only_tables_are_written():
     with pytest.raises(nh.InputError, match="table = None must be a ForceTable"):
-        write(None)
+        force_tables.as_csv_text(None)
