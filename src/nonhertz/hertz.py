@@ -18,19 +18,24 @@ left after twenty steps.
 
 from __future__ import annotations
 
+import cmath
 import math
 from dataclasses import dataclass
+from numbers import Real
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import numbers, positive
+from nonhertz.inputs.checks import LEAST, finite, numbers, positive
 from nonhertz.model.material import Material, check_poisson
 
 Array = NDArray[np.float64]
 
-_RADIUS_REMEDY = "give the combined radius 1 / (1/R_a + 1/R_b) in mm, or use line_contact for straight bodies"
+_RADIUS_REMEDY = (
+    "give the combined radius 1 / (1/R_a + 1/R_b) in mm, or a pair of both bodies' radii; a contact of parallel "
+    "straight bodies is a line_contact"
+)
 _COMPLIANCE_REMEDY = "give the sum of both bodies' (1 - nu^2) / (pi E) in 1/MPa, which is Contact.compliance"
 
 _PLACES_REMEDY = "give positions in mm"
@@ -59,6 +64,8 @@ class PointContact:
         Pressure p0 in the middle [MPa].
     approach : float
         Approach delta of points of the two bodies far from the contact [mm].
+    turned : float
+        Angle from x of body a to x of the contact [rad], within 45 degrees; 0 unless the bodies lie at an angle.
     """
 
     load: float
@@ -69,6 +76,7 @@ class PointContact:
     half_length: float
     max_pressure: float
     approach: float
+    turned: float = 0.0
 
     @property
     def ellipticity(self) -> float:
@@ -201,9 +209,10 @@ class LineContact:
 
 def point_contact(
     *,
-    radius_x: float,
-    radius_y: float,
+    radius_x: float | tuple[float, float],
+    radius_y: float | tuple[float, float],
     compliance: float,
+    angle: float = 0.0,
     load: float | None = None,
     approach: float | None = None,
 ) -> PointContact:
@@ -214,10 +223,13 @@ def point_contact(
 
     Parameters
     ----------
-    radius_x, radius_y : float
-        Combined radii of curvature Rx across and Ry along the contact [mm], 1/R = 1/R_a + 1/R_b, positive.
+    radius_x, radius_y : float or pair of float
+        Combined radii of curvature Rx across and Ry along the contact [mm], 1/R = 1/R_a + 1/R_b, positive. Or pairs of
+        those of body a and body b, each in its own principal planes: negative concave, infinite straight.
     compliance : float
         Sum of both half-space compliances K = (1 - nu^2) / (pi E) [1/MPa]: ``Contact.compliance``.
+    angle : float
+        Angle from x of body a to x of body b [rad], where radii are pairs.
     load : float, optional
         Load Q [N], positive.
     approach : float, optional
@@ -231,8 +243,8 @@ def point_contact(
     Raises
     ------
     InputError
-        If a value is not positive and finite, if not exactly one of ``load`` and ``approach`` is given, or if
-        the radii differ by more than a factor of 1e100.
+        If a value is not positive and finite, if not exactly one of ``load`` and ``approach`` is given, if the bodies
+        do not touch at a point alone, or if the radii differ by more than a factor of 1e100.
 
     Notes
     -----
@@ -243,7 +255,7 @@ def point_contact(
     ----------
     H. Hertz, Ueber die Beruehrung fester elastischer Koerper, Journal fuer die reine und angewandte
     Mathematik 92 (1882) 156-171, doi:10.1515/crll.1882.92.156. K. L. Johnson, Contact Mechanics, Cambridge
-    University Press, 1985, Eqs. (4.25)-(4.28), doi:10.1017/CBO9781139171731. B. C. Carlson, Numerical
+    University Press, 1985, Eqs. (4.3)-(4.5) and (4.25)-(4.28), doi:10.1017/CBO9781139171731. B. C. Carlson, Numerical
     computation of real or complex elliptic integrals, Numerical Algorithms 10 (1995) 13-26,
     doi:10.1007/BF02198293.
 
@@ -255,7 +267,17 @@ def point_contact(
     >>> back = point_contact(approach=contact.approach, radius_x=10, radius_y=100, compliance=2.8e-6)
     >>> round(back.load, 9)
     1000.0
+
+    Two cylinders of radius 10 mm, their axes crossed by 60 degrees:
+
+    >>> straight = {"radius_x": (10.0, 10.0), "radius_y": (math.inf, math.inf), "angle": math.radians(60)}
+    >>> crossed = point_contact(load=1000, compliance=2.8e-6, **straight)
+    >>> round(crossed.radius_x, 4), round(crossed.radius_y, 4), round(math.degrees(crossed.turned), 4)
+    (6.6667, 20.0, 30.0)
     """
+    turned = 0.0
+    if isinstance(radius_x, tuple | list) or isinstance(radius_y, tuple | list) or angle != 0.0:
+        radius_x, radius_y, turned = _combined(radius_x, radius_y, angle)
     positive("radius_x", radius_x, _RADIUS_REMEDY)
     positive("radius_y", radius_y, _RADIUS_REMEDY)
     positive("compliance", compliance, _COMPLIANCE_REMEDY)
@@ -296,7 +318,34 @@ def point_contact(
         half_length=half_length,
         max_pressure=1.5 * load / (math.pi * minor * major),
         approach=approach,
+        turned=turned,
     )
+
+
+def _combined(radius_x: object, radius_y: object, angle: float) -> tuple[float, float, float]:
+    """Return the combined radii of two bodies at an angle, and the angle from x of body a to x of the contact."""
+    curvatures = []
+    for name, radii in (("radius_x", radius_x), ("radius_y", radius_y)):
+        pair = list(radii) if isinstance(radii, tuple | list) else []
+        if len(pair) != 2 or not all(isinstance(each, Real) and abs(float(each)) >= LEAST for each in pair):
+            condition = "be a pair of radii other than zero where one radius is a pair or an angle is given"
+            raise InputError(name, radii, condition, "give those of body a and body b in mm, infinite where straight")
+        curvatures.append([1.0 / float(each) for each in pair])
+    finite("angle", angle, "give the angle between the planes of x of both bodies in rad")
+    (ax, bx), (ay, by) = curvatures
+    # A body's curvature in a plane at phi from its x is its mean plus its half-difference times cos 2 phi.
+    mean, half = 0.5 * (ax + ay + bx + by), 0.5 * (ax - ay) + 0.5 * (bx - by) * cmath.exp(2j * angle)
+    larger = mean + abs(half)
+    cosine, sine = math.cos(angle) ** 2, math.sin(angle) ** 2
+    # The determinant in place of mean - |half|, which cancels where the axes are all but parallel.
+    determinant = ax * ay + bx * by + (ax * by + ay * bx) * cosine + (ax * bx + ay * by) * sine
+    if not (larger > 0.0 and determinant > 0.0):
+        remedy = "raise the radii of the concave body; a contact of parallel straight bodies is a line_contact"
+        raise InputError("radius_x", radius_x, "leave a gap that opens in every direction", remedy)
+    smaller = determinant / larger
+    along = half if half.real >= 0.0 else -half
+    x, y = (larger, smaller) if half.real >= 0.0 else (smaller, larger)
+    return 1.0 / x, 1.0 / y, 0.5 * cmath.phase(along)
 
 
 def line_contact(*, line_load: float, radius: float, compliance: float) -> LineContact:

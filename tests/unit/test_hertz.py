@@ -144,6 +144,24 @@ def test_the_middle_has_the_greatest_pressure_and_width():
     assert float(contact.half_width_at(0.0)) == contact.half_width
 
 
+def test_bodies_at_an_angle_have_the_gap_whose_curvatures_numpy_diagonalises():
+    rng = np.random.default_rng(25)
+    for _ in range(200):
+        (ax, ay), angle = 1.0 / rng.uniform(5.0, 50.0, 2), rng.uniform(-np.pi, np.pi)
+        bx, by = rng.choice([-1.0, 0.0, 1.0]) / rng.uniform(60.0, 500.0), 1.0 / rng.uniform(5.0, 500.0)
+        turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+        gap = np.diag([ax, ay]) + turn @ np.diag([bx, by]) @ turn.T
+        pair = {"radius_x": (1.0 / ax, 1.0 / bx if bx else math.inf), "radius_y": (1.0 / ay, 1.0 / by), "angle": angle}
+        found = point_contact(load=1e3, compliance=COMPLIANCE, **pair)
+        radii = 1.0 / np.linalg.eigvalsh(gap)[::-1]
+        np.testing.assert_allclose(sorted([found.radius_x, found.radius_y]), radii, rtol=1e-12)
+        x = np.array([np.cos(found.turned), np.sin(found.turned)])
+        np.testing.assert_allclose(gap @ x, x / found.radius_x, rtol=1e-10, atol=1e-12)
+        assert abs(found.turned) <= np.pi / 4.0
+        plain = point_contact(load=1e3, compliance=COMPLIANCE, radius_x=found.radius_x, radius_y=found.radius_y)
+        assert found.max_pressure == plain.max_pressure
+
+
 def test_positions_broadcast():
     contact = ellipse()
     assert contact.pressure(np.zeros((3, 1)), np.zeros(4)).shape == (3, 4)
@@ -174,12 +192,12 @@ def test_results_are_frozen(result):
         (
             {"radius_y": math.inf},
             "radius_y = inf must be a finite number: give the combined radius 1 / (1/R_a + 1/R_b) in mm, "
-            "or use line_contact for straight bodies.",
+            "or a pair of both bodies' radii; a contact of parallel straight bodies is a line_contact.",
         ),
         (
             {"radius_x": -10.0},
             "radius_x = -10.0 must be positive: give the combined radius 1 / (1/R_a + 1/R_b) in mm, "
-            "or use line_contact for straight bodies.",
+            "or a pair of both bodies' radii; a contact of parallel straight bodies is a line_contact.",
         ),
         (
             {"radius_x": 0.01, "radius_y": 1e99},
@@ -190,6 +208,16 @@ def test_results_are_frozen(result):
             {"compliance": 0.0},
             "compliance = 0.0 must be positive: give the sum of both bodies' (1 - nu^2) / (pi E) in 1/MPa, "
             "which is Contact.compliance.",
+        ),
+        (
+            {"angle": 0.1},
+            "radius_x = 10.0 must be a pair of radii other than zero where one radius is a pair or an angle is given: "
+            "give those of body a and body b in mm, infinite where straight.",
+        ),
+        (
+            {"radius_x": (10.0, math.inf), "radius_y": (math.inf, math.inf), "angle": 0.1},
+            "radius_x = (10.0, inf) must leave a gap that opens in every direction: raise the radii of the concave "
+            "body; a contact of parallel straight bodies is a line_contact.",
         ),
         ({"load": 0}, "load = 0 must be positive: give the load in N, or the approach in mm instead."),
         (
