@@ -28,6 +28,7 @@ from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import ReadOnly
 from nonhertz.subsurface import Extreme, Extremes, extremes
 from nonhertz.subsurface.evaluation import Within, refuse_options
+from nonhertz.subsurface.extent import Extent
 from nonhertz.subsurface.inside import checked_solution
 from nonhertz.subsurface.search import clear_of_ends
 
@@ -195,7 +196,9 @@ def assess(
         # A largest value of the whole body need not be searched again in the part that it lies in.
         case = largest if max(at) <= body.case_depth else extremes(solution, depths=(0.0, body.case_depth), **options)
         below = (body.case_depth, math.inf)
-        core = largest if min(at) >= body.case_depth else extremes(solution, depths=below, **options)
+        core = largest if min(at) >= body.case_depth else None
+        if core is None and body.case_depth < Extent(name, body).thickness(solution.y).max():
+            core = extremes(solution, depths=below, **options)
     asked = _Question(name, body, criterion, _Limit.of(solution))
     # A narrow peak of pressure has its largest stress near the surface; below a wide contact it is deepest.
     widest = [extremes(solution, _widest(solution), **options)] if body.case_depth is not None else []
@@ -273,7 +276,7 @@ class _Question:
         what = f"the core of body {self.name}"
         if core is not None:
             yield self._against("core", what, self._equivalent(core), "core_yield_strength")
-        elif self.body.material.core_yield_strength is not None:
+        elif self.body.material.core_yield_strength is not None and self.body.case_depth is None:
             yield _unknown("core", f"Whether {what} yields is not known: the body has no case_depth.")
 
     def of_case(self, largest: list[Extremes]) -> Iterator[Check]:

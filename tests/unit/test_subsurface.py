@@ -67,6 +67,34 @@ def test_fields_are_read_only_also_after_pickling(tilted):
             array[0] = 0.0
 
 
+# Where there is no material
+
+
+@pytest.fixture(scope="module")
+def thin():
+    """Return a roller with a wall of 2 mm on a ring as thick."""
+    roller = nh.Roller(diameter=20, length=20, bore=16, profile=nh.profile.crown(radius=2000))
+    return nh.solve(nh.Contact(roller, nh.Ring(diameter=80, depth=2)), load=4e3, strips=21)
+
+
+def test_points_without_material_are_refused_or_nan(thin):
+    # Wall, bore, wall opposite, beyond the diameter; beside the bore, and beside the roller.
+    x, z = np.array([0.0, 0.0, 0.0, 0.0, 8.5, 10.5]), np.array([1.9, 2.1, 19.0, 20.1, 10.0, 10.0])
+    field = stress(thin, x, 1.0, z)
+    held = np.array([True, False, True, False, True, False])
+    np.testing.assert_array_equal(np.isfinite(field.stress).all(axis=1), held)
+    np.testing.assert_array_equal(np.isfinite(field.principal).all(axis=1), held)
+    assert field.warnings == (
+        "At 3 of 6 points body a has no material, in its bore or beyond its surface: NaN is given there.",
+    )
+    assert np.isnan(passage(thin, 1.0, [1.0, 3.0]).von_mises).tolist() == [False, True]
+    for body, words in (("a", "whose wall is 2 mm thick"), ("b", "which is 2 mm thick")):
+        with pytest.raises(nh.InputError, match=f"z = 3.0 must lie in the material of body {body}, {words} at y = 1"):
+            stress(thin, 0.0, 1.0, 3.0, body=body)
+    displaced = stress(thin, 0.0, 1.0, [1.9, 2.1], body="b", displacement=True).displacement
+    assert np.isfinite(displaced).all(axis=1).tolist() == [True, False]
+
+
 # The verbs
 
 

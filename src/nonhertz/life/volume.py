@@ -145,9 +145,11 @@ def exposure(solution: Solved, body: BodyName = "a", **options: Unpack[Running])
     y, width, half_width = _stations(solution, inside.body.faces)
     levels, fill = _levels()
     seen = passage(solution, y[:, None], half_width[:, None] * levels, body=body, **options)
-    amplitudes = {name: np.maximum(getattr(seen, name) @ fill.T, 0.0) for name in QUANTITIES}
+    # There is nothing where a thin wall ends.
+    amplitudes = {name: np.maximum(np.nan_to_num(getattr(seen, name)) @ fill.T, 0.0) for name in QUANTITIES}
     sharp = tuple(end.y for end in solution.singular_ends)
     counted = _counted(y, half_width, sharp, solution.max_half_width)
+    counted &= half_width[:, None] * depths()[0] <= inside.extent.thickness(y)[:, None]
     return Exposure(
         body, y, width, half_width, **amplitudes, counted=counted, reference=_ideal(solution, body), sharp=sharp
     )

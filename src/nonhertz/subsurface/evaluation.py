@@ -110,8 +110,8 @@ def stress(
     Raises
     ------
     InputError
-        If a point is not finite, lies above the surface or outside the body, ``body`` is neither, or displacements are
-        asked for below a surface between free side faces.
+        If a point is not finite, lies above the surface or beyond the side faces, no point lies in the body's material,
+        ``body`` is neither, or displacements are asked for below a surface between free side faces.
 
     Notes
     -----
@@ -154,18 +154,31 @@ def stress(
     places = broadcast(
         POINTS_REMEDY, *(finite_numbers(name, value) for name, value in zip("xyz", (x, y, z), strict=True))
     )
-    inside.refuse_outside(places[1], places[2])
+    inside.refuse_outside(*places)
+    return field_at(inside, places, displacement, threads, announce)
+
+
+def field_at(
+    inside: Inside,
+    places: tuple[Array, ...],
+    displacement: bool = False,
+    threads: int | None = None,
+    announce: Announce | None = None,
+) -> Field:
+    """Return the stress at points that have been checked, NaN where there is no material."""
     count = places[0].size
-    stresses = np.empty((count, 6))
-    displacements = np.empty((count, 3)) if displacement else None
+    held = inside.extent.holds(*places).ravel()
+    stresses = np.full((count, 6), np.nan)
+    displacements = np.full((count, 3), np.nan) if displacement else None
 
     def fill(start: int) -> int:
         part = slice(start, start + PORTION)
-        points = np.column_stack([place.flat[part] for place in places])
-        stresses[part] = inside.stress(points)
+        rows = start + np.flatnonzero(held[part])
+        points = np.column_stack([place.flat[rows] for place in places])
+        stresses[rows] = inside.stress(points)
         if displacements is not None:
-            displacements[part] = inside.displacement(points)
-        return int(points.shape[0])
+            displacements[rows] = inside.displacement(points)
+        return int(held[part].size)
 
     with ThreadPoolExecutor(thread_count(threads)) as pool:
         done = 0
@@ -176,7 +189,7 @@ def stress(
     shape = places[0].shape
     moved = displacements.reshape(*shape, 3) if displacements is not None else None
     across, along, below = places
-    return Field(body, across, along, below, stresses.reshape(*shape, 6), moved)
+    return Field(inside.name, across, along, below, stresses.reshape(*shape, 6), moved, inside.extent.warnings(held))
 
 
 def _refuse_displacement(solution: Solved, body: BodyName) -> None:

@@ -31,9 +31,13 @@ class Field(ReadOnly):
     displacement : ndarray, shape (..., 3), or None
         u_x, u_y, u_z [mm], u_z into the body. u_z is measured against the same reference as the approach: the point at
         the body's depth under the same y, or one far away.
+    warnings : tuple of str
+        What the numbers leave out; empty if nothing.
 
     Notes
     -----
+    Where the body has no material, in a bore, below its thickness or beyond its diameter, all of it is NaN.
+
     Axes are those of the contact, z pointing into the body: for body b as for body a, which makes both fields each
     other's mirror image.
     """
@@ -44,6 +48,7 @@ class Field(ReadOnly):
     z: Array
     stress: Array
     displacement: Array | None = None
+    warnings: tuple[str, ...] = ()
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -109,8 +114,9 @@ def as_tensor(stress: Array) -> Array:
 
 def principal_of(stress: Array) -> Array:
     """Return the principal stresses of six components (..., 6), the largest first, shape (..., 3)."""
-    found: Array = np.asarray(np.linalg.eigvalsh(as_tensor(stress))[..., ::-1], dtype=np.float64)
-    return found
+    known = np.isfinite(stress).all(axis=-1, keepdims=True)  # LAPACK refuses NaN
+    found = np.linalg.eigvalsh(as_tensor(np.where(known, stress, 0.0)))[..., ::-1]
+    return np.where(known, found, np.nan).astype(np.float64, copy=False)
 
 
 def von_mises_of(stress: Array) -> Array:

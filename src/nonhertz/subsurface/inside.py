@@ -24,6 +24,7 @@ from nonhertz.model.body import Body, BodyName
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import Solution
+from nonhertz.subsurface.extent import Extent
 from nonhertz.subsurface.field import TAU_XY, TAU_YZ
 from nonhertz.subsurface.rectangles import Rectangles
 from nonhertz.subsurface.strips import StripLoad
@@ -101,8 +102,13 @@ class Inside:
     def _sides(self) -> tuple[tuple[float, float], tuple[float, float]]:
         return (self.body.faces[0], -1.0), (self.body.faces[1], 1.0)
 
-    def refuse_outside(self, y: Array, z: Array) -> None:
-        """Reject points outside the body.
+    @property
+    def extent(self) -> Extent:
+        """Where the body has material."""
+        return Extent(self.name, self.body)
+
+    def refuse_outside(self, x: Array, y: Array, z: Array) -> None:
+        """Reject points above the surface or beyond the side faces, and all points if none lies in the material.
 
         Raises
         ------
@@ -117,6 +123,8 @@ class Inside:
         if outside.any():
             condition = f"lie between the side faces of body {self.name}, {low:g} and {high:g} mm"
             raise InputError("y", float(y[outside][0]), condition, "choose points within the body, or the other body")
+        if y.size and not self.extent.holds(x, y, z).any():
+            self.extent.refuse(float(y.flat[0]), float(z.flat[0]))
 
     def stress(self, points: Array) -> Array:
         """Return the stress [MPa] at ``points`` (n, 3), shape (n, 6)."""

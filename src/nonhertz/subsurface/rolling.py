@@ -19,9 +19,9 @@ from nonhertz.inputs.checks import broadcast
 from nonhertz.model.body import BodyName
 from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import ReadOnly
-from nonhertz.subsurface.evaluation import POINTS_REMEDY, Within, across_at, finite_numbers, refuse_options, stress
+from nonhertz.subsurface.evaluation import POINTS_REMEDY, Within, across_at, field_at, finite_numbers, refuse_options
 from nonhertz.subsurface.field import TAU_XZ, max_shear_of, orthogonal_shear_of, von_mises_of
-from nonhertz.subsurface.inside import checked_solution
+from nonhertz.subsurface.inside import Inside, checked_solution
 
 Array = NDArray[np.float64]
 
@@ -100,19 +100,21 @@ def passage(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[With
     refuse_options("passage", options, Within)
     checked_solution(solution)
     along, below = broadcast(POINTS_REMEDY, finite_numbers("y", y), finite_numbers("z", z))
-    announce = options.pop("announce", None)
+    inside = Inside.of(solution, options.get("body", "a"))
+    inside.refuse_outside(np.zeros(along.shape), along, below)
+    announce = options.get("announce")
     found = np.empty((2 * len(QUANTITIES) + 1, along.size))
     at_once = POINTS_AT_ONCE // (2 * (WITHIN + OUTSIDE))
     for start in range(0, along.size, at_once):
         part = slice(start, start + at_once)
-        found[:, part] = _over(solution, along.flat[part], below.flat[part], options)
+        found[:, part] = _over(solution, inside, along.flat[part], below.flat[part], options.get("threads"))
         if announce is not None:
             announce(min(start + at_once, along.size), along.size)
     largest = [values.reshape(along.shape) for values in found]
-    return Passage(options.get("body", "a"), along, below, *largest)
+    return Passage(inside.name, along, below, *largest)
 
 
-def _over(solution: Solved, y: Array, z: Array, options: Within) -> Array:
+def _over(solution: Solved, inside: Inside, y: Array, z: Array, threads: int | None) -> Array:
     """Return the largest values, their x, and the range of tau_xz, shape (7, points)."""
     centre, half_width = across_at(solution, y)
     x = _samples(half_width, z)
@@ -120,14 +122,14 @@ def _over(solution: Solved, y: Array, z: Array, options: Within) -> Array:
         x = centre[:, None] + np.concatenate([-x[:, :0:-1], x], axis=1)
 
     def at(x: Array) -> Array:
-        return stress(solution, x, y[:, None], z[:, None], **options).stress
+        return field_at(inside, np.broadcast_arrays(x, y[:, None], z[:, None]), threads=threads).stress
 
     sampled = at(x)
     if not solution.symmetric_across:
         signed = {"up": lambda each: each[..., TAU_XZ], "down": lambda each: -each[..., TAU_XZ]}
     else:
         signed = {}
-    tops = {name: _largest(quantity, x, quantity(sampled), at) for name, quantity in (QUANTITIES | signed).items()}
+    tops = {name: _largest(quantity, x, sampled, at) for name, quantity in (QUANTITIES | signed).items()}
     reach = tops["up"][0] + tops["down"][0] if signed else 2.0 * tops["orthogonal_shear"][0]
     values, places = zip(*(tops[name] for name in QUANTITIES), strict=True)
     return np.stack([*values, *places, reach])
@@ -140,7 +142,7 @@ def plane_strain_passage(line: LineContact, z: Array, poisson: float) -> dict[st
     def at(x: Array) -> Array:
         return line.stress(x, z[:, None], poisson)
 
-    return {name: _largest(quantity, x, quantity(at(x)), at)[0] for name, quantity in QUANTITIES.items()}
+    return {name: _largest(quantity, x, at(x), at)[0] for name, quantity in QUANTITIES.items()}
 
 
 def _samples(half_width: Array, z: Array) -> Array:
@@ -151,8 +153,17 @@ def _samples(half_width: Array, z: Array) -> Array:
     return np.concatenate([half_width[:, None] * inwards, half_width[:, None] + beyond[:, None] * outwards], axis=1)
 
 
-def _largest(quantity: StressMeasure, x: Array, values: Array, at: Callable[[Array], Array]) -> tuple[Array, Array]:
-    """Return the largest value along each row of samples, and its x, refined between the samples."""
+def _largest(measure: StressMeasure, x: Array, stresses: Array, at: Callable[[Array], Array]) -> tuple[Array, Array]:
+    """Return the largest value along each row of samples, and its x, refined between the samples.
+
+    Samples without material count nothing; the value of a row of these is NaN.
+    """
+
+    def quantity(stress: Array) -> Array:
+        return np.nan_to_num(measure(stress), nan=0.0)
+
+    none = np.isnan(stresses[..., 0]).all(axis=1)
+    values = quantity(stresses)
     best = values.argmax(axis=1)
     if x[0, 0] == 0.0:  # the other side is this side's mirror image
         x, values, best = (np.column_stack([-x[:, 1], x]), np.column_stack([values[:, 1], values]), best + 1)
@@ -166,7 +177,7 @@ def _largest(quantity: StressMeasure, x: Array, values: Array, at: Callable[[Arr
         values = np.concatenate([values, quantity(at(vertex))], axis=1)
         x, values = _around_the_largest(x, values)
     top = values.argmax(axis=1)[:, None]
-    return values[rows, top][:, 0], x[rows, top][:, 0]
+    return np.where(none, np.nan, values[rows, top][:, 0]), x[rows, top][:, 0]
 
 
 def _vertex(x: Array, values: Array) -> Array:

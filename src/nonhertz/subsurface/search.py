@@ -19,9 +19,9 @@ from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.ends import ends_in_words, outermost
 from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import EdgeKind, ReadOnly
-from nonhertz.subsurface.evaluation import Within, across_at, one_station, refuse_options, stress
+from nonhertz.subsurface.evaluation import Within, across_at, field_at, one_station, refuse_options
 from nonhertz.subsurface.inside import Inside, checked_solution
-from nonhertz.subsurface.rolling import QUANTITIES, Passage, StressMeasure, passage
+from nonhertz.subsurface.rolling import QUANTITIES, Passage, passage
 
 Array = NDArray[np.float64]
 
@@ -166,7 +166,7 @@ def _checked_depths(depths: tuple[float, float]) -> tuple[float, float]:
 
 def _refuse_outside(solution: Solved, station: float, body: BodyName) -> None:
     try:
-        Inside.of(solution, body).refuse_outside(np.array([station]), np.zeros(1))
+        Inside.of(solution, body).refuse_outside(np.zeros(1), np.array([station]), np.zeros(1))
     except InputError as error:
         if error.field != "y":
             raise
@@ -219,7 +219,7 @@ def _within(y: Array, stretches: list[tuple[float, float]]) -> NDArray[np.bool_]
 
 def _largest(solution: Solved, name: str, coarse: Passage, region: _Region, options: Within) -> Extreme:
     """Return the largest value near the best points of a grid."""
-    values = getattr(coarse, name)
+    values = np.nan_to_num(getattr(coarse, name), nan=0.0)
     found = [
         _refined(solution, name, coarse, region, place, options)
         for place in [_first_of_equals(values, coarse.y), *_other_crests(values)]
@@ -271,12 +271,12 @@ def _refined(
     step = np.diff(coarse.z[row])[max(column - 1, 0) : column + 1].max()
     reach = max(0.1 * half_width, 0.5 * step)
     span = np.array([reach, float(np.ptp(neighbours)) if sections.size > 1 else 0.0, max(0.2 * half_width, step)])
-    quantity: StressMeasure = QUANTITIES[name]
+    quantity, inside = QUANTITIES[name], Inside.of(solution, options.get("body", "a"))
     for _ in range(ROUNDS):
         x, y, z = (np.unique(centre + reach * MESHES) for centre, reach in zip(best, span, strict=True))
         y, z = np.unique(np.clip(y, *limits)), np.unique(np.clip(z, *region.depths))
         net = np.stack(np.meshgrid(x, y, z, indexing="ij"), axis=-1).reshape(-1, 3)
-        found = quantity(stress(solution, *net.T, **options).stress)
+        found = np.nan_to_num(quantity(field_at(inside, tuple(net.T), threads=options.get("threads")).stress), nan=0.0)
         if found.max() > top:
             top, best = float(found.max()), net[int(found.argmax())]
         span *= SHRINKING

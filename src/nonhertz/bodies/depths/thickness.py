@@ -30,21 +30,21 @@ class Thickness(Depth):
     meaning = "a depth below the surface [mm], such as the thickness of a ring"
 
     def __init__(self, depth: float) -> None:
-        self._depth = depth
+        self.depth = depth
 
     @property
     def shown(self) -> str:
         """The depth."""
-        return f"{self._depth:.6g} mm"
+        return f"{self.depth:.6g} mm"
 
     @property
     def place(self) -> str:
         """A point at the given depth."""
-        return f"a point {self._depth:.6g} mm below the surface"
+        return f"a point {self.depth:.6g} mm below the surface"
 
     def below(self, body: Solid, shape: Shape) -> Callable[[Array], Array]:
         """Return y [mm] -> depth [mm]."""
-        return partial(_even, self._depth)
+        return partial(_even, self.depth)
 
 
 def _even(depth: float, y: Array) -> Array:

@@ -144,7 +144,7 @@ export function resampled(along, depths, values, scale, net) {
   const even = new Float64Array(net.columns * net.rows);
   for (const [row, [upper, down]] of rows.entries()) {
     for (const [column, [left, right]] of columns.entries()) {
-      const at = (j, i) => values[j][i] ?? 0;
+      const at = (j, i) => values[j][i] ?? NaN; // no material: left blank
       const above = at(upper, left) * (1 - right) + at(upper, left + 1) * right;
       const below = at(upper + 1, left) * (1 - right) + at(upper + 1, left + 1) * right;
       even[row * net.columns + column] = scale * (above * (1 - down) + below * down);

@@ -111,8 +111,8 @@ def _worst(found: Extreme, body: BodyName) -> dict[str, Any]:
 
 
 def _with_numbers(field: Field) -> Field:
-    """Return a field whose stresses are finite everywhere, or raise ArithmeticError."""
-    if not np.isfinite(field.von_mises).all():
+    """Return a field whose stresses are finite wherever there is material, or raise ArithmeticError."""
+    if not (field.warnings or np.isfinite(field.von_mises).all()):
         raise ArithmeticError("stresses overflow")
     return field
 
@@ -123,7 +123,7 @@ def _levels(half_width: float) -> Array:
 
 def _short(values: Array) -> Array:
     """Return numbers rounded to the fifth digit of the largest, which is more than a drawing shows."""
-    largest = float(np.abs(values).max())
+    largest = float(np.nanmax(np.abs(values)))
     step = 10.0 ** (np.floor(np.log10(largest)) - 4.0) if largest > 0.0 else 1.0
     return np.round(values / step) * step
 
@@ -132,11 +132,11 @@ def _largest(solution: Solution, field: Field, body: BodyName) -> Extreme:
     """Return the largest von Mises stress of a cross-section: that on its grid, refined locally."""
     x, z, station = field.x[:, 0], field.z[0], float(field.y[0, 0])
     coarse = field.von_mises
-    row, column = np.unravel_index(int(coarse.argmax()), coarse.shape)
+    row, column = np.unravel_index(int(np.nanargmax(coarse)), coarse.shape)
     near_x, near_z = _close_to(x, int(row)), _close_to(z, int(column))
     close = _with_numbers(cross_section(solution, station, near_x, near_z, body=body, threads=1))
     fine = close.von_mises
-    at = np.unravel_index(int(fine.argmax()), fine.shape)
+    at = np.unravel_index(int(np.nanargmax(fine)), fine.shape)
     return Extreme(float(fine[at]), float(close.x[at]), station, float(close.z[at]))
 
 

@@ -1,0 +1,86 @@
+"""Where a body has material: above its bore, within its diameter, within its thickness."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.bodies.depths.thickness import Thickness
+from nonhertz.errors import InputError
+from nonhertz.model.body import Body, BodyName
+
+Array = NDArray[np.float64]
+
+_ROUNDING = 1e-9  # of the thickness
+
+
+@dataclass(frozen=True)
+class Extent:
+    """The material of one body below its surface, which is unlimited where ``depth`` names no thickness.
+
+    Parameters
+    ----------
+    name : {"a", "b"}
+        Which body.
+    body : Body
+        The body.
+    """
+
+    name: BodyName
+    body: Body
+
+    @property
+    def round(self) -> bool:
+        """Whether it ends with a diameter, not with a thickness."""
+        return self.body.behind.of_diameter
+
+    def radii(self, y: Array) -> tuple[Array, Array]:
+        """Return the radii of the surface and of the bore [mm], 0 where there is none, of a round body."""
+        bore = self.body.bore
+        inner = 0.5 * np.asarray(bore(y - self.body.position) if callable(bore) else bore or 0.0, dtype=float)
+        return 1.0 / self.body.curvature_at(y), np.broadcast_to(inner, y.shape)
+
+    def thickness(self, y: Array) -> Array:
+        """Return how deep the material goes below the centre line [mm]; infinite where that is not known."""
+        if self.round:
+            outer, inner = self.radii(y)
+            return np.where(inner > 0.0, outer - inner, 2.0 * outer)
+        behind = self.body.behind
+        return np.full(y.shape, behind.depth if isinstance(behind, Thickness) else np.inf)
+
+    def holds(self, x: Array, y: Array, z: Array) -> NDArray[np.bool_]:
+        """Return at which points there is material.
+
+        As in the half-space, all of the plane z = 0 within the diameter stands for the surface.
+        """
+        thickness = self.thickness(y)
+        room = 1.0 + _ROUNDING
+        if not self.round:
+            return np.asarray(z <= room * thickness)
+        outer, inner = self.radii(y)
+        below = outer + np.sqrt(np.maximum(outer**2 - x**2, 0.0))
+        within = (np.abs(x) <= room * outer) & (z <= room * below)
+        return np.asarray(within & (room * np.hypot(x, outer - z) >= inner))
+
+    def warnings(self, held: NDArray[np.bool_]) -> tuple[str, ...]:
+        """Return a sentence if some points lie where there is no material."""
+        missing = held.size - int(np.count_nonzero(held))
+        if not missing:
+            return ()
+        where = "in its bore or beyond its surface" if self.round else "below its thickness"
+        return (f"At {missing} of {held.size} points body {self.name} has no material, {where}: NaN is given there.",)
+
+    def refuse(self, y: float, z: float) -> None:
+        """Reject a point where there is no material.
+
+        Raises
+        ------
+        InputError
+        """
+        thickness = float(self.thickness(np.array([y]))[0])
+        bored = self.round and float(self.radii(np.array([y]))[1][0]) > 0.0
+        where = "whose wall is" if bored else "which is"
+        condition = f"lie in the material of body {self.name}, {where} {thickness:.6g} mm thick at y = {y:.6g} mm"
+        raise InputError("z", z, condition, "choose points within the body, or the other body")
