@@ -33,7 +33,7 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "b.toml").write_text(starting_case().replace("20 kN", "30 kN"), encoding="utf-8")
     (folder / "bearing.toml").write_text(starting_bearing(), encoding="utf-8")
     cases = [read_case(folder / name) for name in ("a-case-with-a-rather-long-name.toml", "b.toml")]
-    block = TitleBlock(project="P" * 120, author="A. Author", remarks="R" * 300)
+    block = TitleBlock(project="P" * 120, author="A. Author")
     texts = {
         "one": compose(cases[:1], life=True, title_block=block),
         "two": compose(cases, life=True, stress=False),

@@ -349,10 +349,7 @@ def report(
     compare: Annotated[bool, Parameter(negative="")] = False,
     project: str = "",
     author: str = "",
-    revision: str = "",
     date: str = "",
-    remarks: str = "",
-    logo: Path | None = None,
     units: UnitsRead = "si",
 ) -> int:
     """Solve case files or bearing files and write one HTML report that anyone can open in a browser.
@@ -379,14 +376,8 @@ def report(
         report.
     author : str
         Author in the head of the report.
-    revision : str
-        Revision in the head of the report.
     date : str
         Date in the head of the report.
-    remarks : str
-        Remarks in the head of the report.
-    logo : Path
-        PNG or SVG file of at most 200 kB, shown in the head of the report.
     """
     from nonhertz.cli.report import composed, read_cases, target, title_block, write
     from nonhertz.io.changes import changes_in
@@ -395,8 +386,7 @@ def report(
     _show_in(units)
     if not cases:
         raise InputError("CASE", "", "be given", "name one case file or bearing file, or more")
-    lines = {"project": project, "author": author, "revision": revision, "date": date, "remarks": remarks}
-    block = title_block(logo, **lines)
+    block = title_block(project=project, author=author, date=date)
     path = target(out, cases)
     read = read_cases(cases, changes_in(changes))
     refuse_unwritable(path.parent)

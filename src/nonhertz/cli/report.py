@@ -11,7 +11,6 @@ from nonhertz.errors import CaseError, InputError, without_accuracy_warnings
 from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.casefile import Case, case_text, named, parsed
 from nonhertz.io.folder import write_files
-from nonhertz.io.logo import logo_from
 from nonhertz.io.planfile import case_or_bearing_in
 from nonhertz.io.title_block import TitleBlock
 from nonhertz.report import (
@@ -90,16 +89,16 @@ def target(out: Path | None, cases: Sequence[Path]) -> Path:
     return path
 
 
-def title_block(logo: Path | None, **lines: str) -> TitleBlock:
+def title_block(**lines: str) -> TitleBlock:
     """Return what the options say of the head of a report.
 
     Raises
     ------
     InputError
-        If a text is too long, or the logo no PNG or SVG file.
+        If a text is too long.
     """
     try:
-        return TitleBlock(**lines, logo=None if logo is None else logo_from(str(logo), Path()))
+        return TitleBlock(**lines)
     except InputError as error:
         raise InputError(f"--{error.field}", error.value, error.condition, error.remedy) from None
 

@@ -41,7 +41,6 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import MOST, above_zero, finite, one_line, positive
 from nonhertz.io.bounds import FORMAT, LOADS, MISTAKES
 from nonhertz.io.dimensions import BROKEN, dimensions
-from nonhertz.io.logo import Logo, logo_from
 from nonhertz.io.mistakes import Mistake, TableError, missing, mistake_in, mistakes_in, nearest, unknown
 from nonhertz.io.profiles import profile_schema, quantity_schema, read_profile
 from nonhertz.io.title_block import TitleBlock
@@ -726,13 +725,6 @@ def _read_line(value: Any, info: ValidationInfo) -> str:
     return str(value)
 
 
-def _read_logo(value: Any, info: ValidationInfo) -> Logo:
-    if not isinstance(value, str):
-        raise InputError("logo", value, "be the name of a file", 'write logo = "logo.png"')
-    # None where no file may be read.
-    return logo_from(value, (info.context or {}).get("folder", Path()))
-
-
 Line = Annotated[str, PlainValidator(_read_line), WithJsonSchema({"type": "string"})]
 
 
@@ -741,12 +733,7 @@ class ReportTable(Table):
 
     project: Line = Field(default="", description="project that the report belongs to")
     author: Line = Field(default="", description="who made it")
-    revision: Line = Field(default="", description="revision of the report, such as 'B'")
     date: Line = Field(default="", description="date of the report, in quotation marks; no other date is shown")
-    remarks: Line = Field(default="", description="remarks; a blank line begins a paragraph")
-    logo: Annotated[Logo, PlainValidator(_read_logo), WithJsonSchema({"type": "string"})] | None = Field(
-        default=None, description="name of a PNG or SVG file of at most 200 kB, or its content as a data URI"
-    )
 
     def title_block(self) -> TitleBlock:
         """Return the title block."""

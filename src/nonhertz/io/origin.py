@@ -84,6 +84,3 @@ def _files_in(document: Mapping[str, Any]) -> Iterator[str]:
     for table in tables:
         if isinstance(table.get("file"), str):
             yield table["file"]
-    logo = document.get("report", {}).get("logo", "")
-    if logo and not logo.startswith("data:"):
-        yield logo

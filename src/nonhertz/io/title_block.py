@@ -1,4 +1,4 @@
-"""The title block of a report: who made it, for which project, in which revision, as on a drawing."""
+"""The head of a report beside its title: project, author and date."""
 
 from __future__ import annotations
 
@@ -7,13 +7,9 @@ from typing import Final
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_line
-from nonhertz.io.logo import Logo
 
 LINE: Final = 200
 """Letters of a field."""
-REMARKS: Final = 5000
-"""Letters of the remarks."""
-_OF_ONE_LINE: Final = ("project", "author", "revision", "date")
 
 
 @dataclass(frozen=True)
@@ -22,12 +18,8 @@ class TitleBlock:
 
     Attributes
     ----------
-    project, author, revision, date : str
+    project, author, date : str
         A line each; a report has no date but this one.
-    remarks : str
-        Text of one or more lines; a blank line begins a paragraph.
-    logo : Logo or None
-        A picture beside the title; see `nonhertz.io.logo.logo_from`.
 
     Raises
     ------
@@ -36,58 +28,38 @@ class TitleBlock:
 
     Examples
     --------
-    >>> TitleBlock(project="Gearbox", revision="B").lines
-    (('project', 'Gearbox'), ('revision', 'B'))
+    >>> TitleBlock(project="Gearbox", author="M. Muster").lines
+    (('project', 'Gearbox'), ('author', 'M. Muster'))
     """
 
     project: str = ""
     author: str = ""
-    revision: str = ""
     date: str = ""
-    remarks: str = ""
-    logo: Logo | None = None
 
     def __post_init__(self) -> None:
-        for name in (*_OF_ONE_LINE, "remarks"):
-            self._check(name, getattr(self, name))
-        if not (self.logo is None or isinstance(self.logo, Logo)):
-            remedy = "make one with nonhertz.report.logo_from"
-            raise InputError("logo", self.logo, "be a Logo", remedy)
-
-    def _check(self, name: str, value: object) -> None:
-        if not isinstance(value, str):
-            raise InputError(name, value, "be text", f'write {name} = "..." in quotation marks')
-        most = LINE if name in _OF_ONE_LINE else REMARKS
-        if len(value) > most:
-            raise InputError(name, f"{value[:30]}...", f"have at most {most} letters", "shorten it")
-        for line in [value] if name in _OF_ONE_LINE else value.replace("\t", " ").splitlines():
-            one_line(name, line, "write plain text")
+        for name, value in vars(self).items():
+            if not isinstance(value, str):
+                raise InputError(name, value, "be text", f'write {name} = "..." in quotation marks')
+            if len(value) > LINE:
+                raise InputError(name, f"{value[:30]}...", f"have at most {LINE} letters", "shorten it")
+            one_line(name, value, "write plain text")
 
     @property
     def lines(self) -> tuple[tuple[str, str], ...]:
-        """Names and values of project, author, revision and date, as far as they are given."""
-        return tuple((name, getattr(self, name).strip()) for name in _OF_ONE_LINE if getattr(self, name).strip())
-
-    @property
-    def paragraphs(self) -> tuple[str, ...]:
-        """The remarks by paragraphs."""
-        parts = "\n".join(self.remarks.splitlines()).split("\n\n")
-        return tuple(" ".join(part.split()) for part in parts if part.strip())
+        """Names and values, as far as they are given."""
+        return tuple((name, value.strip()) for name, value in vars(self).items() if value.strip())
 
     @property
     def table(self) -> dict[str, str]:
         """What a case file holds of it, without what is empty."""
-        values = {field.name: getattr(self, field.name) for field in fields(self)}
-        if isinstance(self.logo, Logo):
-            values["logo"] = self.logo.address
-        return {name: value for name, value in values.items() if value}
+        return {name: value for name, value in vars(self).items() if value}
 
     def over(self, other: TitleBlock) -> TitleBlock:
         """Return this one, with what is empty taken from another.
 
         Examples
         --------
-        >>> TitleBlock(revision="C").over(TitleBlock(project="Gearbox", revision="B")).lines
-        (('project', 'Gearbox'), ('revision', 'C'))
+        >>> TitleBlock(author="B").over(TitleBlock(project="Gearbox", author="A")).lines
+        (('project', 'Gearbox'), ('author', 'B'))
         """
         return TitleBlock(**{f.name: getattr(self, f.name) or getattr(other, f.name) for f in fields(self)})

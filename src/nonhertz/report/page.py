@@ -63,7 +63,7 @@ def compose(
     compare : bool
         Whether to solve bearings by slices as well.
     title_block : TitleBlock or None
-        Project, author, logo and so on for the head of the page; what it leaves empty is that of the first case.
+        Project, author and date for the head of the page; what it leaves empty is that of the first case.
     units : {"si", "us"}
         Units in which numbers are shown: ``"us"`` for in, lbf and ksi. The files in the report keep theirs.
     announce : callable

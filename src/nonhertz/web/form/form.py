@@ -47,8 +47,6 @@ FOLDED: Final = (
 )
 #: Keys that are a number in the form, unless a file has a table in their place.
 MOSTLY_NUMBERS: Final = ("bore",)
-#: Keys that name a file, which the page cannot read; shown only where a document has them.
-OF_FILES: Final = ("logo",)
 #: The most frequently changed keys come first; the rest in the order of the schema.
 UNREAD: Final = "file"
 FIRST: Final = ("title", "kind", "load", "body", "diameter", "length", "profile", "material")
@@ -272,7 +270,6 @@ def _unchosen(pairs: list[tuple[str, str]], given: dict[str, Any]) -> set[str]:
     for pair in pairs:
         shown = [name for name in pair if name in given] or [pair[0]]
         aside |= {name for name in pair if name not in shown}
-    aside |= {name for name in OF_FILES if name not in given}
     if given.get("kind") == "plate" and "diameter" not in given:
         aside.add("diameter")
     return aside

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.io.casefile import OF_BEARINGS
-from nonhertz.io.logo import logo_from
 from nonhertz.io.mistakes import path_of
 from nonhertz.io.profiles import COMMON, profile_tables, read_profile
 from nonhertz.model.profile import Tabulated
@@ -26,13 +25,13 @@ def inlined(document: dict[str, Any], folder: Path) -> tuple[dict[str, Any], tup
     Returns
     -------
     document : dict
-        The same, with the profile of each body as a list, and the logo as a data URI.
+        The same, with the profile of each body as a list.
     notes : tuple of str
         A sentence for each file with points.
     """
     notes: list[str] = []
     bodies = {name: _of_body(body, folder, ("body", name), notes) for name, body in document["body"].items()}
-    return document | {"body": bodies} | _report(document, folder), tuple(notes)
+    return document | {"body": bodies}, tuple(notes)
 
 
 def inlined_bearing(document: dict[str, Any], folder: Path) -> tuple[dict[str, Any], tuple[str, ...]]:
@@ -43,12 +42,7 @@ def inlined_bearing(document: dict[str, Any], folder: Path) -> tuple[dict[str, A
         for name in OF_BEARINGS[1:]
         if any("file" in table for table in profile_tables(document[name]))
     }
-    return document | bodies | _report(document, folder), tuple(notes)
-
-
-def _report(document: dict[str, Any], folder: Path) -> dict[str, Any]:
-    report = document.get("report", {})
-    return {"report": report | {"logo": logo_from(report["logo"], folder).address}} if "logo" in report else {}
+    return document | bodies, tuple(notes)
 
 
 def _of_body(body: dict[str, Any], folder: Path, place: tuple[str, ...], notes: list[str]) -> dict[str, Any]:

@@ -20,7 +20,7 @@ ABSENT: Final = object()
 """Stands for the value of a missing key."""
 
 _LONG_LIST: Final = 24
-_LONG_TEXT: Final = 1000  # such as a logo
+_LONG_TEXT: Final = 1000
 
 
 def input_for(part: Schema, value: Any, place: Place) -> FormField:
