@@ -23,6 +23,59 @@ def row(clearance=0.0, **roller):
     )
 
 
+def nu206(*, outer=None, **roller):
+    return B.CylindricalRollerBearing(
+        roller=nh.Roller(**({"diameter": 9.0, "length": 10.0} | roller)),
+        inner=nh.Ring(diameter=37.5, depth=3.75),
+        outer=nh.Ring(diameter=-55.5, depth=3.25, **(outer or {})),
+        rollers=13,
+        clearance=0.0184,
+    )
+
+
+@pytest.mark.parametrize(
+    ("given", "length"),
+    [
+        ({"outer": {"effective_length": 8.0}}, 8.0),
+        ({"corner_radius": 0.3}, 9.4),
+        ({"corner_radius": 2.0}, 6.0),
+        ({"chamfer": nh.Chamfer(length=0.5, angle=0.5)}, 9.0),
+        ({"profile": nh.profile.chamfer(10.0, 0.5)}, 9.0),
+    ],
+)
+def test_the_effective_length_is_that_of_the_shortest_contact_without_corners(given, length):
+    """ISO 281, effective roller length: C grows with its power 7/9, C0 with itself, L10 with C^(10/3).
+
+    L10r by slices with Q_c^4, which has C's power, and of laminae that all bear (ISO/TS 16281).
+    """
+    cut, whole = nu206(**given), nu206(effective_length=length)
+    lows, highs = zip(*(contact.land for contact in cut.contacts), strict=True)
+    assert min(highs) - max(lows) == pytest.approx(length)
+    rated = B.rating(cut)
+    assert rated.dynamic == pytest.approx(42427.66 * (length / 10.0) ** (7.0 / 9.0), rel=1e-6)
+    assert rated.static == pytest.approx(44.0 * (1.0 - 9.0 / 46.5) * 13 * length * 9.0, rel=1e-12)
+    lives = [B.assess(B.solve(each, radial=10e3, method="slices")).reference for each in (cut, whole)]
+    assert lives[0] == pytest.approx(lives[1], rel=1e-9)
+
+
+@pytest.mark.parametrize("given", [{"outer": {"length": 8.6, "corner_radius": 0.3}}, {"corner_radius": 0.3}])
+def test_the_life_by_pressures_is_the_sum_over_all_that_presses(given):
+    """Laminae have a capacity per length, whatever length was rated: sum (q / q_c)^(9/2) is an integral along y."""
+    found = B.solve(nu206(**given, profile=nh.profile.crown(radius=1200.0)), radial=6e3)
+    rated = B.rating(found.bearing)
+    length = np.diff(found.bearing.effective_interval)[0]
+    y, damage = np.linspace(-4.999, 4.999, 4001), 0.0
+    for k, (capacity, power) in enumerate(((rated.inner, 4.0), (rated.outer, 4.5))):
+        contact = found.bearing.contacts[k]
+        solutions = [found.contact(j, ("inner", "outer")[k]) for j in range(13)]
+        pressure = np.array([np.zeros(y.size) if each is None else each.pressure(0.0, y) for each in solutions])
+        # Of Hertz's line contact under this pressure.
+        line_load = np.pi**2 * contact.compliance / contact.curvature(0.0) * pressure**2
+        mean = np.mean(line_load**power, axis=0) ** (1.0 / power)
+        damage += np.trapezoid((mean * length ** (7.0 / 9.0) / capacity) ** 4.5, y)
+    assert B.assess(found).reference == pytest.approx(damage ** (-8.0 / 9.0), rel=5e-3)
+
+
 @pytest.mark.parametrize("kappa", LIFE_FACTORS)
 def test_the_life_factor_is_that_of_the_standard(kappa):
     for limit, factor in zip(LIMITS, LIFE_FACTORS[kappa], strict=True):

@@ -164,7 +164,7 @@ def test_dust_in_a_corner_goes():
 def test_two_corners_at_one_end_are_refused():
     profile = prepare(trace()).profile()
     sentence = (
-        r"corner_radius = 0.5 must not be given with a trace that holds the corners, beyond y = -9.\d+ and 9.\d+ mm"
+        r"corner_radius = 0.5 must not be given with a profile that holds the corners, beyond y = -9.\d+ and 9.\d+ mm"
     )
     for each in (profile, profile.shifted(0.01), profile.scaled(2.0), profile + nh.profile.crown(radius=1e4)):
         with pytest.raises(InputError, match=sentence):

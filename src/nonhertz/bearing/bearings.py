@@ -209,6 +209,15 @@ class RollerBearing:
         return Contact(self.roller, self.inner), Contact(self.roller, self.outer)
 
     @property
+    def effective_interval(self) -> tuple[float, float]:
+        """Where along their profiles rollers touch both rings, without corners and chamfers [mm].
+
+        Its length is the effective roller length of ISO 281: that of the shortest contact.
+        """
+        (low, high), (other_low, other_high) = (contact.land for contact in self.contacts)
+        return max(low, other_low), min(high, other_high)
+
+    @property
     def raceway_motions(self) -> tuple[Array, Array]:
         """Approach and tilt at both raceways per motion of ring against roller."""
         inner, outer = self.contact_angles

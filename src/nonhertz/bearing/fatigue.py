@@ -294,7 +294,7 @@ class _Calibration:
         self._around = row.pitch * np.array([1.0 - gamma, 1.0 + gamma])
         damages = []
         for contact, capacity in zip(row.contacts, (rated.inner, rated.outer), strict=True):
-            under = even_exposure(contact, capacity, "b")
+            under = even_exposure(contact, capacity, "b", row.effective_interval)
             assert under is not None  # rollers have ends
             damages.append(under.damage(chosen))
         self._damages = np.array(damages)

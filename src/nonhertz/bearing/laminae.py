@@ -14,6 +14,7 @@ row; the number of rows i is added here, since C_u is that of all rows together.
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import numpy as np
@@ -89,14 +90,14 @@ def _suffered(solution: BearingSolution, laminae: int, edge_stress: str) -> Arra
         return np.where(solution.load[..., None] > 0.0, found, 0.0)
     model = iso_16281(laminae=laminae, edge_stress=edge_stress)
     known: dict[int, Array] = {}
-    for j in range(solution.angle.size):
-        for k, ring in enumerate(RINGS):
-            contact = solution.contact(j, ring)
+    for row, these in zip(solution.bearing.rows, row_slices(solution.bearing), strict=True):
+        for j, k in itertools.product(range(these.start, these.stop), range(len(RINGS))):
+            contact = solution.contact(j, RINGS[k])
             if contact is None:
                 continue
             # Equal contacts are one and the same solution.
             if id(contact) not in known:
-                cut = laminae_of(contact, model)
+                cut = laminae_of(contact, model, row.bearing.effective_interval)
                 known[id(contact)] = cut.factor * cut.load
             found[j, k] = known[id(contact)]
     return found

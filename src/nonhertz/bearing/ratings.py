@@ -142,8 +142,8 @@ def raceways(bearing: RollerBearing) -> tuple[Raceway, Raceway]:
 
 
 def length_of(bearing: RollerBearing) -> float:
-    """Return the length on which rollers and rings can touch [mm]."""
-    low, high = bearing.contacts[0].interval
+    """Return the effective roller length of ISO 281 [mm]."""
+    low, high = bearing.effective_interval
     return high - low
 
 

@@ -19,7 +19,7 @@ LAMINAE = 41
 def standard_slices(bearing: RollerBearing, laminae: int = LAMINAE) -> Slices:
     """Return the slices of one contact of a bearing's rollers, the same at both rings."""
     inner, outer = bearing.contacts
-    low, high = max(inner.interval[0], outer.interval[0]), min(inner.interval[1], outer.interval[1])
+    low, high = bearing.effective_interval
     y = low + (high - low) * (np.arange(laminae) + 0.5) / laminae
     relief = 0.5 * (inner.separation(y) + outer.separation(y))
     return Slices(y, relief, lamina_stiffness(high - low, laminae), STIFFENING)

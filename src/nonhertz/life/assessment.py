@@ -247,7 +247,7 @@ def _by_volume(chosen: VolumeModel, spectrum: Spectrum, seen: list[Exposure], sh
     references = np.array([math.nan if each is None else each.damage(chosen) for each in ideal])
     damage, reference = (_together(each, shares, chosen.slope) for each in (damages, references))
     y, density = _density([each.y for each in seen], [each.density(chosen) for each in seen], damages, shares, chosen)
-    length = float(np.ptp(spectrum[0][0].contact.interval))
+    length = float(np.ptp(spectrum[0][0].contact.land))
     absolute, why = None, why or _why_unrated(chosen, ring, body, rollers)
     if not why and ring is not None and rollers is not None:
         # For each load by itself: (Q_c / Q)^4 for the ideal pressure, times the relative life.

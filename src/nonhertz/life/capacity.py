@@ -55,7 +55,7 @@ class Raceway:
     roller_diameter : float
         D [mm].
     length : float
-        Length on which roller and ring can touch [mm].
+        Length on which roller and ring can touch, without corners and chamfers [mm].
     pitch_diameter : float
         Diameter of the circle of roller centres [mm].
     inner : bool
@@ -226,7 +226,7 @@ def raceway(contact: Contact, *, contact_angle: float | None = None) -> tuple[Ra
         return None, "neither of the bodies is a ring; give one of them kind = 'ring'"
     name = rings[0] if len(rings) == 1 else max(others, key=lambda each: (diameters[each] < 0.0, abs(diameters[each])))
     roller = bodies["b" if name == "a" else "a"]
-    return _raceway(name, diameters[name], roller, contact.interval, contact_angle or 0.0)
+    return _raceway(name, diameters[name], roller, contact.land, contact_angle or 0.0)
 
 
 def _why_unrated(contact: Contact, tapered: bool) -> str:

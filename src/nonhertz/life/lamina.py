@@ -107,7 +107,7 @@ class Laminae:
     Attributes
     ----------
     edges : ndarray, shape (laminae + 1,)
-        Their edges [mm], from end to end of the interval in which the bodies can touch.
+        Their edges [mm], from end to end of the effective length, which is that without corners.
     load : ndarray, shape (laminae,)
         q_k [N].
     factor : ndarray, shape (laminae,)
@@ -152,25 +152,42 @@ def edge_function(laminae: int) -> Array:
         return np.asarray(1.0 - 0.01 / np.log(1.985 * place))
 
 
-def laminae_of(solution: Solved, model: LaminaModel) -> Laminae:
+def laminae_of(solution: Solved, model: LaminaModel, span: tuple[float, float] | None = None) -> Laminae:
     """Return the laminae of a solution.
+
+    Beyond the effective length, in the corners, only pressures count: as those of the outermost laminae.
+
+    Parameters
+    ----------
+    solution : Solution or PatchSolution
+        The solved contact.
+    model : LaminaModel
+        How it is cut.
+    span : tuple of float, optional
+        Between which places [mm]: the effective length of a bearing, where another of its contacts is shorter.
 
     Raises
     ------
     InputError
         If the bodies can touch over an unlimited length, which cannot be cut.
     """
-    low, high = solution.contact.interval
+    contact = solution.contact
+    low, high = contact.land if span is None else span
     if not math.isfinite(high - low):
         remedy = "give one of the bodies a length, or choose another model"
         raise InputError("length", None, "be given for laminae", remedy)
     edges = np.linspace(low, high, model.laminae + 1)
-    load = _slices(solution, edges) if model.line_loads == "standard" else _shares(edges, *_line_load(solution))
-    if model.edge_stress == "pressure":
+    pressed, sharp = model.edge_stress == "pressure", ()
+    reach, land = (np.concatenate([[end[0]], edges[1:-1], [end[1]]]) for end in (contact.interval, contact.land))
+    reach, length = reach if pressed else land, np.diff(land)
+    load = _slices(solution, edges) if model.line_loads == "standard" else _shares(reach, *_line_load(solution))
+    if pressed:
         sharp = tuple(end.y for end in solution.singular_ends)
-        return Laminae(edges, load, _factors(solution, edges, load, sharp), sharp)
-    factor = edge_function(model.laminae) if model.edge_stress == "standard" else np.ones(model.laminae)
-    return Laminae(edges, load, factor)
+        factor = _factors(solution, reach, length, load, sharp)
+    else:
+        factor = edge_function(model.laminae) if model.edge_stress == "standard" else np.ones(model.laminae)
+    # A longer lamina bears more, as the capacity of a contact grows with its length.
+    return Laminae(edges, load, factor * (np.diff(edges) / length) ** (7.0 / 9.0), sharp)
 
 
 def _line_load(solution: Solved) -> tuple[Array, Array]:
@@ -183,7 +200,7 @@ def _shares(edges: Array, fine: Array, density: Array) -> Array:
     return np.diff(np.interp(edges, fine, total))
 
 
-def _factors(solution: Solved, edges: Array, load: Array, sharp: tuple[float, ...]) -> Array:
+def _factors(solution: Solved, edges: Array, length: Array, load: Array, sharp: tuple[float, ...]) -> Array:
     """Return f_k from the pressures: the load of Hertz's line contact under these pressures, over the lamina's load.
 
     The mean over a lamina is taken with the power that its load enters the damage with, leaving out the vicinity of an
@@ -197,8 +214,10 @@ def _factors(solution: Solved, edges: Array, load: Array, sharp: tuple[float, ..
     left_out = LEFT_OUT * solution.max_half_width
     for end in sharp:
         counted[np.abs(solution.y - end) < left_out] = 0.0
-    suffered, borne = (_shares(edges, fine, each) for each in (counted * as_in_hertz**EXPONENT, counted * density))
-    length = _shares(edges, fine, counted)
+    suffered, borne, lost = (
+        _shares(edges, fine, each) for each in (counted * as_in_hertz**EXPONENT, counted * density, 1.0 - counted)
+    )
+    length = length - lost
     mean = np.divide(suffered, length, out=np.zeros_like(load), where=length > 0.0) ** (1.0 / EXPONENT)
     even = np.divide(borne, length, out=np.zeros_like(load), where=length > 0.0)
     factor: Array = np.divide(mean, even, out=np.ones_like(load), where=even > 0.0)

@@ -258,12 +258,14 @@ def _ideal(solution: Solved, body: BodyName) -> Exposure | None:
     return even_exposure(solution.contact, solution.load, body)
 
 
-def even_exposure(contact: Contact, load: float, body: BodyName) -> Exposure | None:
-    """Return the exposure under Hertz's line contact, a load spread evenly over the length of possible contact.
+def even_exposure(
+    contact: Contact, load: float, body: BodyName, span: tuple[float, float] | None = None
+) -> Exposure | None:
+    """Return the exposure under Hertz's line contact, a load spread evenly over a span or the effective length [mm].
 
     None where that length is unlimited.
     """
-    low, high = contact.interval
+    low, high = contact.land if span is None else span
     if not np.isfinite(high - low):
         return None
     edges = np.linspace(low, high, 2 if _even(contact) else 65)

@@ -220,7 +220,9 @@ class Body:
                 )
             if self.profile.joints is not None:
                 low, high = self.profile.joints
-                condition = f"not be given with a trace that holds the corners, beyond y = {low:.5g} and {high:.5g} mm"
+                condition = (
+                    f"not be given with a profile that holds the corners, beyond y = {low:.5g} and {high:.5g} mm"
+                )
                 raise InputError(name, getattr(self, name), condition, "leave it out, or give the trace corner = 'cut'")
             if name == "chamfer" and not isinstance(self.chamfer, Chamfer):
                 raise InputError(name, self.chamfer, "be a Chamfer", remedy)
@@ -241,6 +243,16 @@ class Body:
         low, high = (-np.inf, np.inf) if length is None else (-0.5 * length, 0.5 * length)
         defined = self.surface.extent
         return (self.position + max(low, defined[0]), self.position + min(high, defined[1]))
+
+    @property
+    def land(self) -> tuple[float, float]:
+        """The part of ``interval`` [mm] between the corners or chamfers."""
+        (low, high), joints = self.interval, self.surface.joints
+        return (
+            (low, high)
+            if joints is None
+            else (max(low, self.position + joints[0]), min(high, self.position + joints[1]))
+        )
 
     @property
     def faces(self) -> tuple[float, float]:

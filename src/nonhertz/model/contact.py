@@ -64,6 +64,14 @@ class Contact:
         return (max(low_a, low_b), min(high_a, high_b))
 
     @property
+    def land(self) -> tuple[float, float]:
+        """The part of ``interval`` [mm] without corners or chamfers, whose length ISO 281 calls effective."""
+        (low_a, high_a), (low_b, high_b) = self.a.land, self.b.land
+        low, high = max(low_a, low_b), min(high_a, high_b)
+        # Chamfers may leave nothing between them, and the lands of both bodies may miss each other.
+        return (low, high) if low < high else self.interval
+
+    @property
     def bends(self) -> tuple[float, ...]:
         """Axial positions [mm] where either relief bends, ascending."""
         return tuple(sorted({*self.a.bends, *self.b.bends}))

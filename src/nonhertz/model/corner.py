@@ -216,5 +216,10 @@ class Cornered(Formula):
         """From side face to side face [mm]."""
         return -self.half_length, self.half_length
 
+    @property
+    def joints(self) -> tuple[float, float]:
+        """The ends of the land [mm]."""
+        return -self.land_end, self.land_end
+
     def _on_land(self, places: tuple[float, ...]) -> tuple[float, ...]:
         return tuple(each for each in places if abs(each) < self.land_end)

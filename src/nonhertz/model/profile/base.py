@@ -63,7 +63,7 @@ class Profile(ABC):
 
     @property
     def joints(self) -> tuple[float, float] | None:
-        """Where the corners begin [mm] that a measured profile holds at either end; None if it holds none."""
+        """Where the corners or chamfers begin [mm] that the profile holds at either end; None if it holds none."""
         return None
 
     def shifted(self, by: float) -> Profile:

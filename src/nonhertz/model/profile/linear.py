@@ -45,6 +45,16 @@ class TaperedEnds(Formula):
         return (-0.5 * self.straight, 0.5 * self.straight) if self.straight > 0.0 else (0.0,)
 
 
+@dataclass(frozen=True)
+class Chamfers(TaperedEnds):
+    """The same where the ends are too steep to bear, as those of a roller beyond its effective length."""
+
+    @property
+    def joints(self) -> tuple[float, float]:
+        """Where the chamfers begin [mm]."""
+        return -0.5 * self.straight, 0.5 * self.straight
+
+
 def straight() -> Profile:
     """Return a straight profile: no relief anywhere.
 
@@ -150,7 +160,7 @@ def chamfer(length: float, width: float, angle: float = 0.25 * math.pi) -> Profi
             "give the length of one chamfer in mm",
         )
     _acute(angle)
-    ends = TaperedEnds(float(length) - 2.0 * float(width), float(angle))
+    ends = Chamfers(float(length) - 2.0 * float(width), float(angle))
     return ends.called("chamfer", length=length, width=width, angle=angle)
 
 
