@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 
 from nonhertz.bearing.bearings import CylindricalThrustBearing
 from nonhertz.bearing.frames import RINGS
-from nonhertz.bearing.laminae import lamina_life, lamina_means, life_factors
+from nonhertz.bearing.laminae import lamina_life, lamina_means, life_factors, singular_ends
 from nonhertz.bearing.lubrication import (
     CLEANLINESS,
     MOST_FACTOR,
@@ -33,12 +33,14 @@ from nonhertz.inputs.checks import listed, numbers, one_of, positive, whole
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
 from nonhertz.life.spectrum import WHOLE
 from nonhertz.result.brief import plain_text
+from nonhertz.result.ends import ends_in_words
 from nonhertz.result.numerals import digits
 
 #: A loaded bearing, or several loads of one bearing with their shares of the revolutions.
 Loaded = BearingSolution | Sequence[tuple[BearingSolution, float]]
 
 _LIFE_EXPONENT = 10.0 / 3.0
+_ROUNDED = "give corners, or a profile with more relief there, or edge_stress = 'standard'"
 _PAIRS = "give pairs of a loaded bearing and its share of the revolutions"
 
 
@@ -55,7 +57,7 @@ class BearingLife:
     basic : float
         L10, of ISO 281.
     reference : float
-        L10r, of the laminae.
+        L10r, of the laminae; NaN by pressures that have no limit towards an end, near which (f q)^(9/2) has no sum.
     viscosity_ratio, contamination, life_factor : float or None
         kappa, e_C and by how much they change the life, a_ISO [-]; None without a viscosity. Of a spectrum, the
         smallest kappa and e_C.
@@ -65,6 +67,8 @@ class BearingLife:
         L_nmr: L10r times a_1, and times a_ISO if there is one.
     static_safety : float
         S_0 [-].
+    no_reference : str
+        Why there is no L10r; empty if there is one.
     parts : tuple of (BearingLife, float)
         Of a spectrum, the life under each load by itself, and its share; empty under one load.
     """
@@ -80,6 +84,7 @@ class BearingLife:
     reliability_factor: float
     modified: float
     static_safety: float
+    no_reference: str = ""
     parts: tuple[tuple[BearingLife, float], ...] = ()
 
     def __repr__(self) -> str:
@@ -91,6 +96,8 @@ class BearingLife:
             f"modified {digits(self.modified, 4)} million revolutions: a1 = {digits(self.reliability_factor, 3)}"
             + self._lubricated(),
         ]
+        if self.no_reference:
+            said[1:] = [f"L10 = {digits(self.basic, 4)} million revolutions, no L10r: {self.no_reference}"]
         if self.parts:
             said.append(f"under {len(self.parts)} loads for {digits(sum(share for _, share in self.parts), 3)} of it")
         return plain_text("BearingLife", said)
@@ -169,7 +176,8 @@ def assess(
     Notes
     -----
     L10 contains the reduction by 0.83, lambda nu, for line loads that are not even; L10r does not, since the laminae
-    have the line loads themselves. Moments are not in P.
+    have the line loads themselves. Moments are not in P. Where a contact reaches a sharp end, there is no L10r by
+    pressures.
     """
     pairs = _pairs(solution)
     asked = _Asked(
@@ -252,7 +260,8 @@ def _life(solution: BearingSolution, asked: _Asked, speed: float | None) -> Bear
     rated = rating(solution.bearing, dynamic=asked.dynamic, static=asked.static)
     load, still = equivalent_loads(solution)
     means = lamina_means(solution, asked.laminae, stress, asked.turning)
-    reference = lamina_life(rated, means)
+    ends = singular_ends(solution) if stress == "pressure" else set()
+    reference = math.nan if ends else lamina_life(rated, means)
     kappa = clean = factor = None
     if asked.viscosity is not None and speed is not None:
         pitch = solution.bearing.rows[0].bearing.pitch
@@ -261,7 +270,7 @@ def _life(solution: BearingSolution, asked: _Asked, speed: float | None) -> Bear
         if clean is None:
             clean = contamination_factor(kappa, pitch, asked.cleanliness)
         factors = life_factors(solution, rated, means, kappa, float(clean))
-        factor = lamina_life(rated, means, factors) / reference if math.isfinite(reference) else MOST_FACTOR
+        factor = MOST_FACTOR if math.isinf(reference) else lamina_life(rated, means, factors) / reference
     return BearingLife(
         rating=rated,
         equivalent_load=load,
@@ -274,13 +283,14 @@ def _life(solution: BearingSolution, asked: _Asked, speed: float | None) -> Bear
         reliability_factor=asked.reliability_factor,
         modified=asked.reliability_factor * reference * (1.0 if factor is None else factor),
         static_safety=rated.static / still if still > 0.0 else math.inf,
+        no_reference=f"the damage has no limit towards {ends_in_words(ends)}; {_ROUNDED}" if ends else "",
     )
 
 
 def miner(lives: Sequence[float], shares: Sequence[float]) -> float:
     """Return the life under loads with shares of the revolutions."""
     damage = math.fsum(share / life for life, share in zip(lives, shares, strict=True))
-    return 1.0 / damage if damage > 0.0 else math.inf
+    return 1.0 / damage if damage != 0.0 else math.inf
 
 
 def _together(parts: tuple[tuple[BearingLife, float], ...], asked: _Asked) -> BearingLife:
@@ -290,7 +300,7 @@ def _together(parts: tuple[tuple[BearingLife, float], ...], asked: _Asked) -> Be
     )
     first, still = lives[0], max(each.static_load for each in lives)
     oiled = asked.viscosity is not None
-    of_oil = modified / (asked.reliability_factor * reference) if math.isfinite(reference) else MOST_FACTOR
+    of_oil = MOST_FACTOR if math.isinf(reference) else modified / (asked.reliability_factor * reference)
     return replace(
         first,
         equivalent_load=first.rating.dynamic / basic ** (1.0 / _LIFE_EXPONENT),
@@ -302,5 +312,6 @@ def _together(parts: tuple[tuple[BearingLife, float], ...], asked: _Asked) -> Be
         life_factor=of_oil if oiled else None,
         modified=modified,
         static_safety=first.rating.static / still if still > 0.0 else math.inf,
+        no_reference=next((each.no_reference for each in lives if each.no_reference), ""),
         parts=parts,
     )

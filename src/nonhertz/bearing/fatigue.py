@@ -35,6 +35,7 @@ from numpy.typing import NDArray
 
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.laminae import singular_ends
 from nonhertz.bearing.ratings import Rating, rating
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.unrolled import row_slices
@@ -46,7 +47,7 @@ from nonhertz.model.body import BodyName
 from nonhertz.result.brief import plain_text
 from nonhertz.result.ends import ends_in_words
 from nonhertz.result.numerals import digits
-from nonhertz.result.solution import ReadOnly, Solution
+from nonhertz.result.solution import ReadOnly, SingularEnd, Solution
 
 Array = NDArray[np.float64]
 
@@ -186,17 +187,18 @@ def volume_life(
     rated = None if dynamic is None else rating(solution.bearing, dynamic=dynamic)
     of_rows: list[Array] = []
     even: list[Array] = []
-    sharp: set[Solution] = set()
     steep = 0.0
     for row, these in zip(solution.bearing.rows, row_slices(solution.bearing), strict=True):
         seen = _Seen(solution, range(these.start, these.stop), field)
         calibrated = _Calibration(row.bearing, rated or rating(row.bearing), chosen)
         for lives, ideal in ((of_rows, False), (even, True)):
             lives.append(calibrated.lives(seen.densities(chosen, ideal=ideal), RINGS.index(turning)))
-        sharp |= seen.sharp
         steep = max(steep, seen.steep(chosen) if field == "sections" else 0.0)
     return VolumeLife(
-        chosen, np.array(of_rows), np.array(even), _warnings(sharp, steep, chosen.stress.replace("_", " "))
+        chosen,
+        np.array(of_rows),
+        np.array(even),
+        _warnings(singular_ends(solution), steep, chosen.stress.replace("_", " ")),
     )
 
 
@@ -211,13 +213,12 @@ def _chosen(given: VolumeModel | str) -> VolumeModel:
     return given
 
 
-def _warnings(sharp: set[Solution], steep: float, stress: str) -> tuple[str, ...]:
-    ends = {end for each in sharp for end in each.singular_ends}
+def _warnings(ends: set[SingularEnd], steep: float, stress: str) -> tuple[str, ...]:
     said = []
     if ends:
         said.append(
-            f"The damage has no limit towards {ends_in_words(ends)}: nothing was counted near there, so that lives may "
-            "come out too long."
+            f"The damage has no limit towards {ends_in_words(ends)}: nothing was counted near there, so that lives are "
+            "upper bounds."
         )
     if steep > _MOST_STEEP:
         said.append(
@@ -235,11 +236,6 @@ class _Seen:
         self._contacts = [[solution.contact(j, ring) for ring in RINGS] for j in rollers]
         self._evaluate = section_exposure if field == "sections" else exposure
         self._known: dict[tuple[int, BodyName], Exposure] = {}
-
-    @property
-    def sharp(self) -> set[Solution]:
-        """Contacts with ends towards which the pressure has no limit."""
-        return {each for pair in self._contacts for each in pair if each is not None and each.singular_ends}
 
     def densities(self, chosen: VolumeModel, *, ideal: bool) -> list[list[tuple[Array, Array, float] | None]]:
         """Return stations, damage per length and damage of every contact, of both rings and of the roller at both.

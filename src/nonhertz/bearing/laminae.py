@@ -10,6 +10,9 @@ that would load all as this lamina is,
 
 gives it a factor a_ISO, to the power 9/8 of which its damage is divided. P_k is from one program, which has a single
 row; the number of rows i is added here, since C_u is that of all rows together.
+
+Towards a sharp end the pressure grows as s^-0.226 for steel on steel, and (p^2)^(9/2), the damage, as s^-2: its sum has
+no limit, and there is no such life by pressures.
 """
 
 from __future__ import annotations
@@ -27,11 +30,18 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import standard_slices
 from nonhertz.bearing.unrolled import row_slices
 from nonhertz.life.lamina import EXPONENT, SLOPE, edge_function, iso_16281, laminae_of
+from nonhertz.result.solution import SingularEnd
 
 Array = NDArray[np.float64]
 
 TURNING, STANDING = 4.0, 4.5  # powers of means over rollers
 _WORST_FACTOR = 0.1
+
+
+def singular_ends(solution: BearingSolution) -> set[SingularEnd]:
+    """Return the ends of loaded contacts towards which the pressure has no limit."""
+    every = (solution.contact(j, ring) for j in range(solution.angle.size) for ring in RINGS)
+    return {end for each in every if each is not None for end in each.singular_ends}
 
 
 def lamina_means(solution: BearingSolution, laminae: int, edge_stress: str, turning: str) -> list[Array]:

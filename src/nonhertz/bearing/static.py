@@ -13,6 +13,7 @@ import math
 import numpy as np
 
 from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.laminae import singular_ends
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.inputs.checks import positive
@@ -65,8 +66,7 @@ def pressure_safety(solution: BearingSolution, limit: float = LIMIT) -> float:
     positive("limit", limit, "give the pressure in MPa, 4000 by ISO 76")
     pressures = solution.max_pressure
     contacts = [solution.contact(j, ring) for j in range(solution.angle.size) for ring in RINGS]
-    ends = {end for each in contacts if each is not None for end in each.singular_ends}
-    if ends:
+    if ends := singular_ends(solution):
         condition = "have ends at which the pressure has a limit, and has none towards " + ends_in_words(ends)
         raise InputError("solution", "a loaded bearing", condition, "give the rollers a corner_radius or a profile")
     most = contacts[int(np.argmax(pressures))]

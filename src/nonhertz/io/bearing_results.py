@@ -117,9 +117,10 @@ def as_json(entries: dict[str, Any]) -> str:
 
 def _life(found: BearingLife) -> dict[str, Any]:
     rating = {name: plain(value) for name, value in dataclasses.asdict(found.rating).items()}
-    names = [each.name for each in dataclasses.fields(found) if each.name not in {"rating", "parts"}]
+    names = [each.name for each in dataclasses.fields(found) if each.name not in {"rating", "no_reference", "parts"}]
     parts = [{"share": plain(share)} | _life(part) for part, share in found.parts]
-    return {"rating": rating, **{name: plain(getattr(found, name)) for name in names}, "parts": parts}
+    numbers = {name: plain(getattr(found, name)) for name in names}
+    return {"rating": rating, **numbers, "no_reference": found.no_reference, "parts": parts}
 
 
 def rollers_table(solution: BearingSolution) -> str:

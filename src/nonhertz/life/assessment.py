@@ -60,7 +60,7 @@ class Life(ReadOnly):
         The same under the ideal pressure; NaN where the bodies can touch over an unlimited length.
     million_revolutions : float or None
         L_10 [10^6 revolutions of the ring, all rollers passing under this load], with 90 % reliability. None for the
-        roller, without a number of rollers, or where no standard gives a capacity.
+        roller, without a number of rollers, where no standard gives a capacity, or towards a sharp end.
     no_revolutions : str
         Why there is no absolute life; empty if there is one.
     raceway : Raceway or None
@@ -248,7 +248,8 @@ def _by_volume(chosen: VolumeModel, spectrum: Spectrum, seen: list[Exposure], sh
     damage, reference = (_together(each, shares, chosen.slope) for each in (damages, references))
     y, density = _density([each.y for each in seen], [each.density(chosen) for each in seen], damages, shares, chosen)
     length = float(np.ptp(spectrum[0][0].contact.land))
-    absolute, why = None, why or _why_unrated(chosen, ring, body, rollers)
+    sharp = {end for each in seen for end in each.sharp}
+    absolute, why = None, why or _why_unrated(chosen, ring, body, rollers, spectrum if sharp else ())
     if not why and ring is not None and rollers is not None:
         # For each load by itself: (Q_c / Q)^4 for the ideal pressure, times the relative life.
         of_loads = [
@@ -256,7 +257,7 @@ def _by_volume(chosen: VolumeModel, spectrum: Spectrum, seen: list[Exposure], sh
             for (each, _), pair in zip(spectrum, zip(references, damages, strict=True), strict=True)
         ]
         absolute = float(1.0 / sum(share / life for share, life in zip(shares, of_loads, strict=True)))
-    warnings = _warnings(spectrum, {end for each in seen for end in each.sharp})
+    warnings = _warnings(spectrum, sharp)
     return Life(chosen, body, damage, reference, absolute, why, ring, y, _over(density, reference / length), warnings)
 
 
@@ -272,11 +273,12 @@ def _by_laminae(chosen: LaminaModel, spectrum: Spectrum, shares: Array, bearing:
     damage, reference = (_together(each, shares, chosen.slope) for each in (damages, references))
     y = 0.5 * (edges[1:] + edges[:-1])
     _, density = _density([y] * len(cut), of_laminae, damages, shares, chosen)
-    absolute, why = None, why or _why_unrated(chosen, ring, body, rollers)
+    sharp = {end for each in cut for end in each.sharp}
+    absolute, why = None, why or _why_unrated(chosen, ring, body, rollers, spectrum if sharp else ())
     if not why and rollers is not None:
         # Each roller passes once per revolution: the capacity falls as Z^(-1/4), and the life as 1 / Z.
         absolute = damage ** (-1.0 / chosen.slope) / rollers
-    warnings = _warnings(spectrum, {end for each in cut for end in each.sharp})
+    warnings = _warnings(spectrum, sharp)
     return Life(
         chosen, body, damage, reference, absolute, why, ring, y, _over(density, reference / chosen.laminae), warnings
     )
@@ -291,8 +293,7 @@ def _warnings(spectrum: Spectrum, sharp: set[float]) -> tuple[str, ...]:
     named = {end for _, ends in found for end in ends}
     sentences[
         f"The damage has no limit towards {ends_in_words(named)}: nearer to {'them' if len(named) > 1 else 'it'} than "
-        f"{LEFT_OUT:g} of the largest half-width nothing was counted, so that the life may come out too long, even "
-        "above 1."
+        f"{LEFT_OUT:g} of the largest half-width nothing was counted, so that the life is an upper bound, even above 1."
     ] = None
     if any(_is_coarse(each, end) for each, ends in found for end in ends):
         what = "a corner" if all(end.kind is EdgeKind.CORNER for end in named) else "a sharp end"
@@ -315,14 +316,17 @@ def _over(density: Array, mean: float) -> Array:
         return density / mean
 
 
-def _why_unrated(chosen: Model, ring: Raceway | None, body: BodyName, rollers: int | None) -> str:
-    """Return why a model gives no life in revolutions for a body; empty if it does."""
+def _why_unrated(chosen: Model, ring: Raceway | None, body: BodyName, rollers: int | None, sharp: Spectrum) -> str:
+    """Return why a model gives no life in revolutions for a body, under loads that may reach sharp ends."""
     if chosen.name not in RATED:
         return f"{chosen.name} has no capacity of its own"
     if isinstance(chosen, VolumeModel) and chosen != lundberg_palmgren():
         return "the capacity of ISO 281 belongs to the slope 9/8 and the usual exponents"
     if ring is not None and ring.body != body:
         return f"the capacity is that of the ring, body {ring.body}"
+    ends = {end for each, _ in sharp for end in each.singular_ends}
+    if rollers is not None and ends:
+        return f"the damage has no limit towards {ends_in_words(ends)}"
     return "" if rollers is not None else _NO_ROLLERS
 
 

@@ -177,12 +177,12 @@ def laminae_of(solution: Solved, model: LaminaModel, span: tuple[float, float] |
         remedy = "give one of the bodies a length, or choose another model"
         raise InputError("length", None, "be given for laminae", remedy)
     edges = np.linspace(low, high, model.laminae + 1)
-    pressed, sharp = model.edge_stress == "pressure", ()
+    pressed = model.edge_stress == "pressure"
+    sharp = tuple(end.y for end in solution.singular_ends) if pressed else ()
     reach, land = (np.concatenate([[end[0]], edges[1:-1], [end[1]]]) for end in (contact.interval, contact.land))
     reach, length = reach if pressed else land, np.diff(land)
     load = _slices(solution, edges) if model.line_loads == "standard" else _shares(reach, *_line_load(solution))
     if pressed:
-        sharp = tuple(end.y for end in solution.singular_ends)
         factor = _factors(solution, reach, length, load, sharp)
     else:
         factor = edge_function(model.laminae) if model.edge_stress == "standard" else np.ones(model.laminae)

@@ -79,7 +79,7 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
         ("equivalent load", f"P = {_kilo(found.equivalent_load)} kN, P0 = {_kilo(found.static_load)} kN", ""),
         ("static safety", _safety(found.static_safety), ""),
         ("life L10", _revolutions(found.basic), "ISO 281"),
-        ("L10r", _revolutions(found.reference), "laminae of ISO/TS 16281"),
+        ("L10r", _revolutions(found.reference), found.no_reference or "laminae of ISO/TS 16281"),
         ("modified life", _revolutions(found.modified), _hours(found.modified, speed)),
         _factors_row(found),
     ]
@@ -400,6 +400,8 @@ def _safety(value: float) -> str:
 
 
 def _revolutions(value: float) -> str:
+    if math.isnan(value):
+        return "none"
     return f"{digits(value, 4)} million revolutions" if math.isfinite(value) else "no damage"
 
 
@@ -415,7 +417,7 @@ def _factors_row(found: BearingLife) -> Row:
     if found.life_factor is None or found.viscosity_ratio is None or found.contamination is None:
         return "", f"{factors}, without lubrication", ""
     of_oil = f"kappa = {digits(found.viscosity_ratio, 3)}, e_C = {digits(found.contamination, 3)}"
-    return "", f"{factors}, a_ISO = {digits(found.life_factor, 4)}", of_oil
+    return "", f"{factors}, a_ISO = {'none' if found.no_reference else digits(found.life_factor, 4)}", of_oil
 
 
 def _size(solution: BearingSolution, name: str) -> float:
