@@ -288,8 +288,7 @@ def test_a_tapered_roller_has_an_l10_with_its_contact_angle(tmp_path: Path, caps
         kind = "roller"
         diameter = {cone}
         length = 11.6
-        corner_radius = 0.3
-        profile = [{{ kind = "crown", radius = 8000 }}]
+        profile = [{{ kind = "crown", radius = 1500 }}]
         [body.b]
         kind = "ring"
         diameter = {{ y = [-5.8, 5.8], diameter = [43.0, 40.0] }}

@@ -1,5 +1,6 @@
 """Ratings and lives of bearings, against public figures and sums by hand."""
 
+import dataclasses
 import math
 
 import numpy as np
@@ -141,6 +142,19 @@ def test_pressures_of_strips_shorten_the_life_where_a_tilt_loads_an_end():
     assert lives[1] < 0.8 * lives[0]
     # Without edge stress the load per length alone counts, and pressures of a good profile add little to it.
     assert B.assess(upright, edge_stress="none").reference == pytest.approx(lives[0], rel=0.05)
+
+
+@pytest.mark.parametrize("moment", [0.0, 20e3])
+def test_of_preload_and_moments_alone_there_is_no_equivalent_load(moment):
+    """Sum of forces: zero. What rounding left of it was a P of 4e-13 N, for an S0 of 5.6e16 and an L10 of 7e55."""
+    preloaded = dataclasses.replace(nu206(corner_radius=0.3), clearance=-0.01)
+    life = B.assess(B.solve(preloaded, moment=moment, method="slices"))
+    assert life.equivalent_load == life.static_load == 0.0
+    assert math.isfinite(life.reference)
+    rows = {name: value for name, *value in life_rows(life, "")}
+    assert rows["equivalent load"] == ["P = 0 kN, P0 = 0 kN", "knows neither preload nor moment"]
+    assert rows["static safety"][0] == rows["life L10"][0] == "none"
+    assert "no S0 and no L10: P knows neither preload nor moment" in repr(life)
 
 
 def test_an_unloaded_bearing_lasts():

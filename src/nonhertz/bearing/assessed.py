@@ -53,9 +53,10 @@ class BearingLife:
     rating : Rating
         What it can bear.
     equivalent_load, static_load : float
-        P and P_0 [N]; of a spectrum, the constant load with the same L10, and the largest P_0.
+        P and P_0 [N], which know neither preload nor moment; of a spectrum, the constant load with the same L10, and
+        the largest P_0.
     basic : float
-        L10, of ISO 281.
+        L10, of ISO 281; infinite without P, whatever preload or moment do.
     reference : float
         L10r, of the laminae; NaN by pressures that have no limit towards an end, near which (f q)^(9/2) has no sum.
     viscosity_ratio, contamination, life_factor : float or None
@@ -66,7 +67,7 @@ class BearingLife:
     modified : float
         L_nmr: L10r times a_1, and times a_ISO if there is one.
     static_safety : float
-        S_0 [-].
+        S_0 [-]; infinite without P_0.
     no_reference : str
         Why there is no L10r; empty if there is one.
     parts : tuple of (BearingLife, float)
@@ -87,6 +88,11 @@ class BearingLife:
     no_reference: str = ""
     parts: tuple[tuple[BearingLife, float], ...] = ()
 
+    @property
+    def internally_loaded(self) -> bool:
+        """Whether rollers bear loads though P is zero: those of preload and moments, of which P knows nothing."""
+        return self.equivalent_load == 0.0 and not math.isinf(self.reference)
+
     def __repr__(self) -> str:
         rated = self.rating
         said = [
@@ -96,8 +102,10 @@ class BearingLife:
             f"modified {digits(self.modified, 4)} million revolutions: a1 = {digits(self.reliability_factor, 3)}"
             + self._lubricated(),
         ]
+        if self.internally_loaded:
+            said.append("no S0 and no L10: P knows neither preload nor moment")
         if self.no_reference:
-            said[1:] = [f"L10 = {digits(self.basic, 4)} million revolutions, no L10r: {self.no_reference}"]
+            said[1:3] = [f"L10 = {digits(self.basic, 4)} million revolutions, no L10r: {self.no_reference}"]
         if self.parts:
             said.append(f"under {len(self.parts)} loads for {digits(sum(share for _, share in self.parts), 3)} of it")
         return plain_text("BearingLife", said)

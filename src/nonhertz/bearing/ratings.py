@@ -19,13 +19,15 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy as np
+
 from nonhertz.bearing.bearings import (
     CylindricalThrustBearing,
     Paired,
     RollerBearing,
     SphericalRollerBearing,
 )
-from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.solution import NO_LOAD, BearingSolution
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import positive
 from nonhertz.life.capacity import (
@@ -153,9 +155,11 @@ def opposed(bearing: RollerBearing | Paired) -> bool:
 
 
 def equivalent_loads(solution: BearingSolution) -> tuple[float, float]:
-    """Return P of ISO 281 and P_0 of ISO 76 [N]; moments are not in them."""
+    """Return P of ISO 281 and P_0 of ISO 76 [N]; preload and moments are not in them."""
     bearing = solution.bearing
-    radial, axial = math.hypot(*solution.force[1:3]), abs(float(solution.force[0]))
+    # What is left of the balance of preloaded rollers is no force.
+    force = np.where(np.abs(solution.force) > NO_LOAD * solution.load.sum(), solution.force, 0.0)
+    radial, axial = math.hypot(*force[1:3]), abs(float(force[0]))
     row = bearing.rows[0].bearing
     if isinstance(row, CylindricalThrustBearing):
         return axial, axial

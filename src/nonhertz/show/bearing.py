@@ -70,15 +70,20 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
     if found is None:
         return [("life", "none", reason)]
     rating = found.rating
+    unknown = found.internally_loaded
     return [
         (
             "load ratings",
             f"C = {_kilo(rating.dynamic)} kN, C0 = {_kilo(rating.static)} kN",
             _limit(rating.fatigue_limit),
         ),
-        ("equivalent load", f"P = {_kilo(found.equivalent_load)} kN, P0 = {_kilo(found.static_load)} kN", ""),
-        ("static safety", _safety(found.static_safety), ""),
-        ("life L10", _revolutions(found.basic), "ISO 281"),
+        (
+            "equivalent load",
+            f"P = {_kilo(found.equivalent_load)} kN, P0 = {_kilo(found.static_load)} kN",
+            "knows neither preload nor moment" if unknown else "",
+        ),
+        ("static safety", "none" if unknown else _safety(found.static_safety), ""),
+        ("life L10", "none" if unknown else _revolutions(found.basic), "ISO 281"),
         ("L10r", _revolutions(found.reference), found.no_reference or "laminae of ISO/TS 16281"),
         ("modified life", _revolutions(found.modified), _hours(found.modified, speed)),
         _factors_row(found),
