@@ -152,3 +152,23 @@ def test_turned_round_a_rib_bears_the_other_way():
     found = B.solve(pair, radial=6e3, axial=-500.0, method="slices")
     assert_allclose(found.rib_load[found.rollers_of(0)], 0.0)
     assert np.sum(found.rib_load[found.rollers_of(1), 0]) > 499.0
+
+
+@pytest.mark.parametrize("arrangement", ["X", "O"])
+@pytest.mark.parametrize("design", ["NJ", "NF"])
+def test_the_clearance_of_a_pair_lies_between_ribs(arrangement, design):
+    """From the middle the inner ring moves by half of it before the ribs of one row press: all else is the same."""
+    moved = [
+        B.solve(
+            B.paired(row(design), arrangement, 30.0, clearance=clearance), radial=5e3, axial=1e3, method="slices"
+        ).displacement[0]
+        for clearance in (0.0, 0.2, 1.0)
+    ]
+    assert_allclose(np.diff(moved), [0.1, 0.4], atol=1e-6)
+
+
+def test_a_pair_that_is_free_along_the_axis_has_no_clearance():
+    with pytest.raises(
+        nh.InputError, match=r"pair\.clearance = 0\.2 must be zero for rows that do not hold the inner ring"
+    ):
+        B.paired(row("NU"), "X", 30.0, clearance=0.2)

@@ -191,3 +191,25 @@ def test_what_is_no_shape_is_refused(make, message):
     with pytest.raises(nh.InputError) as raised:
         make()
     assert message in str(raised.value)
+
+
+@pytest.mark.parametrize("degrees", [10.0, 30.0, 45.0])
+@pytest.mark.parametrize("ring", ["inner", "outer"])
+def test_a_shape_of_order_zero_is_clearance_at_any_contact_angle(degrees, ring):
+    """10 um along the radius take 20 um of the radial clearance (E - F - 2 D / cos alpha, see `clearance`)."""
+    angle = math.radians(degrees)
+    across = 9.0 / math.cos(angle)
+    smooth = nh.bearing.SphericalRollerBearing(
+        roller=nh.Roller(diameter=9.0, length=10.0),
+        inner=nh.Ring(diameter=46.5 - across),
+        outer=nh.Ring(diameter=-46.5 - across),
+        rollers=13,
+        contact_angle=angle,
+        profile_radius=25.0,
+        inner_groove=26.0,
+        outer_groove=26.0,
+    )
+    shaped = dataclasses.replace(smooth, **{f"{ring}_shape": fourier_shape({0: 0.01})})
+    still = {"axial_displacement": 0.0, "radial_displacement": 0.0, "method": "slices"}
+    tight = nh.bearing.solve(dataclasses.replace(smooth, clearance=-0.02), **still)
+    np.testing.assert_allclose(nh.bearing.solve(shaped, **still).load, tight.load, rtol=1e-9)

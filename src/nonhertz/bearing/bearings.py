@@ -67,7 +67,8 @@ class RollerBearing:
     pitch_diameter : float or None
         Diameter of the circle of the rollers' middles [mm]; the mean of both raceways if left out.
     inner_shape, outer_shape : callable or None
-        Angles [rad] -> how much less room the raceway leaves there than a circle does [mm].
+        Angles [rad] -> how much less room the raceway leaves there than a circle does, along the radius [mm]; of the
+        washers of a thrust bearing, how far they rise there along the axis.
     density : float
         Of the rollers [t/mm^3], for what speed does.
 
@@ -226,11 +227,14 @@ class RollerBearing:
     @property
     def gaps(self) -> tuple[Array, Array]:
         """What the contacts of every roller are short of touching [mm], at both rings."""
+        shapes = ("inner_shape", self.inner_shape), ("outer_shape", self.outer_shape)
         inner, outer = (
-            np.zeros(self.rollers) if shape is None else self._deviation(name, shape)
-            for name, shape in (("inner_shape", self.inner_shape), ("outer_shape", self.outer_shape))
+            # Raceways deviate along the radius, washers along the axis; contacts close along their normals.
+            0.0 if shape is None else self._deviation(name, shape) * (math.cos(angle) if self.bears_radially else 1.0)
+            for (name, shape), angle in zip(shapes, self.contact_angles, strict=True)
         )
-        return self.gap - inner, self.gap - outer
+        gap = np.full(self.rollers, self.gap)
+        return gap - inner, gap - outer
 
     def _at_contact(self, ring: Body, angle: float) -> float:
         """Return the diameter of a raceway square to its generator, where a roller's middle touches it [mm].
@@ -635,6 +639,13 @@ class Row:
         inner, outer = self.bearing.gaps
         return inner + more, outer + more
 
+    @property
+    def rib_gaps(self) -> tuple[Array, ...]:
+        """What the rollers' ends are short of touching each rib [mm]; those of raceways with an angle hold the axis."""
+        more = 0.0 if self.bearing.nominal_angle else 0.5 * self.clearance
+        ribs = self.bearing.rib_contacts
+        return tuple(np.full(self.bearing.rollers, rib.gap + more * abs(rib.motion[0, 0])) for rib in ribs)
+
 
 @dataclass(frozen=True, kw_only=True)
 class Paired:
@@ -677,6 +688,9 @@ class Paired:
         for way in ways:
             flag("turned", way, "write True or False for each row")
         finite("clearance", self.clearance, "give the axial clearance in mm")
+        if self.clearance and not any(any(each.bears_axially) for each in members):
+            condition = "be zero for rows that do not hold the inner ring along the axis"
+            raise InputError("pair.clearance", self.clearance, condition, "leave it out, or use rows with ribs")
         object.__setattr__(self, "bearings", tuple(members))
         object.__setattr__(self, "x", tuple(places.tolist()))
         object.__setattr__(self, "turned", tuple(ways))

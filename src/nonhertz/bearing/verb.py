@@ -12,7 +12,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.bearings import Paired, RollerBearing, Row
 from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, balanced
 from nonhertz.bearing.laws import ContactLaw
 from nonhertz.bearing.mapped import BearingMaps, MapLaw
@@ -299,7 +299,7 @@ def _sliced(bearing: RollerBearing | Paired, load: Array, laminae: int) -> Syste
             inner = column == 0
             joints.append(Joint(inner, raceway_motion(angle, inner=inner), gap, law, column, first))
         if not angle:
-            joints += _at_ribs(row.bearing, first)
+            joints += _at_ribs(row, first)
         first += row.bearing.rollers
     return _system(bearing, joints, load)
 
@@ -311,16 +311,16 @@ def _jointed(bearing: RollerBearing | Paired, load: Array, laws: Sequence[Sequen
     for row, of_row in zip(bearing.rows, laws, strict=True):
         for column, (motion, gap, law) in enumerate(zip(row.bearing.raceway_motions, row.gaps, of_row, strict=True)):
             joints.append(Joint(column == 0, motion, gap, law, column, first))
-        joints += _at_ribs(row.bearing, first)
+        joints += _at_ribs(row, first)
         first += row.bearing.rollers
     return _system(bearing, joints, load)
 
 
-def _at_ribs(bearing: RollerBearing, first: int) -> list[Joint]:
+def _at_ribs(row: Row, first: int) -> list[Joint]:
     """Return the contacts of the rollers' ends of a row whose first roller has a number."""
     return [
-        Joint(rib.ring == "inner", rib.motion, np.full(bearing.rollers, rib.gap), rib.law, column, first)
-        for column, rib in enumerate(bearing.rib_contacts, start=2)
+        Joint(rib.ring == "inner", rib.motion, gap, rib.law, column, first)
+        for column, (rib, gap) in enumerate(zip(row.bearing.rib_contacts, row.rib_gaps, strict=True), start=2)
     ]
 
 
