@@ -151,11 +151,43 @@ def test_roughness_is_that_of_a_wave():
     """Ra = 2 A / pi, Rq = A / sqrt(2), Rz = 2 A, all of it in the octave of its wavelength."""
     y = np.linspace(0.0, 8.0, 16001)
     found = roughness_in(Points(y, 1e-3 * np.sin(2.0 * np.pi * y / 0.03)), 0.8)
-    # Whole waves but for the last, of 267; ends are as good as the rest.
+    # Without half a cutoff at either end.
     assert_allclose([found.ra, found.rq, found.rz], [2e-3 / np.pi, 1e-3 / np.sqrt(2.0), 2e-3], rtol=5e-3)
-    assert found.sections == 10
+    assert found.sections == 9
     assert found.main_band[0] < 0.03 < found.main_band[1]
     assert_allclose(math.hypot(*(band[2] for band in found.bands)), found.rq, rtol=5e-3)
+
+
+@pytest.mark.parametrize(
+    ("form", "rtol"),
+    [
+        (lambda y: -(y**2) / 120.0, 2e-3),
+        (lambda y: np.sqrt(400.0 - y**2), 2e-3),
+        (lambda y: 2e-3 * y - y**4 / 1e5, 2e-3),
+        (lambda y: 3.3e-3 * np.log(1.0 - 0.98 * (y / 4.0) ** 2), 0.2),  # no polynomial, and 13 um at its ends
+    ],
+    ids=["barrel", "circle", "quartic", "logarithmic"],
+)
+def test_roughness_is_that_of_the_surface_whatever_its_form(form, rtol):
+    y = np.linspace(-4.0, 4.0, 801)
+    rough = 5e-5 * np.sin(2.0 * np.pi * y / 0.05)
+    flat, found = roughness_in(Points(y, rough), 0.8), roughness_in(Points(y, form(y) + rough), 0.8)
+    assert_allclose(flat.ra, np.mean(np.abs(rough)), rtol=2e-3)
+    assert_allclose(found.ra, flat.ra, rtol=rtol)
+    assert found.rz >= 2.0 * found.ra
+
+
+def test_a_line_in_wrong_units_is_doubted():
+    """Positions in um that are taken for mm, of a crown of 500 mm and 10 mm; of one of 5 mm and 0.1 mm."""
+    for length, radius, what in ((1e4, 5e8, "is 10 m long"), (100.0, 5e6, "has a radius of 5 km")):
+        y = np.linspace(-0.5 * length, 0.5 * length, 501)
+        found = prepare(Trace(y, -(y**2) / (2.0 * radius)), smooth=False).warnings
+        assert [each for each in found if "check the units" in each] == [
+            f"The line {what}: check the units of its positions and heights."
+        ]
+    y = np.linspace(-5.0, 5.0, 501)
+    straight = Trace(y, 1e-5 * np.random.default_rng(1).standard_normal(501))
+    assert not any("check the units" in each for each in prepare(straight).warnings)
 
 
 def test_a_gap_is_told(measured):

@@ -453,7 +453,7 @@ def profile(
     smooth : str
         Filter: gaussian, spline or no.
     cutoff : str
-        Wavelength at which the filter transmits 50 %, 0.8 mm by default.
+        Wavelength at which the filter transmits 50 %; by default 0.8 mm, or a fifth of a shorter land.
     slope : str
         Slope at which a chamfer begins, 0.05 by default.
     points : str

@@ -11,7 +11,7 @@ import numpy as np
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import flag, listed, one_of
 from nonhertz.measured.corners import CORNER_CUTOFF, resolved
-from nonhertz.measured.filters import unresolved
+from nonhertz.measured.filters import nominal_form, shortest_cutoff, unresolved
 from nonhertz.measured.land import SurfaceStep, steps_in
 from nonhertz.measured.roughness import (
     HALF_WIDTH,
@@ -37,7 +37,7 @@ from nonhertz.measured.steps import (
     Trim,
     enough_points,
 )
-from nonhertz.measured.trace import Array, Points, Trace
+from nonhertz.measured.trace import LONGEST, Array, Points, Trace
 from nonhertz.model.profile import Profile, Tabulated, tabulated
 from nonhertz.model.profile.table import Interpolation
 
@@ -51,6 +51,9 @@ _MANY_OUTLIERS = 0.02
 _MANY_GAPS = 5
 # Fraction of the line whose points may lie too far apart for the filter before a warning is given.
 _COARSE = 0.01
+# mm, and how much more of the line a parabola of that radius has to be than everything else: a line in wrong units.
+_LARGEST_RADIUS, _PLAIN = 1e6, 5.0
+_SURELY_LONG = 10.0  # mm, of a trace whose land is longer than the cutoff: no step has to be made to know
 
 
 @dataclass(frozen=True, eq=False)
@@ -213,7 +216,8 @@ class Measured:
             One sentence each; empty if there are no warnings.
         """
         sentences = list(strain_on_strips(self.points.on_land, half_width, pressure, compliance, self._has("smooth")))
-        sentences += [*_bridged(self.points.gaps), *self._coarse(), *self._coarse_corners(), *self._stepped()]
+        sentences += [*self._doubted(), *_bridged(self.points.gaps), *self._coarse(), *self._coarse_corners()]
+        sentences += self._stepped()
         for state in self.states:
             count = state.numbers.get("removed", 0.0)
             if state.name == "outliers" and count > _MANY_OUTLIERS * (len(state.points) + count):
@@ -253,6 +257,20 @@ class Measured:
             return []
         return [_in_words(step) for step in steps_in(self._before(*slopes), next(iter(slopes.values())))]
 
+    def _doubted(self) -> list[str]:
+        """Return a sentence if the line is as long, or as little curved, as one is whose units are wrong."""
+        points = self._before("smooth", "thin").on_land
+        curve = nominal_form(points, 2)
+        bow = curve - nominal_form(points, 1)
+        radius = points.span**2 / (8.0 * max(float(np.ptp(bow)), 1e-300))
+        if self.trace.span > LONGEST:
+            what = f"The line is {1e-3 * self.trace.span:.3g} m long"
+        elif radius > _LARGEST_RADIUS and np.std(bow) > _PLAIN * np.std(points.height - curve):
+            what = f"The line has a radius of {1e-6 * radius:.3g} km"
+        else:
+            return []
+        return [f"{what}: check the units of its positions and heights."]
+
     def _coarse(self) -> list[str]:
         """Return a sentence if the points that were smoothed do not resolve the cutoff everywhere."""
         if not self._has("smooth"):
@@ -281,7 +299,8 @@ class Measured:
     @property
     def _cutoff(self) -> float:
         cutoffs = [step.cutoff for step in self.steps if isinstance(step, Smooth)]
-        return cutoffs[0] if cutoffs else min(CUTOFF, 0.2 * self._before("smooth", "thin").on_land.span)
+        points = self._before("smooth", "thin").on_land
+        return cutoffs[0] if cutoffs else max(min(CUTOFF, 0.2 * points.span), shortest_cutoff(points))
 
     def _has(self, name: str) -> bool:
         return any(step.name == name for step in self.steps)
@@ -303,7 +322,7 @@ def prepare(
     corner: Corners = "keep",
     outliers: float | bool = True,
     smooth: bool | Filter = "gaussian",
-    cutoff: float = CUTOFF,
+    cutoff: float | None = None,
     slope: float | None = None,
     points: int | str | bool = "auto",
 ) -> Measured:
@@ -325,8 +344,8 @@ def prepare(
         Robust standard deviations beyond which points are removed, True for five; False keeps all.
     smooth : str or False
         ``"gaussian"``, ``"spline"``, or False to keep the roughness.
-    cutoff : float
-        Wavelength [mm] of the filter.
+    cutoff : float or None
+        Wavelength [mm] of the filter; None for 0.8 mm, or a fifth of a land that is shorter.
     slope : float or None
         Slope at which a chamfer begins; 0.05 if None.
     points : str, int or False
@@ -354,9 +373,12 @@ def prepare(
         steps.append(Trim(_length(trim), limit, corner))
     if outliers is not False:
         steps.append(Outliers(THRESHOLD if outliers is True else outliers))
-    if smooth is not False:
-        steps.append(Smooth(cutoff, "gaussian" if smooth is True else smooth))
     measured = Measured(trace, tuple(steps))
+    if smooth is not False:
+        if cutoff is None:
+            length = trace.span if trace.span > _SURELY_LONG else measured.points.on_land.span
+            cutoff = CUTOFF if length >= CUTOFF else 0.2 * length
+        measured = measured.smoothed(cutoff, "gaussian" if smooth is True else smooth)
     return _thinned(measured, points, smooth is not False)
 
 

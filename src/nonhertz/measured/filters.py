@@ -9,7 +9,8 @@ length that it represents: interpolating first would attenuate the wave where po
 points per cutoff and by a sixth at five. Where a line ends or has a gap, the weight has no points on one side. There
 the mean is replaced by the straight line that fits best under the same weight (moments of order zero and one are kept,
 as ISO 16610-28 requires): inside, where the weight is symmetric, that is the same filter, and a line that ends on a
-slope keeps it. A running mean alone would lift the end of a crown.
+slope keeps it. A running mean alone would lift the end of a crown, and both lower a curved line everywhere, a parabola
+of radius R by (alpha c)^2 / (4 pi R). So the parabola of least squares is taken off before a filter and added again.
 
 The spline filter (ISO 16610-22) is the natural cubic smoothing spline. It minimises the squared distance plus
 (c / 2 pi)^4 times the squared second derivative, transmits 1 / (1 + (c / l)^4), and also ends on a straight line.
@@ -59,11 +60,8 @@ def gaussian(points: Points, cutoff: float) -> Array:
     for weight and transmission; ISO 16610-28:2016 for ends.
     """
     check_cutoff(points, cutoff)
-    # Relative to the mean, so that no digits are lost if the line lies far from zero.
-    mean = float(np.average(points.height, weights=points.weights))
-    y, height = points.y, points.height - mean
-    # A point between two gaps represents no length, yet it is the only one there.
-    weight = np.where(points.weights > 0.0, points.weights, np.min(points.weights[points.weights > 0.0]))
+    form = nominal_form(points, 2)
+    y, height, weight = points.y, points.height - form, _positive(points.weights)
     smooth = np.empty(len(y))
     begin = 0
     while begin < len(y):
@@ -72,7 +70,7 @@ def gaussian(points: Points, cutoff: float) -> Array:
         near = slice(int(first), int(last))
         smooth[begin:end] = _regressed(y[near], height[near], weight[near], y[begin:end], cutoff)
         begin = end
-    return mean + smooth
+    return np.asarray(form + smooth)
 
 
 def spline(points: Points, cutoff: float) -> Array:
@@ -92,13 +90,25 @@ def spline(points: Points, cutoff: float) -> Array:
     from scipy.interpolate import make_smoothing_spline
 
     check_cutoff(points, cutoff)
-    y, height, weight = _gathered(points, cutoff / _PER_CUTOFF)
+    form = nominal_form(points, 2)
+    y, height, weight = _gathered(points.lifted(points.height - form), cutoff / _PER_CUTOFF)
     if len(y) < FEWEST_POINTS:
         condition = f"divide the points into at least {FEWEST_POINTS} groups, each a fortieth of it wide"
         raise InputError("cutoff", cutoff, condition, "give a shorter one, or use the gaussian filter")
     # In units of the cutoff: the equations of a spline in millimetres are a million times worse conditioned.
     curve = make_smoothing_spline(y / cutoff, height, weight / cutoff, lam=(0.5 / math.pi) ** 4)
-    return np.asarray(curve(points.y / cutoff))
+    return np.asarray(form + curve(points.y / cutoff))
+
+
+def nominal_form(points: Points, degree: int) -> Array:
+    """Return the heights [mm] of the polynomial of least squares through a line, at its points."""
+    fit = np.polynomial.Polynomial.fit(points.y, points.height, degree, w=np.sqrt(_positive(points.weights)))
+    return np.asarray(fit(points.y))
+
+
+def _positive(weights: Array) -> Array:
+    """Return weights above zero: a point between two gaps represents no length, yet is the only one there."""
+    return np.maximum(weights, np.min(weights[weights > 0.0]))
 
 
 def check_cutoff(points: Points, cutoff: float) -> None:

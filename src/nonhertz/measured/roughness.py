@@ -21,7 +21,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nonhertz.measured.filters import gaussian, shortest_cutoff
+from nonhertz.measured.filters import gaussian, nominal_form, shortest_cutoff
 from nonhertz.measured.trace import Array, Points
 from nonhertz.model.materials import MATERIALS
 
@@ -32,11 +32,12 @@ STEEL_COMPLIANCE = 2.0 * MATERIALS["steel"].compliance
 # Fraction of the contact's pressure that short waves may need.
 _RIPPLE = 0.1
 _OCTAVES = 6
+_DEGREE = 4  # of the nominal form: circles and crowns, without waves of less than half the line
 
 
 @dataclass(frozen=True)
 class Roughness:
-    """Height parameters of what a Gaussian filter removes, ISO 21920-2.
+    """Height parameters of what a Gaussian filter removes once the nominal form is taken off, ISO 21920-2.
 
     Attributes
     ----------
@@ -69,6 +70,9 @@ class Roughness:
 def roughness_in(points: Points, cutoff: float) -> Roughness:
     """Return the roughness of a line.
 
+    The polynomial of degree four of least squares is taken off as the nominal form; on a line of two cutoffs or more,
+    half a cutoff at either end, where the filter has points on one side only, is left out.
+
     Parameters
     ----------
     points : Points
@@ -91,17 +95,20 @@ def roughness_in(points: Points, cutoff: float) -> Roughness:
     ISO 21920-2:2021, Geometrical product specifications - Surface texture: Profile - Terms, definitions and surface
     texture parameters.
     """
-    rough = points.height - gaussian(points, cutoff)
-    sections = max(int(points.span / cutoff + 1e-9), 1)
-    of = np.minimum(((points.y - points.y[0]) / points.span * sections).astype(int), sections - 1)
+    points = points.lifted(points.height - nominal_form(points, _DEGREE))
+    end = 0.5 * cutoff if points.span >= 2.0 * cutoff else 0.0
+    inside = (points.y >= points.y[0] + end) & (points.y <= points.y[-1] - end)
+    rough, y, weights = ((points.height - gaussian(points, cutoff))[inside], points.y[inside], points.weights[inside])
+    sections = max(round((y[-1] - y[0]) / cutoff), 1)
+    of = np.minimum(((y - y[0]) / (y[-1] - y[0]) * sections).astype(int), sections - 1)
     heights = [np.ptp(rough[of == k]) for k in range(sections) if np.any(of == k)]
     return Roughness(
-        ra=float(np.average(np.abs(rough), weights=points.weights)),
-        rq=float(np.sqrt(np.average(rough**2, weights=points.weights))),
+        ra=float(np.average(np.abs(rough), weights=weights)),
+        rq=float(np.sqrt(np.average(rough**2, weights=weights))),
         rz=float(np.mean(heights)),
         sections=len(heights),
         cutoff=cutoff,
-        bands=_bands(points.y, rough, cutoff),
+        bands=_bands(y, rough, cutoff),
     )
 
 

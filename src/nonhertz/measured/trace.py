@@ -21,6 +21,7 @@ _HOLE, _DROPOUT = 2.5, 1.5
 # A line is evenly spaced if many of its steps equal the usual one within a tenth, and few lie between that and a hole.
 _EVEN, _UNEVEN, _TENTH = 0.25, 0.02, 0.1
 FARTHEST = 1e6  # mm; no machine measures a kilometre
+LONGEST = 1e3  # mm; few measure more than a metre, and a file in um taken for mm looks that long
 
 
 @dataclass(frozen=True, eq=False)
