@@ -86,12 +86,47 @@ def test_all_dialects_of_columns_are_the_same_line(name):
         ("X [MM];Z [UM]", 1.0, 1e-3),
         ("# y [mm] z [um]", 1.0, 1e-3),
         ("# measured with care [twice]\n# y [mm]; z [um]\n#", 1.0, 1e-3),
+        ("X um;Z um", 1e-3, 1e-3),
+        ("Lateral um;Raw Micrometer;", 1e-3, 1e-3),
+        ('"X, mm";"Z, um"', 1.0, 1e-3),
+        ("X: um;Z: um.", 1e-3, 1e-3),
+        ("µm;µm", 1e-3, 1e-3),
+        ("um;um\nX;Z", 1e-3, 1e-3),
+        ("# X mm, Z um", 1.0, 1e-3),
+        ("X mm Z um", 1.0, 1e-3),
+        ("X (mu m);Z (1e-6 m)", 1e-3, 1e-3),
+        ("X (10⁻⁶ m);Z (10^-9 m)", 1e-3, 1e-6),
+        ("X mm;Z angstrom", 1.0, 1e-7),
+        ("X (mm);Z (Å)", 1.0, 1e-7),
+        ("X Millimeter;Z Mikrometer", 1.0, 1e-3),
+        ("X in;Z mils", 25.4, 0.0254),
+        ("Z..um.;Z..um.", 1e-3, 1e-3),
+        ("Units: mm, um", 1.0, 1e-3),
+        ("X unit = mm\nZ unit = um\nX;Z", 1.0, 1e-3),
+        ("X mm;Z um\nLength;10 cm", 1.0, 1e-3),
     ],
 )
 def test_units_are_taken_from_the_head(head, position, height):
     trace = read_trace((head + "\n").encode() + lines("{};{}"))
     assert_allclose(trace.y, position * Y, rtol=1e-12)
     assert_allclose(trace.height, height * UM, rtol=1e-12)
+
+
+@pytest.mark.parametrize("head", ["all values in um", "[um]", "X [?m];Z [?m]", "X ?m;Z ?m", "X (A);Z (A)", "# um"])
+def test_a_unit_that_belongs_to_no_column_or_is_none_of_length_is_asked_for(head):
+    text = (head + "\n").encode() + lines("{};{}")
+    with pytest.raises(InputError, match=r"must state (the|a) unit of .*give position_unit and height_unit"):
+        read_trace(text)
+    assert_allclose(read_trace(text, position_unit="um", height_unit="um").height, 1e-3 * UM, rtol=1e-12)
+
+
+def test_a_line_of_metres_is_taken_for_micrometres_that_were_not_stated():
+    text = b"\n".join(b"%g %g" % (1e4 * y, 1e-3 * z) for y, z in PAIRS)
+    with pytest.raises(
+        InputError, match=r"state the unit of its positions \(in mm the line would be 1\.25e\+04 long\)"
+    ):
+        read_trace(text)
+    assert_allclose(read_trace(text, position_unit="um").y, 10.0 * Y, rtol=1e-12)
 
 
 def test_stated_units_go_before_those_of_the_head():
@@ -101,8 +136,10 @@ def test_stated_units_go_before_those_of_the_head():
 
 def test_a_unit_that_is_taken_for_granted_is_noted():
     flat = b"".join(b"%d 0.00%d\n" % (k, k % 3) for k in range(8))
-    assert any("taken as mm" in note for note in read_trace(flat).notes)
-    assert not any("taken as mm" in note for note in read_trace(flat, height_unit="mm").notes)
+    taken = "The file states no unit for its {}; they were taken as mm."
+    assert read_trace(flat).notes == (taken.format("positions and heights"),)
+    assert read_trace(flat, height_unit="mm").notes == (taken.format("positions"),)
+    assert read_trace(flat, position_unit="mm", height_unit="mm").notes == ()
 
 
 def test_micrometres_without_a_unit_are_not_taken_for_millimetres():
@@ -141,7 +178,28 @@ def test_order_and_repetition_are_put_right_and_noted():
     assert "averaged" in " ".join(sorted_.notes)
 
 
-@pytest.mark.parametrize("cell", ["", "NaN", "*****", "BAD", "-", "n/a"])
+FOOTERS = ["END", "Ra;0.12;um", "</data>", "*** end ***", "point.end\nspline.end", "\n6 points", "Rz 0.5 um\n0.7"]
+
+
+@pytest.mark.parametrize("footer", FOOTERS)
+def test_what_stands_below_the_points_is_left_out_with_a_note(footer):
+    trace = read_trace(lines("{};{}") + footer.encode(), height_unit="um")
+    assert_allclose(trace.height, 1e-3 * UM, rtol=1e-12)
+    assert "What stands below the points was left out, from line " in " ".join(trace.notes)
+
+
+@pytest.mark.parametrize("mark", ["{} *", "* {}", "{};*", "{}*", "{}!", "> {}", '" {}', '"{}"', "{} # outlier"])
+def test_marks_beside_numbers_are_left_out(mark):
+    rows = [f"{y};{z}" for y, z in PAIRS]
+    rows[2], rows[4] = mark.format(rows[2]), mark.format(rows[4])
+    assert_allclose(read_trace("\n".join(rows).encode(), height_unit="um").height, 1e-3 * UM, rtol=1e-12)
+
+
+MISSING = ["", "NaN", "*****", "BAD", "-", "n/a", "1.#QNAN", "1.#QNAN00", "-1.#IND", "1.#INF", "1.#J", "1,#QNAN"]
+MISSING += ["-nan(ind)", "-nan", "nan(0x8000)", "NaNQ", "Infinity", "#N/A", "#NV", "#DIV/0!", "<NA>", "null", "\u221e"]
+
+
+@pytest.mark.parametrize("cell", MISSING)
 def test_points_that_were_not_measured_are_gaps(cell):
     rows = [f"{y};{z}" for y, z in PAIRS]
     rows[2] = f"{PAIRS[2][0]};{cell}"
@@ -149,6 +207,10 @@ def test_points_that_were_not_measured_are_gaps(cell):
     trace = read_trace("\n".join(rows).encode() + b"\n1.5;-5\n", height_unit="um")
     assert trace.gaps == ((0.25, 1.0),)
     assert "2 of 7 points have no value" in " ".join(trace.notes)
+    begun = read_trace(
+        f"y;z\n{cell};{cell}x\n".replace("x", "" if cell else "nan").encode() + lines("{};{}"), height_unit="um"
+    )
+    assert "1 of 7 points have no value" in " ".join(begun.notes) or not any(map(str.isalnum, cell))
 
 
 def written(y: np.ndarray, height: np.ndarray) -> bytes:
@@ -266,7 +328,43 @@ def x3p(**changes: object) -> bytes:
     return stream.getvalue()
 
 
+def simpack(kind: int = 0, factor: float = 1e3) -> bytes:
+    head = f"! SIMPACK\n  header.begin\n type = {kind} ! 0=rail, 1=wheel\n  header.end\n  spline.begin\n"
+    head += f"    units.len.f = {factor:+.15e} ! unit\n    point.begin\n! y value (lengths unit)  z value  weight\n"
+    sign = -1e-3 if kind == 0 else 1e-3
+    return (
+        lines_of(head, lambda y, z: f"{y * factor / 1e3} {sign * z * factor / 1e3} 1.0")
+        + b"    point.end\n  spline.end\n"
+    )
+
+
+def miniprof() -> bytes:
+    head = "Filename=R1.ban\nXYPoints=6\nTilt=\nColumnDef=X,Y,A\n\n"
+    return lines_of(head, lambda y, z: ('" ' if z else "  ") + f"{y:.7E}\t{1e-3 * z:.7E}\t0.5")
+
+
+def workbook(*rows: object) -> bytes:
+    import openpyxl
+
+    book, stream = openpyxl.Workbook(), io.BytesIO()
+    book.active.append(["made", "by", "hand"])
+    sheet = book.create_sheet("Data")
+    for row in (["Instrument", 7], [], *(rows or ([None, "X (mm)", "Z (µm)"], *([None, *pair] for pair in PAIRS)))):
+        sheet.append(row)
+    book.save(stream)
+    return stream.getvalue()
+
+
+def lines_of(head: str, form) -> bytes:
+    return (head + "\n".join(form(y, z) for y, z in PAIRS) + "\n").encode()
+
+
 FORMATS = {
+    "Simpack rail": simpack(),
+    "Simpack wheel in metres": simpack(kind=1, factor=1.0),
+    "MiniProf": miniprof(),
+    "workbook": workbook(),
+    "workbook of text": workbook(["X um", "Z nm"], *([f"{1e3 * y:.1f}", f"{1e3 * z:.0f}"] for y, z in PAIRS)),
     "smd": smd(),
     "prf": prf(),
     "marwin": marwin(),
@@ -360,7 +458,11 @@ DAMAGED = {
     "only a head": (b"y [mm];z [um]\n", r"must hold two columns of numbers \(no line has any\)"),
     "one point": (b"0 1\n", r"must hold at least 5 positions \(there is one position\)"),
     "text in a cell": (lines("{} {}") + b"1.5 x7\n", r"must hold a number in line 7, column 2 \(there is 'x7'\)"),
-    "text behind": (lines("{} {}") + b"end of data\n", r"must hold 2 columns in line 7 as above \(there are 3"),
+    "text between": (lines("{} {}") + b"end of data\n1.5 -3\n", r"must hold 2 columns in line 7 as elsewhere \(there"),
+    "a row of one": (lines("{} {}") + b"1.5\n", r"must hold 2 columns in line 7 as elsewhere \(there are 1: '1\.5'\)"),
+    "an old workbook": (b"\xd0\xcf\x11\xe0" + bytes(99), r"must be a file that can be read \(this is a workbook\)"),
+    "workbook cut off": (workbook()[:-99], r"must be an intact workbook \(file is not a zip file\): save it as CSV"),
+    "workbook of words": (workbook(["a", "b"]), r"must hold two columns of numbers"),
     "three columns": (lines("{0};{1};0"), r"must hold two columns, or have two of its 3 chosen: give"),
     "one column": (b"1\n2\n3\n4\n5\n6\n", r"must hold two columns of numbers \(there is only one number per line\)"),
     "nothing measured": (b"nan nan\n" * 9, r"must hold two columns of numbers"),
@@ -368,7 +470,7 @@ DAMAGED = {
     "one position": (b"1 2\n1 3\n1 4\n1 5\n1 6\n", r"must hold at least 5 positions \(there is one position\)"),
     "a number for nothing": (lines("{} {}") + b"1.5 3.4e38\n", r"must hold .* within a kilometre \(there is one of 3"),
     "no length": (b"".join(b"%de-9 0.%d\n" % (k, k) for k in range(7)), r"must hold positions that are further apart"),
-    "binary": (bytes(range(256)) * 4, r"must be text in columns, a MarWin text export, .smd, .prf or .x3p"),
+    "binary": (bytes(range(256)) * 4, r"must be text in columns, a MarWin text export, .smd, .prf, .x3p or .xlsx"),
     "unit of time": (b"y [mm];z [s]\n" + lines("{};{}"), r"must state a unit of length for each column"),
     "no unit": (b"y [mm];z [apples]\n" + lines("{};{}"), r"must state a unit of length for each column"),
     "commas of both kinds": (b"0,001,-13,5\n0,002,-13,6\n" * 4, r"must distinguish decimal commas from commas between"),
@@ -411,7 +513,7 @@ DAMAGED = {
     ),
     "version of zip": (in_directory(x3p(), 6, b"\x7d"), r"must be an intact X3P file \(zip file version 12\.5\)"),
     "no name in zip": (in_directory(container(b"<a/>", name="x"), 28, b"\0\0\1\0"), r"must be an intact X3P file"),
-    "packed otherwise": (container(b"<a/>", zipfile.ZIP_LZMA), r"must be compressed as X3P files are \(deflate\)"),
+    "packed otherwise": (container(b"<a/>", zipfile.ZIP_LZMA), r"must be compressed by deflate"),
     "many elements": (container(b"<r>" + b"<a/>" * 100_000 + b"</r>"), r"must have .* no more than 100,000 elements"),
     "long description": (container(b" " * 8_000_001), r"must have a description of no more than 8 MB"),
     "deep elements": (container(b"<a>" * 51), r"must have a description nested no deeper than 50 elements"),

@@ -75,7 +75,7 @@ def read_ring_shape(
     # To the reader of traces angles are positions, and pass through it unchanged as mm.
     request = Request(name, position_unit="mm", height_unit=deviation_unit, sense="height")
     line = _columns([_STATED.sub("mm", line) for line in lines[:_HEAD]] + lines[_HEAD:], request)
-    if not line.unit_known:
+    if not line.units_known[1]:
         raise request.refuse("state the unit of its deviations", _UNIT_OF_DEVIATIONS)
     known = np.isfinite(line.y) & np.isfinite(line.height)
     angle = line.y[known] * _TO_RAD[angle_unit or _stated(lines, request)]

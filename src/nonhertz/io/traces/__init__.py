@@ -1,7 +1,8 @@
 """From files of measuring machines to a `nonhertz.measured.Trace`.
 
-The format is recognised from the content, not from the file's extension: text in columns, a text export of Mahr's
-MarWin, a profile in the records of ISO 5436-2 (.smd, and the .prf of Taylor Hobson's instruments), or an X3P container.
+The format is recognised from the content, not from the file's extension: text in columns, that of MiniProf and Simpack
+included, a workbook, a text export of Mahr's MarWin, a profile in the records of ISO 5436-2 (.smd, and the .prf of
+Taylor Hobson's instruments), or an X3P container.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from nonhertz.io.traces.columns import read_columns
 from nonhertz.io.traces.line import Line, Request, made
 from nonhertz.io.traces.mahr import is_marwin, read_marwin
 from nonhertz.io.traces.records import is_records, read_records
+from nonhertz.io.traces.sheets import is_workbook, lines_of_workbook
 from nonhertz.io.traces.text import decoded
 from nonhertz.io.traces.x3p import is_container, read_container
 from nonhertz.measured.trace import Trace
@@ -62,8 +64,9 @@ def read_trace(
     InputError
         If the file cannot be read, is larger than 20 MB, or holds more than 500,000 points (100,000 where X3P writes
         them as text) or a line of more than 5,000 characters; or if it holds anything other than one measured line.
-        The message names file, line and reason. Heights without a unit are refused if, taken as mm, they would vary by
-        a tenth of the length of the line or more, or be steeper than 1 : 2 from point to point.
+        The message names file, line and reason. Positions without a unit are refused if, taken as mm, they would be
+        longer than a metre, heights if they would vary by a tenth of the length of the line or more, or be steeper than
+        1 : 2 from point to point.
 
     Examples
     --------
@@ -102,6 +105,9 @@ def _bounded(data: bytes, name: str) -> bytes:
 
 
 def _line(data: bytes, request: Request) -> Line:
+    if is_workbook(data):
+        lines, notes = lines_of_workbook(data, request)
+        return read_columns(lines, request).noted(*notes)
     if is_container(data):
         return read_container(data, request)
     if is_records(data):

@@ -1,23 +1,33 @@
-"""Text in columns: any separator, decimal points or commas, comments, a header with names and units.
+"""Text in columns: any separator, decimal points or commas, comments, a header with names and units, a footer.
 
 Ambiguity is refused, never guessed away: commas that may be decimal commas or separators, more than two columns
-without a choice, a line that is not all numbers. The message quotes the line.
+without a choice, a line between the points that is not all numbers. The message quotes the line.
 """
 
 from __future__ import annotations
 
 import math
 import re
+from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 
 import numpy as np
 
 from nonhertz.errors import InputError
-from nonhertz.io.traces.heads import column_called, counts_drop, listed, names_of_columns, shown, unit_in
+from nonhertz.io.traces.dialects import stated_by
+from nonhertz.io.traces.heads import (
+    cells_of,
+    column_called,
+    counts_drop,
+    listed,
+    names_of_columns,
+    shown,
+    units_of_columns,
+)
 from nonhertz.io.traces.line import MOST_POINTS, Line, Request, in_mm
-from nonhertz.io.traces.text import LONGEST_HEAD, value_in
+from nonhertz.io.traces.text import COMMENT, LONGEST_HEAD, value_in, without_comment
 from nonhertz.measured.trace import Array
 
 # Without any of these characters, `float` reads a cell as `value_in` does, but three times as fast.
@@ -26,7 +36,8 @@ _WHOLE = re.compile(r"[-+]?\d+")
 _PADDED = re.compile(r"[-+]?0\d+")  # 001166: the digits after a decimal comma
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}(?:,\d{3})+")
 _BELOW_THOUSAND = re.compile(r"[-+]?[1-9]\d{0,2}")
-_COMMENT = re.compile(r"\s*(?:#|%|//|'|!)+\s*")
+_MARK = re.compile(r"^[*!>~&+]\s+|\s*[;,|\t]?\s*[*!<~&\u2020]$")
+_BEGUN = re.compile(r"[-+]?[.,]?\d")
 _MOST_CELLS = 4 * MOST_POINTS
 _NAMES_WITHIN = 100  # lines above the numbers
 _AS_TEXT = "write two columns of numbers, position and height"
@@ -34,16 +45,33 @@ _AS_TEXT = "write two columns of numbers, position and height"
 
 @dataclass(frozen=True)
 class _Layout:
-    """How a line is split into cells."""
+    """How a line is split into cells, and how numbers are written."""
 
     separator: str | None  # None: whitespace
     comma: bool  # whether decimals are written with a comma
 
-    def split(self, line: str) -> list[str]:
-        """Return the cells of a line."""
-        if self.separator is None:
-            return line.split()
-        return [_unquoted(cell.strip()) for cell in line.split(self.separator)]
+    def cells(self, line: str) -> list[str]:
+        """Return the cells of a line, without a comment behind them."""
+        return cells_of(without_comment(line), self.separator)
+
+    def value(self, cell: str) -> float | None:
+        """Return the number in a cell, as `value_in`."""
+        return value_in(cell.replace(",", ".") if self.comma else cell)
+
+    def row(self, line: str) -> list[float] | None:
+        """Return the numbers of a line, None if it holds anything else."""
+        if not _ODD.search(line) and not (self.comma and "." in line):
+            try:
+                return list(map(float, (line.replace(",", ".") if self.comma else line).split(self.separator)))
+            except ValueError:
+                pass
+        values = []
+        for cell in self.cells(line):
+            value = self.value(cell)
+            if value is None:
+                return None
+            values.append(value)
+        return values
 
 
 def read_columns(lines: Sequence[str], request: Request) -> Line:
@@ -55,18 +83,88 @@ def read_columns(lines: Sequence[str], request: Request) -> Line:
         With the number of the offending line.
     """
     written = [(k, line.strip()) for k, line in enumerate(lines, start=1)]
-    numbered = [(k, line) for k, line in written if line and not _COMMENT.match(line)]
+    numbered = [(k, line) for k, line in written if line and not COMMENT.match(line)]
     layout = _layout(numbered, request)
-    beginning = islice(numbered, LONGEST_HEAD + 1)
-    first = next((k for k, (_, line) in enumerate(beginning) if _is_data(line, layout)), None)
-    if first is None:
+    rows = [layout.row(line) for _, line in numbered]
+    widths = Counter(len(row) for row in rows if row and _measured(row))
+    width = widths.most_common(1)[0][0] if widths else 0
+    wide = [k for k, row in enumerate(rows) if row and len(row) == width]
+    # A line of dashes below a head reads as missing values.
+    first = next((k for k in wide if any(map(str.isalnum, numbered[k][1]))), None)
+    if first is None or first > LONGEST_HEAD:
         raise request.refuse(f"hold two columns of numbers ({_instead(numbered)})", _AS_TEXT)
-    head, body = numbered[:first], numbered[first:]
-    table = _table(body, layout, request)
-    above = [line for _, line in written[max(body[0][0] - 1 - _NAMES_WITHIN, 0) : body[0][0] - 1]]
-    remarks = [_COMMENT.sub("", line, count=1) for line in above if _COMMENT.match(line)]
-    names = names_of_columns([line for _, line in head[-_NAMES_WITHIN:]], remarks, table.shape[1], layout.split)
-    return _converted(table, _chosen(table, names, request), names, layout, request)
+    last = wide[-1]
+    if width * (last + 1 - first) > _MOST_CELLS:
+        condition = f"hold no more than {_MOST_CELLS:,} numbers (there are {last + 1 - first:,} lines of {width:,})"
+        raise request.refuse(condition, "export fewer points, or the columns of positions and heights alone")
+    body, notes = _between(numbered, rows, (first, last), layout, request)
+    table = np.array(body)
+    while table.shape[1] > 2 and np.all(np.isnan(table[:, -1])):
+        table = table[:, :-1]
+    head = [line for (_, line), row in zip(numbered[:first], rows[:first], strict=True) if row is None]
+    defaults, note = stated_by(head)
+    request = replace(request, **{key: value for key, value in defaults.items() if getattr(request, key) is None})
+    begin = numbered[first][0] - 1
+    above = [line for _, line in written[max(begin - _NAMES_WITHIN, 0) : begin]]
+    inside = [line for _, line in written[begin : numbered[last][0]] if COMMENT.match(line)]
+    hidden = sum(len(layout.row(COMMENT.sub("", line, count=1)) or []) == width for line in inside)
+    notes += [f"{hidden} lines of numbers between the points are comments and were left out."] if hidden else []
+    remarks = [COMMENT.sub("", line, count=1) for line in above if COMMENT.match(line)]
+    head = head[-_NAMES_WITHIN:]
+    names = names_of_columns(head, remarks, table.shape[1], layout.separator)
+    chosen = _chosen(table, names, request)
+    units = units_of_columns([names[k] for k in chosen], [*head, *remarks], request)
+    values = [table[:, column] * in_mm("unit", unit or "mm") for column, unit in zip(chosen, units, strict=True)]
+    told = [note] if note else []
+    for what, unit in zip(("Positions", "Heights"), units, strict=True):
+        told += [f"{what} were converted from {unit} to mm."] if (unit or "mm") != "mm" else []
+    told += ["Commas were read as decimal commas."] if layout.comma else []
+    drop = request.sense == "drop" or counts_drop(names[chosen[1]], request)
+    known = units[0] is not None, units[1] is not None
+    return Line(values[0], values[1], (*told, *notes), known, drop)
+
+
+def _measured(row: list[float]) -> bool:
+    return len(row) > 1 and not all(map(math.isnan, row))
+
+
+def _between(
+    numbered: list[tuple[int, str]],
+    rows: list[list[float] | None],
+    ends: tuple[int, int],
+    layout: _Layout,
+    request: Request,
+) -> tuple[list[list[float]], list[str]]:
+    """Return the rows from the first to the last, and notes on what was left out; refuse lines that may be points."""
+    (first, last), width = ends, len(rows[ends[0]] or ())
+    body, marked = [], 0
+    for (number, line), row in zip(numbered[first : last + 1], rows[first : last + 1], strict=True):
+        whole = row is not None and len(row) == width
+        found = row if whole else layout.row(_MARK.sub("", line))
+        if found is None or len(found) != width:
+            raise _no_row(number, line, width, layout, request)
+        marked += not whole
+        body.append(found)
+    notes = [f"{marked} lines have a mark beside their numbers, which was left out."] if marked else []
+    if first and _measured(rows[first - 1] or []):
+        raise _no_row(*numbered[first - 1], width, layout, request)
+    footer = numbered[last + 1 :]
+    if footer:
+        number, line = footer[0]
+        if number == numbered[last][0] + 1 and _BEGUN.match(line):
+            raise _no_row(number, line, width, layout, request)
+        notes.append(f"What stands below the points was left out, from line {number} on ({shown(line)}).")
+    return body, notes
+
+
+def _no_row(number: int, line: str, width: int, layout: _Layout, request: Request) -> InputError:
+    cells = layout.cells(line)
+    if len(cells) != width:
+        condition = f"hold {width} columns in line {number} as elsewhere (there are {len(cells)}: {shown(line)})"
+        return request.refuse(condition, "correct or delete that line")
+    column, cell = next((k, cell) for k, cell in enumerate(cells, start=1) if layout.value(cell) is None)
+    condition = f"hold a number in line {number}, column {column} (there is {shown(cell)})"
+    return request.refuse(condition, "correct or delete that line; write nan where nothing was measured")
 
 
 def _instead(numbered: list[tuple[int, str]]) -> str:
@@ -90,8 +188,8 @@ def _layout(numbered: list[tuple[int, str]], request: Request) -> _Layout:
 
 def _comma_layout(sample: list[tuple[int, str]], request: Request) -> _Layout:
     blanks, commas = _Layout(None, comma=True), _Layout(",", comma=False)
-    read = [(number, line) for number, line in sample if _is_data(line, blanks) and "." not in line]
-    if len(read) > sum(_is_data(line, commas) for _, line in sample):
+    read = [(number, line) for number, line in sample if _measured(blanks.row(line) or []) and "." not in line]
+    if len(read) > sum(_measured(commas.row(line) or []) for _, line in sample):
         _refuse_thousands(read, blanks, request)
         return blanks
     for number, line in sample:
@@ -108,7 +206,7 @@ def _comma_layout(sample: list[tuple[int, str]], request: Request) -> _Layout:
 def _with_decimal_commas(sample: list[tuple[int, str]], separator: str, request: Request) -> bool:
     """Return whether the lines of numbers have decimal commas, whatever the header above them contains."""
     layout = _Layout(separator, comma=True)
-    read = [(number, line) for number, line in sample if _is_data(line, layout)]
+    read = [(number, line) for number, line in sample if _measured(layout.row(line) or [])]
     if not any("," in line for _, line in read) or any("." in line for _, line in read):
         return False
     _refuse_thousands(read, layout, request)
@@ -119,7 +217,7 @@ def _refuse_thousands(lines: list[tuple[int, str]], layout: _Layout, request: Re
     """Refuse a column such as 500, 1,000, 1,500, which decimal commas would turn into 500, 1, 1.5."""
     columns: dict[int, list[tuple[int, str]]] = {}
     for number, line in lines:
-        for place, cell in enumerate(layout.split(line)):
+        for place, cell in enumerate(layout.cells(line)):
             columns.setdefault(place, []).append((number, cell))
     for column in columns.values():
         parted = [(number, cell) for number, cell in column if "," in cell]
@@ -131,85 +229,24 @@ def _refuse_thousands(lines: list[tuple[int, str]], layout: _Layout, request: Re
             raise request.refuse(condition, "write decimal points and no thousands separators")
 
 
-def _unquoted(cell: str) -> str:
-    return cell[1:-1].strip() if len(cell) > 1 and cell[0] == cell[-1] == '"' else cell
-
-
 def _mostly(sample: list[tuple[int, str]], holds: Callable[[str], bool]) -> bool:
     return sum(holds(line) for _, line in sample) > 0.5 * len(sample)
 
 
-def _is_data(line: str, layout: _Layout) -> bool:
-    cells = _cells(line, layout)
-    measured = False
-    for cell in cells:
-        value = _value(cell, layout)
-        if value is None:
-            return False
-        measured = measured or not math.isnan(value)
-    return measured and len(cells) > 1
-
-
-def _cells(line: str, layout: _Layout) -> list[str]:
-    return layout.split(line.split("#", 1)[0].strip() if "#" in line and "#n/a" not in line.lower() else line)
-
-
-def _value(cell: str, layout: _Layout) -> float | None:
-    return value_in(cell.replace(",", ".") if layout.comma else cell)
-
-
-def _table(body: list[tuple[int, str]], layout: _Layout, request: Request) -> Array:
-    """Return all numbers, one row per line; empty columns after a trailing separator are dropped."""
-    width = len(_cells(body[0][1], layout))
-    if width * len(body) > _MOST_CELLS:
-        condition = f"hold no more than {_MOST_CELLS:,} numbers (there are {len(body):,} lines of {width:,})"
-        raise request.refuse(condition, "export fewer points, or the columns of positions and heights alone")
-    table = np.array(
-        [_plain_row(line, width, layout) or _row(number, line, width, layout, request) for number, line in body]
-    )
-    while table.shape[1] > 2 and np.all(np.isnan(table[:, -1])):
-        table = table[:, :-1]
-    return table
-
-
-def _plain_row(line: str, width: int, layout: _Layout) -> list[float] | None:
-    """Return the numbers of a line that holds nothing else; None for any other line."""
-    if _ODD.search(line) or (layout.comma and "." in line):
-        return None
-    try:
-        row = list(map(float, (line.replace(",", ".") if layout.comma else line).split(layout.separator)))
-    except ValueError:
-        return None
-    return row if len(row) == width else None
-
-
-def _row(number: int, line: str, width: int, layout: _Layout, request: Request) -> list[float]:
-    cells = _cells(line, layout)
-    if len(cells) != width:
-        condition = f"hold {width} columns in line {number} as above (there are {len(cells)}: {shown(line)})"
-        raise request.refuse(condition, "correct or delete that line")
-    row = []
-    for column, cell in enumerate(cells, start=1):
-        value = _value(cell, layout)
-        if value is None:
-            condition = f"hold a number in line {number}, column {column} (there is {shown(cell)})"
-            raise request.refuse(condition, "correct or delete that line; write nan where nothing was measured")
-        row.append(value)
-    return row
-
-
 def _chosen(table: Array, names: list[str], request: Request) -> tuple[int, int]:
     requested = {"position_column": request.position_column, "height_column": request.height_column}
-    columns = table.shape[1]
+    filled = [k for k in range(table.shape[1]) if not np.all(np.isnan(table[:, k]))]
     found = {field: column_called(field, value, names) for field, value in requested.items() if value is not None}
     if len(found) == 2:
         if found["position_column"] == found["height_column"]:
             condition = "differ from position_column"
             raise InputError("height_column", request.height_column, condition, "choose two columns")
         return found["position_column"], found["height_column"]
-    if columns > 2:
+    if not found and table.shape[1] > 2 and len(filled) == 2:
+        return filled[0], filled[1]
+    if table.shape[1] > 2:
         names = [name or f"column {k}" for k, name in enumerate(names, start=1)] if any(names) else []
-        condition = f"hold two columns, or have two of its {columns} chosen"
+        condition = f"hold two columns, or have two of its {table.shape[1]} chosen"
         condition += f" ({listed(names)})" if names else ""
         raise request.refuse(condition, "give position_column and height_column, by number from 1 or by name")
     if found:
@@ -226,18 +263,3 @@ def _refuse_swapped(table: Array, request: Request) -> None:
     if back and (np.all(second > 0.0) or np.all(second < 0.0)):
         condition = f"have its positions in the first column (it reverses in {back} places and the second in none)"
         raise request.refuse(condition, "give position_column = 2, or 1 if it really is the first")
-
-
-def _converted(table: Array, chosen: tuple[int, int], names: list[str], layout: _Layout, request: Request) -> Line:
-    notes, values = [], []
-    known = True
-    for field, column, what in zip(("position_unit", "height_unit"), chosen, ("Positions", "Heights"), strict=True):
-        stated = unit_in(names[column], request)
-        unit = getattr(request, field) or stated or "mm"
-        known = known if field == "position_unit" else bool(getattr(request, field) or stated)
-        values.append(table[:, column] * in_mm(field, unit))
-        if unit != "mm":
-            notes.append(f"{what} were converted from {unit} to mm.")
-    if layout.comma:
-        notes.append("Commas were read as decimal commas.")
-    return Line(values[0], values[1], tuple(notes), known, counts_drop(names[chosen[1]], request))

@@ -2,56 +2,71 @@
 
 from __future__ import annotations
 
+import csv
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Iterable, Sequence
 
 from nonhertz.errors import InputError
-from nonhertz.io.traces.line import Request, in_mm
+from nonhertz.io.traces.lengths import millimetres
+from nonhertz.io.traces.line import Request
 
-# "y [mm]", "z (um)", "height / nm", "y_mm", "z in um"
-_UNIT = re.compile(r"\[\s*([^\W\d_]+)\s*\]|\(\s*([^\W\d_]+)\s*\)|(?:/|_|\bin)\s*([^\W\d_]+)\s*$")
-_BARE_UNIT = re.compile(r"\[?\s*(mm|um|µm|μm|nm|cm|m|in|inch)\s*\]?")
+_BRACKETS = re.compile(r"\[([^][]*)\]|\(([^()]*)\)|\{([^{}]*)\}|<([^<>]*)>")
+_BETWEEN_WORDS = re.compile(r"[\s_/|:;,=\"'*#]+|\.+(?=\s|$)|(?<=[^\W\d])[.-]+(?=[^\W\d])")
+_NUMBER = re.compile(r"[-+]?\d[\d.,]*(?:e[-+]?\d+)?", re.IGNORECASE)
+# "Z ?m": the Greek letter was lost on the way to ASCII.
+_LOST = re.compile(r"[?\ufffd]m")
+_SAYS_UNIT = re.compile(r"units?(?![a-z])|einheit", re.IGNORECASE)
+_OF_POSITIONS, _OF_HEIGHTS = re.compile(r"\bx|lateral|pos|length", re.I), re.compile(r"\bz|height|vertical|depth", re.I)
 _DROP = re.compile(r"relief|drop", re.IGNORECASE)
 # A depth may be positive downwards from the surface, or be the height to which a stylus descended.
 _EITHER = re.compile(r"\b(?:depth|wear)", re.IGNORECASE)
-_SHOWN, _LISTED = 40, 8
+_SHOWN, _LISTED, _WORDS_BEHIND_UNIT = 40, 8, 2
 
 
-def names_of_columns(
-    head: Sequence[str], remarks: Sequence[str], width: int, split: Callable[[str], list[str]]
-) -> list[str]:
+def names_of_columns(head: Sequence[str], remarks: Sequence[str], width: int, separator: str | None) -> list[str]:
     """Return the names of the columns, "" for each if there are none.
 
-    They are the last line of the header with as many cells as there are columns; units below them are added. If the
-    header has no such line, comments above the numbers are searched: `numpy.savetxt` writes names that way.
+    They are the last line of the header with as many cells as there are columns, one with units before one without;
+    a line of nothing but units is added to the line above it. If the header has no such line, comments above the
+    numbers are searched: `numpy.savetxt` writes names that way.
     """
-    rows = [cells for line in head if len(cells := _cells(line, width, split)) == width]
-    if not rows:
-        stated = [cells for line in remarks if _are_names(cells := _cells(line, width, split), line, width)]
-        return stated[-1] if stated else [""] * width
-    if len(rows) > 1 and all(_BARE_UNIT.fullmatch(cell) for cell in rows[-1]):
-        return [f"{name} [{unit.strip('[] ')}]" for name, unit in zip(rows[-2], rows[-1], strict=True)]
-    return rows[-1]
+    rows = [cells for line in head if (cells := _cells(line, width, separator)) and not _SAYS_UNIT.search(cells[0])]
+    stated = [cells for line in remarks if (cells := _cells(line, width, separator)) and _are_names(cells, line)]
+    for k in range(len(rows) - 1, -1, -1):
+        if all(millimetres(cell) for cell in rows[k]):
+            above = rows[k - 1] if k else [""] * width
+            return [f"{name} [{unit.strip('[](){}<> ')}]" for name, unit in zip(above, rows[k], strict=True)]
+        if any(map(_stated, rows[k])):
+            return rows[k]
+    return (stated[-1:] or rows[-1:] or [[""] * width])[0]
 
 
-def unit_in(name: str, request: Request) -> str | None:
-    """Return the unit that a column's name states, None if it states none.
+def units_of_columns(names: Sequence[str], lines: Iterable[str], request: Request) -> list[str | None]:
+    """Return the units of positions and heights, as options or file state them; None where neither does.
+
+    Parameters
+    ----------
+    names : (str, str)
+        Names of the two columns.
+    lines : iterable of str
+        The other lines above the numbers.
 
     Raises
     ------
     InputError
-        If it states a unit of something other than length.
+        If the file states a unit that is none of length, or one that cannot be assigned to a column.
     """
-    found = _UNIT.search(name)
-    if found is None:
-        return None
-    unit = next(group for group in found.groups() if group)
-    if _is_length(unit):
-        return unit
-    if found.group(3):  # "y_axis": a word after an underscore is not a unit
-        return None
-    condition = f"state a unit of length for each column (there is {shown(name)})"
-    raise request.refuse(condition, "write mm, um, nm, m or in in the line of names")
+    found = [request.position_unit or _unit_in(names[0], request), None]
+    found[1] = request.height_unit or _unit_in(names[1], request)
+    others = [line for line in lines if not all(name and name in line for name in names)]
+    declared = _declared([line for line in others if _SAYS_UNIT.search(line)])
+    found = [unit or other for unit, other in zip(found, declared, strict=True)]
+    stray = next((line for line in others if _stated(line, at_end=True)), None)
+    if None in found and not any(declared) and stray is not None:
+        what = "positions" if found[0] is None else "heights"
+        condition = f"state the unit of its {what} beside the name of their column (there is {shown(stray)})"
+        raise request.refuse(condition, "give position_unit and height_unit, such as 'mm' and 'um'")
+    return found
 
 
 def counts_drop(name: str, request: Request) -> bool:
@@ -103,32 +118,83 @@ def shown(text: str) -> str:
     return repr(text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "...")
 
 
-def _cells(line: str, width: int, split: Callable[[str], list[str]]) -> list[str]:
-    """Return the cells of a line of names, which may be separated differently from the numbers."""
-    for parts in (split(line), re.split(r"\s*[;\t|,]\s*", line), re.split(r"\s{2,}", line)):
-        cells = [cell.strip(" \"'") for cell in parts]
-        while len(cells) > width and not cells[-1]:
-            cells.pop()
-        if len(cells) == width:
-            return cells
-    # "y [mm] z [um]", one blank between all words
-    joined = re.findall(r"[^\s\[(]+\s*(?:\[[^][]*\]|\([^()]*\))?", line)
-    return [cell.strip() for cell in joined]
+def cells_of(line: str, separator: str | None) -> list[str]:
+    """Return the cells of a line, without quotation marks; None separates by blanks."""
+    if line.count('"') % 2:
+        line = line.replace('"', " ")  # MiniProf: a mark, which closes nowhere
+    elif line.count('"') == 2 and line[0] == line[-1] == '"':
+        line = line[1:-1]
+    if separator is None:
+        return line.replace('"', " ").split()
+    if '"' not in line:
+        return [cell.strip() for cell in line.split(separator)]
+    return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
 
 
-def _are_names(cells: list[str], line: str, width: int) -> bool:
+def _cells(line: str, width: int, separator: str | None) -> list[str]:
+    """Return the cells of a line of names, which may be separated differently from the numbers; [] if it is none."""
+    splits = [cells_of(line, each) for each in (separator, ";", "\t", ",", "|")]
+    for cells in (*splits, re.split(r"\s{2,}", line), _closed_by_units(line)):
+        plain = [cell.strip(" \"'") for cell in cells]
+        while len(plain) > width and not plain[-1]:
+            plain.pop()
+        if len(plain) == width:
+            return plain
+    return []
+
+
+def _closed_by_units(line: str) -> list[str]:
+    """Return the names in "y [mm] z [um]" or "y mm z um", with one blank between all words."""
+    names: list[str] = [""]
+    for word in re.findall(r"[^\s\[(]+|\[[^][]*\]|\([^()]*\)", line):
+        names[-1] = f"{names[-1]} {word}".strip()
+        if _stated(names[-1]) not in (None, "in"):  # "all values in um" is no column of inches
+            names.append("")
+    return names[:-1] if len(names) > 1 and not names[-1] else line.split()
+
+
+def _are_names(cells: list[str], line: str) -> bool:
     """Return whether a comment is a line of names: words separated by more than blanks, or with units of length."""
-    if len(cells) != width:
-        return False
-    units = [next(group for group in found.groups() if group) for cell in cells if (found := _UNIT.search(cell))]
-    if units:
-        return all(map(_is_length, units))
+    units = [_stated(cell) for cell in cells]
+    if any(units) or any(_BRACKETS.search(cell) for cell in cells):
+        return all(units)
     return bool(re.search(r"[;\t|,]", line)) and all(re.fullmatch(r"\w+", cell) for cell in cells)
 
 
-def _is_length(unit: str) -> bool:
-    try:
-        in_mm("unit", unit)
-    except InputError:
-        return False
-    return True
+def _stated(name: str, *, at_end: bool = False) -> str | None:
+    """Return the unit of length in a name, in brackets or as a word that follows no number; None if there is none."""
+    for found in reversed(list(_BRACKETS.finditer(name))):
+        unit = next(group for group in found.groups() if group is not None)
+        if millimetres(unit) and not (at_end and name[found.end() :].strip(" .,:;")):
+            return unit.strip()
+    words = [word for word in _BETWEEN_WORDS.split(_BRACKETS.sub(" ", name)) if word]
+    for last in range(len(words), 0, -1):
+        for count in (2, 1):  # "mu m", "um"
+            unit, before = " ".join(words[max(last - count, 0) : last]), words[: max(last - count, 0)]
+            if millimetres(unit) and not (before and _NUMBER.fullmatch(before[-1])):
+                return unit
+        if at_end or last == len(words) - _WORDS_BEHIND_UNIT:
+            break
+    return None
+
+
+def _unit_in(name: str, request: Request) -> str | None:
+    """Return the unit that a column's name states, None if it states none; refuse one that is not of length."""
+    unit = _stated(name)
+    if unit is None and (_BRACKETS.search(name) or _LOST.search(name)):
+        condition = f"state a unit of length for each column (there is {shown(name)})"
+        raise request.refuse(condition, "write mm, um, nm, m or in there, or give position_unit and height_unit")
+    return unit
+
+
+def _declared(lines: Sequence[str]) -> list[str | None]:
+    """Return the units of positions and heights in lines such as "Units: mm, um" or "Z unit = um"."""
+    found: list[str | None] = [None, None]
+    for line in lines:
+        axis, tail = _SAYS_UNIT.split(line, maxsplit=1)
+        units = [word for word in re.split(r"[\s;,:=|()\[\]{}\"']+", tail) if millimetres(word)][:2]
+        if units and not (len(units) == 1 and _OF_HEIGHTS.search(axis)):
+            found[0] = found[0] or units[0]
+        if units and not (len(units) == 1 and _OF_POSITIONS.search(axis)):
+            found[1] = found[1] or units[-1]
+    return found

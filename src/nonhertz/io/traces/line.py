@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_of
-from nonhertz.measured.trace import FEWEST_POINTS, Array, Trace, dropouts, holes, usual_step
+from nonhertz.io.traces.lengths import millimetres
+from nonhertz.measured.trace import FEWEST_POINTS, LONGEST, Array, Trace, dropouts, holes, usual_step
 
 #: Points of the longest line that is read.
 MOST_POINTS = 500_000
@@ -20,9 +21,6 @@ _PLAUSIBLE, _PLAUSIBLE_SLOPE = 0.1, 0.5
 _LARGEST, _SHORTEST = 1e6, 1e-6
 # Positions closer than this fraction of the usual step, and than a nanometre, count as one: strokes differ by rounding.
 _SAME = 1e-3
-
-_MM = {"mm": 1.0, "um": 1e-3, "µm": 1e-3, "μm": 1e-3, "micron": 1e-3, "microns": 1e-3, "nm": 1e-6, "m": 1e3}
-_MM |= {"cm": 10.0, "in": 25.4, "inch": 25.4}
 
 
 @dataclass(frozen=True)
@@ -66,8 +64,8 @@ class Line:
         Positions and heights [mm], NaN where nothing was measured.
     notes : tuple of str
         How it has been processed so far.
-    unit_known : bool
-        Whether the unit of the heights was stated.
+    units_known : (bool, bool)
+        Whether the units of positions and heights were stated.
     drop : bool
         Whether the heights are positive where material is removed.
     """
@@ -75,7 +73,7 @@ class Line:
     y: Array
     height: Array
     notes: tuple[str, ...] = ()
-    unit_known: bool = True
+    units_known: tuple[bool, bool] = (True, True)
     drop: bool = False
 
     def noted(self, *notes: str) -> Line:
@@ -91,9 +89,7 @@ def in_mm(field: str, unit: str) -> float:
     InputError
         If it is not a unit of length.
     """
-    # "UM" can only mean "um"; "Mm" is a megametre.
-    factor = _MM.get(unit.strip()) or _MM.get(unit.strip().lower() if unit.isupper() and len(unit.strip()) > 1 else "")
-    if factor is not None:
+    if (factor := millimetres(unit)) is not None:
         return factor
     from nonhertz.io.units import in_unit
 
@@ -114,10 +110,10 @@ def made(line: Line, request: Request) -> Trace:
     if len(line.y) > MOST_POINTS:
         raise request.refuse(f"hold no more than {MOST_POINTS:,} points", "export fewer; a few thousand are enough")
     notes = list(line.notes)
-    known = np.isfinite(line.y) & np.isfinite(line.height)
-    if not np.all(known):
-        notes.append(f"{int(np.sum(~known))} of {len(known)} points have no value and were left out.")
-    y, height = line.y[known], line.height[known]
+    measured = np.isfinite(line.y) & np.isfinite(line.height)
+    if not np.all(measured):
+        notes.append(f"{int(np.sum(~measured))} of {len(measured)} points have no value and were left out.")
+    y, height = line.y[measured], line.height[measured]
     if len(y) == 0:
         raise request.refuse("hold measured points (there is no pair of numbers)", "export the profile again")
     y, height = _sorted(y, height, notes)
@@ -125,13 +121,14 @@ def made(line: Line, request: Request) -> Trace:
         found = "one position" if len(y) == 1 else f"{len(y)} positions"
         raise request.refuse(f"hold at least {FEWEST_POINTS} positions (there is {found})", "measure more points")
     _check_size(y, height, request)
-    if not line.unit_known:
-        _check_plausible(y, height, request)
-        notes.append("The file states no unit for its heights; they were taken as mm.")
+    _check_plausible(y, height, line.units_known, request)
+    unknown = [what for what, known in zip(("positions", "heights"), line.units_known, strict=True) if not known]
+    if unknown:
+        notes.append(f"The file states no unit for its {' and '.join(unknown)}; they were taken as mm.")
     if (request.sense or ("drop" if line.drop else "height")) == "drop":
         height = -height
         notes.append("The column is positive where material is removed; its sign was reversed.")
-    gaps = tuple(sorted({*dropouts(y, *_unmeasured(line, known)), *holes(y)}))
+    gaps = tuple(sorted({*dropouts(y, *_unmeasured(line, measured)), *holes(y)}))
     if gaps:
         places = ", ".join(f"{low:.5g} to {high:.5g}" for low, high in gaps[:5]) + (", ..." if len(gaps) > 5 else "")
         notes.append(f"Nothing was measured from y = {places} mm.")
@@ -179,17 +176,19 @@ def _check_size(y: Array, height: Array, request: Request) -> None:
         raise request.refuse(condition, "correct their unit or their column")
 
 
-def _check_plausible(y: Array, height: Array, request: Request) -> None:
+def _check_plausible(y: Array, height: Array, known: tuple[bool, bool], request: Request) -> None:
     drop, length = float(np.ptp(height)), float(y[-1] - y[0])
     steps = np.diff(y)
     # Points of two strokes lie arbitrarily close together, and slopes between them mean nothing.
     far = steps >= np.median(steps)
     slope = float(np.median(np.abs(np.diff(height)[far] / steps[far])))
-    if drop > _PLAUSIBLE * length:
-        absurd = f"in mm they would differ by {drop:.3g} on a length of {length:.3g}"
-    elif slope > _PLAUSIBLE_SLOPE:
-        absurd = f"in mm they would rise and fall by {slope:.3g} in a mm from point to point"
+    if not known[0] and length > LONGEST:
+        what, absurd = "position", f"in mm the line would be {length:.4g} long"
+    elif not known[1] and drop > _PLAUSIBLE * length:
+        what, absurd = "height", f"in mm they would differ by {drop:.3g} on a length of {length:.3g}"
+    elif not known[1] and slope > _PLAUSIBLE_SLOPE:
+        what, absurd = "height", f"in mm they would rise and fall by {slope:.3g} in a mm from point to point"
     else:
         return
-    condition = f"state the unit of its heights ({absurd})"
-    raise request.refuse(condition, "give height_unit, such as 'um', or 'mm' if they really are in mm")
+    remedy = f"give {what}_unit, such as 'um', or 'mm' if they really are in mm"
+    raise request.refuse(f"state the unit of its {what}s ({absurd})", remedy)

@@ -15,8 +15,17 @@ LONGEST_LINE = 5000
 
 _UTF_16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 _NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eEdD][-+]?[0-9]+)?")
-_MISSING = frozenset({"", "nan", "na", "n/a", "#n/a", "null", "none", "bad", "-", "--", "---", "inf", "-inf", "+inf"})
-_STARS = re.compile(r"\*+")
+# "Not measured" as written by hand, by C runtimes (Microsoft's 1.#QNAN, -1.#IND and 1.#J, glibc's -nan(0x8)), by
+# Fortran (a field of asterisks), Java, and by spreadsheets, in German too.
+_OF_SHEETS = r"#(?:n/?a|nv|div/0|num|ref|null|value|name|wert|zahl|bezug)\b[!?]?"
+_MISSING = re.compile(
+    r"[-+]?(?:nan[qs]?(?:\(\w*\))?|inf(?:inity)?|\d[.,]#\w*(?:e[-+]?\d+)?)"
+    rf"|{_OF_SHEETS}|<?n/?a>?|null|nil|none|bad|invalid|missing|void|-*|\*+|\?+|\.+|\u221e",
+    re.IGNORECASE,
+)
+#: What a line of comment begins with.
+COMMENT = re.compile(rf"\s*(?!{_OF_SHEETS})(?:#|%|//|'|!)+\s*", re.IGNORECASE)
+_COMMENT_BEHIND = re.compile(rf"(?:^|(?<=[\s;|])|(?<=\D,))(?!{_OF_SHEETS})#.*", re.IGNORECASE)
 # Bytes at the beginning of a file that are searched for what text does not hold.
 _LOOKED_AT = 65536
 _TEXT_CONTROLS = frozenset(b"\t\n\r\f\x1a")
@@ -69,7 +78,12 @@ def value_in(cell: str) -> float | None:
     """
     if _NUMBER.fullmatch(cell):
         return float(cell.replace("d", "e").replace("D", "e"))
-    return float("nan") if cell.lower() in _MISSING or _STARS.fullmatch(cell) else None
+    return float("nan") if _MISSING.fullmatch(cell) else None
+
+
+def without_comment(line: str) -> str:
+    """Return a line without the comment behind a ``#`` that begins no missing value of a spreadsheet or a runtime."""
+    return _COMMENT_BEHIND.sub("", line) if "#" in line else line
 
 
 def _text(data: bytes, name: str) -> tuple[str, tuple[str, ...]]:
@@ -95,5 +109,5 @@ def _as_utf_16(data: bytes, name: str, encoding: str) -> str:
 
 def _no_text(name: str) -> InputError:
     ending = " (Mahr's .pcd is binary and its format is not public)" if name.lower().endswith(".pcd") else ""
-    condition = f"be text in columns, a MarWin text export, .smd, .prf or .x3p{ending}"
+    condition = f"be text in columns, a MarWin text export, .smd, .prf, .x3p or .xlsx{ending}"
     return InputError("file", name, condition, "export the profile as text or X3P")

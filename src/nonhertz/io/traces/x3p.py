@@ -48,11 +48,11 @@ def read_container(data: bytes, request: Request) -> Line:
     """
     request.refuse_choices("an X3P file")
     try:
-        held = _profile(_sound(data, request), request)
+        held = _profile(sound(data, request), request)
     except InputError:
         raise
     except Exception as error:  # noqa: BLE001  (zip, XML and x3pio raise a dozen kinds of errors over damaged files)
-        raise request.refuse(f"be an intact X3P file ({_reason(error)})", _AGAIN) from None
+        raise request.refuse(f"be an intact X3P file ({reason_of(error)})", _AGAIN) from None
     layer = held.layers[0]
     notes = ["An X3P profile, converted from m to mm."]
     if len(held.layers) > 1:
@@ -85,7 +85,7 @@ def _profile(archive: bytes, request: Request) -> x3pio.Profile:
     return held
 
 
-def _sound(data: bytes, request: Request) -> bytes:
+def sound(data: bytes, request: Request) -> bytes:
     """Return a new archive of members that were unpacked within the limits, with a description that was checked.
 
     Raises
@@ -99,7 +99,7 @@ def _sound(data: bytes, request: Request) -> bytes:
     with zipfile.ZipFile(io.BytesIO(data)) as old, zipfile.ZipFile(stream, "w") as new:
         for member in old.infolist():
             if member.compress_type not in {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}:
-                raise request.refuse("be compressed as X3P files are (deflate)", _AGAIN)
+                raise request.refuse("be compressed by deflate, as such archives are", _AGAIN)
             content = _unpacked(old, member, left, request)
             left -= len(content)
             if member.filename.replace("\\", "/").rsplit("/", 1)[-1] == "main.xml":
@@ -160,6 +160,7 @@ class _Seen:
         raise self.request.refuse("have a description without definitions of its own (DOCTYPE)", _AGAIN)
 
 
-def _reason(error: Exception) -> str:
+def reason_of(error: Exception) -> str:
+    """Return what a library says of a damaged file, to be put in brackets."""
     text = " ".join(str(error).split()).rstrip(".") or type(error).__name__
     return text[:1].lower() + text[1:120]
