@@ -515,6 +515,7 @@ ENTRIES: dict[str, Entry] = {
         axial_displacement=(None, "number?"),
         tilt=(None, "number?"),
         speed=(0.0, "not negative"),
+        turning=("inner", "word"),
         method=("slices", "word"),
         laminae=(30, "whole"),
         maps=(None, "optional"),
@@ -530,6 +531,7 @@ ENTRIES: dict[str, Entry] = {
         tilt=(None, "many?"),
         displacement=(None, "optional"),
         speed=(0.0, "not negative"),
+        turning=("inner", "word"),
         method=("slices", "word"),
         laminae=(30, "whole"),
         maps=(None, "optional"),
@@ -570,9 +572,14 @@ ENTRIES: dict[str, Entry] = {
             roller=ROW.roller, inner=nh.Plate(depth=4.0), outer=nh.Plate(depth=4.0), rollers=13, pitch_diameter=60.0
         ).load_by_speed,
         speed=(100.0, "number"),
+        turning=("inner", "word"),
     ),
-    "bearing.SphericalRollerBearing.load_by_speed": entry(BARRELS.load_by_speed, speed=(100.0, "number")),
-    "bearing.RollerBearing.load_by_speed": entry(ROW.load_by_speed, speed=(100.0, "number")),
+    "bearing.SphericalRollerBearing.load_by_speed": entry(
+        BARRELS.load_by_speed, speed=(100.0, "number"), turning=("inner", "word")
+    ),
+    "bearing.RollerBearing.load_by_speed": entry(
+        ROW.load_by_speed, speed=(100.0, "number"), turning=("inner", "word")
+    ),
     "bearing.rating": entry(
         bearing.rating,
         bearing=(ROW, "thing"),
@@ -693,6 +700,7 @@ ENTRIES: dict[str, Entry] = {
         bearing.solve_spectrum,
         bearing=(ROW, "thing"),
         cases=([bearing.LoadCase(share=1.0, radial=3e3)], "several"),
+        turning=("inner", "word"),
         method=("slices", "word"),
         laminae=(30, "whole"),
         maps=(None, "optional"),

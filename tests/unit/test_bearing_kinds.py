@@ -129,20 +129,20 @@ def test_what_cannot_be_is_refused_in_one_sentence(make, message):
     assert message in str(refused.value)
 
 
-def momenta(row, rollers_density, speed, time):
+def momenta(row, rollers_density, speed, time, sense=-1.0):
     """Momentum of a tapered roller and its angular momentum about its middle's place now, from all its points."""
     half, slope = 0.5 * row.roller_length, np.tan(row.half_cone_angle)
     gauss, weights = np.polynomial.legendre.leggauss(12)
     y = half * gauss
     inclined = 0.5 * sum(row.contact_angles)
     ratio = row.roller_diameter * np.cos(row.nominal_angle) / row.pitch
-    cage, roll = 0.5 * speed * (1.0 - ratio), 0.5 * speed * row.pitch / row.roller_diameter * (1.0 - ratio**2)
+    cage, roll = 0.5 * speed * (1.0 + sense * ratio), 0.5 * speed * row.pitch / row.roller_diameter * (1.0 - ratio**2)
     x, radial = np.array([1.0, 0.0, 0.0]), np.array([0.0, np.cos(cage * time), np.sin(cage * time)])
     axis = np.cos(inclined) * x - np.sin(inclined) * radial
     across, tangent = np.cross(np.cross(x, radial), axis), np.cross(x, radial)
     middle = 0.5 * row.pitch * radial
-    # The inner ring turns faster than the cage, and a roller against the cage the other way.
-    turning, of_middle = cage * x - roll * axis, np.cross(cage * x, middle)
+    # An inner ring turns faster than the cage, and a roller against the cage the other way; with an outer ring its way.
+    turning, of_middle = cage * x + sense * roll * axis, np.cross(cage * x, middle)
     linear, angular = np.zeros(3), np.zeros(3)
     for place, weight in zip(y, weights * half, strict=True):
         outside = 0.5 * row.roller_diameter - place * slope
@@ -158,8 +158,10 @@ def momenta(row, rollers_density, speed, time):
     return linear, angular
 
 
-@pytest.mark.parametrize("length", [8.0, 24.0])
-def test_speed_loads_a_tapered_roller_with_what_its_points_need(length):
+@pytest.mark.parametrize(
+    ("length", "ring", "sense"), [(8.0, "inner", -1.0), (24.0, "inner", -1.0), (24.0, "outer", 1.0)]
+)
+def test_speed_loads_a_tapered_roller_with_what_its_points_need(length, ring, sense):
     """The rate of the momenta of all points of the roller, in space; the second one about where the middle is now."""
     taper = 0.05 * length
     cone = nh.Roller(diameter=nh.TabulatedDiameter((-length / 2, length / 2), (12 + taper, 12 - taper)), length=length)
@@ -167,14 +169,48 @@ def test_speed_loads_a_tapered_roller_with_what_its_points_need(length):
         roller=cone, inner=nh.Ring(diameter=88), outer=nh.Ring(diameter=-113.5), rollers=14, contact_angle=0.4,
     )  # fmt: skip
     speed, step = 300.0, 1e-6
-    (low, about_low), (high, about_high) = (momenta(row, row.density, speed, time) for time in (-step, step))
+    (low, about_low), (high, about_high) = (momenta(row, row.density, speed, time, sense) for time in (-step, step))
     force = (high - low) / (2.0 * step)
     moment = (about_high - about_low) / (2.0 * step) - np.cross([0.0, 0.5 * row.pitch, 0.0], force)
-    loads = row.load_by_speed(speed)
+    loads = row.load_by_speed(speed, ring)
     assert loads[1] == pytest.approx(-force[1], rel=1e-4)
     # A positive moment turns x towards r, about z where the roller is at y.
-    assert loads[2] == pytest.approx(-moment[2], rel=1e-4)
+    # Of the two parts, gyroscopic and of the centrifugal load on its lever, the difference is left under an outer ring.
+    largest = abs(loads[1] * row.inertia.middle)
+    assert loads[2] == pytest.approx(-moment[2], rel=1e-4, abs=0.0 if ring == "inner" else 1e-4 * largest)
     assert loads[2] < 0.0
+
+
+def test_a_turning_outer_ring_leads_the_rollers_around_faster(tmp_path):
+    """By hand: m omega_c^2 D_pw / 2 with omega_c = omega (1 + D / D_pw) / 2, 102.0 N; of an inner ring 46.6 N."""
+    cage = 15e3 * np.pi / 30.0 * 0.5 * (1.0 + 9.0 / 46.5)
+    by_hand = 7.85e-9 * 0.25 * np.pi * 81.0 * 10.0 * cage**2 * 0.5 * 46.5
+    assert by_hand == pytest.approx(102.0, abs=0.05)
+    path = tmp_path / "bearing.toml"
+    text = """
+        [bearing]
+        kind = "cylindrical"
+        rollers = 13
+        [roller]
+        diameter = 9.0
+        length = 10.0
+        [inner]
+        diameter = 37.5
+        [outer]
+        diameter = -55.5
+        [load]
+        speed = 15000
+        [solver]
+        method = "slices"
+        [life]
+        turning = "{ring}"
+    """
+    for ring, load in (("outer", by_hand), ("inner", 46.6)):
+        path.write_text(text.format(ring=ring), encoding="utf-8")
+        case = nh.read_bearing(path)
+        assert case.solve().load[:, 1] == pytest.approx(load, rel=1e-3)
+    with pytest.raises(nh.InputError, match="turning = 'both' must be one of"):
+        B.solve(case.bearing, speed=1e3, turning="both")
 
 
 def test_rollers_between_washers_are_turned_by_speed():

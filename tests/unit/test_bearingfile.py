@@ -418,7 +418,7 @@ MISTAKES = {
     ),
     "speed backwards": (
         f"{PLAIN}speed = -1\n",
-        ["load.speed = -1.0 must not be negative: give the speed of the inner ring in 1/min."],
+        ["load.speed = -1.0 must not be negative: give the speed of the ring that turns in 1/min."],
     ),
     "three components": (
         changed(PLAIN, ('"10 kN"', "[1, 2, 3]")),
@@ -680,7 +680,7 @@ def test_a_spectrum_is_assessed_in_place_of_the_load(tmp_path):
         nh.bearing.LoadCase(share=0.1, radial=20e3, speed=500.0),
         nh.bearing.LoadCase(share=0.6, radial=6e3, tilt=2e-4, speed=1000.0),
     ]
-    pairs = nh.bearing.solve_spectrum(case.bearing, cases, method="slices")
+    pairs = nh.bearing.solve_spectrum(case.bearing, cases, turning="outer", method="slices")
     expected = nh.bearing.assess(pairs, viscosity=60.0, speed=[500.0, 1000.0], turning="outer")
     assert case.assess(case.solve()) == expected
     case.write(tmp_path / "again.toml")

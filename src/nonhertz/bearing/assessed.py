@@ -171,7 +171,7 @@ def assess(
     laminae : int
         Number of slices.
     turning : {"inner", "outer"}
-        Which ring turns against the load.
+        Which ring turns against the load; at speed, as given to `solve`.
     dynamic, static : float, optional
         Ratings of a catalogue [N].
 

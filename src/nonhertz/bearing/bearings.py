@@ -278,17 +278,19 @@ class RollerBearing:
         transverse = np.trapezoid(0.5 * polar + line * (at - middle) ** 2, at)
         return Inertia(float(mass), float(middle), float(np.trapezoid(polar, at)), float(transverse))
 
-    def load_by_speed(self, speed: float) -> Array:
-        """Return what a speed of the inner ring [rad/s] loads every roller with: along x and r and as moment.
+    def load_by_speed(self, speed: float, turning: str = "inner") -> Array:
+        """Return what the speed of a turning ring [rad/s] loads every roller with: along x and r and as moment.
 
         The roller's axis e is led around the bearing's by the cage while the roller spins about e the other way. What
         loads it is -d/dt of its momentum, and of its angular momentum about its centre of mass.
         """
         finite("speed", speed, "give it in rad/s")
+        one_of("turning", turning, ("inner", "outer"), "name the ring that turns")
         roller, inclined = self.inertia, 0.5 * sum(self.contact_angles)
         ratio = self.roller_diameter * math.cos(self.nominal_angle) / self.pitch
-        cage = 0.5 * speed * (1.0 - ratio)
-        spin = -0.5 * speed * self.pitch / self.roller_diameter * (1.0 - ratio**2)
+        sense = -1.0 if turning == "inner" else 1.0
+        cage = 0.5 * speed * (1.0 + sense * ratio)
+        spin = sense * 0.5 * speed * self.pitch / self.roller_diameter * (1.0 - ratio**2)
         centrifugal = roller.mass * cage**2 * (0.5 * self.pitch - roller.middle * math.sin(inclined))
         # Of the angular momentum, what is square to the bearing's axis turns with the cage.
         along = roller.polar * (spin + cage * math.cos(inclined))
@@ -535,14 +537,14 @@ class SphericalRollerBearing(RollerBearing):
         inner, outer = self.contact_angles
         return raceway_motion(inner, inner=True, **barrel), raceway_motion(outer, inner=False, **barrel)
 
-    def load_by_speed(self, speed: float) -> Array:
-        """Return what a speed of the inner ring [rad/s] loads every roller with: along x and r and as moment.
+    def load_by_speed(self, speed: float, turning: str = "inner") -> Array:
+        """Return what the speed of a turning ring [rad/s] loads every roller with: along x and r and as moment.
 
         Only what presses barrels on the outer ring is left: on its sphere they would slide along their axes and turn
         under their gyroscopic moment until they jam, which the guide ring or the cage prevents.
         """
         square = np.array([math.sin(self.contact_angle), math.cos(self.contact_angle)])
-        return np.array([*(super().load_by_speed(speed)[:2] @ square * square), 0.0])
+        return np.array([*(super().load_by_speed(speed, turning)[:2] @ square * square), 0.0])
 
     @cached_property
     def contacts(self) -> tuple[Contact, Contact]:
@@ -593,9 +595,9 @@ class CylindricalThrustBearing(RollerBearing):
         """Whether the inner ring can bear a radial load."""
         return False
 
-    def load_by_speed(self, speed: float) -> Array:
+    def load_by_speed(self, speed: float, turning: str = "inner") -> Array:
         """Return the moment alone: the cage holds the rollers along their axes, in which direction they are flung."""
-        return np.array([0.0, 0.0, super().load_by_speed(speed)[2]])
+        return np.array([0.0, 0.0, super().load_by_speed(speed, turning)[2]])
 
 
 @dataclass(frozen=True)

@@ -33,7 +33,7 @@ class LoadCase:
     radial, axial, moment, radial_displacement, axial_displacement, tilt
         As in `solve`.
     speed : float
-        Of the inner ring [1/min], as in `solve`.
+        Of the ring that turns [1/min], as in `solve`.
 
     Raises
     ------
@@ -76,6 +76,7 @@ def solve_spectrum(
     bearing: RollerBearing | Paired,
     cases: Sequence[LoadCase],
     *,
+    turning: str = "inner",
     method: Method = "strips",
     laminae: int = LAMINAE,
     maps: BearingMaps | None = None,
@@ -88,7 +89,7 @@ def solve_spectrum(
         The bearing.
     cases : sequence of LoadCase
         The loads. Where their shares add up to less than 1, nothing is loaded for the rest.
-    method, laminae, maps
+    turning, method, laminae, maps
         As in `solve`.
 
     Returns
@@ -122,7 +123,7 @@ def solve_spectrum(
     if not cases or total > 1.0 + WHOLE:
         condition = "add up to 1 at most" if cases else "be of one load or more"
         raise InputError("share", round(total, 6), condition, "give all loads with their shares of the revolutions")
-    options: dict[str, Any] = {"method": method, "laminae": laminae, "maps": maps}
+    options: dict[str, Any] = {"turning": turning, "method": method, "laminae": laminae, "maps": maps}
     return tuple((solve(bearing, **case.load, **options), case.share) for case in cases)
 
 

@@ -34,7 +34,7 @@ METHODS = ("strips", "slices")
 # as the contacts of rollers that speed alone loads are long.
 GUIDING_SLICES, ROUGH_STRIPS, NEARBY = 81, 21, 1e-2
 _UNIT_OF_SPEED = math.pi / 30.0
-_SPEED_REMEDY = "give the speed of the inner ring in 1/min"
+_SPEED_REMEDY = "give the speed of the ring that turns in 1/min"
 
 
 def solve(
@@ -47,6 +47,7 @@ def solve(
     axial_displacement: float | None = None,
     tilt: ArrayLike | None = None,
     speed: float = 0.0,
+    turning: str = "inner",
     method: Method = "strips",
     laminae: int = LAMINAE,
     maps: BearingMaps | None = None,
@@ -66,7 +67,9 @@ def solve(
         Moment [N mm] on the inner ring or its rotation [rad]: about z, or about y and z. Without either the ring does
         not tilt. A positive tilt about z moves the ring at high x along +y.
     speed : float
-        Of the inner ring [1/min], for centrifugal loads and the rollers' gyroscopic moments.
+        Of the ring that turns [1/min], for centrifugal loads and the rollers' gyroscopic moments.
+    turning : {"inner", "outer"}
+        Which ring turns; the other is at rest, and so is the load.
     method : {"strips", "slices"}
         ``"strips"``: every contact by strips, on the automatic grid. ``"slices"``: the independent slices of ISO/TS
         16281, with the nominal contact angle at both rings and no ribs of tapered rows, for comparison.
@@ -106,7 +109,7 @@ def solve(
     >>> float(solve(row, radial=20e3, method="slices").load[0, 0].round(-1))
     6830.0
     """
-    setting = _Setting.checked(bearing, speed, method, laminae, maps)
+    setting = _Setting.checked(bearing, speed, turning, method, laminae, maps)
     given = {
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
@@ -134,6 +137,7 @@ def solve_many(
     tilt: ArrayLike | None = None,
     displacement: ArrayLike | None = None,
     speed: float = 0.0,
+    turning: str = "inner",
     method: Method = "strips",
     laminae: int = LAMINAE,
     maps: BearingMaps | None = None,
@@ -149,7 +153,7 @@ def solve_many(
         As in `solve`, along y, x and about z, broadcast against each other.
     displacement : array_like, shape (..., 5), optional
         All motions of the inner ring, in place of these: along x, y and z [mm] and about y and z [rad].
-    speed, method, laminae, maps
+    speed, turning, method, laminae, maps
         As in `solve`, for all states.
     threads : int, optional
         How many work on the states of slices or maps; all cores if left out. The results do not depend on it.
@@ -163,7 +167,7 @@ def solve_many(
     InputError
         If the input is invalid.
     """
-    setting = _Setting.checked(bearing, speed, method, laminae, maps)
+    setting = _Setting.checked(bearing, speed, turning, method, laminae, maps)
     given = {
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
@@ -196,7 +200,13 @@ class _Setting:
 
     @classmethod
     def checked(
-        cls, bearing: RollerBearing | Paired, speed: float, method: str, laminae: int, maps: BearingMaps | None
+        cls,
+        bearing: RollerBearing | Paired,
+        speed: float,
+        turning: str,
+        method: str,
+        laminae: int,
+        maps: BearingMaps | None,
     ) -> _Setting:
         if not isinstance(bearing, RollerBearing | Paired):
             remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing"
@@ -212,7 +222,7 @@ class _Setting:
                 raise InputError("maps", maps, "not be given with slices", "leave out method")
         rate = _UNIT_OF_SPEED * float(speed)
         rows = [row.bearing for row in bearing.rows]
-        load = np.concatenate([np.tile(each.load_by_speed(rate), (each.rollers, 1)) for each in rows])
+        load = np.concatenate([np.tile(each.load_by_speed(rate, turning), (each.rollers, 1)) for each in rows])
         return cls(bearing, method, laminae, maps, load)
 
     def solved(self, acting: Prescribed, threads: int = 1) -> States:

@@ -379,7 +379,7 @@ class BearingLoadTable(Table):
         default=None, description="moment on the inner ring [N mm] about z, or about y and z, in place of the tilt"
     )
     speed: Speed | None = Field(
-        default=None, description="speed of the inner ring [1/min], for centrifugal loads and the life"
+        default=None, description="speed of the ring that turns [1/min], for centrifugal loads and the life"
     )
 
     @model_validator(mode="wrap")
@@ -551,7 +551,7 @@ class BearingLifeTable(Table):
     )
     laminae: Laminae = Field(default=LAMINAE, description="number of laminae")
     turning: Annotated[Any, *_as_given({"enum": list(RINGS)})] = Field(
-        default="inner", description="which ring turns against the loads: 'inner' or 'outer'"
+        default="inner", description="which ring turns: 'inner' or 'outer'; the other is at rest, as the loads are"
     )
     dynamic: Force | None = Field(
         default=None, description="basic dynamic load rating C of a catalogue [N]; that of ISO 281 if left out"

@@ -179,7 +179,7 @@ class BearingCase:
         if not self.fit:
             return None
         try:
-            return operating(self.bearing.rows[0].bearing, self.fit, self.prescribed.get("speed"))
+            return operating(self.bearing.rows[0].bearing, self.fit, self._inner_speed)
         except InputError as error:
             raise placed(error, "fit") from None
 
@@ -195,9 +195,18 @@ class BearingCase:
         if not self.fit:
             return self.bearing
         try:
-            return mounted(self.bearing, self.fit, self.prescribed.get("speed"))
+            return mounted(self.bearing, self.fit, self._inner_speed)
         except InputError as error:
             raise placed(error, "fit") from None
+
+    @property
+    def _turning(self) -> str:
+        return str(self.life.get("turning", "inner"))
+
+    @property
+    def _inner_speed(self) -> float:
+        """The speed at which the inner ring and the shaft widen [1/min]."""
+        return float(self.prescribed.get("speed") or 0.0) if self._turning == "inner" else 0.0
 
     def solve(self, method: str | None = None) -> BearingSolution:
         """Return the loaded bearing, as `nonhertz.bearing.solve` does.
@@ -219,7 +228,7 @@ class BearingCase:
         chosen: dict[str, Any] = {} if method is None else {"method": method}
         bearing = self.mounted
         try:
-            return solve(bearing, **self.prescribed, **self.solver | chosen)
+            return solve(bearing, **self.prescribed, turning=self._turning, **self.solver | chosen)
         except InputError as error:
             raise placed(error) from None
 
@@ -242,7 +251,8 @@ class BearingCase:
             if not self.spectrum:
                 return assess(solution, **self.life)
             speeds = {"speed": [case.speed for case in self.spectrum]} if "viscosity" in self.life else {}
-            return assess(solve_spectrum(self.mounted, self.spectrum, **self.solver), **self.life | speeds)
+            pairs = solve_spectrum(self.mounted, self.spectrum, turning=self._turning, **self.solver)
+            return assess(pairs, **self.life | speeds)
         except InputError as error:
             if error.field in {*_SECTIONS["life"], "viscosity_ratio"}:
                 raise placed(error, "life") from None
