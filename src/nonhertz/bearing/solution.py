@@ -17,6 +17,7 @@ from nonhertz.bearing.unrolled import UnrolledPressure, loaded_shares, row_slice
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.hertz import PointContact
 from nonhertz.inputs.checks import one_of, whole
+from nonhertz.life.capacity import is_hollow
 from nonhertz.result.brief import plain_text
 from nonhertz.result.numerals import digits, sized_list, unit_for
 from nonhertz.result.solution import ReadOnly, Solution
@@ -181,7 +182,7 @@ class BearingSolution(ReadOnly):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What strains the model: contacts on ribs that reach an edge, the most loaded one of each ring."""
+        """What strains the model: contacts on ribs that reach an edge, the most loaded one of each ring; bores."""
         found = []
         every = self._ribs()
         for ring in RINGS:
@@ -193,6 +194,8 @@ class BearingSolution(ReadOnly):
                     f"The contact of roller {j} with a rib of the {ring} ring reaches {reach:.3g} mm along the flank, "
                     f"beyond an edge at {rib.room:.3g} mm, where the pressure is higher than Hertz's."
                 )
+        if self.method == "slices" and any(is_hollow(row.bearing.roller) for row in self.bearing.rows):
+            found.append("Slices take hollow rollers as solid ones, which are stiffer: solve the bearing by strips.")
         return tuple(found)
 
     def _ribs(self) -> list[tuple[Array, RibContact]]:

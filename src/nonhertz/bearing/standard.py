@@ -1,8 +1,9 @@
 """What ISO/TS 16281 makes of a bearing: independent slices under every roller.
 
 A roller between two raceways is cut into slices, whose loads are those of `nonhertz.life.lamina`. Of two equal contacts
-in series each has half of the deflection, and half of the relief of both. The standard is quoted from public programs
-that agree with each other.
+in series each has half of the deflection, and half of the relief of both: where rings are of different materials, half
+of the deflection of both, which is as the power 0.9 of their compliances. Rollers are solid ones. The standard is
+quoted from public programs that agree with each other.
 """
 
 from __future__ import annotations
@@ -22,4 +23,5 @@ def standard_slices(bearing: RollerBearing, laminae: int = LAMINAE) -> Slices:
     low, high = bearing.effective_interval
     y = low + (high - low) * (np.arange(laminae) + 0.5) / laminae
     relief = 0.5 * (inner.separation(y) + outer.separation(y))
-    return Slices(y, relief, lamina_stiffness(high - low, laminae), STIFFENING)
+    compliance = 0.5 * (inner.compliance ** (1.0 / STIFFENING) + outer.compliance ** (1.0 / STIFFENING))
+    return Slices(y, relief, lamina_stiffness(high - low, laminae, compliance**STIFFENING), STIFFENING)

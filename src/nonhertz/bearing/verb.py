@@ -92,7 +92,7 @@ def solve(
     Warns
     -----
     AccuracyWarning
-        If the contact with a rib reaches an edge.
+        If the contact with a rib reaches an edge, or slices take hollow rollers as solid.
 
     Notes
     -----
@@ -305,9 +305,12 @@ def _sliced(bearing: RollerBearing | Paired, load: Array, laminae: int) -> Syste
         # The standard knows of nothing that holds tapered rollers along their axes: what presses on raceways is left.
         normal = np.array([math.sin(angle), math.cos(angle), 0.0])
         load[first : first + row.bearing.rollers] = np.outer(load[first : first + row.bearing.rollers] @ normal, normal)
-        for column, gap in enumerate(row.gaps):
-            inner = column == 0
-            joints.append(Joint(inner, raceway_motion(angle, inner=inner), gap, law, column, first))
+        # Barrels align themselves; tapered rollers have the contact angle of the bearing at both rings.
+        motions = row.bearing.raceway_motions
+        if len(set(row.bearing.contact_angles)) > 1:
+            motions = raceway_motion(angle, inner=True), raceway_motion(angle, inner=False)
+        for column, (motion, gap) in enumerate(zip(motions, row.gaps, strict=True)):
+            joints.append(Joint(column == 0, motion, gap, law, column, first))
         if not angle:
             joints += _at_ribs(row, first)
         first += row.bearing.rollers

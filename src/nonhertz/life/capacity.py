@@ -33,7 +33,7 @@ import numpy as np
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import flag, not_negative, one_of, positive, whole
-from nonhertz.model.body import Body, BodyName, Ring, Roller
+from nonhertz.model.body import Body, BodyName, Ring, Roller, TabulatedDiameter
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
 
@@ -268,6 +268,12 @@ def _cone(roller: Body, interval: tuple[float, float]) -> float:
     slope = 0.5 * abs(_diameter(roller, high) - _diameter(roller, low)) / (high - low)
     # sin(c) / cos(c)^2 is the slope.
     return math.asin(2.0 * slope / (1.0 + math.sqrt(1.0 + 4.0 * slope**2)))
+
+
+def is_hollow(body: Body) -> bool:
+    """Return whether a body has a bore from end to end; recesses in its ends do not count."""
+    bore = body.bore
+    return bore is not None and (not isinstance(bore, TabulatedDiameter) or min(bore.diameter) > 0.0)
 
 
 def is_steel(material: Material) -> bool:

@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_of, text, whole
 from nonhertz.model.contact import Contact
+from nonhertz.model.material import STEEL
 from nonhertz.result.protocol import Solved
 
 Array = NDArray[np.float64]
@@ -33,20 +34,29 @@ SLOPE, EXPONENT = 9.0 / 8.0, 4.5
 EDGE_STRESS = ("pressure", "standard", "none")
 LINE_LOADS = ("solution", "standard")
 LEFT_OUT = 0.1  # around an end where the pressure has no limit, of the largest half-width
+_OF_STEEL = 2.0 * STEEL.compliance  # of a contact of steel on steel [1/MPa]
 STIFFENING = 10.0 / 9.0  # power of the deflection with which the load of a lamina grows
 
 
-def roller_stiffness(length: float) -> float:
-    """Return the load [N] of a roller of a length [mm] between two raceways per deflection [mm] to `STIFFENING`."""
-    return float(35948.0 * length ** (8.0 / 9.0))
+def roller_stiffness(length: float, compliance: float = _OF_STEEL) -> float:
+    """Return the load [N] of a roller of a length [mm] between two raceways per deflection [mm] to `STIFFENING`.
+
+    The standard's constant is that of steel. Palmgren's formula, of which it is the inverse, has for other materials
+
+        deflection = 0.39 {4 (1 - nu_1^2) / E_1 + 4 (1 - nu_2^2) / E_2}^0.9 Q^0.9 / L^0.8
+
+    per contact (3.84e-5 Q^0.9 / L^0.8 for steel; T. A. Harris, Rolling Bearing Analysis), so that the load of a
+    deflection is inversely as the compliance of the contact, K_a + K_b [1/MPa].
+    """
+    return float(35948.0 * length ** (8.0 / 9.0) * _OF_STEEL / compliance)
 
 
-def lamina_stiffness(length: float, laminae: int) -> float:
+def lamina_stiffness(length: float, laminae: int, compliance: float = _OF_STEEL) -> float:
     """Return the load of a lamina of one contact of such a roller, per penetration to `STIFFENING`.
 
     In the standard, both contacts of a roller deform in series; one of two equal contacts deforms half as much.
     """
-    return float(roller_stiffness(length) / laminae * 2.0**STIFFENING)
+    return float(roller_stiffness(length, compliance) / laminae * 2.0**STIFFENING)
 
 
 @dataclass(frozen=True)
@@ -230,7 +240,7 @@ def _slices(solution: Solved, edges: Array) -> Array:
     y = 0.5 * (edges[1:] + edges[:-1])
     gap = contact.separation(y) - solution.tilt * y
     gap -= gap.min()  # a large one in all slices would leave no digits for the approach
-    stiffness = lamina_stiffness(float(edges[-1] - edges[0]), y.size)
+    stiffness = lamina_stiffness(float(edges[-1] - edges[0]), y.size, contact.compliance)
 
     def loads(approach: float) -> Array:
         return np.asarray(stiffness * np.maximum(approach - gap, 0.0) ** STIFFENING)

@@ -70,7 +70,7 @@ def _of_roller(
     """
     stripped = solution.method == "strips"
     angles = bearing.contact_angles if stripped else (bearing.nominal_angle,) * 2
-    barrel = bearing.profile_radius if isinstance(bearing, SphericalRollerBearing) and stripped else np.inf
+    barrel = bearing.profile_radius if isinstance(bearing, SphericalRollerBearing) else np.inf
     by_speed = solution.roller_load[j]
     on_roller, turning = by_speed[0] * axis + by_speed[1] * radial, np.zeros(3)
     on_ring, about_middle = np.zeros(3), np.zeros(3)
