@@ -8,6 +8,7 @@ from numpy.testing import assert_allclose
 
 import nonhertz as nh
 from nonhertz.bearing.standard import standard_slices
+from nonhertz.show.bearing import summary_rows
 
 B = nh.bearing
 CONE = nh.Roller(diameter=nh.TabulatedDiameter((-5.825, 5.825), (10.94, 10.12)), length=11.65,
@@ -172,7 +173,7 @@ def test_speed_loads_a_tapered_roller_with_what_its_points_need(length, ring, se
         roller=cone, inner=nh.Ring(diameter=88), outer=nh.Ring(diameter=-113.5), rollers=14, contact_angle=0.4,
     )  # fmt: skip
     speed, step = 300.0, 1e-6
-    (low, about_low), (high, about_high) = (momenta(row, row.density, speed, time, sense) for time in (-step, step))
+    (low, about_low), (high, about_high) = (momenta(row, 7.85e-9, speed, time, sense) for time in (-step, step))
     force = (high - low) / (2.0 * step)
     moment = (about_high - about_low) / (2.0 * step) - np.cross([0.0, 0.5 * row.pitch, 0.0], force)
     loads = row.load_by_speed(speed, ring)
@@ -276,3 +277,32 @@ def test_slices_are_as_stiff_as_their_materials(name, of_strips):
 def test_slices_say_that_they_take_hollow_rollers_as_solid():
     with pytest.warns(nh.AccuracyWarning, match="take hollow rollers as solid ones"):
         B.solve(in_row(bore=5.0), radial=3e3, method="slices")
+
+
+def test_ceramic_rollers_have_their_density():
+    """46.6 N of steel rollers at 15,000/min times 3.2 / 7.85: 19.0 N."""
+    loads = {
+        name: in_row(material=nh.MATERIALS[name]).load_by_speed(15e3 * np.pi / 30.0)[1]
+        for name in ("steel", "100Cr6", "R260", "silicon-nitride", "zirconia")
+    }
+    assert loads["steel"] == loads["100Cr6"] == loads["R260"] == pytest.approx(46.6, abs=0.05)
+    assert loads["silicon-nitride"] == pytest.approx(19.0, abs=0.05)
+    assert loads["zirconia"] == pytest.approx(46.6 * 6.05 / 7.85, rel=1e-3)
+    odd = in_row(material=nh.Material(modulus=50e3, poisson=0.3))
+    assert odd.load_by_speed(0.0).tolist() == [0.0, 0.0, 0.0]
+    with pytest.raises(nh.InputError, match="density = None must be given for rollers that are neither of steel"):
+        odd.load_by_speed(1.0)
+
+
+def test_a_pitch_circle_lies_between_the_raceways():
+    assert dataclasses.replace(in_row(), pitch_diameter=46.6).pitch == 46.6
+    with pytest.raises(nh.InputError, match=r"pitch_diameter = 48\.0 must lie within 2 % .* of the 46\.5 mm between"):
+        dataclasses.replace(in_row(), pitch_diameter=48.0)
+
+
+@pytest.mark.parametrize(("outer", "said"), [(55.5, ""), (55.5184, ""), (55.55, "50.00 um"), (55.48, "-20.00 um")])
+def test_clearance_that_is_built_into_the_raceways_is_said_not_to_count(outer, said):
+    row = dataclasses.replace(in_row(), outer=nh.Ring(diameter=-outer, depth=3.25))
+    case = nh.BearingCase(row, {"radial": 1e3}, {"method": "slices"})
+    rows = [each for each in summary_rows(case, case.solve()) if each[2].startswith("left by the raceways")]
+    assert [each[1] for each in rows] == ([said] if said else [])

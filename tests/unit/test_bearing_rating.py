@@ -137,7 +137,7 @@ def test_the_reference_life_of_one_load_everywhere_is_that_of_the_capacities():
 
 
 def test_pressures_of_strips_shorten_the_life_where_a_tilt_loads_an_end():
-    upright, tilted = (B.solve(row(), radial=6e3, tilt=tilt) for tilt in (0.0, 3e-3))
+    upright, tilted = (B.solve(row(corner_radius=0.3), radial=6e3, tilt=tilt) for tilt in (0.0, 3e-3))
     lives = [B.assess(each).reference for each in (upright, tilted)]
     assert lives[1] < 0.8 * lives[0]
     # Without edge stress the load per length alone counts, and pressures of a good profile add little to it.
@@ -186,7 +186,8 @@ def test_what_is_out_of_range_is_refused_in_one_sentence(given, message):
 
 def test_shares_of_contacts_are_taken_as_they_are():
     """The load zone of a bearing: five of thirteen rollers, and nothing for the rest of the revolution."""
-    contact = nh.Contact(nh.Roller(diameter=9, length=10, profile=nh.profile.crown(2000)), nh.Ring(diameter=37.5))
+    roller = nh.Roller(diameter=9, length=10, corner_radius=0.3, profile=nh.profile.crown(2000))
+    contact = nh.Contact(roller, nh.Ring(diameter=37.5))
     loads = [5e3, 4e3, 4e3, 2e3, 2e3]
     pairs = [(nh.solve(contact, load=load), 1.0 / 13.0) for load in loads]
     (zone,) = nh.life.assess(pairs, "iso-16281", body="b", rollers=13)
@@ -194,3 +195,21 @@ def test_shares_of_contacts_are_taken_as_they_are():
     assert zone.million_revolutions == pytest.approx(1.0 / sum(1.0 / 13.0 / life for life in alone), rel=1e-9)
     with pytest.raises(nh.InputError, match=r"share = 1\.5 must add up to 1 at most"):
         nh.life.assess([(pairs[0][0], 0.75), (pairs[1][0], 0.75)], "iso-16281", body="b")
+
+
+@pytest.mark.parametrize("name", ["zirconia", "R260", "R350HT", "silicon-nitride"])
+def test_what_is_as_stiff_as_bearing_steel_is_not_rated_as_it(name):
+    """ISO 281 is for hardened steel: zirconia has 1200 HV, rails have 260 and 350 HBW, all with 210 GPa."""
+    with pytest.raises(nh.InputError, match="must be of bearing steel"):
+        B.rating(nu206(material=nh.MATERIALS[name]))
+    contact = nh.solve(nu206(material=nh.MATERIALS[name], corner_radius=0.3).contacts[0], load=1e3)
+    (life,) = nh.life.assess(contact, "iso-16281", body="b", rollers=13)
+    assert life.no_revolutions == "the capacity of ISO 281 is that of bearing steel"
+    for steel in ("steel", "100Cr6", "X105CrMo17", "16MnCr5"):
+        assert B.rating(nu206(material=nh.MATERIALS[steel])).dynamic == B.rating(nu206()).dynamic
+
+
+def test_hollow_rollers_are_not_rated_as_solid_ones():
+    with pytest.raises(nh.InputError, match="must have solid rollers"):
+        B.rating(nu206(bore=4.0))
+    assert B.rating(nu206(bore=nh.TabulatedDiameter((-5, -4, 4, 5), (3, 0, 0, 3)))).dynamic == B.rating(nu206()).dynamic

@@ -17,6 +17,7 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, flag, listed, not_negative, numbers, one_of, positive, whole
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.contact import Contact
+from nonhertz.model.materials import density_of
 from nonhertz.model.profile import crown
 
 Array = NDArray[np.float64]
@@ -28,7 +29,7 @@ MOST_ROLLERS = 1000
 FITS = 0.02
 ARRANGEMENTS = ("X", "O", "tandem")
 _MOST_ANGLE = math.radians(45.0)
-_DENSITY = 7.85e-9  # t/mm^3, of steel
+_DENSITY = "give it in t/mm^3, 7.85e-9 for steel"
 # Where ribs touch cylindrical rollers, over their radius, and by how much their flanks are open [rad]: both guessed.
 _RIB_HEIGHT, _RIB_ANGLE = 0.7, math.radians(0.5)
 
@@ -69,8 +70,8 @@ class RollerBearing:
     inner_shape, outer_shape : callable or None
         Angles [rad] -> how much less room the raceway leaves there than a circle does, along the radius [mm]; of the
         washers of a thrust bearing, how far they rise there along the axis.
-    density : float
-        Of the rollers [t/mm^3], for what speed does.
+    density : float or None
+        Of the rollers [t/mm^3], for what speed does; if left out, that of their material: steel, or one of the library.
 
     Raises
     ------
@@ -85,7 +86,7 @@ class RollerBearing:
     pitch_diameter: float | None = None
     inner_shape: Shape | None = None
     outer_shape: Shape | None = None
-    density: float = _DENSITY
+    density: float | None = None
 
     def __post_init__(self) -> None:
         for name in ("roller", "inner", "outer"):
@@ -100,7 +101,8 @@ class RollerBearing:
         object.__setattr__(self, "rollers", most)
         if self.pitch_diameter is not None:
             positive("pitch_diameter", self.pitch_diameter, "give that of the rollers' middles in mm")
-        positive("density", self.density, "give it in t/mm^3, 7.85e-9 for steel")
+        if self.density is not None:
+            positive("density", self.density, _DENSITY)
         for name in ("inner_shape", "outer_shape"):
             shape = getattr(self, name)
             if shape is not None:
@@ -119,18 +121,32 @@ class RollerBearing:
         """Refuse rollers that do not fit side by side or between the raceways."""
         self._check_circle()
         diameter = self.roller_diameter
-        # Cones that meet in one point: their radial distance is measured along a line that is square to neither.
-        inner, outer = self.contact_angles
-        mean, half = 0.5 * (inner + outer), 0.5 * (outer - inner)
-        square = math.cos(inner) * math.cos(outer) / (math.cos(mean) * math.cos(half) ** 2)
-        room = 0.5 * (abs(self.outer.diameter) - self.inner.diameter) * square  # type: ignore[operator, arg-type]
-        left = room - diameter
-        if abs(left) > FITS * diameter:
+        room = 0.5 * self.play + diameter
+        if abs(0.5 * self.play) > FITS * diameter:
             condition = (
                 f"fill the {room:.6g} mm between raceways of {self.inner.diameter:g} and "
                 f"{abs(self.outer.diameter):g} mm to within {100.0 * FITS:g} %"  # type: ignore[arg-type]
             )
             raise InputError("roller.diameter", diameter, condition, "give the diameters of raceways and rollers in mm")
+        inner, outer = self.contact_angles
+        mean, half = 0.5 * (inner + outer), 0.5 * (outer - inner)
+        # The middle between cones that meet in one point lies a little outside of the rollers' axis.
+        within = (math.cos(2.0 * mean) + math.cos(2.0 * half)) / (2.0 * math.cos(mean) ** 2)
+        middle = 0.5 * (float(self.inner.diameter) + abs(float(self.outer.diameter))) * within  # type: ignore[arg-type]
+        if self.pitch_diameter is not None and abs(self.pitch_diameter - middle) > FITS * diameter:
+            condition = (
+                f"lie within {100.0 * FITS:g} % of the rollers' diameter of the {middle:.6g} mm between the raceways"
+            )
+            raise InputError("pitch_diameter", self.pitch_diameter, condition, "leave it out, or check the raceways")
+
+    @property
+    def play(self) -> float:
+        """What the diameters of raceways and rollers leave between them [mm]: no clearance, which is given as such."""
+        # Cones that meet in one point: their radial distance is measured along a line that is square to neither.
+        inner, outer = self.contact_angles
+        mean, half = 0.5 * (inner + outer), 0.5 * (outer - inner)
+        square = math.cos(inner) * math.cos(outer) / (math.cos(mean) * math.cos(half) ** 2)
+        return (abs(float(self.outer.diameter)) - float(self.inner.diameter)) * square - 2.0 * self.roller_diameter  # type: ignore[arg-type]
 
     def _check_circle(self) -> None:
         diameter, pitch = self.roller_diameter, self.pitch
@@ -271,8 +287,12 @@ class RollerBearing:
         squares = np.zeros((2, at.size))
         for row, across in zip(squares, (self.roller.diameter, self.roller.bore), strict=True):
             row[:] = np.asarray(across(at) if callable(across) else np.full(at.size, across or 0.0)) ** 2
-        line = 0.25 * math.pi * self.density * (squares[0] - squares[1])
-        polar = math.pi / 32.0 * self.density * (squares[0] ** 2 - squares[1] ** 2)
+        density = density_of(self.roller.material) if self.density is None else self.density
+        if density is None:
+            condition = "be given for rollers that are neither of steel nor of a material of the library"
+            raise InputError("density", None, condition, _DENSITY)
+        line = 0.25 * math.pi * density * (squares[0] - squares[1])
+        polar = math.pi / 32.0 * density * (squares[0] ** 2 - squares[1] ** 2)
         mass = np.trapezoid(line, at)
         middle = np.trapezoid(line * at, at) / mass
         transverse = np.trapezoid(0.5 * polar + line * (at - middle) ** 2, at)
@@ -286,6 +306,8 @@ class RollerBearing:
         """
         finite("speed", speed, "give it in rad/s")
         one_of("turning", turning, ("inner", "outer"), "name the ring that turns")
+        if speed == 0.0:
+            return np.zeros(3)
         roller, inclined = self.inertia, 0.5 * sum(self.contact_angles)
         ratio = self.roller_diameter * math.cos(self.nominal_angle) / self.pitch
         sense = -1.0 if turning == "inner" else 1.0

@@ -35,10 +35,11 @@ from nonhertz.life.capacity import (
     REDUCTION,
     THRUST_REDUCTION,
     Raceway,
-    is_steel,
+    is_hollow,
     thrust_capacity,
     thrust_rating,
 )
+from nonhertz.model.material import is_steel
 
 _STATIC = 44.0  # N/mm^2
 _SHARE_OF_MOST_LOADED = 5.0
@@ -173,21 +174,18 @@ def equivalent_loads(solution: BearingSolution) -> tuple[float, float]:
     return (0.4 * (radial + along) if much else radial), max(0.5 * radial + 0.22 * along, radial)
 
 
-def refuse_other_materials(bearing: RollerBearing | Paired) -> None:
-    """Refuse bearings that aren't of bearing steel, whose capacities are not known."""
-    for row in bearing.rows:
-        parts = (row.bearing.roller, row.bearing.inner, row.bearing.outer)
-        if not all(is_steel(each.material) for each in parts):
-            raise InputError("bearing", "of other materials", "be of bearing steel", "leave the ratings out")
-
-
 def _row_of(bearing: RollerBearing | Paired) -> tuple[RollerBearing, int]:
     """Return one of equal rows, and how many there are."""
     if not isinstance(bearing, RollerBearing | Paired) or type(bearing) is RollerBearing:
         condition = "be a bearing of rollers"
         raise InputError("bearing", type(bearing).__name__, condition, "make one with nonhertz.bearing")
-    refuse_other_materials(bearing)
     rows = [row.bearing for row in bearing.rows]
+    for row in rows:
+        if not all(is_steel(each.material) for each in (row.roller, row.inner, row.outer)):
+            raise InputError("bearing", "of other materials", "be of bearing steel", "leave the ratings out")
+        if is_hollow(row.roller):
+            condition = "have solid rollers, whose capacities ISO 281 has"
+            raise InputError("bearing", "with hollow rollers", condition, "leave the ratings out")
     if any(not _are_alike(rows[0], each) for each in rows[1:]):
         condition = "have rows of the same kind and size, as the load ratings of ISO 281 are for"
         raise InputError(

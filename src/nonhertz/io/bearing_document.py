@@ -303,7 +303,8 @@ class BearingTable(Table):
         default=None, description="the same of the outer raceway"
     )
     density: Density | None = Field(
-        default=None, description="density of the rollers [t/mm^3], for what speed does; that of steel if left out"
+        default=None,
+        description="density of the rollers [t/mm^3], for what speed does; that of their material if left out",
     )
     pair: PairTable | None = Field(default=None, description="a second row like the first, and how it lies")
 

@@ -35,13 +35,12 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import flag, not_negative, one_of, positive, whole
 from nonhertz.model.body import Body, BodyName, Ring, Roller, TabulatedDiameter
 from nonhertz.model.contact import Contact
-from nonhertz.model.material import Material
+from nonhertz.model.material import is_steel
 
 MATERIAL_FACTOR = 1.1  # b_m of cylindrical and tapered roller bearings
 REDUCTION = 0.83  # lambda nu: reduces the load rating for uneven line loads; not part of the capacity of laminae
 _OF_THRUST, THRUST_REDUCTION, _INCLINED = 472.45388, 0.73, 0.85  # N, lambda, eta
 SAME = 1e-9
-STEEL_MODULUS = 195e3, 220e3  # MPa
 _ANGLE_REMEDY, _MOST_ANGLE = "give it in rad, for a radial bearing: 45 degrees at most", math.radians(45.0)
 _DIAMETER_EXPONENT, _LENGTH_EXPONENT = 29.0 / 27.0, 7.0 / 9.0
 
@@ -237,6 +236,8 @@ def _why_unrated(contact: Contact, tapered: bool) -> str:
         return "a tapered roller has an L10 only with the contact angle of its bearing: give contact_angle"
     if not all(is_steel(body.material) for body in bodies):
         return "the capacity of ISO 281 is that of bearing steel"
+    if any(is_hollow(body) for body in bodies):
+        return "the capacity of ISO 281 is that of solid rollers"
     return "" if np.all(np.isfinite(contact.interval)) else "neither of the bodies is a roller that ends"
 
 
@@ -274,9 +275,3 @@ def is_hollow(body: Body) -> bool:
     """Return whether a body has a bore from end to end; recesses in its ends do not count."""
     bore = body.bore
     return bore is not None and (not isinstance(bore, TabulatedDiameter) or min(bore.diameter) > 0.0)
-
-
-def is_steel(material: Material) -> bool:
-    """Return whether a material is as stiff as bearing steel."""
-    low, high = STEEL_MODULUS
-    return low <= material.modulus <= high

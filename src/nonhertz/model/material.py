@@ -16,6 +16,9 @@ SCALES: Final = {"HV": (1.0, 3000.0), "HRC": (20.0, 70.0), "HBW": (1.0, 650.0)}
 _HARDNESS: Final = re.compile(r"(\d+(?:\.\d+)?) ?(HV|HRC|HBW)")
 _HARDNESS_REMEDY: Final = "write a number and its scale such as '60 HRC', '700 HV' or '280 HBW', or leave it out"
 _STRENGTH_REMEDY: Final = "give the stress in MPa, or leave it out where it is not known"
+#: Young's moduli of steels [MPa].
+STEEL_MODULUS: Final = 195e3, 220e3
+_STEEL_HARDNESS: Final = {"HV": (650.0, 1000.0), "HRC": (58.0, 70.0), "HBW": (600.0, 650.0)}
 _SQRT_3: Final = math.sqrt(3.0)
 
 
@@ -112,6 +115,18 @@ def check_poisson(poisson: float) -> None:
     finite("poisson", poisson, remedy)
     if not -1.0 < poisson <= 0.5:
         raise InputError("poisson", poisson, "lie in (-1, 0.5]", remedy)
+
+
+def is_steel(material: Material) -> bool:
+    """Return whether a material is as stiff as bearing steel and as hard, if its hardness is known.
+
+    ISO 281 is for hardened steel, of 58 HRC and more; ceramics that are as stiff as steel are harder.
+    """
+    if not STEEL_MODULUS[0] <= material.modulus <= STEEL_MODULUS[1]:
+        return False
+    number, scale = (material.hardness or "60 HRC").split(" ")
+    low, high = _STEEL_HARDNESS[scale]
+    return low <= float(number) <= high
 
 
 #: Handbook values of steel at room temperature, of no particular grade.

@@ -10,7 +10,9 @@ from dataclasses import dataclass
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import text
-from nonhertz.model.material import STEEL, Material
+from nonhertz.model.material import STEEL, STEEL_MODULUS, Material
+
+STEEL_DENSITY = 7.85e-9  # t/mm^3
 
 
 @dataclass(frozen=True)
@@ -31,6 +33,8 @@ class Listed:
         What limits its use; empty if nothing does.
     others : tuple of str
         Other names of the same.
+    density : float
+        [t/mm^3]; of steels that of EN 1993-1-2, of others that of the same source or of handbooks.
     """
 
     name: str
@@ -39,6 +43,7 @@ class Listed:
     source: str
     note: str = ""
     others: tuple[str, ...] = ()
+    density: float = STEEL_DENSITY
 
 
 _HANDBOOK = "handbook values at room temperature, of no particular grade"
@@ -62,10 +67,11 @@ LIBRARY: tuple[Listed, ...] = (
     Listed(
         "silicon-nitride", "general", Material(modulus=310000.0, poisson=0.26),
         f"{_HANDBOOK}; within ASTM F2094 for bearing balls, E = 270 to 330 GPa and nu = 0.23 to 0.29",
+        density=3.2e-9,
     ),
-    Listed("cast-iron", "general", Material(modulus=110000.0, poisson=0.26), _HANDBOOK),
-    Listed("bronze", "general", Material(modulus=110000.0, poisson=0.34), _HANDBOOK),
-    Listed("aluminium", "general", Material(modulus=70000.0, poisson=0.33), _HANDBOOK),
+    Listed("cast-iron", "general", Material(modulus=110000.0, poisson=0.26), _HANDBOOK, density=7.2e-9),
+    Listed("bronze", "general", Material(modulus=110000.0, poisson=0.34), _HANDBOOK, density=8.8e-9),
+    Listed("aluminium", "general", Material(modulus=70000.0, poisson=0.33), _HANDBOOK, density=2.7e-9),
     Listed(
         "100Cr6", "bearing and stainless steels",
         Material(modulus=210000.0, poisson=0.3, hardness="58 HRC", pressure_limit=4000.0),
@@ -94,46 +100,50 @@ LIBRARY: tuple[Listed, ...] = (
     Listed(
         "EN-GJL-250", "cast irons", Material(modulus=110000.0, poisson=0.26, yield_strength=165.0),
         "EN 1561, informative annex: E = 103 to 118 GPa, nu = 0.26, 0.1 % proof strength 165 to 228 MPa", _FLAKES,
+        density=7.2e-9,
     ),
-    Listed("EN-GJS-400-15", "cast irons", Material(169000.0, 0.275, yield_strength=250.0), _DUCTILE),
-    Listed("EN-GJS-500-7", "cast irons", Material(169000.0, 0.275, yield_strength=320.0), _DUCTILE),
-    Listed("EN-GJS-600-3", "cast irons", Material(174000.0, 0.275, yield_strength=370.0), _DUCTILE),
-    Listed("EN-GJS-700-2", "cast irons", Material(176000.0, 0.275, yield_strength=420.0), _DUCTILE),
+    Listed("EN-GJS-400-15", "cast irons", Material(169000.0, 0.275, yield_strength=250.0), _DUCTILE, density=7.1e-9),
+    Listed("EN-GJS-500-7", "cast irons", Material(169000.0, 0.275, yield_strength=320.0), _DUCTILE, density=7.1e-9),
+    Listed("EN-GJS-600-3", "cast irons", Material(174000.0, 0.275, yield_strength=370.0), _DUCTILE, density=7.2e-9),
+    Listed("EN-GJS-700-2", "cast irons", Material(176000.0, 0.275, yield_strength=420.0), _DUCTILE, density=7.2e-9),
     Listed(
         "CuSn11P-C", "copper and aluminium",
         Material(modulus=100000.0, poisson=0.34, yield_strength=130.0, hardness="60 HBW"),
         "EN 1982, cast in sand: 0.2 % proof strength and hardness; E = 90 to 110 GPa: Kemper, data sheet of "
         "CuSn11P-C - GS; nu of bronze",
-        others=("CC481K",),
+        others=("CC481K",), density=8.7e-9,
     ),
     Listed(
         "EN-AW-6082-T6", "copper and aluminium", Material(modulus=70000.0, poisson=0.3, yield_strength=250.0),
         "EN 1999-1-1: E and nu, and the 0.2 % proof strength of extrusions up to 5 mm thick",
+        density=2.7e-9,
     ),
     Listed(
         "alumina", "ceramics", Material(modulus=416000.0, poisson=0.231),
         "R. G. Munro, Evaluated material properties for a sintered alpha-alumina, Journal of the American Ceramic "
         "Society 80 (1997) 1919",
-        "brittle: it cracks instead of yielding; of at least 99.5 % purity and 98 % density",
+        "brittle: it cracks instead of yielding; of at least 99.5 % purity and 98 % density", density=3.98e-9,
     ),
     Listed(
         "zirconia", "ceramics", Material(modulus=210000.0, poisson=0.3, hardness="1200 HV"),
         "E and hardness of Y-TZP: C. Piconi, G. Maccauro, Zirconia as a ceramic biomaterial, Biomaterials 20 (1999) 1; "
         "nu: makers' data sheets",
-        "brittle: it cracks instead of yielding",
+        "brittle: it cracks instead of yielding", density=6.05e-9,
     ),
     Listed(
         "POM", "polymers", Material(modulus=3100.0, poisson=0.35, yield_strength=70.0),
         "DuPont, Delrin 500P: data sheet by ISO 527; nu: Delrin design guide", _VISCOELASTIC,
+        density=1.42e-9,
     ),
     Listed(
         "PA66", "polymers", Material(modulus=1400.0, poisson=0.41, yield_strength=55.0),
         "DuPont, Zytel 103HSL, conditioned: data sheet by ISO 527; nu: Zytel design guide",
-        f"{_VISCOELASTIC}; dry as moulded its E is 3100 MPa and its yield strength 85 MPa",
+        f"{_VISCOELASTIC}; dry as moulded its E is 3100 MPa and its yield strength 85 MPa", density=1.14e-9,
     ),
     Listed(
         "PEEK", "polymers", Material(modulus=4000.0, poisson=0.4, yield_strength=98.0),
         "Victrex, PEEK 450G: data sheet by ISO 527; nu: Victrex properties guide", _VISCOELASTIC,
+        density=1.3e-9,
     ),
 )  # fmt: skip
 
@@ -156,3 +166,14 @@ def listed_as(name: str) -> Listed:
         if name in (each.name, *each.others):
             return each
     raise InputError("name", name, "be a material of the library", "run 'nonhertz materials' for the list")
+
+
+def density_of(material: Material) -> float | None:
+    """Return the density [t/mm^3] of a material of the library, or of what is as stiff as steel; None of any other."""
+
+    def known(of: Material) -> tuple[object, ...]:
+        return of.modulus, of.poisson, of.hardness
+
+    low, high = STEEL_MODULUS
+    usual = STEEL_DENSITY if low <= material.modulus <= high else None
+    return next((each.density for each in LIBRARY if known(each.material) == known(material)), usual)

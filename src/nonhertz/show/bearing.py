@@ -22,6 +22,7 @@ from nonhertz.show.summary import Row
 OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 _UNRATED = ("bearing", "solution")
+_PLAY = 1e-3  # mm, below which diameters are rounded
 MOST_PRESSURE = 4000.0  # MPa, the pressure by which ISO 76 defines C0
 
 
@@ -83,7 +84,7 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
             "knows neither preload nor moment" if unknown else "",
         ),
         ("static safety", "none" if unknown else _safety(found.static_safety), ""),
-        ("life L10", "none" if unknown else _revolutions(found.basic), "ISO 281"),
+        ("life L10", "none" if unknown else _revolutions(found.basic), "ISO 281, of bearing steel"),
         ("L10r", _revolutions(found.reference), found.no_reference or "laminae of ISO/TS 16281"),
         ("modified life", _revolutions(found.modified), _hours(found.modified, speed)),
         _factors_row(found),
@@ -238,6 +239,8 @@ def _bearing_rows(bearing: RollerBearing | Paired, *, fitted: bool) -> list[Row]
         way = "axial" if isinstance(row, TaperedRollerBearing) else "radial"
         when, shown = (", in operation", digits(1e3 * clearance, 4)) if fitted else ("", given(1e3 * clearance))
         found.append(("clearance", f"{shown} um", f"{way}{when}{', of each row' if rows > 1 else ''}"))
+        if row.nominal_angle == 0.0 and min(abs(row.play), abs(row.play - clearance)) > _PLAY:
+            found.append(("", f"{digits(1e3 * row.play, 4)} um", "left by the raceways' diameters: not counted"))
     if row.nominal_angle > 0.0 and not isinstance(row, CylindricalThrustBearing):
         found.append(("contact angle", f"{given(math.degrees(row.nominal_angle), 5)} degrees", ""))
     if isinstance(bearing, Paired):

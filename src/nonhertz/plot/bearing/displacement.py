@@ -127,6 +127,8 @@ def _curve(solution: BearingSolution, maps: BearingMaps | None) -> tuple[Array, 
 
 def _speed(solution: BearingSolution) -> float:
     """Return the speed of the inner ring [1/min] from what it loads a roller with, which grows with its square."""
+    if not solution.roller_load.any():
+        return 0.0
     at_one = solution.bearing.rows[0].bearing.load_by_speed(1.0)[1]
     return 30.0 / math.pi * math.sqrt(float(solution.roller_load[0, 1]) / at_one) if at_one > 0.0 else 0.0
 
