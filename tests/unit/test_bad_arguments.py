@@ -635,6 +635,13 @@ ENTRIES: dict[str, Entry] = {
         expansion=(12e-6, "number"),
         temperature=(20.0, "number"),
     ),
+    "bearing.axial_expansion": entry(
+        bearing.axial_expansion,
+        bearing=(bearing.paired(ROW, "X", 20.0), "thing"),
+        inner_temperature=(60.0, "number"),
+        outer_temperature=(45.0, "number"),
+        ring_expansion=(12.5e-6, "number"),
+    ),
     "bearing.operating_clearance": entry(
         bearing.operating_clearance,
         bearing=(ROW, "thing"),

@@ -10,6 +10,8 @@ from scipy.integrate import solve_bvp
 import nonhertz as nh
 from nonhertz.bearing.clearance import EXPANSION
 from nonhertz.bearing.thick_rings import ThickRing
+from nonhertz.io.bearing_results import as_object
+from nonhertz.show.bearing import summary_rows
 
 STEEL = nh.Material(modulus=207e3, poisson=0.3)
 IRON = nh.Material(modulus=110e3, poisson=0.26)
@@ -326,3 +328,23 @@ def test_what_cannot_be_ends_in_a_sentence(make, message):
     with pytest.raises(nh.InputError) as raised:
         make()
     assert message in str(raised.value)
+
+
+@pytest.mark.parametrize(("arrangement", "given"), [("O", 7.5), ("X", -7.5), ("tandem", 0.0)])
+def test_warm_inner_rings_move_the_rows_of_a_pair_apart(arrangement, given):
+    """12.5e-6 / K * 15 K * 40 mm. The ring moves by half of it more or less before a row of an O or X pair holds it."""
+    cone = nh.Roller(diameter=nh.TabulatedDiameter((-6, 6), (11, 10)), length=12.0, profile=nh.profile.crown(2000))
+    rings = {"inner": nh.Ring(diameter=41.0), "outer": nh.Ring(diameter=-62.5)}
+    row = nh.bearing.TaperedRollerBearing(roller=cone, **rings, rollers=14, contact_angle=0.2)
+    pair = nh.bearing.paired(row, arrangement, 40.0, clearance=0.1)
+    fit = {"shaft": nh.bearing.Shaft(diameter=30.0), "housing": nh.bearing.Housing(diameter=72.0)}
+    apart, even = (
+        nh.BearingCase(pair, {"axial": 1e3}, fit=fit | {"inner_temperature": inner, "outer_temperature": 45.0})
+        for inner in (60.0, 45.0)
+    )
+    assert 1e3 * (apart.mounted.clearance - even.mounted.clearance) == pytest.approx(given)
+    assert 1e3 * as_object(apart.solve("slices"), apart, None, "", ())["operating_clearance"]["expansion"] == (
+        pytest.approx(given)
+    )
+    said = {remark: value for _, value, remark in summary_rows(apart, apart.solve("slices"))}
+    assert float(said["given by temperatures between rows"].split()[0]) == pytest.approx(given)

@@ -26,7 +26,7 @@ from nonhertz.bearing.bearings import (
     paired,
 )
 from nonhertz.bearing.catalogue import CatalogueGuess, from_catalogue
-from nonhertz.bearing.clearance import Fit, Housing, OperatingClearance, Shaft, operating_clearance
+from nonhertz.bearing.clearance import Fit, Housing, OperatingClearance, Shaft, axial_expansion, operating_clearance
 from nonhertz.bearing.fatigue import VolumeLife, volume_life
 from nonhertz.bearing.lubrication import (
     contamination_factor,
@@ -73,6 +73,7 @@ __all__ = [
     "UnrolledPressure",
     "VolumeLife",
     "assess",
+    "axial_expansion",
     "contamination_factor",
     "fourier_shape",
     "from_catalogue",

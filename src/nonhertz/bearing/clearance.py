@@ -20,6 +20,7 @@ from dataclasses import dataclass, replace
 
 from nonhertz.bearing.bearings import (
     CylindricalRollerBearing,
+    Paired,
     RollerBearing,
     SphericalRollerBearing,
     TaperedRollerBearing,
@@ -365,6 +366,54 @@ def operating_clearance(
         inner=fits[0].described(replace(warm[0], speed=turning)),
         outer=fits[1].described(warm[1]),
     )
+
+
+def axial_expansion(
+    bearing: Paired,
+    *,
+    inner_temperature: float = REFERENCE,
+    outer_temperature: float = REFERENCE,
+    ring_expansion: float = EXPANSION,
+) -> float:
+    """Return by how much temperatures widen the axial clearance of rows of rollers, by the distance between them.
+
+    Parameters
+    ----------
+    bearing : Paired
+        The rows. What lies between their inner rings has the temperature and the expansion of these, and what lies
+        between the outer ones theirs.
+    inner_temperature, outer_temperature, ring_expansion
+        As in `operating_clearance`.
+
+    Returns
+    -------
+    float
+        What is to be added to the `clearance` of the pair [mm]: in O expansion times difference of temperatures times
+        distance, in X minus that, and nothing in tandem, where one row gains what the other loses.
+
+    Raises
+    ------
+    InputError
+        If the bearing is no pair, or an argument is out of range.
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> cone = nh.Roller(diameter=nh.TabulatedDiameter((-6, 6), (11, 10)), length=12)
+    >>> rings = {"inner": nh.Ring(diameter=41), "outer": nh.Ring(diameter=-62.5)}
+    >>> row = nh.bearing.TaperedRollerBearing(roller=cone, **rings, rollers=14, contact_angle=0.2)
+    >>> pair = nh.bearing.paired(row, "O", 40.0)
+    >>> round(axial_expansion(pair, inner_temperature=60, outer_temperature=45), 6)
+    0.0075
+    """
+    if not isinstance(bearing, Paired):
+        raise InputError("bearing", bearing, "be a Paired", "make one with nonhertz.bearing.paired")
+    _check_temperature("inner_temperature", inner_temperature)
+    _check_temperature("outer_temperature", outer_temperature)
+    _check_expansion("ring_expansion", ring_expansion)
+    # Where the inner ring moves towards the side to which a row holds it, away from its rollers.
+    apart = sum((row.bears_axially[1] - row.bears_axially[0]) * row.x for row in bearing.rows)
+    return ring_expansion * (inner_temperature - outer_temperature) * apart
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import standard_slices
 from nonhertz.io.bearing_written import document
 from nonhertz.io.bounds import FORMAT
+from nonhertz.io.fits import expanded
 from nonhertz.io.results import key_by_key, plain
 
 if TYPE_CHECKING:
@@ -47,7 +48,9 @@ UNITS: dict[str, Any] = {
     ],
     "x": "mm",
     "operating_clearance": {
-        **dict.fromkeys(("unmounted", "inner_fit", "outer_fit", "temperatures", "speed", "clearance", "axial"), "mm"),
+        **dict.fromkeys(
+            ("unmounted", "inner_fit", "outer_fit", "temperatures", "speed", "clearance", "axial", "expansion"), "mm"
+        ),
         **dict.fromkeys(RINGS, _OF_FIT),
     },
     "life": {
@@ -107,7 +110,7 @@ def _clearance(case: BearingCase) -> dict[str, Any] | None:
     numbers = {name: plain(getattr(found, name)) for name in _OF_CLEARANCE}
     axial = {"axial": plain(found.axial(row.nominal_angle))} if isinstance(row, TaperedRollerBearing) else {}
     fits = {ring: {name: plain(value) for name, value in vars(getattr(found, ring)).items()} for ring in RINGS}
-    return numbers | axial | fits
+    return numbers | axial | {"expansion": expanded(case.bearing, case.fit)} | fits
 
 
 def as_json(entries: dict[str, Any]) -> str:

@@ -16,6 +16,7 @@ from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding
 from nonhertz.errors import InputError
 from nonhertz.io.bearingfile import BearingCase, placed
+from nonhertz.io.fits import expanded
 from nonhertz.result.numerals import digits, given, in_column, sized, sized_list, unit_for
 from nonhertz.show.summary import Row
 
@@ -266,6 +267,10 @@ def _fit_rows(case: BearingCase) -> list[Row]:
     )
     rows = [("before mounting", f"{given(1e3 * factor * found.unmounted)} um", way)]
     rows += [("", f"{digits(1e3 * factor * value, 4)} um", words) for value, words in taken]
+    if isinstance(case.bearing, Paired):
+        rows.append(
+            ("", f"{digits(1e3 * expanded(case.bearing, case.fit), 4)} um", "given by temperatures between rows")
+        )
     for ring, fit in (("inner", found.inner), ("outer", found.outer)):
         loose = ", loosened" if fit.loosened else ""
         value = f"{digits(fit.pressure, 4)} MPa{loose}"
