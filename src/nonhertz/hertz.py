@@ -276,6 +276,7 @@ def point_contact(
     (6.6667, 20.0, 30.0)
     """
     turned = 0.0
+    finite("angle", angle, "give the angle between the planes of x of both bodies in rad")
     if isinstance(radius_x, tuple | list) or isinstance(radius_y, tuple | list) or angle != 0.0:
         radius_x, radius_y, turned = _combined(radius_x, radius_y, angle)
     positive("radius_x", radius_x, _RADIUS_REMEDY)
@@ -331,7 +332,6 @@ def _combined(radius_x: object, radius_y: object, angle: float) -> tuple[float, 
             condition = "be a pair of radii other than zero where one radius is a pair or an angle is given"
             raise InputError(name, radii, condition, "give those of body a and body b in mm, infinite where straight")
         curvatures.append([1.0 / float(each) for each in pair])
-    finite("angle", angle, "give the angle between the planes of x of both bodies in rad")
     (ax, bx), (ay, by) = curvatures
     # A body's curvature in a plane at phi from its x is its mean plus its half-difference times cos 2 phi.
     mean, half = 0.5 * (ax + ay + bx + by), 0.5 * (ax - ay) + 0.5 * (bx - by) * cmath.exp(2j * angle)

@@ -60,7 +60,7 @@ def test_a_map_is_printed_and_written_in_all_formats(case, capsys):
     said = json.loads(capsys.readouterr().out)
     found = nh.ContactMap.load("k.npz")
     assert said["load"] == list(found.pressed) == [0.0, 1000.0]
-    assert said["bound"]["load"] == found.bound.load
+    assert said["sampled_error"]["load"] == found.sampled_error.load
     assert_allclose(
         found.under(load=500.0, tilt=1e-4).approach, nh.solve(_contact(), load=500.0, tilt=1e-4).approach, rtol=0.02
     )

@@ -419,6 +419,7 @@ ENTRIES: dict[str, Entry] = {
         radius_x=(10.0, "positive"),
         radius_y=(100.0, "positive"),
         compliance=(2.8e-6, "positive"),
+        angle=(0.0, "number"),
         load=(1e3, "positive"),
         approach=(None, "positive?"),
     ),
@@ -560,7 +561,7 @@ ENTRIES: dict[str, Entry] = {
         about_z=(None, "optional"),
         kind=("linear", "word"),
     ),
-    "bearing.ForceTable.bound": entry(FORCES.bound, kind=("linear", "word")),
+    "bearing.ForceTable.sampled_error": entry(FORCES.sampled_error, kind=("linear", "word")),
     "bearing.maps": entry(
         bearing.maps, bearing=(ROW, "thing"), load=(1e3, "positive"), tilt=(1e-4, "positive"), accuracy=(0.1, "all")
     ),

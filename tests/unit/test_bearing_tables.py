@@ -64,10 +64,10 @@ def test_between_points_forces_are_within_the_bound(found):
     exact = [B.solve(ROW, radial_displacement=(y[k], z[k]), tilt=tilt[k], method="slices").force for k in range(y.size)]
     for kind in ("linear", "cubic"):
         off = np.abs(found.interpolated(kind=kind, y=y, z=z, about_z=tilt) - exact)
-        assert np.all(off.max(axis=0) <= found.bound(kind))
+        assert np.all(off.max(axis=0) <= found.sampled_error(kind))
         # A bound that is far above what there is would say nothing.
-        assert np.all(off.max(axis=0)[1:] > 0.2 * found.bound(kind)[1:])
-    assert np.all(found.bound("cubic")[1:3] < 0.6 * found.bound("linear")[1:3])
+        assert np.all(off.max(axis=0)[1:] > 0.2 * found.sampled_error(kind)[1:])
+    assert np.all(found.sampled_error("cubic")[1:3] < 0.6 * found.sampled_error("linear")[1:3])
 
 
 def test_at_its_points_interpolation_is_exact(found):
@@ -80,7 +80,8 @@ def test_halving_the_cells_quarters_what_linear_interpolation_is_off_by():
     # Straight rollers under preload stay in contact all along: without a kink the error is that of a parabola.
     preloaded = dataclasses.replace(ROW, roller=nh.Roller(diameter=9.0, length=10.0), clearance=-0.04)
     coarse, fine = (
-        B.table(preloaded, y=np.linspace(-0.012, 0.012, n), method="slices", checks=1000).bound()[1] for n in (9, 17)
+        B.table(preloaded, y=np.linspace(-0.012, 0.012, n), method="slices", checks=1000).sampled_error()[1]
+        for n in (9, 17)
     )
     assert coarse / fine == pytest.approx(4.0, rel=0.15)
 
@@ -91,7 +92,7 @@ def test_a_table_by_maps_is_that_by_strips():
     maps = B.maps(ROW, load=4e3, tilt=6e-4, accuracy=1e-3)
     by_maps, by_strips = B.table(ROW, **grid, maps=maps), B.table(ROW, **grid, checks=0)
     assert_allclose(by_maps.force[..., 1], by_strips.force[..., 1], rtol=2e-3, atol=1.0)
-    assert np.all(np.isnan(by_strips.bound()))
+    assert np.all(np.isnan(by_strips.sampled_error()))
     assert "interpolated" not in repr(by_strips)
     with pytest.raises(nh.InputError, match="maps = 'too small' must reach to loads of"):
         B.table(ROW, y=[0.0, 0.2], maps=maps)

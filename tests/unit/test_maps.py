@@ -1,4 +1,4 @@
-"""Maps: bounds that hold, exact derivatives, nothing out of contact, files, compiled callers."""
+"""Maps: errors as sampled, exact derivatives, nothing out of contact, files, compiled callers."""
 
 from __future__ import annotations
 
@@ -41,23 +41,23 @@ def points(made: ContactMap) -> tuple[np.ndarray, np.ndarray]:
     return made.under(load=load, tilt=tilt).approach, tilt
 
 
-def test_the_bound_holds_on_points_that_the_map_has_not_seen(made):
+def test_the_sampled_errors_are_those_of_points_that_the_map_has_not_seen(made):
     random = np.random.default_rng(11)
     load, tilt = MOST * random.uniform(0.001, 1.0, 40), TILT * random.uniform(-1.0, 1.0, 40)
     solved = nh.solve_many(CONTACT, load=load, tilt=tilt)
     found = made.at(approach=solved.approach, tilt=tilt)
     light, half = np.maximum(load, 0.01 * MOST), made.half_length
-    bound = made.bound
-    assert bound.load <= ACCURACY
-    assert bound.moment <= ACCURACY
-    assert np.all(np.abs(found.load - load) <= bound.load * light)
-    assert np.all(np.abs(found.moment - solved.moment) <= bound.moment * light * half)
+    sampled = made.sampled_error
+    assert sampled.load <= ACCURACY
+    assert sampled.moment <= ACCURACY
+    assert np.all(np.abs(found.load - load) <= sampled.load * light)
+    assert np.all(np.abs(found.moment - solved.moment) <= sampled.moment * light * half)
     stiffness = solved.stiffness[:, 0, 0] * np.cbrt(light / load)
     for row, column in ((0, 0), (0, 1), (1, 1)):
         error = np.abs(found.stiffness[:, row, column] - solved.stiffness[:, row, column])
-        assert np.all(error <= bound.stiffness * stiffness * half ** (row + column))
+        assert np.all(error <= sampled.stiffness * stiffness * half ** (row + column))
     least = np.cbrt(0.01)
-    for name, largest in (("max_pressure", bound.max_pressure), ("max_half_width", bound.max_half_width)):
+    for name, largest in (("max_pressure", sampled.max_pressure), ("max_half_width", sampled.max_half_width)):
         values = getattr(solved, name)
         error = np.abs(getattr(found, name) - values)
         assert np.all(error <= largest * np.maximum(values, least * values.max())), name
@@ -69,7 +69,7 @@ def test_strip_loads_are_those_of_the_solver_and_sum_to_the_load(made):
     # Strip by strip from the solver's own, cut at the stations.
     summed = np.concatenate([[0.0], np.cumsum(solution.line_load * solution.strip_width)])
     ours = np.diff(np.interp(made.stations, solution.edges, summed))
-    assert_allclose(found, ours, atol=(made.bound.strip_loads + 2e-3) * 6e3)
+    assert_allclose(found, ours, atol=(made.sampled_error.strip_loads + 2e-3) * 6e3)
     assert_allclose(found.sum(), 6e3, rtol=1e-12)
     assert np.all(found >= 0.0)
 
@@ -205,7 +205,7 @@ def test_a_saved_map_is_the_same_to_the_last_bit(made, tmp_path):
     made.save(tmp_path / "k.npz")
     again = ContactMap.load(tmp_path / "k.npz")
     assert repr(again) == repr(made)
-    assert again.bound == made.bound
+    assert again.sampled_error == made.sampled_error
     for name in ("numbers", "breaks", "mean_approach", "others", "stations"):
         assert_array_equal(getattr(again, name), getattr(made, name))
     for ours, theirs in zip(again.tables, made.tables, strict=True):
@@ -222,7 +222,7 @@ def _damaged(entries: dict[str, np.ndarray]) -> Iterator[tuple[str, dict[str, np
     for name in entries:
         if name not in {"kind", "version"}:
             yield "hold an undamaged map", {key: value for key, value in entries.items() if key != name}
-    for name in ("mean_approach", "breaks", "numbers", "bound", "stations"):
+    for name in ("mean_approach", "breaks", "numbers", "sampled_error", "stations"):
         yield "hold an undamaged map", {**entries, name: entries[name][:-1]}
         yield "hold an undamaged map", {**entries, name: np.full_like(entries[name], np.nan)}
     yield "hold an undamaged map", {**entries, "breaks": entries["breaks"][::-1].copy()}
@@ -287,7 +287,7 @@ def test_a_range_of_approaches_includes_lift_off():
     assert np.all(np.isfinite(grid.load))
     assert grid.load[0].max() == 0.0
     solution = nh.solve(CONTACT, approach=8e-3, tilt=3e-4)
-    assert_allclose(made.at(approach=8e-3, tilt=3e-4).load, solution.load, rtol=made.bound.load)
+    assert_allclose(made.at(approach=8e-3, tilt=3e-4).load, solution.load, rtol=made.sampled_error.load)
 
 
 @pytest.mark.slow
@@ -310,9 +310,9 @@ def test_a_straight_roller_that_tips_over_its_ends_is_mapped():
 def test_an_accuracy_out_of_reach_is_warned_of():
     """The scatter of the solutions is above 1e-6."""
     contact = nh.Contact(nh.Roller(diameter=10, length=5, profile=nh.profile.crown(radius=50)), nh.Plate())
-    with pytest.warns(AccuracyWarning, match="not to the requested 1e-06; see its bound"):
+    with pytest.warns(AccuracyWarning, match="not to the requested 1e-06; see its sampled_error"):
         made = nh.map(contact, load=(0, 100.0), accuracy=1e-6, checks=20)
-    assert made.bound.load > 1e-6
+    assert made.sampled_error.load > 1e-6
 
 
 @pytest.mark.parametrize(

@@ -34,7 +34,7 @@ CLASSES = {
     "`strength.Check`": nh.strength.Check,
     "`bearing.Rating`": nh.bearing.Rating,
     "`maps.MapPoint`": nh.maps.MapPoint,
-    "`maps.Bounds`": nh.maps.Bounds,
+    "`maps.SampledErrors`": nh.maps.SampledErrors,
 }
 
 
@@ -91,7 +91,7 @@ def test_one_name_has_one_unit_everywhere():
     units: dict[str, set[str]] = {}
     for heading, rows in tables().items():
         # Errors are named after what they are relative to, and a stiffness is a matrix or a number.
-        if heading not in {"`ErrorEstimate`", "`maps.Bounds`"}:
+        if heading not in {"`ErrorEstimate`", "`maps.SampledErrors`"}:
             for name, unit in rows.items():
                 units.setdefault(name, set()).add(unit)
     assert {name: found for name, found in units.items() if len(found) > 1} == {

@@ -37,9 +37,9 @@ class BearingMaps:
 
     def __repr__(self) -> str:
         pairs = [each for pair in self.contacts for each in pair]
-        bound = max(max(each.bound.load, each.bound.moment) for each in pairs)
+        error = max(max(each.sampled_error.load, each.sampled_error.moment) for each in pairs)
         loads = min(each.most_load for each in pairs)
-        return f"BearingMaps({len(pairs)} contacts, loads up to {loads:.4g} N, within {bound:.2g})"
+        return f"BearingMaps({len(pairs)} contacts, loads up to {loads:.4g} N, sampled error {error:.2g})"
 
 
 def maps(bearing: RollerBearing | Paired, *, load: float, tilt: float = 2e-3, accuracy: float = 1e-4) -> BearingMaps:

@@ -96,17 +96,17 @@ class ForceTable(ReadOnly):
             f"{np.count_nonzero(self.converged)} of {self.converged.size} states converged",
         ]
         if self.checked_force.size:
-            said.append(f"interpolated linearly within {self._share()}")
+            said.append(f"interpolated linearly, sampled error {self._share()}")
         return plain_text("ForceTable", said)
 
     def _share(self) -> str:
-        """Return the bounds over the largest forces and moments in words."""
-        bound = self.bound()
+        """Return the sampled errors over the largest forces and moments in words."""
+        off = self.sampled_error()
         found = []
         for what, where in (("force", slice(0, 3)), ("moment", slice(3, 5))):
             largest = float(np.max(np.abs(np.nan_to_num(self.force[..., where]))))
             if largest > 0.0:
-                found.append(f"{digits(100.0 * float(np.max(bound[where])) / largest, 2)} % of the largest {what}")
+                found.append(f"{digits(100.0 * float(np.max(off[where])) / largest, 2)} % of the largest {what}")
         return " and ".join(found) or "0 %"
 
     def interpolated(
@@ -127,7 +127,7 @@ class ForceTable(ReadOnly):
             The motions that vary in the table [mm, rad], and no other; broadcast against each other.
         kind : {"linear", "cubic"}
             Between neighbours, or by a cubic spline, which takes four points on every axis. A spline is smooth, and
-            so follows no kink; `bound` says what either is off by.
+            so follows no kink; `sampled_error` says what either is off by.
 
         Returns
         -------
@@ -156,10 +156,10 @@ class ForceTable(ReadOnly):
         found: Array = self._between(kind, at)
         return found
 
-    def bound(self, kind: Kind = "linear") -> Array:
-        """Return how far interpolated forces and moments may be from solved ones.
+    def sampled_error(self, kind: Kind = "linear") -> Array:
+        """Return how far interpolated forces and moments were from solved ones in the middle of cells.
 
-        One and a half times the largest error in the middle of cells, as for `nonhertz.ContactMap`.
+        One and a half times the largest of these errors, no bound, as for `nonhertz.ContactMap`.
 
         Parameters
         ----------

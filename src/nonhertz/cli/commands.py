@@ -505,8 +505,8 @@ def contact_map(
 ) -> int:
     """Make a map of a case: load, moment and stiffness over approach and tilt, for other programs.
 
-    A map is a stand-in for the contact, a thousand times as fast as solving it, with bounds on its errors. It takes
-    hundreds of solves.
+    A map is a stand-in for the contact, a thousand times as fast as solving it, with errors sampled at points of
+    their own. It takes hundreds of solves.
 
     Parameters
     ----------
@@ -525,7 +525,7 @@ def contact_map(
         The file to write: .csv or .mat for a table, .npz for the map itself, which nonhertz.ContactMap.load reads. An
         existing file is replaced.
     as_json : bool
-        Print one JSON object with the range and the bounds instead of the summary.
+        Print one JSON object with the range and the sampled errors instead of the summary.
     """
     from nonhertz.cli.map import as_json as json_text
     from nonhertz.cli.map import made, print_map, requested, write

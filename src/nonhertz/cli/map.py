@@ -140,7 +140,7 @@ def write(path: Path, found: ContactMap, request: Request) -> tuple[Path, ...]:
 
 
 def as_json(found: ContactMap, title: str) -> str:
-    """Return the range and the bounds of a map as JSON text."""
+    """Return the range and the sampled errors of a map as JSON text."""
     content = {
         "title": title,
         "description": found.description,
@@ -148,7 +148,7 @@ def as_json(found: ContactMap, title: str) -> str:
         "tilt": found.tilt_range,
         "most_load": found.most_load,
         "accuracy": found.accuracy,
-        "bound": dataclasses.asdict(found.bound),
+        "sampled_error": dataclasses.asdict(found.sampled_error),
         "cases": found.cases,
         "failed": found.failed,
         "stations": found.stations.tolist(),

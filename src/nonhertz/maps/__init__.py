@@ -1,4 +1,4 @@
-"""Maps: certified stand-ins for a contact, a microsecond a query, for programs that solve whole bearings.
+"""Maps: stand-ins for a contact, a microsecond a query, for programs that solve whole bearings.
 
 `contact_map`, as ``nonhertz.map``, makes a `ContactMap`. In Python it is evaluated by `ContactMap.at` and
 `ContactMap.under`; in functions compiled by Numba, `pressed`, `loaded`, `pressures` and `share` take its ``tables``.
@@ -10,7 +10,7 @@ from nonhertz.maps.evaluation import loaded as loaded
 from nonhertz.maps.evaluation import pressed as pressed
 from nonhertz.maps.evaluation import pressures as pressures
 from nonhertz.maps.evaluation import share as share
-from nonhertz.maps.misses import Bounds as Bounds
+from nonhertz.maps.misses import SampledErrors as SampledErrors
 from nonhertz.maps.value import ContactMap as ContactMap
 from nonhertz.maps.value import MapPoint as MapPoint
 from nonhertz.maps.verb import contact_map as contact_map

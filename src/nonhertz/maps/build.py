@@ -1,4 +1,4 @@
-"""A map built: cases chosen and solved, splines fitted and refined where points of their own say so, and certified."""
+"""A map built: cases chosen and solved, splines fitted and refined where points of their own say so, errors sampled."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.maps.evaluation import QUANTILES, Tables
 from nonhertz.maps.fitting import Samples, Shape, Touch, fitted, tables
-from nonhertz.maps.misses import SAFETY, Bounds, Misses
+from nonhertz.maps.misses import SAFETY, Misses, SampledErrors
 from nonhertz.maps.spline import jumps
 from nonhertz.maps.spread import Spread
 from nonhertz.maps.touch import Relief
@@ -48,7 +48,7 @@ class Building:
     stations : ndarray
         Edges of the strips whose loads are kept [mm].
     checks : int
-        Number of points that the bound is measured on.
+        Number of points that errors are sampled at.
     """
 
     contact: Contact
@@ -88,7 +88,7 @@ class Built:
     mean_approach: Array
     others: Array
     tables: Tables
-    bound: Bounds
+    sampled_error: SampledErrors
     cases: int
     failed: int
 
@@ -123,7 +123,7 @@ def built(building: Building, shape: Shape, relief: Relief, accuracy: float, ann
             if SAFETY * misses.worst > accuracy:
                 break
         else:
-            return Built(shape, *found, made, misses.bounds(), samples.load.size, failed)
+            return Built(shape, *found, made, misses.sampled(), samples.load.size, failed)
         tried.append((misses, shape))
         refined = _refined(shape, found[0], checks, misses.combined, accuracy / SAFETY)
         samples = samples.joined(checks)
@@ -136,7 +136,7 @@ def built(building: Building, shape: Shape, relief: Relief, accuracy: float, ann
     checks = building.solved(*_check_points(shape, random, building.checks))
     failed += building.checks - checks.load.size
     return Built(
-        shape, *found, made, Misses.of(shape, made, building.stations, checks).bounds(), samples.load.size, failed
+        shape, *found, made, Misses.of(shape, made, building.stations, checks).sampled(), samples.load.size, failed
     )
 
 

@@ -22,7 +22,7 @@ from nonhertz.maps.evaluation import (
     TILT_LOW,
     WIDENING,
 )
-from nonhertz.maps.misses import Bounds
+from nonhertz.maps.misses import SampledErrors
 from nonhertz.maps.spline import DEGREE
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ _NUMBERS, _COUNTS = ("half_length", "accuracy"), ("cases", "failed")
 def save(path: str | os.PathLike[str], made: ContactMap) -> None:
     """Write a map."""
     fields = {name: getattr(made, name) for name in (*_TEXTS, *_ARRAYS, *_NUMBERS, *_COUNTS, "pressed")}
-    ARCHIVE.save(path, fields | {"bound": np.array(dataclasses.astuple(made.bound), dtype=float)})
+    ARCHIVE.save(path, fields | {"sampled_error": np.array(dataclasses.astuple(made.sampled_error), dtype=float)})
 
 
 def load(path: str | os.PathLike[str]) -> dict[str, Any]:
@@ -57,7 +57,7 @@ def load(path: str | os.PathLike[str]) -> dict[str, Any]:
 
 def _fields(entries: Mapping[str, np.ndarray[Any, Any]]) -> dict[str, Any] | None:
     """Return the fields of a map, or None if they are incomplete or do not fit together."""
-    floats = {*_ARRAYS, *_NUMBERS, "pressed", "bound"}
+    floats = {*_ARRAYS, *_NUMBERS, "pressed", "sampled_error"}
     for name in (*floats, *_COUNTS):
         values = entries.get(name)
         if values is None or values.dtype != (np.int64 if name in _COUNTS else np.float64):
@@ -71,19 +71,21 @@ def _fields(entries: Mapping[str, np.ndarray[Any, Any]]) -> dict[str, Any] | Non
         or not _fits({name: entries[name] for name in _ARRAYS})
     ):
         return None
-    bounds = dict(zip((each.name for each in dataclasses.fields(Bounds)), entries["bound"].tolist(), strict=True))
+    errors = dict(
+        zip((each.name for each in dataclasses.fields(SampledErrors)), entries["sampled_error"].tolist(), strict=True)
+    )
     low, high = entries["pressed"].tolist()
     return {
         **texts,
         **{name: np.ascontiguousarray(entries[name]) for name in _ARRAYS},
         **{name: entries[name].item() for name in (*_NUMBERS, *_COUNTS)},
         "pressed": (low, high),
-        "bound": Bounds(**bounds | {"points": int(bounds["points"])}),
+        "sampled_error": SampledErrors(**errors | {"points": int(errors["points"])}),
     }
 
 
 def _shape(name: str) -> tuple[int, ...]:
-    return {"pressed": (2,), "bound": (len(dataclasses.fields(Bounds)),)}.get(name, ())
+    return {"pressed": (2,), "sampled_error": (len(dataclasses.fields(SampledErrors)),)}.get(name, ())
 
 
 def _fits(arrays: Mapping[str, np.ndarray[Any, Any]]) -> bool:

@@ -28,7 +28,7 @@ from nonhertz.maps.evaluation import (
     all_shares,
 )
 from nonhertz.maps.fitting import tables
-from nonhertz.maps.misses import Bounds
+from nonhertz.maps.misses import SAFETY, SampledErrors
 from nonhertz.result.brief import plain_text
 from nonhertz.result.numerals import as_csv, digits, given
 from nonhertz.result.quantities import QUANTITIES
@@ -90,7 +90,7 @@ class MapPoint(ReadOnly):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ContactMap(ReadOnly):
-    """A certified stand-in for a contact; made by `nonhertz.map`.
+    """A stand-in for a contact with sampled errors; made by `nonhertz.map`.
 
     Attributes
     ----------
@@ -108,10 +108,10 @@ class ContactMap(ReadOnly):
         Lever arm [mm] that errors of the moment are relative to.
     accuracy : float
         What was asked for.
-    bound : Bounds
-        How far the map may be from the solver.
+    sampled_error : SampledErrors
+        How far the map was from the solver at its check points.
     cases : int
-        Solved cases that it was built from, without the check points of ``bound``.
+        Solved cases that it was built from, without the check points of ``sampled_error``.
     failed : int
         Cases that had no solution, among them and the check points.
     """
@@ -126,23 +126,24 @@ class ContactMap(ReadOnly):
     stations: Array
     half_length: float
     accuracy: float
-    bound: Bounds
+    sampled_error: SampledErrors
     cases: int
     failed: int
 
     def __repr__(self) -> str:
-        bound = self.bound
+        error = self.sampled_error
         unit, factor = ("N", 1.0) if self.given == "load" else ("um", 1e3)
         low, high = (given(factor * end, 4) for end in self.pressed)
         tilts = " to ".join(given(1e3 * end, 4) for end in self.tilt_range)
         said = [
             self.description,
             f"{self.given} {low} to {high} {unit}, tilt {tilts} mrad, loads up to {digits(self.most_load)} N",
-            f"built from {self.cases} cases, checked at {bound.points} others" + self._failures(),
-            f"within {_share(bound.load)} of the load, {_share(bound.moment)} of load times half-length, "
-            f"{_share(bound.stiffness)} of the stiffness",
-            f"within {_share(bound.max_pressure)} of the maximum pressure, {_share(bound.max_half_width)} of the "
-            f"half-width, and {_share(bound.strip_loads)} of the load on each of {self.stations.size - 1} strips",
+            f"built from {self.cases} cases{self._failures()}",
+            f"largest of {error.points} sampled errors, times {SAFETY:g}, not a bound: "
+            f"{_share(error.load)} of the load, {_share(error.moment)} of load times half-length, "
+            f"{_share(error.stiffness)} of the stiffness, "
+            f"{_share(error.max_pressure)} of the maximum pressure, {_share(error.max_half_width)} of the half-width, "
+            f"{_share(error.strip_loads)} of the load on each of {self.stations.size - 1} strips",
         ]
         return plain_text("ContactMap", said)
 
@@ -241,7 +242,7 @@ class ContactMap(ReadOnly):
         point : MapPoint
             Points of this map.
         stations : array_like, shape (strips + 1,), optional
-            Edges of the strips [mm], ascending; ``stations`` if left out, for which the bound is stated.
+            Edges of the strips [mm], ascending; ``stations`` if left out, at which its error is sampled.
 
         Returns
         -------

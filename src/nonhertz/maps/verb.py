@@ -48,7 +48,7 @@ def contact_map(
     checks: int = CHECKS,
     announce: Callable[[str], None] | None = None,
 ) -> ContactMap:
-    """Return a certified stand-in for a contact over approach and tilt, or load and tilt.
+    """Return a stand-in for a contact over approach and tilt, or load and tilt.
 
     Parameters
     ----------
@@ -62,8 +62,8 @@ def contact_map(
     tilt : tuple of float or float
         Lowest and highest tilt [rad], or a single one: the map then reaches 0.05 mrad to both sides.
     accuracy : float
-        Largest error of load and moment, relative as `Bounds` says, from 1e-6; what was reached is in
-        ``ContactMap.bound``. The solutions scatter by some 1e-5 from grid to grid, which no map undercuts.
+        Largest error of load and moment, relative as `SampledErrors` says, from 1e-6; what was reached is in
+        ``ContactMap.sampled_error``. The solutions scatter by some 1e-5 from grid to grid, which no map undercuts.
     element : Element
         As in `nonhertz.solve`.
     stations : int or array_like
@@ -71,7 +71,7 @@ def contact_map(
     threads : int, optional
         As in `nonhertz.solve_many`; the map does not depend on it.
     checks : int
-        Number of points, not used to build the map, on which the bound is measured.
+        Number of points, not used to build the map, at which errors are sampled.
     announce : callable, optional
         Called with a few words on the progress before each round of solving.
 
@@ -87,7 +87,7 @@ def contact_map(
     Warns
     -----
     AccuracyWarning
-        If a bound exceeds the accuracy.
+        If a sampled error, times 1.5, exceeds the accuracy.
 
     Notes
     -----
@@ -111,9 +111,11 @@ def contact_map(
     building = replace(building, stations=_stations(stations, ends))
     shape = _shape(relief, most_load, rise, tilts)
     found = built(building, shape, relief, accuracy, announce or (lambda _: None))
-    reached = max(found.bound.load, found.bound.moment)
+    reached = max(found.sampled_error.load, found.sampled_error.moment)
     if reached > accuracy:
-        sentence = f"The map is accurate to {digits(reached, 2)}, not to the requested {accuracy:g}; see its bound."
+        sentence = (
+            f"The map is accurate to {digits(reached, 2)}, not to the requested {accuracy:g}; see its sampled_error."
+        )
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
     return _made(building, found, ("load" if by_load else "approach", pressed), accuracy)
 
@@ -238,7 +240,7 @@ def _made(building: Building, found: Built, given: tuple[str, Range], accuracy: 
         stations=building.stations,
         half_length=found.shape.half_length,
         accuracy=float(accuracy),
-        bound=found.bound,
+        sampled_error=found.sampled_error,
         cases=found.cases,
         failed=found.failed,
     )
