@@ -104,6 +104,33 @@ def test_how_to_shows_what_happens(page, tmp_path, monkeypatch):
     assert runner.summarize(verbose=False).failed == 0, "".join(said)
 
 
+def plans():
+    """Return the plans printed in the documents, by the page and their number on it."""
+    for page in PAGES:
+        for number, text in enumerate(re.findall(r"^```toml\n(.*?)^```$", page.read_text("utf-8"), re.M | re.S)):
+            if re.search(r'^case = "', text, re.M):
+                yield pytest.param(text, id=f"{name_of(page)}-{number}")
+
+
+@pytest.mark.parametrize("text", list(plans()))
+def test_plans_fit_the_file_that_new_writes(text, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (name,) = re.findall(r'^case = "(\S+)"', text, re.M)
+    assert main(["new", *(["--bearing"] if "[bearing]" in text or "bearing" in name else []), name]) == 0
+    Path("plan.toml").write_text(text, encoding="utf-8")
+    assert main(["check", "plan.toml"]) == 0, capsys.readouterr().err
+
+
+def test_the_nodes_of_the_how_to_lie_in_the_contact(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    page = (DOCS / "how-to" / "finite-elements.md").read_text(encoding="utf-8")
+    block = re.search(r"^    node;.*\n(?:    .*\n)+", page, re.MULTILINE)
+    Path("surface.csv").write_text(re.sub(r"^    ", "", block[0], flags=re.MULTILINE), encoding="utf-8")
+    assert main(["new", "roller.toml"]) == main(["nodes", "roller.toml", "surface.csv"]) == 0
+    pressures = [float(row.split(",")[4]) for row in Path("surface-pressure.csv").read_text("utf-8").splitlines()[1:]]
+    assert min(pressures) > 1000.0, capsys.readouterr()
+
+
 MODULES = {"nonhertz.profile": nh.profile} | {
     f"nonhertz.{name}": importlib.import_module(f"nonhertz.{name}")
     for name in (

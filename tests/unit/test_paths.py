@@ -7,7 +7,7 @@ import pytest
 import nonhertz as nh
 from nonhertz.io.bearingfile import bearing_schema
 from nonhertz.io.casefile import schema
-from nonhertz.io.paths import parameter, parameters
+from nonhertz.io.paths import drops_first, parameter, parameters
 
 CASE = {
     "body": {
@@ -71,6 +71,22 @@ def test_a_document_with_another_value_leaves_the_first_as_it_was(known):
     assert known["body.a.profile.radius"].value_in(CASE) == "4 m"
 
 
+@pytest.mark.parametrize(
+    ("table", "left"),
+    [
+        ({"kind": "crown", "radius": 4e3, "at": 9.0}, {"kind": "crown", "at": 9.0}),
+        ({"kind": "logarithmic", "amplitude": 5e-3, "fraction": 0.9}, {"kind": "logarithmic", "fraction": 0.9}),
+        ({"kind": "partial-crown", "radius": 1e3}, {"kind": "partial-crown", "radius": 1e3}),
+        ({"kind": "partial-crown", "radius": 1e3, "straight": 9.0}, {"kind": "partial-crown", "straight": 9.0}),
+    ],
+)
+def test_a_drop_takes_the_place_of_what_it_determines(table, left):
+    case = {"body": {"a": {"profile": [table]}}}
+    drop = parameters(case, schema())["body.a.profile.drop"]
+    assert drop.put(case, 0.01)["body"]["a"]["profile"] == [left | {"drop": 0.01}]
+    assert drops_first({"body.a.profile.radius": 1.0, "body.a.profile.drop": 2.0})[0] == ("body.a.profile.drop", 2.0)
+
+
 def test_tables_that_are_missing_are_made(known):
     assert known["solver.strips"].value_in(CASE) is None
     assert known["solver.strips"].put(CASE, 41)["solver"] == {"strips": 41}
@@ -87,4 +103,5 @@ def test_bearing_files_have_paths_too():
     assert known["roller.profile.drop"].unit == "mm"
     assert known["fit.shaft.interference"].unit == "mm"
     assert known["bearing.rollers"].whole
-    assert "bearing.kind" not in known
+    assert known["bearing.kind"].unit is None
+    assert "roller.profile.kind" not in known

@@ -70,7 +70,14 @@ def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> s
         except InputError as error:
             raise CaseError([str(error)], [error.field]) from None
     if DESIGN in document:
-        said.append(f"a design over {', '.join(design_in(document, path, changes)[1]['vary'])}")
+        from nonhertz.study.design import checked as checked_design
+
+        case, given = design_in(document, path, changes)
+        try:
+            checked_design(case, **given)
+        except InputError as error:
+            raise CaseError([str(error)], [error.field]) from None
+        said.append(f"a design over {', '.join(given['vary'])}")
     return f"{plan.title!r}, {' and '.join(said) or 'which varies nothing'}"
 
 

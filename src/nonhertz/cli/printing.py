@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 
 from rich.console import Console
@@ -10,6 +11,12 @@ from rich.table import Table
 from rich.text import Text
 
 from nonhertz.result.reading import chosen
+
+# Between a number and its unit, and within a unit; as a letter, since rich breaks lines at any blank.
+_TOGETHER, _GLUE = (
+    re.compile(r"(?<=\d) (?=[^\W\d])|(?<=MPa|ksi|psi) (?=mm|in)|(?<=\bN) (?=m)|(?<=\bK) (?==)|(?<=K =) "),
+    "\ue000",
+)
 
 
 def console(piped: int | None = 100) -> Console:
@@ -26,11 +33,19 @@ def words(text: str, style: str = "") -> Text:
 
 
 def print_table(printing: Console, table: Table) -> None:
-    """Print a table, wider than the terminal if need be: a truncated number looks like a different one."""
+    """Print a table, wider than the terminal if need be: a truncated number looks like a different one.
+
+    No line breaks between a number and its unit, and none ends in blanks.
+    """
     for column in table.columns:
         column.overflow = "fold"
+        for cell in column.cells:
+            if isinstance(cell, Text):
+                cell.plain = _TOGETHER.sub(_GLUE, cell.plain)
     whole = Console(highlight=False, width=max(printing.width, _least_width(printing, table)))
-    whole.print(table)
+    with whole.capture() as captured:
+        whole.print(table)
+    print(*(line.rstrip() for line in captured.get().replace(_GLUE, " ").splitlines()), sep="\n")
 
 
 def _least_width(printing: Console, table: Table) -> int:

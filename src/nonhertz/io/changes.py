@@ -76,10 +76,10 @@ def changed(
         return document, text
     # Imported here: it needs pydantic, as all that reads files does.
     from nonhertz.io.casefile import as_toml
-    from nonhertz.io.paths import parameter, parameters
+    from nonhertz.io.paths import drops_first, parameter, parameters
 
     whole, known, mistakes = document, schema(), []
-    for path, value in changes.items():
+    for path, value in drops_first(changes):
         try:
             found = parameter(path, parameters(whole, known))
         except InputError as error:

@@ -15,13 +15,14 @@ from typing import Any
 from nonhertz.errors import InputError
 from nonhertz.io.mistakes import nearest, path_of
 from nonhertz.io.origin import body_tables
+from nonhertz.model.profile.catalogue import BY_DROP
 
 Keys = tuple[str | int, ...]
 Schema = Mapping[str, Any]
 
 #: The unit of a profile as a whole, whose values are random forms added to it.
 FORM = "form"
-#: Keys of tables that say what a table is; they are not to be varied on their own.
+#: Keys of tables that say what a table is; unless they are a choice of words, they are not to be varied on their own.
 _NAMES = ("kind", "format", "title")
 
 
@@ -54,7 +55,15 @@ class Parameter:
         return value
 
     def put(self, document: Mapping[str, Any], value: Any) -> dict[str, Any]:
-        """Return a document with another value; tables that are missing are made."""
+        """Return a document with another value; tables that are missing are made.
+
+        The drop of a profile takes the place of the parameter that it determines.
+        """
+        if self.keys[-1] == "drop":
+            kind = Parameter("", (*self.keys[:-1], "kind"), None).value_in(document)
+            siblings = [Parameter("", (*self.keys[:-1], name), None) for name in BY_DROP.get(kind, ())]
+            if siblings and all(each.value_in(document) is not None for each in siblings):
+                document = siblings[0].removed(document)
         changed: dict[str, Any] = _with(document, self.keys, value)
         return changed
 
@@ -89,6 +98,11 @@ def parameters(document: Mapping[str, Any], schema: Schema) -> dict[str, Paramet
     return found
 
 
+def drops_first(values: Mapping[str, Any]) -> list[tuple[str, Any]]:
+    """Return values by path in the order in which to put them: none takes the place of another."""
+    return sorted(values.items(), key=lambda each: not str(each[0]).endswith(".drop"))
+
+
 def parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
     """Return the parameter of a path.
 
@@ -118,7 +132,7 @@ def _leaves(
     """
     alternatives = [each for schema in schemas for each in _alternatives(schema, defs)]
     leaf = _leaf(alternatives)
-    if leaf is not None and keys and keys[-1] not in _NAMES:
+    if leaf is not None and keys and (keys[-1] not in _NAMES or any("enum" in each for each in alternatives)):
         yield path_of(short), keys, leaf
         if short != keys:
             yield path_of(keys), keys, leaf

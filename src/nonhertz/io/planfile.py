@@ -18,7 +18,7 @@ from nonhertz.inputs.files import legible
 from nonhertz.io.bearingfile import BearingCase, bearing_in, bearing_schema
 from nonhertz.io.casefile import Case, case_in, case_text, holds_bearing, named, parsed, schema, starting_text
 from nonhertz.io.forms import with_form
-from nonhertz.io.paths import FORM, Parameter, parameter, parameters
+from nonhertz.io.paths import FORM, Parameter, drops_first, parameter, parameters
 from nonhertz.io.sampling import Sampling
 from nonhertz.io.spreads import Distribution, Spread, spread_in
 from nonhertz.result.numerals import digits
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 LOAD = "load.load"
 TABLES = ("over", "tolerance")
 DESIGN = "vary"
+_WAY_OUT = "change these values, or what the case holds beside them"
 TRIED = 50  # values of a list that are tried before the work starts
 
 
@@ -62,7 +63,7 @@ class Template:
     def put(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Return the document with other values, by path."""
         document = self.document
-        for path, value in values.items():
+        for path, value in drops_first(values):
             parameter = self.known[path]
             if parameter.unit == FORM:
                 value = with_form(document, parameter.keys, self.forms[path], value)  # noqa: PLW2901
@@ -214,8 +215,7 @@ class Plan:
             except CaseError as error:
                 shown = value if isinstance(value, str | bool) else f"{digits(float(value))} {which.unit}".rstrip()
                 condition = f"stay within what the case allows (at {shown}: {error.mistakes[0].rstrip('.')})"
-                way_out = "add 'within lowest : highest'" if isinstance(spread, Distribution) else "leave it out"
-                raise InputError(path, given, condition, way_out) from None
+                raise InputError(path, given, condition, _WAY_OUT) from None
         return spread
 
 

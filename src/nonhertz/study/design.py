@@ -263,7 +263,7 @@ def best(
     (True, 2)
     """
     callback("announce", announce)
-    asked = _asked(case, vary, goal, loads, where, model, starts)
+    asked = checked(case, vary, goal, loads, where, model, starts)
     processes = thread_count(workers)
     task, begins = asked.task, asked.begins()
     was = task.template.case({})
@@ -319,7 +319,7 @@ def front(
         best(case, vary=vary, goal=PRESSURE, loads=group, where=where, starts=starts, workers=workers)
         for group in groups
     ]
-    asked = _asked(case, vary, PRESSURE, groups[0], where, None, starts)
+    asked = checked(case, vary, PRESSURE, groups[0], where, None, starts)
     every = (*groups[0], *groups[1])
     free, held = (None,) * len(groups[0]), len(groups[1])
     lowest, highest = ends[1].value, _largest(ends[0].case, groups[1])
@@ -420,15 +420,16 @@ class _Asked:
         return x
 
 
-def _asked(
+def checked(
     case: object,
-    vary: Mapping[str, Any] | None,
-    goal: str | None,
-    loads: Sequence[LoadCase] | None,
-    where: Mapping[str, Any] | None,
-    model: Model | None,
-    starts: int | None,
+    vary: Mapping[str, Any] | None = None,
+    goal: str | None = None,
+    loads: Sequence[LoadCase] | None = None,
+    where: Mapping[str, Any] | None = None,
+    model: Model | None = None,
+    starts: int | None = None,
 ) -> _Asked:
+    """Return what `best` is asked for; refuse what it refuses before it solves anything."""
     plan: dict[str, Any] = {}
     if isinstance(case, str | Path):
         case, plan = read_design(case)
@@ -486,7 +487,7 @@ def _refused_as(path: str, given: Any, end: float) -> Any:
         yield
     except NonhertzError as error:
         condition = f"stay within what the case allows (at {end:.6g}: {str(error).rstrip('.')})"
-        raise InputError(path, given, condition, "give closer bounds") from None
+        raise InputError(path, given, condition, "change these bounds, or what the case holds beside them") from None
 
 
 def _loads(case: Case, loads: Any) -> tuple[LoadCase, ...]:

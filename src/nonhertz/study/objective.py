@@ -21,6 +21,7 @@ from nonhertz.bodies.whole_roller import interpolated_shapes
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
 from nonhertz.io.casefile import Case
 from nonhertz.io.free_forms import FreeForm, half_length
+from nonhertz.io.paths import drops_first
 from nonhertz.io.planfile import Template
 from nonhertz.life import LoadCase, Model
 from nonhertz.result.gradient import Gradient
@@ -167,7 +168,7 @@ class Task:
     def document(self, x: Array) -> dict[str, Any]:
         """Return the document of the case at a point."""
         document, forms = self.template.document, {each.path: each.form for each in self.variables}
-        for path, value in self.values(x).items():
+        for path, value in drops_first(self.values(x)):
             parameter, form = self.template.known[path], forms[path]
             given = value if form is None else form.tables(document, parameter.keys, value)
             document = parameter.put(document, given)
