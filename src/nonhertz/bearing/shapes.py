@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal, get_args
 
@@ -35,11 +35,66 @@ _DEVIATIONS = "give as many lengths in mm as angles"
 _TERMS = "give a mapping such as {2: 0.005}, or {2: (0.005, 0.3)} with the angle of a crest"
 
 
+@dataclass(frozen=True)
+class _Waves:
+    """Orders with their amplitudes [mm] and the angles of a crest [rad]."""
+
+    terms: tuple[tuple[int, float, float], ...]
+
+    @property
+    def table(self) -> dict[str, object]:
+        return {"terms": {order: (amplitude, crest) for order, amplitude, crest in self.terms}}
+
+    def at(self, angle: Array) -> Array:
+        found = np.zeros_like(angle)
+        for order, amplitude, crest in self.terms:
+            found += amplitude * np.cos(order * (angle - crest))
+        return found
+
+    def changed(self, turn: float, factor: float) -> _Waves:
+        return _Waves(tuple((order, factor * amplitude, crest + turn) for order, amplitude, crest in self.terms))
+
+
+@dataclass(frozen=True)
+class _Table:
+    """Ascending angles within a turn [rad] and the deviation there [mm]; what follows the last is the first."""
+
+    angle: tuple[float, ...]
+    deviation: tuple[float, ...]
+    curve: Curve
+    offset: float = 0.0
+
+    @property
+    def table(self) -> dict[str, object]:
+        angle = [each + self.offset for each in self.angle]
+        return {"angle": angle, "deviation": list(self.deviation), "curve": self.curve}
+
+    def at(self, angle: Array) -> Array:
+        return np.asarray(self._curve(np.mod(angle - self.offset - self.angle[0], _TURN)))
+
+    @cached_property
+    def _curve(self) -> Callable[[Array], Array]:
+        places = np.append(self.angle, self.angle[0] + _TURN) - self.angle[0]
+        values = np.append(self.deviation, self.deviation[0])
+        if self.curve == "linear" or len(self.angle) < 3:
+            return lambda angle: np.interp(angle, places, values)
+        from scipy.interpolate import CubicSpline
+
+        curve: Callable[[Array], Array] = CubicSpline(places, values, bc_type="periodic")
+        return curve
+
+    def changed(self, turn: float, factor: float) -> _Table:
+        return _Table(self.angle, tuple(factor * each for each in self.deviation), self.curve, self.offset + turn)
+
+
+@dataclass(frozen=True)
 class RingShape:
     """How far a raceway is from a circle; called with angles [rad], it returns lengths [mm].
 
     Made with `fourier_shape`, `tabulated_shape` and ``+``.
     """
+
+    _parts: tuple[_Waves | _Table, ...]
 
     def __call__(self, angle: ArrayLike) -> Array:
         """Return how much less room there is at angles than a circle leaves.
@@ -54,10 +109,8 @@ class RingShape:
         array
             [mm].
         """
-        return self._at(numbers("angle", angle, "give angles in rad"))
-
-    def _at(self, angle: Array) -> Array:
-        raise NotImplementedError
+        places = numbers("angle", angle, "give angles in rad")
+        return np.asarray(np.sum([part.at(places) for part in self._parts], axis=0))
 
     def turned(self, by: float) -> RingShape:
         """Return the shape of the ring when it has turned.
@@ -68,10 +121,7 @@ class RingShape:
             From y towards z [rad].
         """
         finite("by", by, "give the angle in rad")
-        return self._turned(float(by))
-
-    def _turned(self, by: float) -> RingShape:
-        raise NotImplementedError
+        return RingShape(tuple(part.changed(float(by), 1.0) for part in self._parts))
 
     def scaled(self, by: float) -> RingShape:
         """Return the shape with all deviations multiplied.
@@ -82,104 +132,15 @@ class RingShape:
             -1 where they are positive for more room.
         """
         finite("by", by, "give a number")
-        return self._scaled(float(by))
-
-    def _scaled(self, by: float) -> RingShape:
-        raise NotImplementedError
+        return RingShape(tuple(part.changed(0.0, float(by)) for part in self._parts))
 
     @property
     def tables(self) -> tuple[dict[str, object], ...]:
-        """What it is the sum of, each as keywords: ``terms`` for `fourier_shape`, or those of `tabulated_shape`.
-
-        Empty for a class of the user's.
-        """
-        return ()
+        """What it is the sum of, each as keywords: ``terms`` for `fourier_shape`, or those of `tabulated_shape`."""
+        return tuple(part.table for part in self._parts)
 
     def __add__(self, other: RingShape) -> RingShape:
-        if not isinstance(other, RingShape):
-            return NotImplemented
-        return _SumShape(_parts(self) + _parts(other))
-
-
-def _parts(shape: RingShape) -> tuple[RingShape, ...]:
-    return shape.parts if isinstance(shape, _SumShape) else (shape,)
-
-
-@dataclass(frozen=True)
-class _SumShape(RingShape):
-    parts: tuple[RingShape, ...]
-
-    @property
-    def tables(self) -> tuple[dict[str, object], ...]:
-        found = [part.tables for part in self.parts]
-        return tuple(table for each in found for table in each) if all(found) else ()
-
-    def _at(self, angle: Array) -> Array:
-        return np.asarray(np.sum([part(angle) for part in self.parts], axis=0))
-
-    def _scaled(self, by: float) -> RingShape:
-        return _SumShape(tuple(part.scaled(by) for part in self.parts))
-
-    def _turned(self, by: float) -> RingShape:
-        return _SumShape(tuple(part.turned(by) for part in self.parts))
-
-
-@dataclass(frozen=True)
-class _FourierShape(RingShape):
-    """Orders with their amplitudes [mm] and the angles of a crest [rad]."""
-
-    terms: tuple[tuple[int, float, float], ...]
-
-    @property
-    def tables(self) -> tuple[dict[str, object], ...]:
-        return ({"terms": {order: (amplitude, crest) for order, amplitude, crest in self.terms}},)
-
-    def _at(self, angle: Array) -> Array:
-        found = np.zeros_like(angle)
-        for order, amplitude, crest in self.terms:
-            found += amplitude * np.cos(order * (angle - crest))
-        return found
-
-    def _scaled(self, by: float) -> RingShape:
-        return _FourierShape(tuple((order, by * amplitude, crest) for order, amplitude, crest in self.terms))
-
-    def _turned(self, by: float) -> RingShape:
-        return _FourierShape(tuple((order, amplitude, crest + by) for order, amplitude, crest in self.terms))
-
-
-@dataclass(frozen=True)
-class _TabulatedShape(RingShape):
-    """Ascending angles within a turn [rad] and the deviation there [mm]; what follows the last is the first."""
-
-    angle: tuple[float, ...]
-    deviation: tuple[float, ...]
-    curve: Curve
-    offset: float = 0.0
-
-    @property
-    def tables(self) -> tuple[dict[str, object], ...]:
-        angle = [each + self.offset for each in self.angle]
-        return ({"angle": angle, "deviation": list(self.deviation), "curve": self.curve},)
-
-    def _at(self, angle: Array) -> Array:
-        return np.asarray(self._curve(np.mod(angle - self.offset - self.angle[0], _TURN)))
-
-    @cached_property
-    def _curve(self) -> Callable[[Array], Array]:
-        places = np.append(self.angle, self.angle[0] + _TURN) - self.angle[0]
-        values = np.append(self.deviation, self.deviation[0])
-        if self.curve == "linear" or len(self.angle) < 3:
-            return lambda angle: np.interp(angle, places, values)
-        from scipy.interpolate import CubicSpline
-
-        curve: Callable[[Array], Array] = CubicSpline(places, values, bc_type="periodic")
-        return curve
-
-    def _scaled(self, by: float) -> RingShape:
-        return replace(self, deviation=tuple(by * each for each in self.deviation))
-
-    def _turned(self, by: float) -> RingShape:
-        return replace(self, offset=self.offset + by)
+        return RingShape(self._parts + other._parts) if isinstance(other, RingShape) else NotImplemented
 
 
 def fourier_shape(terms: Mapping[int, float | tuple[float, float]]) -> RingShape:
@@ -219,7 +180,7 @@ def fourier_shape(terms: Mapping[int, float | tuple[float, float]]) -> RingShape
         if row.size not in (1, 2):
             raise InputError(place, wave, "be an amplitude, or an amplitude and an angle", _TERMS)
         found.append((number, float(row[0]), float(row[1]) if row.size == 2 else 0.0))
-    return _FourierShape(tuple(sorted(found)))
+    return RingShape((_Waves(tuple(sorted(found))),))
 
 
 def tabulated_shape(angle: ArrayLike, deviation: ArrayLike, curve: Curve = "cubic") -> RingShape:
@@ -265,7 +226,7 @@ def tabulated_shape(angle: ArrayLike, deviation: ArrayLike, curve: Curve = "cubi
     if np.any(np.diff(places) <= _CLOSED * _TURN):
         twice = float(places[:-1][np.diff(places) <= _CLOSED * _TURN][0])
         raise InputError("angle", twice, "occur once", _ANGLES)
-    return _TabulatedShape(tuple(places.tolist()), tuple(values.tolist()), curve)
+    return RingShape((_Table(tuple(places.tolist()), tuple(values.tolist()), curve),))
 
 
 def _opened(places: Array, values: Array) -> tuple[Array, Array]:

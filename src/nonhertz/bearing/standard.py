@@ -12,7 +12,7 @@ import numpy as np
 
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.laws import Slices
-from nonhertz.life.lamina import STIFFENING, lamina_stiffness
+from nonhertz.life.lamina import STIFFENING, lamina_stiffness, slice_compliance
 
 LAMINAE = 41
 
@@ -23,5 +23,5 @@ def standard_slices(bearing: RollerBearing, laminae: int = LAMINAE) -> Slices:
     low, high = bearing.effective_interval
     y = low + (high - low) * (np.arange(laminae) + 0.5) / laminae
     relief = 0.5 * (inner.separation(y) + outer.separation(y))
-    compliance = 0.5 * (inner.compliance ** (1.0 / STIFFENING) + outer.compliance ** (1.0 / STIFFENING))
-    return Slices(y, relief, lamina_stiffness(high - low, laminae, compliance**STIFFENING), STIFFENING)
+    approach = 0.5 * sum(slice_compliance(each) ** (1.0 / STIFFENING) for each in bearing.contacts)
+    return Slices(y, relief, lamina_stiffness(high - low, laminae, approach**STIFFENING), STIFFENING)

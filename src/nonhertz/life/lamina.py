@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_of, text, whole
 from nonhertz.model.contact import Contact
-from nonhertz.model.material import STEEL
+from nonhertz.model.material import STEEL, STEEL_MODULUS
 from nonhertz.result.protocol import Solved
 
 Array = NDArray[np.float64]
@@ -38,10 +38,18 @@ _OF_STEEL = 2.0 * STEEL.compliance  # of a contact of steel on steel [1/MPa]
 STIFFENING = 10.0 / 9.0  # power of the deflection with which the load of a lamina grows
 
 
+def slice_compliance(contact: Contact) -> float:
+    """Return the sum of both compliances [1/MPa], each steel being that of the standard's constant."""
+    low, high = STEEL_MODULUS
+    materials = contact.a.material, contact.b.material
+    return sum(STEEL.compliance if low <= each.modulus <= high else each.compliance for each in materials)
+
+
 def roller_stiffness(length: float, compliance: float = _OF_STEEL) -> float:
     """Return the load [N] of a roller of a length [mm] between two raceways per deflection [mm] to `STIFFENING`.
 
-    The standard's constant is that of steel. Palmgren's formula, of which it is the inverse, has for other materials
+    The standard's constant is that of steel, of whichever modulus. Palmgren's formula, of which it is the inverse, has
+    for other materials
 
         deflection = 0.39 {4 (1 - nu_1^2) / E_1 + 4 (1 - nu_2^2) / E_2}^0.9 Q^0.9 / L^0.8
 
@@ -240,7 +248,7 @@ def _slices(solution: Solved, edges: Array) -> Array:
     y = 0.5 * (edges[1:] + edges[:-1])
     gap = contact.separation(y) - solution.tilt * y
     gap -= gap.min()  # a large one in all slices would leave no digits for the approach
-    stiffness = lamina_stiffness(float(edges[-1] - edges[0]), y.size, contact.compliance)
+    stiffness = lamina_stiffness(float(edges[-1] - edges[0]), y.size, slice_compliance(contact))
 
     def loads(approach: float) -> Array:
         return np.asarray(stiffness * np.maximum(approach - gap, 0.0) ** STIFFENING)

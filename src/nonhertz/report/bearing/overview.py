@@ -112,7 +112,9 @@ def _life_keys(life: BearingLife, speed: float | None) -> list[Key]:
     keys = []
     if math.isfinite(life.static_safety):
         keys.append(Key("static safety S0", digits(life.static_safety, 3), ""))
-    if math.isfinite(life.modified):
+    if life.no_reference:
+        keys.append(Key("modified life", "none", "", life.no_reference))
+    elif math.isfinite(life.modified):
         hours = f"{digits(life.modified * 1e6 / (60.0 * speed), 4)} hours" if speed else ""
         keys.append(Key("modified life", digits(life.modified, 4), "million rev.", hours))
     return keys
