@@ -11,6 +11,7 @@ import warnings
 from fnmatch import fnmatch
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import nonhertz as nh
@@ -102,6 +103,20 @@ def test_how_to_shows_what_happens(page, tmp_path, monkeypatch):
         warnings.simplefilter("error")
         runner.run(test, out=said.append)
     assert runner.summarize(verbose=False).failed == 0, "".join(said)
+
+
+@pytest.mark.slow
+def test_the_readme_prints_what_it_says_and_its_bearing_is_that_of_the_file(tmp_path, capsys):
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    script, bearing = re.findall(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+    (printed,) = re.findall(r"^```\n\n((?:    .*\n)+)\nOr from files", text, re.MULTILINE)
+    names: dict[str, object] = {}
+    exec(script, names)
+    assert capsys.readouterr().out == re.sub(r"^    ", "", printed, flags=re.MULTILINE)
+    exec(bearing, names)
+    file = tmp_path / "nu206.toml"
+    assert main(["new", "--bearing", str(file)]) == 0
+    np.testing.assert_allclose(nh.read_bearing(file).solve().max_pressure, names["found"].max_pressure, rtol=1e-9)
 
 
 def plans():
