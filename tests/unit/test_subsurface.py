@@ -148,33 +148,43 @@ def test_images_free_the_side_face_of_shear(tilted):
     assert np.abs([on_face.tau_yz, on_face.tau_xy]).max() < 1e-4 * largest
 
 
-def test_both_bodies_together_are_displaced_as_the_solution_says(tilted):
+@pytest.mark.parametrize("faces", ["mirror", pytest.param("free", marks=pytest.mark.slow)])
+def test_both_bodies_together_are_displaced_as_the_solution_says(tilted, faces):
+    if faces == "free":
+        profile = nh.profile.iso_logarithmic(diameter=20, length=20)
+        roller = nh.Roller(diameter=20, length=20, profile=profile)
+        tilted = nh.solve(nh.Contact(roller, nh.Ring(diameter=80, length=21, depth=10)), load=20e3, tilt=5e-4)
     # Strips in pieces move the surface by what the solver's own strips do, but for their steps.
     y = tilted.y[tilted.line_load > 0.0]
     moved = sum(stress(tilted, 0.0, y, 0.0, body=body, displacement=True).displacement[:, 2] for body in "ab")
     wanted = tilted.displacement[tilted.line_load > 0.0]
     np.testing.assert_allclose(moved, wanted, rtol=0.0, atol=2e-3 * wanted.max())
     middle = np.abs(y) < 8.0
-    np.testing.assert_allclose(moved[middle], wanted[middle], rtol=4e-4, atol=0.0)
+    scale = wanted.max() if faces == "free" else wanted[middle]
+    assert np.all(np.abs(moved[middle] - wanted[middle]) < 4e-4 * scale)
 
 
-def test_displacement_below_free_side_faces_is_refused():
-    solution = nh.solve(nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(2000)), RING), load=5e3)
-    with pytest.raises(nh.InputError, match="displacement = True must only be asked for below a surface without free"):
-        stress(solution, 0.0, 0.0, 0.1, displacement=True)
-    assert stress(solution, 0.0, 0.0, 0.1, body="b", displacement=True).displacement[2] > 0.0
-
-
-def test_the_plane_grid_is_displaced_as_its_solution_says(patched):
+@pytest.mark.filterwarnings("ignore:The estimated error:nonhertz.AccuracyWarning")
+@pytest.mark.parametrize("faces", ["mirror", pytest.param("free", marks=pytest.mark.slow)])
+def test_the_plane_grid_is_displaced_as_its_solution_says(patched, faces):
+    if faces == "free":
+        roller, ring = nh.Roller(diameter=20, length=8), nh.Ring(diameter=80, length=8, depth=10)
+        dent = nh.patch.Dent(x=0.2, y=3.5, depth=5e-4, diameter=2.0)
+        patched = nh.patch.solve(nh.Contact(roller, ring), load=4e3, cells=(32, 64), features=[dent])
     contact = patched.contact
-    column = int(np.abs(patched.x).argmin())
+    column = int(np.abs(patched.x).argmin()) + 3
     moved = sum(
         stress(patched, patched.x[column], patched.y, 0.0, body=body, displacement=True).displacement[:, 2]
         for body in "ab"
     )
     gap = patched.x[column] ** 2 * contact.curvature(patched.y) / 2.0 + contact.separation(patched.y)
+    if faces == "free":
+        gap += dent(patched.x[column], patched.y)
     wanted = patched.gap[column] + patched.approach - gap
-    np.testing.assert_allclose(moved, wanted, rtol=1e-5, atol=0.0)
+    # Next to a free face the grid averages a logarithm over its cells.
+    inner = np.abs(patched.y) < (2.6 if faces == "free" else np.inf)
+    np.testing.assert_allclose(moved[inner], wanted[inner], rtol=3e-5 if faces == "free" else 1e-5, atol=0.0)
+    np.testing.assert_allclose(moved, wanted, rtol=2e-3, atol=0.0)
 
 
 def test_a_body_of_another_poisson_ratio_has_another_field():
@@ -343,8 +353,10 @@ def test_the_largest_is_found_up_to_where_a_contact_runs_out():
 @pytest.mark.slow
 def test_a_plane_grid_is_not_searched_at_sharp_ends_either():
     contact = nh.Contact(nh.Roller(diameter=20, length=20), RING)
-    found = extremes(nh.patch.solve(contact, load=10e3, cells=(24, 128)))
-    of_strips = extremes(nh.solve(contact, load=10e3))
+    # On the surface next to what is left out, the strips' semi-ellipse is not quite the pressure of the cells.
+    below = (0.05, np.inf)
+    found = extremes(nh.patch.solve(contact, load=10e3, cells=(24, 128)), depths=below)
+    of_strips = extremes(nh.solve(contact, load=10e3), depths=below)
     assert "no limit towards the sharp ends" in found.warnings[0]
     assert found.von_mises.max == pytest.approx(of_strips.von_mises.max, rel=0.03)
 

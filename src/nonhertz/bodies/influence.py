@@ -9,7 +9,7 @@ by how much.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -113,7 +113,8 @@ def influence_of(contact: DeepPair, shape: Shape) -> Influence:
     found = ends(contact)
     terms, references = {DIRECT: 1.0}, []
     for which in (0, 1):
-        images, reference = _of_body(contact, shape, found, which)
+        weights = {end.side: end.weights[which] for end in found if end.weights[which] > 0.0}
+        images, reference = _of_body(contact, shape, (weights.get(-1, 0.0), weights.get(1, 0.0)), which)
         for place, weight in images.places.items():
             terms[place] = terms.get(place, 0.0) + weight
         if reference is not None:
@@ -145,19 +146,17 @@ def influence_within(contact: DeepPair, shape: Shape, which: int) -> tuple[Array
     tuple of ndarray, shape (terms, 3), and Reference or None
         Rows (sign, offset, weight), with weight 1 for the load itself; None if the reference is far away.
     """
-    # Stress and displacement below the surface are those of images alone.
-    images, reference = _of_body(contact, shape, ends(contact), which, free=False)
+    # No other weight frees a face of shear.
+    low, high = (float(weight > 0.0) for weight in (contact.a, contact.b)[which].face_weights)
+    images, reference = _of_body(contact, shape, (low, high), which)
     terms = rows({DIRECT: 1.0, **images.places})
     terms[1:, 2] /= images.share
     return terms, reference
 
 
 def _of_body(
-    contact: DeepPair, shape: Shape, found: tuple[End, ...], which: int, *, free: bool = True
+    contact: DeepPair, shape: Shape, weights: tuple[float, float], which: int
 ) -> tuple[Images, Reference | None]:
     body: Deep = (contact.a, contact.b)[which]
-    weights = {end.side: end.weights[which] for end in found if end.weights[which] > 0.0}
-    images = Images.of(body, (weights.get(-1, 0.0), weights.get(1, 0.0)), shares(contact)[which])
-    if not free:
-        images = replace(images, free=np.zeros((0, 3)))
+    images = Images.of(body, weights, shares(contact)[which])
     return images, body.behind.reference(body, shape, images)

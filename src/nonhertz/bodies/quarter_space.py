@@ -42,7 +42,7 @@ Array = NDArray[np.float64]
 EDGE_SLOPE = 16.0 / (math.pi**2 - 4.0)
 
 _SMALLEST, _LARGEST = 2.0**-26, 24.0  # e varies as a logarithm below the first, and is below 1e-9 beyond the second
-_NODES = 10  # on each panel of the integral equation
+NODES = 10  # on each panel of the integral equation
 _LOGARITHMIC = 24  # halvings of a panel towards the singularity of K0
 
 # The form in which e is kept; it leaves 1e-7.
@@ -168,11 +168,7 @@ class _Solved:
     @classmethod
     def of(cls, poisson: float) -> _Solved:
         """Solve the integral equation."""
-        panels = _panels()
-        y, weight = _nodes(panels)
-        brought = _brought(panels, y, poisson)
-        operator = brought * weight
-        _mend_corner(operator, panels, y, weight)
+        panels, y, weight, brought, operator = corner_operator(poisson)
         beyond = operator @ np.linalg.solve(np.eye(y.size) - operator @ operator, brought)
         values = 2.0 * _raised(panels, y, weight) @ beyond
         # By reciprocity; what differs is error.
@@ -180,11 +176,24 @@ class _Solved:
 
     def at(self, u: Array, v: Array) -> Array:
         """Return e at places within the panels."""
-        panels, nodes = self.panels.size - 1, _NODES
+        panels, nodes = self.panels.size - 1, NODES
         blocks = self.values.reshape(panels, nodes, panels, nodes)
-        (row, left), (column, right) = (_interpolation(self.panels, each) for each in (u, v))
+        (row, left), (column, right) = (interpolation(self.panels, each) for each in (u, v))
         found: Array = np.einsum("ki,kij,kj->k", left, blocks[row, :, column, :], right)
         return found
+
+
+def corner_operator(poisson: float) -> tuple[Array, Array, Array, Array, Array]:
+    """Return edges of panels, Gauss nodes and weights on them, a between the nodes, and the operator A on loads there.
+
+    Distances are multiplied by k.
+    """
+    panels = _panels()
+    y, weight = _nodes(panels)
+    brought = _brought(panels, y, poisson)
+    operator = brought * weight
+    _mend_corner(operator, panels, y, weight)
+    return panels, y, weight, brought, operator
 
 
 def _panels() -> Array:
@@ -197,23 +206,23 @@ def _panels() -> Array:
 
 def _nodes(panels: Array) -> tuple[Array, Array]:
     """Return Gauss nodes and weights on all panels."""
-    node, weight = legendre.leggauss(_NODES)
+    node, weight = legendre.leggauss(NODES)
     centre, half = 0.5 * (panels[1:] + panels[:-1]), 0.5 * np.diff(panels)
     return (centre[:, None] + half[:, None] * node).ravel(), (half[:, None] * weight).ravel()
 
 
-def _interpolation(panels: Array, places: Array) -> tuple[NDArray[np.int64], Array]:
+def interpolation(panels: Array, places: Array) -> tuple[NDArray[np.int64], Array]:
     """Return the panel of each place, and the weights of the panel's nodes there."""
     panel = np.clip(np.searchsorted(panels, places) - 1, 0, panels.size - 2)
     low, high = panels[panel], panels[panel + 1]
-    return panel, legendre.legvander((2.0 * places - low - high) / (high - low), _NODES - 1) @ _to_legendre()
+    return panel, legendre.legvander((2.0 * places - low - high) / (high - low), NODES - 1) @ to_legendre()
 
 
 @cache
-def _to_legendre() -> Array:
+def to_legendre() -> Array:
     """Return the matrix from values at Gauss nodes to Legendre coefficients."""
-    node, _ = legendre.leggauss(_NODES)
-    return np.asarray(np.linalg.inv(legendre.legvander(node, _NODES - 1)), dtype=float)
+    node, _ = legendre.leggauss(NODES)
+    return np.asarray(np.linalg.inv(legendre.legvander(node, NODES - 1)), dtype=float)
 
 
 def _brought(panels: Array, y: Array, poisson: float) -> Array:
@@ -232,14 +241,14 @@ def _brought(panels: Array, y: Array, poisson: float) -> Array:
 
 def _integral_beyond(panels: Array, values: Array) -> Array:
     """Return the integrals of columns of nodal values from each node to the end."""
-    node, weight = legendre.leggauss(_NODES)
-    to_end = np.empty((_NODES, _NODES))
-    for degree, unit in enumerate(np.eye(_NODES)):
+    node, weight = legendre.leggauss(NODES)
+    to_end = np.empty((NODES, NODES))
+    for degree, unit in enumerate(np.eye(NODES)):
         antiderivative = legendre.legint(unit)
         to_end[:, degree] = legendre.legval(1.0, antiderivative) - legendre.legval(node, antiderivative)
-    blocks = values.reshape(panels.size - 1, _NODES, -1)
+    blocks = values.reshape(panels.size - 1, NODES, -1)
     half = 0.5 * np.diff(panels)
-    within = half[:, None, None] * (to_end @ _to_legendre() @ blocks)
+    within = half[:, None, None] * (to_end @ to_legendre() @ blocks)
     whole = half[:, None] * (weight @ blocks)
     after = np.cumsum(whole[::-1], axis=0)[::-1] - whole
     return (within + after[:, None, :]).reshape(values.shape)
@@ -251,11 +260,11 @@ def _mend_corner(operator: Array, panels: Array, y: Array, weight: Array) -> Non
     A constant load near the edge is one that the operator leaves as it is, so that an error of this panel, however
     small it is, would change the loads everywhere.
     """
-    z, v = y[:_NODES, None], y[:_NODES]
-    rough = (4.0 / math.pi * z * v**2 / (z**2 + v**2) ** 2) @ weight[:_NODES]
+    z, v = y[:NODES, None], y[:NODES]
+    rough = (4.0 / math.pi * z * v**2 / (z**2 + v**2) ** 2) @ weight[:NODES]
     t = panels[1] / v
     exact = 2.0 / math.pi * (np.arctan(t) - t / (1.0 + t**2))
-    first = np.arange(_NODES)
+    first = np.arange(NODES)
     operator[first, first] += exact - rough
 
 
@@ -264,12 +273,12 @@ def _raised(panels: Array, y: Array, weight: Array) -> Array:
     from scipy import special
 
     direct = special.k0(np.abs(y[:, None] - y) + np.eye(y.size)) * weight
-    node, share = legendre.leggauss(_NODES)
+    node, share = legendre.leggauss(NODES)
     halved = np.concatenate([[0.0], 2.0 ** np.arange(-_LOGARITHMIC, 1.0)])
     toward = (0.5 * (halved[1:] + halved[:-1])[:, None] + 0.5 * np.diff(halved)[:, None] * node).ravel()
     shares = (0.5 * np.diff(halved)[:, None] * share).ravel()
     for i, place in enumerate(y):
-        own = i // _NODES
+        own = i // NODES
         # On its own panel and beside it K0 is integrated with the polynomials, on panels halved towards the place.
         for panel in range(max(0, own - 1), min(panels.size - 1, own + 2)):
             low, high = panels[panel : panel + 2]
@@ -279,7 +288,7 @@ def _raised(panels: Array, y: Array, weight: Array) -> Array:
             there = parts > 0.0
             local = (2.0 * points[there] - low - high) / (high - low)
             distance = np.maximum(np.abs(points[there] - place), np.finfo(float).tiny)
-            rule = (parts[there] * special.k0(distance)) @ legendre.legvander(local, _NODES - 1) @ _to_legendre()
-            direct[i, panel * _NODES : (panel + 1) * _NODES] = rule
+            rule = (parts[there] * special.k0(distance)) @ legendre.legvander(local, NODES - 1) @ to_legendre()
+            direct[i, panel * NODES : (panel + 1) * NODES] = rule
     raised: Array = direct + special.k0(y[:, None] + y) * weight
     return raised

@@ -100,8 +100,8 @@ def body_words(name: str, body: Body) -> Iterator[str]:
     sides = zip(body.face_weights, body.free_faces, strict=True)
     if any(body.free_faces):
         yield (
-            f"Side faces of {name} are free of shear and of normal stress, as those of an elastic quarter-space. "
-            "Stress below the surface is that of mirrored pressure, which leaves a normal stress on them."
+            f"Side faces of {name} are free of shear and of normal stress, as those of an elastic quarter-space, below "
+            "the surface, too."
         )
     weights = [weight for weight, free in sides if weight > 0.0 and not free]
     if weights:

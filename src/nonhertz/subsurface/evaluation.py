@@ -20,7 +20,7 @@ from nonhertz.inputs.checks import broadcast, callback, finite, flag, numbers, t
 from nonhertz.model.body import BodyName
 from nonhertz.result.protocol import Solved
 from nonhertz.subsurface.field import Field
-from nonhertz.subsurface.inside import Inside, checked_body, checked_solution
+from nonhertz.subsurface.inside import LEAST, NARROWING, Inside, checked_body, checked_solution
 
 Array = NDArray[np.float64]
 Announce = Callable[[int, int], object]
@@ -28,8 +28,6 @@ Announce = Callable[[int, int], object]
 PORTION = 2048  # points per chunk
 DOUBLE = 8
 FARTHEST = 1e6  # mm
-# How fast a strip's half-width counts less with the distance along y, and the least that counts, of the largest.
-NARROWING, LEAST = 0.5, 0.05
 DEEPEST, WIDEST = 3.0, 2.0  # default extents of planes, in half-widths
 STATIONS, LEVELS, ACROSS = 201, 61, 81
 
@@ -97,7 +95,7 @@ def stress(
         ``"a"`` or ``"b"``: the body that the points lie in. Both bear the same pressure; Poisson's ratio and mirror
         images are each body's own.
     displacement : bool
-        Whether to return displacements too; not of a body with free side faces.
+        Whether to return displacements too.
     threads : int, optional
         Number of threads; all cores if left out. The result does not depend on it.
     announce : callable, optional
@@ -111,16 +109,19 @@ def stress(
     ------
     InputError
         If a point is not finite, lies above the surface or beyond the side faces, no point lies in the body's material,
-        ``body`` is neither, or displacements are asked for below a surface between free side faces.
+        or ``body`` is neither.
 
     Notes
     -----
-    A half-space under the pressure of the solution, with the images of the body's side faces. Of free faces it is the
-    images alone, which leave a normal stress on them: within a half-width of such a face the field is approximate, and
-    displacements are refused. The pressure of strips is
-    interpolated smoothly between their centres so that each keeps its load; that of a plane grid is uniform in each
-    cell, which shows near the surface. Parabolic strips count as the semi-ellipses of equal load, whose pressure the
-    solution reports: a parabola has a tenth less orthogonal shear than the contact it represents.
+    A half-space under the pressure of the solution, with the images of the body's side faces, and what an elastic
+    quarter-space adds to them where a face is free: no stress is left on it. This includes faces with calibrated or
+    weighted images, all of which weigh 1 here. A mirrored face is free of shear alone, as a plane of symmetry is, and
+    behind an untreated one the half-space goes on.
+
+    The pressure of strips is interpolated smoothly between their centres so that each keeps its load; that of a plane
+    grid is uniform in each cell, which shows near the surface. Parabolic strips count as the semi-ellipses of equal
+    load, whose pressure the solution reports: a parabola has a tenth less orthogonal shear than the contact it
+    represents.
 
     The pressure of strips bears the solution's load; its moment is the solution's within 1e-3 of load times half the
     length of the contact. Against point loads summed by other code below 300 random contacts, on automatic and on few
@@ -149,8 +150,6 @@ def stress(
     flag("displacement", displacement, "write True for displacements too")
     callback("announce", announce)
     inside = Inside.of(solution, body)
-    if displacement:
-        _refuse_displacement(solution, body)
     places = broadcast(
         POINTS_REMEDY, *(finite_numbers(name, value) for name, value in zip("xyz", (x, y, z), strict=True))
     )
@@ -190,14 +189,6 @@ def field_at(
     moved = displacements.reshape(*shape, 3) if displacements is not None else None
     across, along, below = places
     return Field(inside.name, across, along, below, stresses.reshape(*shape, 6), moved, inside.extent.warnings(held))
-
-
-def _refuse_displacement(solution: Solved, body: BodyName) -> None:
-    """Refuse displacements below a surface whose images do not move it as the solution says."""
-    if any(getattr(solution.contact, body).free_faces):
-        condition = "only be asked for below a surface without free side faces"
-        remedy = f"leave it out, or solve with side_faces = 'mirror' of body {body}"
-        raise InputError("displacement", True, condition, remedy)
 
 
 def axial_plane(

@@ -26,12 +26,15 @@ from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface.extent import Extent
 from nonhertz.subsurface.field import TAU_XY, TAU_YZ
+from nonhertz.subsurface.free_faces import FreeFaceField, Spectrum
 from nonhertz.subsurface.rectangles import Rectangles
 from nonhertz.subsurface.strips import StripLoad
 from nonhertz.subsurface.tails import TWO_PI, stress_tail
 
 Array = NDArray[np.float64]
 U_Y, U_Z = 1, 2
+# How fast a strip's half-width counts less with the distance along y, and the least that counts, of the largest.
+NARROWING, LEAST = 0.5, 0.05
 ON_A_FACE = 1e-9  # of the body's length: tolerance for a point on a side face
 
 _BODY_REMEDY = "write 'a' or 'b'"
@@ -45,6 +48,9 @@ class Load(Protocol):
 
     def displacement(self, points: Array, poisson: float) -> Array:
         """Return the shear modulus times u_x, u_y, u_z [N/mm] at ``points`` (n, 3), shape (n, 3)."""
+
+    def spectrum(self, k: Array, y: float) -> Spectrum:
+        """Return the transforms of the pressure across at wave numbers ``k`` [1/mm], for the field near ``y`` [mm]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,6 +67,8 @@ class Inside:
         The pressure.
     terms : ndarray, shape (terms, 3)
         Rows (sign, offset, weight) of the pressure itself and its images in this body.
+    faces : tuple of FreeFaceField
+        What its free side faces add.
     reference : Reference or None
         The reference of displacement; None if it is far away.
     edges, pressed : ndarray, shape (stations + 1,) and (stations,)
@@ -73,6 +81,7 @@ class Inside:
     body: Body
     load: Load
     terms: Array
+    faces: tuple[FreeFaceField, ...]
     reference: Reference | None
     edges: Array
     pressed: Array
@@ -97,7 +106,7 @@ class Inside:
         if body.images == SERIES and body.length is not None and terms.shape[0] > SEPARATE_LINKS:
             afar = solution.load / body.length * float(terms[-1, 2])
         pressed = solution.contact.compliance * solution.line_load
-        return cls(name, body, _load(solution), terms, reference, edges, pressed, afar)
+        return cls(name, body, _load(solution), terms, _faces(solution, name, body), reference, edges, pressed, afar)
 
     def _sides(self) -> tuple[tuple[float, float], tuple[float, float]]:
         return (self.body.faces[0], -1.0), (self.body.faces[1], 1.0)
@@ -133,6 +142,8 @@ class Inside:
             part = self.load.stress(_seen(points, sign, offset), self.body.material.poisson)
             part[:, [TAU_YZ, TAU_XY]] *= sign
             total += weight * part
+        for face in self.faces:
+            total += face.stress(points)
         if self.afar:
             low, high = (face + side * SEPARATE_LINKS * (self.body.length or 0.0) for face, side in self._sides())
             _add_from_afar(points, low, high, self.afar / TWO_PI, self.body.material.poisson, total)
@@ -146,6 +157,8 @@ class Inside:
             part = self.load.displacement(_seen(points, sign, offset), material.poisson)
             part[:, U_Y] *= sign
             total += weight * part
+        for face in self.faces:
+            total += face.displacement(points)
         total /= material.shear_modulus
         if self.reference is not None:
             y, back = np.unique(points[:, 1], return_inverse=True)
@@ -192,6 +205,28 @@ def _load(solution: Solved) -> Load:
             raise TypeError(f"no field below a {type(solution).__name__}")
         _LOADS[solution] = load
     return load
+
+
+_FACES: WeakKeyDictionary[Solved, dict[BodyName, tuple[FreeFaceField, ...]]] = WeakKeyDictionary()
+
+
+def _faces(solution: Solved, name: BodyName, body: Body) -> tuple[FreeFaceField, ...]:
+    """Return what the free side faces of a body add, built on first use."""
+    found = _FACES.setdefault(solution, {})
+    if name not in found:
+        loaded = solution.line_load > 0.0
+        y, half_width = solution.y[loaded], solution.extent_across[1][loaded]
+        low, high = solution.edges[:-1][loaded][0], solution.edges[1:][loaded][-1]
+        faces = []
+        for place, side, treated, weight in zip(body.faces, (-1.0, 1.0), body.sides, body.face_weights, strict=True):
+            if weight > 0.0 and treated.of_body:
+                near = float(np.max(half_width - NARROWING * np.abs(y - place), initial=LEAST * half_width.max()))
+                reach = max(high - place, place - low)
+                faces.append(
+                    FreeFaceField.of(_load(solution).spectrum, place, side, near, reach, body.material.poisson)
+                )
+        found[name] = tuple(faces)
+    return found[name]
 
 
 def _seen(points: Array, sign: float, offset: float) -> Array:

@@ -33,6 +33,7 @@ from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled
 from nonhertz.patch.kernel import edges_from
+from nonhertz.subsurface.free_faces import Spectrum
 from nonhertz.subsurface.tails import TWO_PI, Six, Three, displacement_tail, stress_tail
 
 Array = NDArray[np.float64]
@@ -144,6 +145,16 @@ class Rectangles:
         if self.panels is not None:
             _displacement(np.array(points, dtype=np.float64, order="C"), poisson, self.panels, out)
         return out
+
+    def spectrum(self, k: Array, y: float) -> Spectrum:
+        """Return the transforms of all rows at wave numbers ``k`` [1/mm], wherever ``y`` is."""
+        if self.panels is None:
+            nothing = np.zeros((k.size, 0))
+            return Spectrum(np.zeros(0), nothing, nothing)
+        waves = np.diff(np.exp(1j * k[:, None] * self.panels.x_edges), axis=1) / (1j * k[:, None])
+        rows = np.pad(waves @ self.panels.pressure, ((0, 0), (1, 1)))
+        steps = -np.diff(rows, axis=1)
+        return Spectrum(self.panels.y_edges, steps.real, steps.imag)
 
 
 def _span(bearing: NDArray[np.intp]) -> slice:

@@ -119,7 +119,7 @@ def extremes(
     Over the whole body, points nearer than a half-width to a sharp end, or to a corner of the profile where the contact
     ends, are left out, as for the largest pressure: the stress there has no limit. In a smooth field the values are
     within 1e-5 of the largest; near the surface, steps of the pressure between strips or cells are part of the field.
-    The region beyond the contact is not searched.
+    Beyond the contact only what lies within a half-width of it up to a free side face is searched.
 
     Examples
     --------
@@ -138,7 +138,7 @@ def extremes(
         stretches = [(float(sections[0]), float(sections[0]))]
         _refuse_outside(solution, station, options.get("body", "a"))
     else:
-        stretches = _stretches(solution)
+        stretches = _stretches(solution, _searched(solution, options.get("body", "a")))
         sections = _sections(solution, stretches)
     below = across_at(solution, sections)[1][:, None] * DEPTHS
     if station is not None:  # outside the contact the stress comes from further away and peaks further down
@@ -173,12 +173,23 @@ def _refuse_outside(solution: Solved, station: float, body: BodyName) -> None:
         raise InputError("station", station, error.condition, error.remedy) from None
 
 
-def _stretches(solution: Solved) -> list[tuple[float, float]]:
-    """Return where to search: the contact except a half-width around singular ends, or all of it if nothing is left.
+def _searched(solution: Solved, body: BodyName) -> tuple[float, float]:
+    """Return the contact, and with it the free side faces of a body within a half-width."""
+    low, high = outermost(solution)
+    for face in Inside.of(solution, body).faces:
+        if face.side < 0.0 and low - face.half_width < face.place:
+            low = min(low, face.place)
+        elif face.side > 0.0 and high + face.half_width > face.place:
+            high = max(high, face.place)
+    return low, high
+
+
+def _stretches(solution: Solved, whole: tuple[float, float]) -> list[tuple[float, float]]:
+    """Return where to search: all of it except a half-width around singular ends, or the contact if nothing is left.
 
     A corner of the profile may have contact on either side.
     """
-    stretches = [outermost(solution)]
+    stretches = [whole]
     for end in solution.singular_ends:
         inset = float(across_at(solution, np.array([end.y]))[1][0])
         cut = [
@@ -192,7 +203,8 @@ def _stretches(solution: Solved) -> list[tuple[float, float]]:
 
 def clear_of_ends(solution: Solved) -> bool:
     """Return whether some of the contact lies more than a half-width from all singular ends; only that is searched."""
-    return not solution.singular_ends or _stretches(solution) != [outermost(solution)]
+    whole = outermost(solution)
+    return not solution.singular_ends or _stretches(solution, whole) != [whole]
 
 
 def _sections(solution: Solved, stretches: list[tuple[float, float]]) -> Array:

@@ -28,6 +28,7 @@ from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled
 from nonhertz.result.solution import Solution
+from nonhertz.subsurface.free_faces import Spectrum
 from nonhertz.subsurface.lamination import Lamination, laminated
 from nonhertz.subsurface.tails import TWO_PI, displacement_tail, stress_tail
 
@@ -74,6 +75,23 @@ class StripLoad:
         out = np.zeros((points.shape[0], 3))
         _displacement(points, *self._given(poisson), out)
         return out
+
+    def spectrum(self, k: Array, y: float) -> Spectrum:
+        """Return the transforms of the strips at wave numbers ``k`` [1/mm], and of their pieces near ``y``."""
+        from scipy.special import j1
+
+        of = self.strips
+        counted = np.concatenate(
+            [np.arange(*_counted(j, y, of.low, of.high, of.half_width, of.first)) for j in range(of.first.size - 1)]
+        )
+        low, high, load, half_width = (each[counted] for each in (of.low, of.high, of.line_load, of.half_width))
+        s = k[:, None] * half_width
+        transform = load * 2.0 * j1(s) / s
+        edges, order = np.concatenate([low, high]), np.argsort(np.concatenate([low, high]), kind="stable")
+        steps = np.concatenate([-transform, transform], axis=1)[:, order]
+        # Neighbours share an edge.
+        edges, first = np.unique(edges[order], return_index=True)
+        return Spectrum(edges, np.add.reduceat(steps, first, axis=1), None)
 
     def _given(
         self, poisson: float

@@ -8,6 +8,7 @@ class HalfSpace(SideFace):
 
     word = "none"
     meaning = "not at all"
+    of_body = False
 
     def image_weight(self, poisson: float) -> float:
         """Return 0."""

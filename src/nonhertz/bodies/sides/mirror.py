@@ -8,6 +8,7 @@ class Mirror(SideFace):
 
     word = "mirror"
     meaning = "by images of the pressure"
+    of_body = False
 
     def image_weight(self, poisson: float) -> float:
         """Return 1."""

@@ -22,11 +22,15 @@ class SideFace(ABC):
         What it does, as it follows the word in descriptions of case files.
     exact : bool
         Whether the normal stress that an image leaves is taken away, too.
+    of_body : bool
+        Whether the body ends there, so that its field below the surface is free of stress on the face, however the
+        pressure was found.
     """
 
     word: ClassVar[str]
     meaning: ClassVar[str]
     exact: ClassVar[bool] = False
+    of_body: ClassVar[bool] = True
 
     @abstractmethod
     def image_weight(self, poisson: float) -> float:

@@ -1,0 +1,202 @@
+"""The field inside the elastic quarter-space: what a free side face adds below the surface.
+
+The loads T of `nonhertz.bodies.quarter_space`, a pressure f on the surface and g on the side face, each mirrored, are
+found for a load that varies as cos(k x) along the edge; here they are followed into the body. With distances multiplied
+by k, a line load on a half-space at the distance s along its surface and r from the place has, at the depth d, the
+stresses and displacements
+
+    sigma_d = P_d - d P_dd                            tau_sd = -d P_sd               P = K0(r) / pi
+    sigma_s = -m (Q - P_d) - d P_ss + 2 nu P_d        tau_xs = m Q_s + d P_s         Q = -S / pi
+    sigma_x = m Q + d P + 2 nu P_d                    tau_xd = d P_d                 m = 1 - 2 nu
+    2 G u_x = m Q + d P     2 G u_s = -m Q_s - d P_s      2 G u_d = 2 (1 - nu) P - d P_d
+
+where S is the integral of K0 over the depth from there on and indices are derivatives; tau_xs, tau_xd and u_x vary as
+sin(k x), the others as cos(k x). All are linear in nu, so that one table serves all materials.
+
+Towards the edge f and g grow as a logarithm, and only the sum of their fields is bounded: neither may be cut off alone.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.polynomial import chebyshev, legendre
+from numpy.typing import NDArray
+
+from nonhertz.bodies.quarter_space import NODES, corner_operator, interpolation, to_legendre
+from nonhertz.bodies.stored import MOST, stored
+
+Array = NDArray[np.float64]
+
+# Places at which the field is tabulated: distances from the edge times k, and directions from the surface to the face.
+DISTANCES = np.geomspace(1e-5, 18.0, 42)
+DIRECTIONS = 8
+ANGLES = 0.25 * np.pi * (1.0 - np.cos(np.pi * np.arange(DIRECTIONS) / (DIRECTIONS - 1)))
+OFF_THE_PLANES = 1e-5  # rad: on a loaded plane itself the kernels are singular
+COMPONENTS = 9  # six stresses and three displacements
+# Between these Poisson's ratios, up to 0.5, the field is interpolated to 1e-5; below -0.5 it is extrapolated.
+POISSONS = 0.5 * chebyshev.chebpts1(8)
+_RANK_ERROR = 1e-6  # of the largest singular value
+_DEPTH_NODES = 40
+_FARTHEST = 40.0  # beyond which K0 is negligible
+# From (d, s, x, xs, xd, sd; u_x, u_s, u_d) to (x, y, z, yz, xz, xy; u_x, u_y, u_z) of loads on surface and side face.
+_OF_SURFACE, _OF_FACE = [2, 1, 0, 5, 4, 3, 6, 7, 8], [2, 0, 1, 5, 3, 4, 6, 8, 7]
+
+
+@dataclass(frozen=True)
+class QuarterSpaceField:
+    """What a free side face adds to the field of loads and their mirror images, for loads that vary as cos(k x).
+
+    Attributes
+    ----------
+    panels : ndarray, shape (panels + 1,)
+        Edges of the panels on which loads are polynomials, distances from the edge times k.
+    loads : ndarray, shape (nodes, rank)
+        From the load on the nodes' parts of the surface to coefficients.
+    places : ndarray, shape (distances, directions, components, rank)
+        From coefficients to stresses, and displacements times 2 G k, at `DISTANCES` and `ANGLES`.
+    """
+
+    panels: Array
+    loads: Array
+    places: Array
+
+    def projected(self, k: Array, edges: Array, steps: Array) -> Array:
+        """Return coefficients of a load that is constant along y between edges.
+
+        Parameters
+        ----------
+        k : ndarray, shape (m,)
+            Wave numbers [1/mm].
+        edges : ndarray, shape (n,)
+            Distances from the side face [mm].
+        steps : ndarray, shape (m, n)
+            How much more load there is up to each edge than beyond it [N/mm].
+
+        Returns
+        -------
+        ndarray, shape (m, rank)
+        """
+        count = self.panels.size - 1
+        at = np.minimum(k[:, None] * edges, self.panels[-1])
+        panel = np.clip(np.searchsorted(self.panels, at) - 1, 0, count - 1)
+        low, high = self.panels[panel], self.panels[panel + 1]
+        values = legendre.legvander((2.0 * at - low - high) / (high - low), NODES)
+        row = (np.arange(k.size)[:, None] * count + panel).ravel()
+
+        def sums(of: Array) -> Array:
+            return np.asarray(np.bincount(row, of.ravel(), k.size * count), dtype=float).reshape(k.size, count)
+
+        # Integrals of Legendre polynomials from the low end of the panel: (P_n+1 - P_n-1) / (2 n + 1).
+        half, degree = 0.5 * (high - low) * steps, np.arange(1, NODES)
+        within = np.concatenate([values[..., 1:2] + 1.0, (values[..., 2:] - values[..., :-2]) / (2 * degree + 1)], -1)
+        found = np.stack([sums(half * within[..., n]) for n in range(NODES)], axis=-1) @ to_legendre()
+        beyond = sums(steps)
+        beyond = np.cumsum(beyond[:, ::-1], axis=1)[:, ::-1] - beyond
+        found += beyond[..., None] * (0.5 * np.diff(self.panels)[:, None] * legendre.leggauss(NODES)[1])
+        projected: Array = found.reshape(k.size, -1) @ self.loads
+        return projected
+
+    def at_places(self, coefficients: Array) -> Array:
+        """Return the field of loads, shape (..., distances * directions * components)."""
+        found: Array = coefficients @ self.places.reshape(-1, self.places.shape[-1]).T
+        return found
+
+
+@lru_cache(MOST)
+def quarter_space_field(poisson: float) -> QuarterSpaceField:
+    """Return the field of a material."""
+    panels, y, _, _, _ = corner_operator(poisson)
+    table, count = _table(), DISTANCES.size * DIRECTIONS * COMPONENTS
+    of_materials = table[count:].reshape(POISSONS.size, y.size, -1)
+    degree = POISSONS.size - 1
+    share = chebyshev.chebvander(2.0 * poisson, degree) @ np.linalg.inv(chebyshev.chebvander(2.0 * POISSONS, degree))
+    loads = np.tensordot(share.ravel(), of_materials, 1)
+    return QuarterSpaceField(panels, loads, table[:count].reshape(DISTANCES.size, DIRECTIONS, COMPONENTS, -1))
+
+
+@stored(__name__, "nonhertz.bodies.quarter_space")
+def _table() -> Array:
+    """Return the field of any load, of all `POISSONS`, to low rank: the places, and after them the loads."""
+    panels, y, weight, _, _ = corner_operator(0.0)
+    rows = []
+    for distance in DISTANCES:
+        for angle in np.clip(ANGLES, OFF_THE_PLANES, 0.5 * np.pi - OFF_THE_PLANES):
+            along, below = distance * np.cos(angle), distance * np.sin(angle)
+            by_surface = _rule(panels, y, weight, along, below)[:, _OF_SURFACE]
+            rows.append((by_surface, _rule(panels, y, weight, below, along)[:, _OF_FACE]))
+    surface, face = (np.concatenate(each, axis=1) for each in zip(*rows, strict=True))
+    # Columns weighted for loads that are integrals over the nodes' parts of the surface.
+    scale = np.sqrt(weight)
+    of_places, of_loads = [], []
+    for poisson in POISSONS:
+        operator = corner_operator(poisson)[-1]
+        # What mirrored loads leave on the face is taken away by g, which brings f on the surface.
+        on_face = np.linalg.solve(np.eye(y.size) - operator @ operator, operator / weight)
+        on_surface = operator @ on_face
+        field = (surface[0] + poisson * surface[1]) @ on_surface - (face[0] + poisson * face[1]) @ on_face
+        left, right = _low_rank(field * scale)
+        of_places.append(left)
+        of_loads.append(right)
+    left, right = _low_rank(np.concatenate(of_places, axis=1))
+    first = np.cumsum([0, *(each.shape[0] for each in of_loads)])
+    of_loads = [right[:, i:j] @ each / scale for i, j, each in zip(first, first[1:], of_loads, strict=False)]
+    return np.concatenate([left, np.concatenate(of_loads, axis=1).T])
+
+
+def _low_rank(matrix: Array) -> tuple[Array, Array]:
+    """Return two matrices of low rank whose product is nearly the given one."""
+    left, values, right = np.linalg.svd(matrix, full_matrices=False)
+    kept = values > _RANK_ERROR * values[0]
+    return left[:, kept] * values[kept], right[kept]
+
+
+def _rule(panels: Array, y: Array, weight: Array, s: float, d: float) -> Array:
+    """Return the field at one place of mirrored loads, given at the nodes of one plane, shape (2, components, nodes).
+
+    Its own panel and those beside it are divided into parts that are no longer than their distance from the place.
+    """
+    nearest = np.hypot(0.0, d) * 0.8 * 2.0 ** np.arange(64)
+    cuts = s + np.concatenate([-nearest, [0.0], nearest])
+    edges = np.unique(np.concatenate([panels, cuts[(cuts > 0.0) & (cuts < panels[-1])]]))
+    node, share = legendre.leggauss(NODES)
+    half = 0.5 * np.diff(edges)[:, None]
+    points = 0.5 * (edges[1:] + edges[:-1])[:, None] + half * node
+    panel, values = interpolation(panels, points.ravel())
+    direct = _kernel(s - points.ravel(), d).reshape(2, COMPONENTS, -1, NODES) * (half * share)
+    parts = np.einsum("ncpi,pij->pncj", direct, values.reshape(*points.shape, NODES))
+    found = np.zeros((panels.size - 1, 2, COMPONENTS, NODES))
+    np.add.at(found, panel[::NODES], parts)
+    return np.moveaxis(found, 0, 2).reshape(2, COMPONENTS, -1) + _kernel(s + y, d) * weight
+
+
+def _kernel(s: Array, d: float) -> Array:
+    """Return the field at the depth ``d`` and distances ``s`` from line loads cos(k x), shape (2, components, n).
+
+    The first part does not depend on nu, the second is times nu.
+    """
+    from scipy import special
+
+    r = np.hypot(s, d)
+    k0, k1 = special.k0(r), special.k1(r)
+    p_d, p_s, p_sd = -k1 * d / r, -k1 * s / r, s * d / r**2 * (k0 + 2.0 * k1 / r)
+    p_dd = d**2 / r**2 * (k0 + k1 / r) - k1 * s**2 / r**3
+    p_ss = s**2 / r**2 * (k0 + k1 / r) - k1 * d**2 / r**3
+    # S by R = |s| cosh u.
+    aside = np.maximum(np.abs(s), 1e-14)
+    node, share = legendre.leggauss(_DEPTH_NODES)
+    end = 0.5 * np.arcsinh(np.minimum(d, _FARTHEST) / aside)[:, None]
+    radius = aside[:, None] * np.cosh(end * (1.0 + node))
+    q = np.sum(end * share * radius * special.k0(radius), axis=1) - 0.5 * np.pi * np.exp(-aside)
+    q_s = np.sign(s) * (0.5 * np.pi * np.exp(-aside) - aside * np.sum(end * share * special.k1(radius), axis=1))
+    nothing = np.zeros_like(r)
+    fixed = [
+        p_d - d * p_dd, p_d - q - d * p_ss, q + d * k0, q_s + d * p_s, d * p_d, -d * p_sd,
+        q + d * k0, -q_s - d * p_s, 2.0 * k0 - d * p_d,
+    ]  # fmt: skip
+    times_poisson = [
+        nothing, 2.0 * q, 2.0 * (p_d - q), -2.0 * q_s, nothing, nothing, -2.0 * q, 2.0 * q_s, -2.0 * k0
+    ]  # fmt: skip
+    return np.array([fixed, times_poisson]) / np.pi
