@@ -251,7 +251,7 @@ PARTS = {
     "pitch_diameter": (None, "positive?"),
     "inner_shape": (None, "optional"),
     "outer_shape": (None, "optional"),
-    "density": (7.85e-9, "positive"),
+    "density": (None, "positive?"),
 }
 TAPER = PARTS | {
     "roller": (CONE, "thing"), "inner": (nh.Ring(diameter=37.3), "thing"), "outer": (nh.Ring(diameter=-55.7), "thing")

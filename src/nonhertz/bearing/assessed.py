@@ -29,9 +29,9 @@ from nonhertz.bearing.ratings import Rating, equivalent_loads, rating
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import listed, numbers, one_of, positive, whole
+from nonhertz.inputs.checks import numbers, one_of, positive, whole
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
-from nonhertz.life.spectrum import WHOLE
+from nonhertz.life.spectrum import checked_shares
 from nonhertz.result.brief import plain_text
 from nonhertz.result.ends import ends_in_words
 from nonhertz.result.numerals import digits
@@ -41,7 +41,7 @@ Loaded = BearingSolution | Sequence[tuple[BearingSolution, float]]
 
 _LIFE_EXPONENT = 10.0 / 3.0
 _ROUNDED = "give corners, or a profile with more relief there, or edge_stress = 'standard'"
-_PAIRS = "give pairs of a loaded bearing and its share of the revolutions"
+_PAIRS = "pairs of a loaded bearing and its share of the revolutions"
 
 
 @dataclass(frozen=True, repr=False)
@@ -210,21 +210,13 @@ def assess(
 def _pairs(solution: Loaded) -> list[tuple[BearingSolution, float]]:
     if isinstance(solution, BearingSolution):
         return [(solution, 1.0)]
-    remedy = "solve one with nonhertz.bearing.solve, or " + _PAIRS
-    condition = "be a loaded bearing, or several with their shares"
-    pairs = listed("solution", solution, condition, remedy) if isinstance(solution, Sequence) else []
-    if not pairs or not all(isinstance(pair, Sequence) and len(pair) == 2 for pair in pairs):
-        raise InputError("solution", solution, condition, remedy)
-    for each, share in pairs:
+    condition, remedy = "be a loaded bearing, or several with their shares", f"give one, or {_PAIRS}"
+
+    def check(each: object) -> None:
         if not isinstance(each, BearingSolution):
             raise InputError("solution", each, condition, remedy)
-        positive("share", share, _PAIRS)
-        if each.bearing != pairs[0][0].bearing:
-            raise InputError("solution", "several", "all be of one bearing", "assess bearings one by one")
-    total = math.fsum(share for _, share in pairs)
-    if total > 1.0 + WHOLE:
-        raise InputError("share", round(total, 6), "add up to 1 at most", _PAIRS)
-    return pairs
+
+    return checked_shares(solution, check, "bearing", condition, remedy)
 
 
 def _check_oil(asked: _Asked, speed: object, solution: BearingSolution) -> None:

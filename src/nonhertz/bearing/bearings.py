@@ -188,7 +188,7 @@ class RollerBearing:
     @property
     def nominal_angle(self) -> float:
         """Contact angle of the bearing [rad]."""
-        return 0.0
+        return float(getattr(self, "contact_angle", 0.0))
 
     @property
     def contact_angles(self) -> tuple[float, float]:
@@ -198,7 +198,7 @@ class RollerBearing:
     @property
     def bears_axially(self) -> tuple[bool, bool]:
         """Whether the inner ring can bear an axial load along +x, and along -x."""
-        return False, False
+        return self.nominal_angle > 0.0, False
 
     @cached_property
     def rib_contacts(self) -> tuple[RibContact, ...]:
@@ -208,12 +208,12 @@ class RollerBearing:
     @property
     def bears_radially(self) -> bool:
         """Whether the inner ring can bear a radial load."""
-        return True
+        return self.nominal_angle <= _MOST_ANGLE
 
     @property
     def gap(self) -> float:
         """What each of a roller's two contacts is short of touching when the ring is centred [mm]."""
-        return 0.0
+        return float(0.25 * getattr(self, "clearance", 0.0) * math.cos(self.nominal_angle))
 
     @property
     def rows(self) -> tuple[Row, ...]:
@@ -280,6 +280,11 @@ class RollerBearing:
             raise InputError(name, found.shape, f"return {self.rollers} lengths for {self.rollers} angles", remedy)
         return found
 
+    @property
+    def roller_density(self) -> float | None:
+        """Density of the rollers, as given or that of their material [t/mm^3]; None of a material without a name."""
+        return density_of(self.roller.material) if self.density is None else self.density
+
     @cached_property
     def inertia(self) -> Inertia:
         """What the rollers' mass is and how it is spread; barrels are taken as cylinders."""
@@ -287,7 +292,7 @@ class RollerBearing:
         squares = np.zeros((2, at.size))
         for row, across in zip(squares, (self.roller.diameter, self.roller.bore), strict=True):
             row[:] = np.asarray(across(at) if callable(across) else np.full(at.size, across or 0.0)) ** 2
-        density = density_of(self.roller.material) if self.density is None else self.density
+        density = self.roller_density
         if density is None:
             condition = "be given for rollers that are neither of steel nor of a material of the library"
             raise InputError("density", None, condition, _DENSITY)
@@ -370,11 +375,6 @@ class CylindricalRollerBearing(RollerBearing):
         _ = self.rib_contacts
 
     @property
-    def gap(self) -> float:
-        """What each of a roller's two contacts is short of touching when the ring is centred [mm]."""
-        return 0.25 * self.clearance
-
-    @property
     def bears_axially(self) -> tuple[bool, bool]:
         """Whether the inner ring can bear an axial load along +x, and along -x."""
         ribs = DESIGNS[self.design]
@@ -453,19 +453,9 @@ class TaperedRollerBearing(RollerBearing):
         return math.atan(0.5 * (low - high) / self.roller_length)
 
     @property
-    def nominal_angle(self) -> float:
-        """Contact angle of the bearing [rad]."""
-        return self.contact_angle
-
-    @property
     def contact_angles(self) -> tuple[float, float]:
         """Contact angles at the inner and the outer ring [rad]."""
         return self.contact_angle - 2.0 * self.half_cone_angle, self.contact_angle
-
-    @property
-    def bears_axially(self) -> tuple[bool, bool]:
-        """Whether the inner ring can bear an axial load along +x, and along -x."""
-        return True, False
 
     @property
     def gap(self) -> float:
@@ -538,21 +528,6 @@ class SphericalRollerBearing(RollerBearing):
         super().__post_init__()
 
     @property
-    def nominal_angle(self) -> float:
-        """Contact angle of the bearing [rad]."""
-        return self.contact_angle
-
-    @property
-    def bears_axially(self) -> tuple[bool, bool]:
-        """Whether the inner ring can bear an axial load along +x, and along -x."""
-        return True, False
-
-    @property
-    def gap(self) -> float:
-        """What each of a roller's two contacts is short of touching when the ring is centred [mm]."""
-        return 0.25 * self.clearance * math.cos(self.contact_angle)
-
-    @property
     def raceway_motions(self) -> tuple[Array, Array]:
         """Approach and tilt at both raceways per motion of ring against roller."""
         barrel = {"roller_radius": 0.5 * self.roller_diameter, "profile_radius": self.profile_radius}
@@ -606,16 +581,6 @@ class CylindricalThrustBearing(RollerBearing):
     def nominal_angle(self) -> float:
         """Contact angle of the bearing [rad]."""
         return 0.5 * math.pi
-
-    @property
-    def bears_axially(self) -> tuple[bool, bool]:
-        """Whether the inner ring can bear an axial load along +x, and along -x."""
-        return True, False
-
-    @property
-    def bears_radially(self) -> bool:
-        """Whether the inner ring can bear a radial load."""
-        return False
 
     def load_by_speed(self, speed: float, turning: str = "inner") -> Array:
         """Return the moment alone: the cage holds the rollers along their axes, in which direction they are flung."""

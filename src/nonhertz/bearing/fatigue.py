@@ -306,7 +306,11 @@ class _Calibration:
     def lives(self, seen: list[list[tuple[Array, Array, float] | None]], turning: int) -> Array:
         """Return the lives of inner ring, outer ring and rollers [10^6 revolutions]."""
         rings = [
-            _in_turn([seen[k]], self._slope) if k == turning else _side_by_side(seen[k]) for k in range(len(RINGS))
+            # Contacts with a ring at rest have each their own part of its circumference.
+            _in_turn([seen[k]], self._slope)
+            if k == turning
+            else np.mean([0.0 if each is None else each[2] for each in seen[k]])
+            for k in range(len(RINGS))
         ]
         of_rings = [self._life(damage / self._damages[k]) for k, damage in enumerate(rings)]
         of_rollers = self._row.rollers * self._row.roller_diameter * self._spin**self._slope * self.constants()[0]
@@ -314,11 +318,6 @@ class _Calibration:
 
     def _life(self, damage: float) -> float:
         return float(damage ** (-1.0 / self._slope)) if damage > 0.0 else math.inf
-
-
-def _side_by_side(seen: list[tuple[Array, Array, float] | None]) -> float:
-    """Return the mean damage of contacts, each of which has its own part of the circumference."""
-    return float(np.mean([0.0 if each is None else each[2] for each in seen]))
 
 
 def _in_turn(passes: list[list[tuple[Array, Array, float] | None]], slope: float) -> float:
@@ -332,7 +331,10 @@ def _in_turn(passes: list[list[tuple[Array, Array, float] | None]], slope: float
     for y, density, damage in loaded:
         total += _on(stations, y, density, damage) ** (1.0 / slope)
     together = (total / rollers) ** slope
-    return float(together[0] * _length(loaded) if stations.size == 1 else np.trapezoid(together, stations))
+    if stations.size == 1:
+        # The length over which an even density adds up to its damage.
+        return float(together[0] * loaded[0][2] / loaded[0][1][0])
+    return float(np.trapezoid(together, stations))
 
 
 def _on(stations: Array, y: Array, density: Array, damage: float) -> Array:
@@ -341,9 +343,3 @@ def _on(stations: Array, y: Array, density: Array, damage: float) -> Array:
     if stations.size == 1:
         return found
     return np.asarray(found * (damage / np.trapezoid(found, stations)))
-
-
-def _length(loaded: list[tuple[Array, Array, float]]) -> float:
-    """Return the length over which an even density adds up to its damage [mm]."""
-    _, density, damage = loaded[0]
-    return damage / float(density[0])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -16,7 +15,7 @@ from nonhertz.bearing.standard import LAMINAE
 from nonhertz.bearing.verb import Method, solve
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import listed, not_negative, numbers, positive
-from nonhertz.life.spectrum import WHOLE
+from nonhertz.life.spectrum import at_most_whole
 
 _SHARE = "give the share of the revolutions, above 0 and at most 1"
 _CASES = "give a list of nonhertz.bearing.LoadCase(share=..., radial=...)"
@@ -119,10 +118,9 @@ def solve_spectrum(
     for case in cases:
         if not isinstance(case, LoadCase):
             raise InputError("cases", case, "be a LoadCase", _CASES)
-    total = math.fsum(case.share for case in cases)
-    if not cases or total > 1.0 + WHOLE:
-        condition = "add up to 1 at most" if cases else "be of one load or more"
-        raise InputError("share", round(total, 6), condition, "give all loads with their shares of the revolutions")
+    if not cases:
+        raise InputError("cases", cases, "be one load or more", _CASES)
+    at_most_whole("share", [case.share for case in cases], "give all loads with their shares of the revolutions")
     options: dict[str, Any] = {"turning": turning, "method": method, "laminae": laminae, "maps": maps}
     return tuple((solve(bearing, **case.load, **options), case.share) for case in cases)
 
@@ -155,8 +153,6 @@ def shares_of_revolutions(times: ArrayLike, speeds: ArrayLike) -> tuple[float, .
         positive("times", share, "give shares of the time, above 0 and 1 in all at most")
     for speed in found[1].tolist():
         positive("speeds", speed, "give speeds in 1/min, above 0: what stands still has no revolutions")
-    total = math.fsum(found[0].tolist())
-    if total > 1.0 + WHOLE:
-        raise InputError("times", round(total, 6), "add up to 1 at most", "give shares of the time")
+    at_most_whole("times", found[0].tolist(), "give shares of the time")
     turned = found[0] * found[1]
     return tuple((turned / turned.sum()).tolist())

@@ -14,7 +14,7 @@ import numpy as np
 from nonhertz.bearing.bearings import TaperedRollerBearing
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution
-from nonhertz.bearing.standard import standard_slices
+from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.io.bearing_written import document
 from nonhertz.io.bounds import FORMAT
 from nonhertz.io.fits import expanded
@@ -186,14 +186,8 @@ def files(
     return {
         "result.json": as_json(as_object(solution, case, life, reason, warnings)) + "\n",
         "rollers.csv": rollers_table(solution),
-        "lines.csv": lines_table(solution, int(case.solver.get("laminae", 0)) or _usual_laminae()),
+        "lines.csv": lines_table(solution, int(case.solver.get("laminae", LAMINAE))),
     }
-
-
-def _usual_laminae() -> int:
-    from nonhertz.bearing.standard import LAMINAE
-
-    return LAMINAE
 
 
 def comparison_object(strips: BearingSolution, slices: BearingSolution, title: str) -> dict[str, Any]:

@@ -19,11 +19,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import listed, positive, whole
+from nonhertz.inputs.checks import listed, whole
 from nonhertz.life.capacity import Raceway, raceway
 from nonhertz.life.catalogue import MODELS, RATED, Model, VolumeModel, lundberg_palmgren, model
 from nonhertz.life.lamina import EXPONENT, LEFT_OUT, LaminaModel, laminae_of
-from nonhertz.life.spectrum import WHOLE
+from nonhertz.life.spectrum import checked_shares
 from nonhertz.life.volume import Exposure, exposure
 from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
@@ -225,19 +225,8 @@ def _chosen(models: Model | str | Iterable[Model | str]) -> list[Model]:
 def _spectrum(solution: Solved | Spectrum) -> Spectrum:
     if isinstance(solution, Solution | PatchSolution):
         return [(checked_solution(solution), 1.0)]
-    remedy = "give pairs of a solution and its share of the revolutions"
-    pairs = list(solution) if isinstance(solution, Sequence) else []
-    if not pairs or not all(isinstance(pair, Sequence) and len(pair) == 2 for pair in pairs):
-        raise InputError("solution", solution, "be a solved contact or several with their shares", remedy)
-    for each, share in pairs:
-        checked_solution(each)
-        positive("share", share, remedy)
-        if each.contact != pairs[0][0].contact:
-            raise InputError("solution", "several", "all be of one contact", "assess contacts one by one")
-    total = math.fsum(share for _, share in pairs)
-    if total > 1.0 + WHOLE:
-        raise InputError("share", round(total, 6), "add up to 1 at most", remedy)
-    return pairs
+    condition, remedy = "be a solved contact or several with their shares", "give pairs of a solution and its share"
+    return checked_shares(solution, checked_solution, "contact", condition, f"{remedy} of the revolutions")
 
 
 def _by_volume(chosen: VolumeModel, spectrum: Spectrum, seen: list[Exposure], shares: Array, bearing: _Bearing) -> Life:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,6 +18,29 @@ from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 WHOLE = 1e-3  # tolerance for the sum of shares, so that three of 0.333, for example, are accepted
 
 _SHARE_REMEDY = "give the share of the revolutions, above 0 and at most 1"
+
+
+def at_most_whole(name: str, shares: Iterable[float], remedy: str) -> None:
+    """Refuse shares that add up to more than 1."""
+    total = math.fsum(shares)
+    if total > 1.0 + WHOLE:
+        raise InputError(name, round(total, 6), "add up to 1 at most", remedy)
+
+
+def checked_shares(
+    solution: object, check: Callable[[object], object], of: str, condition: str, remedy: str
+) -> list[tuple[Any, float]]:
+    """Return pairs of a checked solution and its share, all of one contact or bearing."""
+    pairs = list(solution) if isinstance(solution, Sequence) else []
+    if not pairs or not all(isinstance(pair, Sequence) and len(pair) == 2 for pair in pairs):
+        raise InputError("solution", solution, condition, remedy)
+    for each, share in pairs:
+        check(each)
+        positive("share", share, remedy)
+        if getattr(each, of) != getattr(pairs[0][0], of):
+            raise InputError("solution", "several", f"all be of one {of}", f"assess {of}s one by one")
+    at_most_whole("share", [share for _, share in pairs], remedy)
+    return pairs
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -73,18 +73,19 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
         return [("life", "none", reason)]
     rating = found.rating
     unknown = found.internally_loaded
+    safety = f"S0 = {digits(found.static_safety, 3)}" if math.isfinite(found.static_safety) else "no load"
     return [
         (
             "load ratings",
             f"C = {_kilo(rating.dynamic)} kN, C0 = {_kilo(rating.static)} kN",
-            _limit(rating.fatigue_limit),
+            f"fatigue load limit Cu = {_kilo(rating.fatigue_limit)} kN",
         ),
         (
             "equivalent load",
             f"P = {_kilo(found.equivalent_load)} kN, P0 = {_kilo(found.static_load)} kN",
             "knows neither preload nor moment" if unknown else "",
         ),
-        ("static safety", "none" if unknown else _safety(found.static_safety), ""),
+        ("static safety", "none" if unknown else safety, ""),
         ("life L10", "none" if unknown else _revolutions(found.basic), "ISO 281, of bearing steel"),
         ("L10r", _revolutions(found.reference), found.no_reference or "laminae of ISO/TS 16281"),
         ("modified life", _revolutions(found.modified), _hours(found.modified, speed)),
@@ -402,14 +403,6 @@ def _degrees(angle: float) -> str:
 
 def _kilo(value: float) -> str:
     return digits(1e-3 * value, 4)
-
-
-def _limit(fatigue: float) -> str:
-    return f"fatigue load limit Cu = {_kilo(fatigue)} kN"
-
-
-def _safety(value: float) -> str:
-    return f"S0 = {digits(value, 3)}" if math.isfinite(value) else "no load"
 
 
 def _revolutions(value: float) -> str:

@@ -20,22 +20,17 @@ def bearing_basis(found: Sequence[BearingResults]) -> list[str]:
 def _of_bearings(found: Sequence[BearingResults]) -> Iterator[str]:
     labels = [each.label for each in found]
     for sentence, words in (
-        ("Loads of rollers, stiffness and lives not comparable, since contacts are solved differently", _method),
-        ("Displacements, pressures and lives are those of different loads", _loads),
+        (
+            "Loads of rollers, stiffness and lives not comparable, since contacts are solved differently",
+            lambda each: f"by {each.solution.method}" if each.solution else "",
+        ),
+        ("Displacements, pressures and lives are those of different loads", lambda each: loads_in_words(each.case)),
         ("Displacements are measured from different clearances", _clearance),
     ):
         yield from differing(labels, sentence, map(words, found))
     for name in ("roller", *RINGS):
         part = "the rollers" if name == "roller" else f"the {name} ring"
         yield from of_body(labels, part, [getattr(each.case.bearing.rows[0].bearing, name) for each in found])
-
-
-def _method(found: BearingResults) -> str:
-    return "" if found.solution is None else f"by {found.solution.method}"
-
-
-def _loads(found: BearingResults) -> str:
-    return loads_in_words(found.case)
 
 
 def _clearance(found: BearingResults) -> str:

@@ -80,18 +80,12 @@ def _entry(place: str, value: Any, property_: Mapping[str, Any], table: Mapping[
     if name in _SMALL and unit == "mm":
         value = [1e3 * each for each in value] if isinstance(value, list | tuple) else 1e3 * value
         unit = "µm"
-    text = _rib(value) if isinstance(value, Rib) else shown(value)
-    written = as_written(table, name)
-    return Entry(place, text, unit, property_.get("description", ""), name not in table, _unlike(written, text, unit))
-
-
-def _unlike(written: str, text: str, unit: str) -> str:
-    """Return what a file says unless that is what is shown."""
-    return "" if written.replace("um", "µm") == f"{text} {unit}" else written
-
-
-def _rib(rib: Rib) -> str:
-    return shown({name: value for name, value in vars(rib).items() if value is not None})
+    if isinstance(value, Rib):
+        value = {name: each for name, each in vars(value).items() if each is not None}
+    text, written = shown(value), as_written(table, name)
+    # What a file says, unless that is what is shown.
+    unlike = "" if written.replace("um", "µm") == f"{text} {unit}" else written
+    return Entry(place, text, unit, property_.get("description", ""), name not in table, unlike)
 
 
 _TABLES = {"load": "BearingLoadTable", "solver": "BearingSolverTable", "life": "BearingLifeTable", "fit": "FitTable"}

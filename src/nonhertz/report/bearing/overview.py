@@ -49,7 +49,7 @@ def bearing_opening(case: BearingCase) -> str:
 def loads_in_words(case: BearingCase) -> str:
     """Return what loads or moves the inner ring, as it follows "a bearing"."""
     acting = [_acting(name, case.prescribed[name]) for name in _PRESCRIBED if name in case.prescribed]
-    return f"under {_and(acting)}" if acting else "without a load"
+    return f"under {', '.join(acting[:-1])}{' and ' * (len(acting) > 1)}{acting[-1]}" if acting else "without a load"
 
 
 def _acting(name: str, value: Any) -> str:
@@ -58,10 +58,6 @@ def _acting(name: str, value: Any) -> str:
     values = [scale * float(each) for each in (value if hasattr(value, "__iter__") else (value,))]
     factor, unit = unit_for(values, unit)
     return f"{words} {' and '.join(given(factor * each, 5) for each in values)} {unit}"
-
-
-def _and(words: list[str]) -> str:
-    return f"{', '.join(words[:-1])} and {words[-1]}" if len(words) > 1 else words[0]
 
 
 def bearing_keys(found: BearingResults) -> list[Key]:
@@ -180,7 +176,9 @@ def _behind(body: Body) -> str:
 def bearing_geometry(case: BearingCase) -> list[tuple[str, str, str]]:
     """Return name, value and unit of what follows from the dimensions of a bearing."""
     row = case.bearing.rows[0].bearing
-    rows = [("pitch diameter", given(row.pitch), "mm"), ("room between neighbouring rollers", _between(row), "mm")]
+    chord = row.pitch * math.sin(math.pi / row.rollers)
+    between = digits(chord - row.roller_diameter, 4) if row.rollers > 1 else "no neighbour"
+    rows = [("pitch diameter", given(row.pitch), "mm"), ("room between neighbouring rollers", between, "mm")]
     if row.nominal_angle and not isinstance(row, CylindricalThrustBearing):
         inner, outer = (given(math.degrees(each), 5) for each in row.contact_angles)
         rows.append(("contact angles at inner and outer ring", f"{inner} and {outer}", "degrees"))
@@ -197,10 +195,6 @@ def bearing_geometry(case: BearingCase) -> list[tuple[str, str, str]]:
         if rib is not None:
             radii = f"{digits(rib.radius_around, 4)} and {digits(rib.radius_along, 4)}"
             rows.append((f"combined radii on the ribs, {ring} ring, around and along the flank", radii, "mm"))
-    rows.append(("mass of a roller", given(1e6 * row.inertia[0], 4), "g"))
+    if row.roller_density is not None:
+        rows.append(("mass of a roller", given(1e6 * row.inertia.mass, 4), "g"))
     return rows
-
-
-def _between(row: RollerBearing) -> str:
-    chord = row.pitch * math.sin(math.pi / row.rollers) if row.rollers > 1 else math.inf
-    return digits(chord - row.roller_diameter, 4) if math.isfinite(chord) else "no neighbour"
