@@ -43,6 +43,20 @@ def whole_roller_case(number):
     return pressed(rng, roller, other, load)
 
 
+def cornered_case(number):
+    """The same of partial crowns that end in rounded corners, of any fineness."""
+    rng = np.random.default_rng([SEED, 2, number])
+    diameter = rng.uniform(6.0, 40.0)
+    length = diameter * rng.choice([0.7, 1.0, 1.6, 2.5])
+    load = length * diameter / 20.0 * 10.0 ** rng.uniform(1.7, 3.3)
+    straight = length * rng.uniform(0.3, 0.8)
+    shape = nh.profile.partial_crown(length * rng.uniform(10.0, 60.0), straight, blended=bool(rng.random() < 0.6))
+    corner = diameter * 10.0 ** rng.uniform(-3.5, -1.0)
+    ends = ({}, HALF_SPACE, MIRRORED)[rng.integers(3)]
+    roller = nh.Roller(diameter=diameter, length=length, profile=shape, corner_radius=corner, **ends)
+    return pressed(rng, roller, other_body(rng, diameter, length), load)
+
+
 def pressed(rng, roller, other, load):
     """Contact and what is prescribed."""
     contact, length = nh.Contact(roller, other), roller.length

@@ -12,7 +12,7 @@ from functools import partial
 import numpy as np
 import pytest
 from extent import extent
-from rollers import roller_case, whole_roller_case
+from rollers import cornered_case, roller_case, whole_roller_case
 
 import nonhertz as nh
 
@@ -87,6 +87,15 @@ def test_a_maximum_that_has_a_limit_is_within_ten_times_of_what_is_asked(everyth
     assert len(found) > 0.7 * len(every) / len(ASKED)
     assert np.mean(errors <= 10.0 * asked) >= bars["maximum met"]
     assert stated.mean() >= bars["maximum stated"]
+
+
+@pytest.mark.campaign
+def test_partial_crowns_with_corners_are_covered_at_the_coarsest_accuracy():
+    with ProcessPoolExecutor(os.cpu_count()) as pool:
+        found = [one[0] for one in pool.map(partial(findings, made=cornered_case), range(extent(70, 10)))]
+    missed = [each for each in found if each.error > each.stated and each.error > LEAST * each.asked]
+    missed += [each for each in found if each.limited and each.of_maximum > each.stated_of_maximum]
+    assert not missed
 
 
 @pytest.fixture(scope="module", params=[roller_case, whole_roller_case], ids=["usual", "whole"])

@@ -60,6 +60,9 @@ FULL = 0.97
 # which share of their width they are solved again, and by what share of it another may be less and yet count as the
 # largest.
 POINTED, LEAST_AT_PEAK, TOO_WIDE, ALIKE, SAME, AT_KINK = 5.0, 0.2, 0.7, 0.01, 1e-9, 3.0
+# A summit towards which the pressure rises ever faster is narrower than its strips, as on a rounded corner. It may
+# stand out by this many of the sagittas that they show, if these are large at all.
+CUSP, LEAST_SAGITTA = 8.0, 0.01
 
 
 @dataclass(frozen=True)
@@ -340,7 +343,8 @@ def _find_peaks(states: States, kinks: Array, accuracy: float, found: Array) -> 
             for i in range(1, n - 1):
                 # A lower summit may be the largest pressure, if it is more pointed than its strips can tell.
                 if (edges[i] + edges[i + 1] >= 0.0) == (side == 1):
-                    reach = pressure[i] * (1.0 + max(0.0, _sagitta(pressure, i)))
+                    sagittas = CUSP if _is_cusp(pressure, i) else 1.0
+                    reach = pressure[i] * (1.0 + sagittas * max(0.0, _sagitta(pressure, i)))
                     if reach > reached and _is_summit(pressure, i):
                         at, reached = i, reach
             if at > 0:
@@ -361,6 +365,31 @@ def _wanted_at_peak(edges: Array, pressure: Array, at: int, accuracy: float) -> 
         return np.nan
     width = edges[at + 1] - edges[at]
     return float(width * max(math.sqrt(POINTED * accuracy / sagitta), LEAST_AT_PEAK))
+
+
+def cusps(pressure: Array) -> Array:
+    """Return how high summits may reach that are narrower than their strips, zero for all others; shape (..., n)."""
+    rows = np.ascontiguousarray(pressure).reshape(-1, pressure.shape[-1])
+    found = np.zeros(rows.shape)
+    _find_cusps(rows, found)
+    return found.reshape(pressure.shape)
+
+
+@entry
+def _find_cusps(pressure: Array, found: Array) -> None:
+    for case in range(pressure.shape[0]):
+        for i in range(1, pressure.shape[1] - 1):
+            if _is_cusp(pressure[case], i) and _is_summit(pressure[case], i):
+                found[case, i] = pressure[case, i] * (1.0 + CUSP * _sagitta(pressure[case], i))
+
+
+@compiled
+def _is_cusp(pressure: Array, at: int) -> bool:
+    """Return whether the pressure rises ever faster to within two strips of a strip, at least on one side."""
+    rising = False
+    for i in range(max(at - 2, 1), min(at + 3, pressure.size - 1)):
+        rising |= _sagitta(pressure, i) < 0.0
+    return rising and _sagitta(pressure, at) > LEAST_SAGITTA
 
 
 @compiled
