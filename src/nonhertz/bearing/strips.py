@@ -77,7 +77,6 @@ class StripLaw:
         self._ahead: dict[int, Pose] = {}
         self._kept: dict[int, _Kept] = {}
         self._remote: dict[int, tuple[Remote, Array]] = {}
-        self._shares: list[float] = []
         self._near = False
         self._depth: dict[int, float] = {}
         if strips is not None:
@@ -95,7 +94,6 @@ class StripLaw:
         """Let both contacts of rollers use the same strips, if the bodies are as far apart in both."""
         if np.array_equal(self._y, other._y) and np.allclose(self._h, other._h, rtol=1e-9, atol=0.0):
             self._other, other._other = other, self
-            other._shares = self._shares
 
     def penetration(self, approach: Array, tilt: Array) -> Array:
         """Return how deep the undeformed bodies overlap where they do most [mm]."""
@@ -260,21 +258,11 @@ class StripLaw:
         return True
 
     def _lay(self, missing: dict[int, tuple[Pose, float]]) -> None:
-        """Solve contacts on strips that are laid for them, the deepest first: it tells how many the others need."""
+        """Solve contacts on strips that are laid for them."""
         if not missing:
             return
-        deepest = max(missing, key=lambda row: missing[row][1])
-        first = [] if self._shares or self._few is not None else [deepest]
-        for rows in (first, [row for row in missing if row not in first]):
-            if rows:
-                self._lay_at_once(rows, missing)
-
-    def _lay_at_once(self, rows: list[int], missing: dict[int, tuple[Pose, float]]) -> None:
-        poses = np.array([missing[row][0] for row in rows])
-        shares = np.full(len(rows), float(np.median(self._shares)) if self._shares else 1.0)
-        interval, bends = self.contact.interval, self.contact.bends
-        groups = on_automatic_strips(self._problem, interval, bends, poses, shares, peaks=False)
-        self._shares.extend(shares.tolist())
+        rows, poses = list(missing), np.array([pose for pose, _ in missing.values()])
+        groups = on_automatic_strips(self._problem, self.contact.interval, self.contact.bends, poses)
         for cases, levels in groups:
             for k, case in enumerate(cases.tolist()):
                 row, states = rows[case], levels[0].one(k).row()

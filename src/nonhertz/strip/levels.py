@@ -155,9 +155,6 @@ def on_automatic_strips(
     interval: Interval,
     bends: tuple[float, ...],
     targets: Array,
-    narrower: Array | None = None,
-    *,
-    peaks: bool = True,
 ) -> list[tuple[Indices, list[States]]]:
     """Return the states of cases on graded grids, in groups that took the same number of levels.
 
@@ -171,11 +168,6 @@ def on_automatic_strips(
         Where the profiles bend [mm].
     targets : ndarray, shape (cases, 2)
         As `Problem.target`.
-    narrower : ndarray, shape (cases,), optional
-        By what share strips are narrower than usual to begin with, as similar cases needed them; overwritten by what
-        they needed.
-    peaks : bool
-        Whether the largest pressure is wanted, too, for which strips may have to be narrower where it is.
 
     Returns
     -------
@@ -191,15 +183,12 @@ def on_automatic_strips(
     kinks = turns_at(problem.separation, tuple(bend for bend in bends if finite[0] < bend < finite[1]), np.ptp(finite))
     rows, states = np.arange(len(targets)), [_located(problem, interval, finite, targets)]
     order = ORDER_COARSER if accuracy > ACCURACY else ORDER
-    usual = COARSENESS * (accuracy / ACCURACY) ** (1.0 / order)
-    narrower = np.ones(rows.size) if narrower is None else narrower
-    coarseness = usual * narrower
+    coarseness = np.full(rows.size, COARSENESS * (accuracy / ACCURACY) ** (1.0 / order))
     learning, groups = _Learning(problem, interval, finite, kinks, targets, coarseness), []
     for lesson, shares in enumerate(LESSONS + REPEATS):
         if lesson >= len(LESSONS):
             finer = learning.finer_wanted(states, accuracy)
-            wanting = learning.incomplete(states[0])
-            wanting |= peaks & learning.pointed(states[0])
+            wanting = learning.incomplete(states[0]) | learning.pointed(states[0])
             worth = ~learning.too_thin(states[0])
             again = np.flatnonzero(worth & ((finer < 1.0) | (states[0].converged & wanting)))
             done = np.setdiff1d(np.arange(rows.size), again)
@@ -208,7 +197,6 @@ def on_automatic_strips(
             if not rows.size:
                 break
             learning = replace(learning, targets=targets[rows], coarseness=coarseness)
-            narrower[rows] = coarseness / usual
         learnt_from = states[0]
         for share in shares:
             states.insert(0, learning.finer(learnt_from, states[0], share))
