@@ -134,3 +134,28 @@ def test_a_roller_that_touches_nothing_bears_nothing():
     load = states.rollers.load[0]
     assert load[7].max() < 1e-9 * load.max()
     assert load[0, 0] == pytest.approx(load[0, 1], rel=1e-8)
+
+
+def test_laws_without_a_balance_are_asked_two_hundred_times_at_most():
+    class Jumping:
+        """A contact that bears 100 N or nothing."""
+
+        asked = 0
+
+        def expect(self, rows, approach, tilt):
+            pass
+
+        def pressed(self, rows, approach, tilt):
+            self.asked += rows.size
+            found = np.zeros((rows.size, 7))
+            found[approach > 0.0, 0], found[:, 2], found[:, 6] = 100.0, 1e4, approach
+            return found
+
+    law = Jumping()
+    joints = [
+        Joint(inner, raceway_motion(0.0, inner=inner), np.zeros(8), law, int(not inner)) for inner in (True, False)
+    ]
+    rollers = System(ring_motion(np.pi / 4.0 * np.arange(8), (0.0, 30.0)), tuple(joints), np.zeros((8, 3)), 5.0)
+    states = balanced(rollers, RADIAL, np.array([[0.0, 150.0, 0.0, 0.0, 0.0]]), np.zeros((1, 5)), 0.01)
+    assert states.residual[0] > 1e-9
+    assert law.asked <= 200 * 8

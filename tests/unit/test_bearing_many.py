@@ -94,7 +94,7 @@ def test_maps_that_are_too_small_or_of_another_bearing_are_refused(maps):
 
 
 def test_a_state_without_a_balance_is_said_to_have_none(monkeypatch):
-    monkeypatch.setattr(equilibrium, "STEPS", 3)
+    monkeypatch.setattr(equilibrium, "STEPS", 1)
     found = B.solve_many(row(), radial=[0.0, 30e3], tilt=1e-3, method="slices")
     assert found.converged.tolist() == [True, False]
     with pytest.raises(nh.ConvergenceError, match="State 1 of the bearing found no balance"):

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bearing.laws import ANSWER, answered
+from nonhertz.bearing.laws import ANSWER, OVERLAP, answered
 from nonhertz.compiled import compiled
 from nonhertz.compiled.entries import entry
 from nonhertz.life.lamina import STIFFENING
@@ -29,7 +29,6 @@ OF_ROLLER = 0.1
 SHORTENINGS = 30
 RIDGE = 1e-13  # of the stiffness, where nothing resists
 OVERSHOT = 0.5  # of the slope along a step, by which it may point backwards at its end
-DESCENT, STEEP = 0.1, 4.0  # of what a step promises, which is enough; and of its slope, which is too much backwards
 HELD_BACK = 1e-3  # of loads over the penetration to be expected
 # By how much a step is longer that is to end beyond the contact, more than the power of any law, where less than the
 # second of the loads would be left.
@@ -38,6 +37,7 @@ CAUTION = 8.0  # penetrations that a step may add
 # Ring and rollers step together while what is left of the balance, over the loads, is below the first, and every step
 # leaves no more than this share of it.
 CLOSE, LEADS_ON = 0.5, 0.3
+MOST_ROUNDS = 10_000  # of questions to tables: of 5,000 random bearings none took 2,000
 MOST_STRAY = 0.4  # of the rollers, that may first have to come near to it by themselves
 #: What stands in place of a table: nothing, where a roller has no such contact, or a law that is asked from outside.
 ABSENT, OUTSIDE = -2, -1
@@ -226,9 +226,10 @@ def balance_all(
     """Find states whose contacts all have tables; arrays have a row for each, or ``motion`` none at all."""
     for k in range(target.shape[0]):
         begin(parts, work, start[k], motion[k] if motion.shape[0] else work.motion[:0])
-        ask_tables(parts, work)
-        while go_on(parts, work, given, target[k]):
+        for _ in range(MOST_ROUNDS):
             ask_tables(parts, work)
+            if not go_on(parts, work, given, target[k]):
+                break
         keep(work, found, k)
 
 
@@ -242,7 +243,7 @@ def begin(parts: Parts, work: Work, ring: Array, motion: Array) -> None:
             work.motion[j] = motion[j]
     work.searching[:] = False
     work.steps[-1] = 0
-    work.together[0] = np.inf
+    work.together[0] = work.left[0] = np.inf
     _ask_all(parts, work)
 
 
@@ -389,11 +390,8 @@ def _rollers_move(parts: Parts, work: Work, given: Given, enough: float) -> bool
     moving = False
     for j in range(work.asked.size):
         if work.searching[j]:
-            slope = 0.0
-            for a in range(3):
-                slope += work.off[j, a] * work.step[j, a]
-            if _descends(parts, work, j, slope) or not _shortened(work, j, slope):
-                work.searching[j] = False
+            slope = float(np.dot(work.off[j], work.step[j]))
+            work.searching[j] = _shortened(work, j, slope, _along(work.whole[j], work.step[j]))
         if not work.searching[j]:
             work.asked[j] = _roller_steps(parts, work, given, j, enough)
             if not work.asked[j]:
@@ -403,31 +401,6 @@ def _rollers_move(parts: Parts, work: Work, given: Given, enough: float) -> bool
         _ask(parts, work, j)
         moving = True
     return moving
-
-
-@compiled
-def _descends(parts: Parts, work: Work, j: int, slope: float) -> bool:
-    """Return whether a roller's step surely led down, though it points backwards at its end.
-
-    So it does where a contact is met on the way: the slope then turns within a thousandth of the step, and a shorter
-    one would end before the contact again. What a contact stores is convex, and zero where bodies are apart: along the
-    step it gains no more than its load at the end times the way, nor than this load times the penetration.
-    """
-    if slope < -STEEP * work.slope[j]:
-        return False
-    gained = 0.0
-    for a in range(3):
-        gained -= parts.load[j, a] * work.step[j, a]
-    for c in range(parts.law.shape[1]):
-        if parts.law[j, c] == ABSENT:
-            continue
-        load, moment = work.answer[j, c, 0], work.answer[j, c, 1]
-        stored = load * (work.pose[j, c, 0] + parts.scale[2] * abs(work.pose[j, c, 1])) / work.share[j]
-        along = 0.0
-        for a in range(3):
-            along -= (parts.motion[j, c, 0, a] * load + parts.motion[j, c, 1, a] * moment) * work.step[j, a]
-        gained += min(stored, along)
-    return bool(gained <= -DESCENT * work.slope[j])
 
 
 @compiled
@@ -468,7 +441,7 @@ def _deepest(work: Work, given: Given, j: int) -> float:
     """Return how deep the contacts of a roller are, or are expected to be [mm]."""
     deepest = given.depth
     for c in range(work.pose.shape[1]):
-        deepest = max(deepest, work.pose[j, c, 0])
+        deepest = max(deepest, work.answer[j, c, OVERLAP])
     return deepest
 
 
@@ -516,17 +489,22 @@ def _share_of_step(parts: Parts, work: Work, j: int, step: Array) -> float:
     Rollers that only speed loads cross the clearance of the bearing, and are to arrive as lightly as they are loaded:
     contacts hundreds of times too deep take long to solve.
     """
-    half, share = parts.scale[2], 1.0
+    share = 1.0
     expected = (_left_of(parts, work, j) / parts.stiffness) ** (1.0 / STIFFENING)
     for c in range(parts.law.shape[1]):
         if parts.law[j, c] == ABSENT:
             continue
-        approach, tilt = work.pose[j, c, 0], work.pose[j, c, 1]
-        now = approach + half * abs(tilt)
+        closer, turned = 0.0, 0.0
         for a in range(3):
-            approach -= parts.motion[j, c, 0, a] * step[a, 0]
-            tilt -= parts.motion[j, c, 1, a] * step[a, 0]
-        then, most = approach + half * abs(tilt), CAUTION * max(now, expected)
+            closer -= parts.motion[j, c, 0, a] * step[a, 0]
+            turned -= parts.motion[j, c, 1, a] * step[a, 0]
+        # What bears deepens where it bears, as far as its stiffness reaches; what is apart, at an end of the roller.
+        middle, reach, answer = 0.0, parts.scale[2], work.answer[j, c]
+        if answer[2] > 0.0:
+            middle = answer[3] / answer[2]
+            reach = math.sqrt(3.0 * max(answer[5] / answer[2] - middle**2, 0.0))
+        now = answer[OVERLAP]
+        then, most = now + closer + middle * turned + reach * abs(turned), CAUTION * max(now, expected)
         if then > most:
             share = min(share, (most - now) / (then - now))
     return share
@@ -637,7 +615,7 @@ def _ring_moves(parts: Parts, work: Work, given: Given, target: Array, of_roller
         for b in range(5):
             if given.by_force[b]:
                 slope += (target[b] - work.force[b]) * work.ring_step[b]
-        if _shortened(work, row, slope):
+        if _shortened(work, row, slope, _along(work.stiffness, work.ring_step)):
             _try(parts, work)
             return True
         work.searching[row] = False
@@ -732,17 +710,30 @@ def _search(work: Work, row: int, slope: float) -> None:
 
 
 @compiled
-def _shortened(work: Work, row: int, slope: float) -> bool:
+def _shortened(work: Work, row: int, slope: float, bend: float) -> bool:
     """Shorten a step if the slope at its end points backwards; return whether it did.
 
-    A step that falls short is good enough: the next goes on from there. A first slope below zero is rounding.
+    A step that falls short is good enough: the next goes on from there. A first slope below zero is rounding. Loads
+    grow faster the deeper bodies are pressed: a line through both slopes is zero before the best share, often where
+    the bodies are apart again, and the tangent at the end behind it.
     """
     first = work.slope[row]
     if slope >= -OVERSHOT * first or first <= 0.0 or work.tries[row] == SHORTENINGS:
         return False
-    work.share[row] *= min(max(first / (first - slope), 0.1), 0.9)
+    tangent = 1.0 + slope / (bend * work.share[row]) if bend > 0.0 else 0.0
+    work.share[row] *= min(max(first / (first - slope), tangent, 0.1), 0.9)
     work.tries[row] += 1
     return True
+
+
+@compiled
+def _along(stiffness: Array, step: Array) -> float:
+    """Return how the slope along a step changes."""
+    found = 0.0
+    for a in range(step.size):
+        for b in range(step.size):
+            found += step[a] * stiffness[a, b] * step[b]
+    return found
 
 
 @compiled

@@ -1,4 +1,4 @@
-"""How one contact of a roller answers approach and tilt: with a load, a moment and their derivatives.
+"""How one contact of a roller answers approach and tilt: with load, moment, their derivatives and the overlap.
 
 A law whose answer is a formula or a table is written down as numbers, so that whole bearings are balanced in machine
 code; strips, which are laid and solved, are asked from outside.
@@ -8,38 +8,24 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled
 from nonhertz.life.lamina import STIFFENING
-from nonhertz.maps.evaluation import Tables, pressed
+from nonhertz.maps.evaluation import Tables, loaded, pressed
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 #: What the first number of a law's table says.
 SLICES, POINT, MAP = 0.0, 1.0, 2.0
-#: Numbers of an answer: load [N], moment [N mm], and their four derivatives by approach and tilt.
-ANSWER = 6
-
-
-class Answer(NamedTuple):
-    """What contacts answer.
-
-    Attributes
-    ----------
-    load, moment : ndarray, shape (n,)
-        [N], [N mm].
-    stiffness : ndarray, shape (n, 2, 2)
-        d(load, moment) / d(approach, tilt).
-    """
-
-    load: Array
-    moment: Array
-    stiffness: Array
+#: Numbers of an answer: load [N], moment [N mm], their four derivatives by approach and tilt, and by how much the
+#: undeformed bodies overlap where they do most, negative where they are apart [mm].
+ANSWER = 7
+OVERLAP = 6
 
 
 class TabulatedLaw(Protocol):
@@ -61,8 +47,8 @@ class SolvedLaw(Protocol):
         """Take note of contacts that are about to be asked, when all laws know of theirs."""
         ...
 
-    def pressed(self, rows: Indices, approach: Array, tilt: Array) -> Answer:
-        """Return the answer of contacts.
+    def pressed(self, rows: Indices, approach: Array, tilt: Array) -> Array:
+        """Return the answers of contacts, shape (n, ANSWER).
 
         Parameters
         ----------
@@ -129,21 +115,26 @@ def answered(book: Array, at: int, approach: float, tilt: float, answer: Array) 
     """Fill in what a contact answers whose table begins at a place in a book of tables; shape (ANSWER,)."""
     if book[at] == MAP:
         length = int(book[at + 1])
-        state = pressed(Tables(book[at + 2 : at + 2 + length], book[:0]), approach, tilt)
+        tables = Tables(book[at + 2 : at + 2 + length], book[:0])
+        state = pressed(tables, approach, tilt)
         answer[0], answer[1], answer[2] = state.load, state.moment, state.load_by_approach
         answer[3] = answer[4] = state.load_by_tilt
         answer[5] = state.moment_by_tilt
+        answer[OVERLAP] = approach - loaded(tables, 0.0, tilt).approach
         return
     answer[:] = 0.0
     if book[at] == POINT:
+        answer[OVERLAP] = approach
         if approach > 0.0:
             answer[2] = 1.5 * book[at + 1] * np.sqrt(approach)
             answer[0] = answer[2] * approach / 1.5
         return
     count, exponent = int(book[at + 1]), book[at + 3]
     y, relief = at + 4, at + 4 + count
+    answer[OVERLAP] = -np.inf
     for k in range(count):
         depth = approach + tilt * book[y + k] - book[relief + k]
+        answer[OVERLAP] = max(answer[OVERLAP], depth)
         if depth > 0.0:
             # The power of the derivative first: multiplications are cheap.
             slope = book[at + 2] * depth ** (exponent - 1.0)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bearing.laws import ANSWER, Answer
+from nonhertz.bearing.laws import ANSWER, OVERLAP
 from nonhertz.errors import ConvergenceError
 from nonhertz.model.contact import Contact
 from nonhertz.solver.one import posed
@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Pose = tuple[float, float]
 
-SAMPLES = 256
+SAMPLES, LOOKS, CLOSER_LOOKS = 256, 33, 4
 # Digits, relative to the largest, in which contacts are the same, as those on both sides of a load are.
 SAME = 12
 # By what factor the penetration may differ from that which strips were laid for, on the way to the balance.
@@ -33,6 +33,8 @@ ON_THE_WAY = 3.0
 # strips by a tenth are in error by three times as much.
 DEEPER, SHALLOWER = 0.02, 0.12
 LIGHT = 0.1  # of the deepest contact of all rollers: what is less deep bears too little to be judged by itself
+# Of the deepest contact: an overlap with a load that the balance does not resolve.
+UNRESOLVED = 1e-10
 KEPT_REMOTE = 64  # each of them takes about half a megabyte
 
 
@@ -70,8 +72,6 @@ class StripLaw:
         self._low, self._high = float(few[0]), float(few[-1])
         self._y, self._h = self._problem.surveyed(self._low, self._high, SAMPLES)
         self._half = 0.5 * (self._high - self._low)
-        self._smooth = ~np.isin(self._y, self._problem.crests())
-        self._smooth[[0, -1]] = False
         self._other: StripLaw | None = None
         self._few: Grids | None = None
         self._ahead: dict[int, Pose] = {}
@@ -97,18 +97,16 @@ class StripLaw:
 
     def penetration(self, approach: Array, tilt: Array) -> Array:
         """Return how deep the undeformed bodies overlap where they do most [mm]."""
-        y = self._y
-        overlap = approach[:, None] + tilt[:, None] * y - self._h
-        rows, k = np.arange(approach.size), np.argmax(overlap, axis=1)
-        most: Array = overlap[rows, k]
-        # Between samples smooth bodies overlap more, by as much as light contacts are deep.
-        inside = self._smooth[k] & (most > -np.inf)
-        rows, k = rows[inside], k[inside]
-        before, after = y[k] - y[k - 1], y[k + 1] - y[k]
-        rises, falls = (most[inside] - overlap[rows, k - 1]) / before, (most[inside] - overlap[rows, k + 1]) / after
-        bend, slope = rises + falls, rises * after - falls * before
-        with np.errstate(divide="ignore", invalid="ignore"):
-            most[inside] += np.nan_to_num(slope**2 / (4.0 * bend * (before + after)), nan=0.0, posinf=0.0)
+        rows, most = np.arange(approach.size), np.full(approach.size, -np.inf)
+        y, h = self._y[None], self._h[None]
+        # A law that overlooked the overlap between two places would jump from no load to some: closer and closer.
+        for _ in range(CLOSER_LOOKS):
+            overlap = approach[:, None] + tilt[:, None] * y - h
+            k = np.argmax(overlap, axis=1)
+            most = np.maximum(most, overlap[rows, k])
+            y = np.broadcast_to(y, overlap.shape)
+            y = np.linspace(y[rows, np.maximum(k - 1, 0)], y[rows, np.minimum(k + 1, y.shape[1] - 1)], LOOKS, axis=1)
+            h = self._problem.separation(y.ravel()).reshape(y.shape)
         return most
 
     def lay_anew(self) -> None:
@@ -119,8 +117,8 @@ class StripLaw:
         """Take note of contacts that are about to be asked."""
         self._ahead = dict(zip(rows.tolist(), zip(approach.tolist(), tilt.tolist(), strict=True), strict=True))
 
-    def pressed(self, rows: Indices, approach: Array, tilt: Array) -> Answer:
-        """Return the answer of contacts.
+    def pressed(self, rows: Indices, approach: Array, tilt: Array) -> Array:
+        """Return the answers of contacts, shape (n, ANSWER).
 
         Raises
         ------
@@ -134,7 +132,7 @@ class StripLaw:
         known: dict[Pose, int] = {}
         asked: dict[int, tuple[Pose, float]] = {}
         twins: list[tuple[int, int]] = []
-        for at in np.flatnonzero(depth > 0.0).tolist():
+        for at in np.flatnonzero(depth > UNRESOLVED * max(self._depth.values())).tolist():
             pose = float(approach[at]), float(tilt[at])
             twin = known.setdefault((round(pose[0], int(digits)), round(pose[1], int(digits))), at)
             if twin == at:
@@ -145,9 +143,9 @@ class StripLaw:
             self._find(missing)
         for at, row in twins:
             kept = self._kept[int(rows[at])] = self._kept[row]
-            answers[at] = kept.answer
-        answers /= self._problem.compliance
-        return Answer(answers[:, 0], answers[:, 1], answers[:, 2:].reshape(-1, 2, 2))
+            answers[at, :OVERLAP] = kept.answer / self._problem.compliance
+        answers[:, OVERLAP] = depth
+        return answers
 
     def _lay_few(self, strips: int) -> None:
         even = np.linspace(self._low, self._high, strips + 1)
@@ -250,7 +248,7 @@ class StripLaw:
             r=kept.states.r * sharper, m=kept.states.m / sharper, rigid=kept.states.rigid.copy(),
             gap=kept.states.gap.copy(), stiffness=kept.states.stiffness.copy(),
         )  # fmt: skip
-        taken = _Kept(grids, states, kept.laid_for, kept.depth, kept.asked, np.zeros(ANSWER))
+        taken = _Kept(grids, states, kept.laid_for, kept.depth, kept.asked, np.zeros(OVERLAP))
         self._remote.pop(row, None)
         if not self._follows(row, taken, pose):
             return False
