@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -194,17 +195,41 @@ def assess(
         cleanliness=cleanliness,
         reliability_factor=reliability_factor(reliability),
         edge_stress=edge_stress,
-        laminae=whole("laminae", laminae, FEWEST, MOST, "give the number of slices, 41 say"),
+        laminae=checked_setting("laminae", laminae),
         turning=turning,
         dynamic=dynamic,
         static=static,
     )
-    one_of("turning", turning, RINGS, "name the ring that turns against the load")
-    one_of("cleanliness", cleanliness, tuple(CLEANLINESS), "choose one, or give e_C as a number")
+    checked_setting("turning", turning)
+    checked_setting("cleanliness", cleanliness)
     _check_oil(asked, speed, pairs[0][0])
     speeds = _speeds(speed, len(pairs))
     lives = tuple((_life(each, asked, pace), share) for (each, share), pace in zip(pairs, speeds, strict=True))
     return lives[0][0] if isinstance(solution, BearingSolution) else _together(lives, asked)
+
+
+def checked_setting(name: str, value: Any) -> Any:
+    """Return one of the arguments of `assess`, checked by itself; of an unknown name, a load rating."""
+    match name:
+        case "reliability":
+            reliability_factor(value)
+        case "edge_stress":
+            one_of(name, value, EDGE_STRESS, "use 'pressure' for what was solved")
+        case "cleanliness":
+            one_of(name, value, tuple(CLEANLINESS), "choose one, or give contamination as a number")
+        case "turning":
+            one_of(name, value, RINGS, "name the ring that turns against the load")
+        case "laminae":
+            return whole(name, value, FEWEST, MOST, "give the number of laminae, 41 say")
+        case "viscosity":
+            positive(name, value, "give that of the oil in the bearing in mm^2/s")
+        case "contamination":
+            positive(name, value, "give e_C, above 0 and at most 1")
+            if value > 1.0:
+                raise InputError(name, value, "not exceed 1", "give e_C, above 0 and at most 1")
+        case _:
+            positive(name, value, "give the load rating in N")
+    return value
 
 
 def _pairs(solution: Loaded) -> list[tuple[BearingSolution, float]]:
@@ -225,16 +250,14 @@ def _check_oil(asked: _Asked, speed: object, solution: BearingSolution) -> None:
             if value is not None:
                 raise InputError(name, value, "be given with a viscosity", "give the viscosity too, or leave it out")
         return
-    positive("viscosity", asked.viscosity, "give that of the oil in the bearing in mm^2/s")
+    checked_setting("viscosity", asked.viscosity)
     if speed is None:
         raise InputError("speed", None, "be given with a viscosity", "give the speed in 1/min")
     if any(isinstance(row.bearing, CylindricalThrustBearing) for row in solution.bearing.rows):
         condition = "be left out for thrust bearings, of which no a_ISO was found twice"
         raise InputError("viscosity", asked.viscosity, condition, "assess the bearing without lubrication")
     if asked.contamination is not None:
-        positive("contamination", asked.contamination, "give e_C, above 0 and at most 1")
-        if asked.contamination > 1.0:
-            raise InputError("contamination", asked.contamination, "not exceed 1", "give e_C, above 0 and at most 1")
+        checked_setting("contamination", asked.contamination)
 
 
 def _speeds(speed: ArrayLike | None, count: int) -> list[float | None]:
@@ -254,7 +277,7 @@ def _life(solution: BearingSolution, asked: _Asked, speed: float | None) -> Bear
     stress = asked.edge_stress
     if stress is None:
         stress = "pressure" if by_strips else "standard"
-    one_of("edge_stress", stress, EDGE_STRESS, "use 'pressure' for what was solved")
+    checked_setting("edge_stress", stress)
     if stress == "pressure" and not by_strips:
         raise InputError("edge_stress", stress, "be 'standard' or 'none' for slices", "solve the bearing by strips")
     rated = rating(solution.bearing, dynamic=asked.dynamic, static=asked.static)

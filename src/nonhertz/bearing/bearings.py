@@ -158,6 +158,11 @@ class RollerBearing:
             raise InputError("rollers", self.rollers, condition, "give fewer or thinner ones")
 
     @property
+    def kind(self) -> str:
+        """What it is in words: a CylindricalRollerBearing is a cylindrical roller bearing."""
+        return "".join(f" {each.lower()}" if each.isupper() else each for each in type(self).__name__).strip()
+
+    @property
     def roller_diameter(self) -> float:
         """Diameter of a roller in its middle [mm]."""
         diameter = self.roller.diameter

@@ -183,15 +183,23 @@ def from_catalogue(
     (13, 46.5)
     """
     one_of("kind", kind, tuple(_USUAL), "write 'cylindrical', 'needle' or 'tapered'")
-    _check_sizes(bore, outside_diameter, width)
+    for name, symbol, value in (
+        ("bore", "d", bore),
+        ("outside_diameter", "D", outside_diameter),
+        ("width", "B", width),
+    ):
+        positive(name, value, f"give {symbol} of the catalogue in mm")
+    if outside_diameter <= bore:
+        condition = f"exceed the bore of {bore:g} mm"
+        raise InputError("outside_diameter", outside_diameter, condition, "give D of the catalogue in mm")
     positive("dynamic", dynamic, _IN_N)
     positive("static", static, _IN_N)
     raceways = {"inner_raceway": inner_raceway, "outer_raceway": outer_raceway}
     angles = {"contact_angle": contact_angle, "limiting_ratio": limiting_ratio, "axial_factor": axial_factor}
     angle = _angle(angles) if kind == "tapered" else 0.0
-    for name, value in (raceways if kind == "tapered" else angles).items():
-        if value is not None:
-            raise InputError(name, value, f"be left out for a {kind} bearing", "it has none")
+    for name, foreign in (raceways if kind == "tapered" else angles).items():
+        if foreign is not None:
+            raise InputError(name, foreign, f"be left out for a {kind} bearing", "it has none")
     _check_raceways(bore, outside_diameter, raceways)
     given = _Given(
         float(bore), float(outside_diameter), float(width), float(dynamic), float(static), kind, inner_raceway,
@@ -394,15 +402,6 @@ def _angle(angles: Mapping[str, float | None]) -> float:
     return found
 
 
-def _check_sizes(bore: float, outside: float, width: float) -> None:
-    positive("bore", bore, "give d of the catalogue in mm")
-    positive("outside_diameter", outside, "give D of the catalogue in mm")
-    positive("width", width, "give B of the catalogue in mm")
-    if outside <= bore:
-        condition = f"exceed the bore of {bore:g} mm"
-        raise InputError("outside_diameter", outside, condition, "give D of the catalogue in mm")
-
-
 def _check_raceways(bore: float, outside: float, raceways: Mapping[str, float | None]) -> None:
     low, high = bore, outside
     for name, value in raceways.items():
@@ -427,6 +426,7 @@ def _sentences(
     shares = (inside.fill, inside.diameter / given.section, inside.length / given.width)
     fill, section, length = (digits(100.0 * share, 2) for share in shares)
     low, high = rollers
+    why = ", until it is mounted" if given.kind == "tapered" else ", the middle of the normal group"
     size = f"{given.bore:g} x {given.outside:g} x {given.width:g} mm"
     roller, pitch = f"{digits(inside.diameter, 4)} x {digits(inside.length, 4)} mm", f"{digits(inside.pitch, 4)} mm"
     found = [
@@ -436,11 +436,6 @@ def _sentences(
         f"about as probable: {low} to {high} rollers" if low < high else "other numbers of rollers are less probable",
         f"C0 of {digits(1e-3 * given.static, 4)} kN is met; C of {digits(1e-3 * given.dynamic, 4)} kN is "
         f"{digits(inside.factor, 3)} times that of ISO 281",
-        f"clearance {digits(1e3 * clearance, 3)} um" + (_why(given) if usual_clearance else "")
-        + "; reference profile of ISO 16281",
+        f"clearance {digits(1e3 * clearance, 3)} um{why if usual_clearance else ''}; reference profile of ISO 16281",
     ]  # fmt: skip
     return tuple(found)
-
-
-def _why(given: _Given) -> str:
-    return ", until it is mounted" if given.kind == "tapered" else ", the middle of the normal group"

@@ -43,7 +43,36 @@ _IN_MM = "give it on the diameter in mm: 20 um are 0.02"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Shaft:
+class _Seat:
+    """What shaft and housing have in common."""
+
+    diameter: float
+    interference: float = 0.0
+    smoothing: float = 0.0
+    material: Material = STEEL
+    expansion: float = EXPANSION
+    temperature: float = REFERENCE
+
+    def __post_init__(self) -> None:
+        positive("diameter", self.diameter, "give that of the seat in mm")
+        finite("interference", self.interference, _IN_MM)
+        if abs(self.interference) > MOST_INTERFERENCE * self.diameter:
+            condition = f"not exceed {100.0 * MOST_INTERFERENCE:g} % of the diameter of {self.diameter:g} mm"
+            raise InputError("interference", self.interference, condition, _IN_MM)
+        not_negative("smoothing", self.smoothing, _IN_MM)
+        if not isinstance(self.material, Material):
+            raise InputError("material", self.material, "be a Material", "make one with nonhertz.Material")
+        _check_expansion("expansion", self.expansion)
+        _check_temperature("temperature", self.temperature)
+
+    @property
+    def effective_interference(self) -> float:
+        """What is left of the interference when the roughness is flattened; a loose fit flattens nothing."""
+        return max(self.interference - self.smoothing, min(self.interference, 0.0))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shaft(_Seat):
     """The seat of an inner ring.
 
     Parameters
@@ -74,26 +103,20 @@ class Shaft:
         If the shaft cannot be.
     """
 
-    diameter: float
-    interference: float = 0.0
-    smoothing: float = 0.0
     bore: float = 0.0
-    material: Material = STEEL
-    expansion: float = EXPANSION
     density: float = _DENSITY
-    temperature: float = REFERENCE
 
     def __post_init__(self) -> None:
-        positive("diameter", self.diameter, "give that of the seat in mm")
+        super().__post_init__()
+        positive("density", self.density, "give it in t/mm^3, 7.85e-9 for steel")
         not_negative("bore", self.bore, "give that of a hollow shaft in mm, 0 for a solid one")
         if self.bore >= self.diameter:
             condition = f"be less than the diameter of the shaft of {self.diameter:g} mm"
             raise InputError("bore", self.bore, condition, "give that of a hollow shaft in mm, 0 for a solid one")
-        _check_seat(self)
 
 
 @dataclass(frozen=True, kw_only=True)
-class Housing:
+class Housing(_Seat):
     """The seat of an outer ring.
 
     Parameters
@@ -116,37 +139,16 @@ class Housing:
         If the housing cannot be.
     """
 
-    diameter: float
-    interference: float = 0.0
-    smoothing: float = 0.0
     outside_diameter: float = math.inf
-    material: Material = STEEL
-    expansion: float = EXPANSION
-    temperature: float = REFERENCE
 
     def __post_init__(self) -> None:
-        positive("diameter", self.diameter, "give that of the seat in mm")
+        super().__post_init__()
         remedy = "give that of the housing in mm, or leave it out for an endless one"
         if self.outside_diameter != math.inf:
             positive("outside_diameter", self.outside_diameter, remedy)
             if self.outside_diameter <= self.diameter:
                 condition = f"exceed that of the seat of {self.diameter:g} mm"
                 raise InputError("outside_diameter", self.outside_diameter, condition, remedy)
-        _check_seat(self)
-
-
-def _check_seat(seat: Shaft | Housing) -> None:
-    finite("interference", seat.interference, _IN_MM)
-    if abs(seat.interference) > MOST_INTERFERENCE * seat.diameter:
-        condition = f"not exceed {100.0 * MOST_INTERFERENCE:g} % of the diameter of {seat.diameter:g} mm"
-        raise InputError("interference", seat.interference, condition, _IN_MM)
-    not_negative("smoothing", seat.smoothing, _IN_MM)
-    if not isinstance(seat.material, Material):
-        raise InputError("material", seat.material, "be a Material", "make one with nonhertz.Material")
-    _check_expansion("expansion", seat.expansion)
-    if isinstance(seat, Shaft):
-        positive("density", seat.density, "give it in t/mm^3, 7.85e-9 for steel")
-    _check_temperature("temperature", seat.temperature)
 
 
 def _check_expansion(name: str, value: float) -> None:
@@ -500,21 +502,16 @@ def _fits(bearing: RollerBearing, shaft: Shaft, housing: Housing, density: float
     on_shaft = _Joint(
         ThickRing(0.5 * shaft.bore, seat, shaft.material, shaft.density),
         ThickRing(seat, inner, bearing.inner.material, density),
-        _effective(shaft),
+        shaft.effective_interference,
         True,
     )
     in_housing = _Joint(
         ThickRing(outer, bore, bearing.outer.material, density),
         ThickRing(bore, 0.5 * housing.outside_diameter, housing.material, density),
-        _effective(housing),
+        housing.effective_interference,
         False,
     )
     return on_shaft, in_housing
-
-
-def _effective(seat: Shaft | Housing) -> float:
-    """Return the interference that is left when the roughness is flattened; a loose fit flattens nothing."""
-    return max(seat.interference - seat.smoothing, min(seat.interference, 0.0))
 
 
 def _check_bearing(bearing: RollerBearing) -> tuple[float, float]:

@@ -104,7 +104,7 @@ def _prescribed(bearing: RollerBearing | Paired, values: Mapping[str, Array], co
         force, motion = values.get(pair.force), values.get(pair.motion)
         if force is not None and motion is not None:
             condition = f"not be given together with {pair.force}"
-            raise InputError(pair.motion, _first(motion), condition, "leave one of them out")
+            raise InputError(pair.motion, motion[0].tolist(), condition, "leave one of them out")
         forced = {"radial": radially, "axial": axially, "moment": False}[pair.force]
         by_force[pair.where] = force is not None or (motion is None and forced)
         value = force if motion is None else motion
@@ -118,12 +118,6 @@ def _prescribed(bearing: RollerBearing | Paired, values: Mapping[str, Array], co
     if "tilt" in values:
         _refuse_large("tilt", target[:, 3:])
     return Prescribed(by_force, target)
-
-
-def _first(values: Array) -> object:
-    """Return what was given for the first state."""
-    first = values[0]
-    return first.tolist() if np.ndim(first) else float(first)
 
 
 def _refuse_unborne(name: str, borne: bool, way: str, given: tuple[NDArray[np.bool_], Array], where: slice) -> None:

@@ -13,10 +13,10 @@ from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import States
 from nonhertz.bearing.frames import RINGS, contact_frame
 from nonhertz.bearing.ribs import RibContact
-from nonhertz.bearing.unrolled import UnrolledPressure, loaded_shares, row_slices, unrolled
+from nonhertz.bearing.unrolled import POINTS, UnrolledPressure, loaded_shares, row_slices
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.hertz import PointContact
-from nonhertz.inputs.checks import one_of, whole
+from nonhertz.inputs.checks import numbers, one_of, whole
 from nonhertz.life.capacity import is_hollow
 from nonhertz.result.brief import plain_text
 from nonhertz.result.numerals import digits, sized_list, unit_for
@@ -299,9 +299,20 @@ class BearingSolution(ReadOnly):
         """
         one_of("ring", ring, RINGS, "name one of both")
         these = self.rollers_of(row)
-        contacts = [self.contact(roller, ring) for roller in range(these.start, these.stop)]
-        length = self.bearing.rows[row].bearing.roller_length
-        return unrolled(contacts, ring=ring, row=row, angle=self.angle[these], length=length, y=y)
+        remedy = "give places along the rollers in mm, or leave it out"
+        evenly = 0.5 * self.bearing.rows[row].bearing.roller_length * np.linspace(-1.0, 1.0, POINTS)
+        places = evenly if y is None else np.array(numbers("y", y, remedy))
+        if places.ndim != 1 or not places.size:
+            raise InputError("y", y, "be a row of numbers", remedy)
+        pressure = np.zeros((these.stop - these.start, places.size))
+        known: dict[int, Array] = {}  # rollers on both sides of a load share a solution
+        for roller, of_roller in enumerate(pressure, start=these.start):
+            contact = self.contact(roller, ring)
+            if contact is not None:
+                if id(contact) not in known:
+                    known[id(contact)] = contact.pressure(0.0, places)
+                of_roller[:] = known[id(contact)]
+        return UnrolledPressure(ring, row, self.angle[these], places, pressure)
 
     def to_dataframe(self) -> pd.DataFrame:
         """Return a pandas DataFrame: a row for each roller and ring, units in ``attrs["units"]``.

@@ -12,7 +12,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.bearing.bearings import Paired, RollerBearing, Row
+from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, balanced
 from nonhertz.bearing.laws import ContactLaw
 from nonhertz.bearing.mapped import BearingMaps, MapLaw
@@ -232,7 +232,8 @@ class _Setting:
         start = np.zeros_like(target)
         start[:, 0] = np.where(target[:, 0] != 0.0, np.sign(target[:, 0]) * depth, 0.0)
         if self.method == "slices":
-            sliced = _sliced(self.bearing, self.load, self.laminae)
+            slices = [(standard_slices(row.bearing, self.laminae),) * 2 for row in self.bearing.rows]
+            sliced = _jointed(self.bearing, self.load, slices, nominal=True)
             return balanced(sliced, by_force, target, start, depth, threads=threads)
         if self.maps is not None:
             laws = [[MapLaw(each) for each in pair] for pair in self.maps.contacts]
@@ -243,14 +244,12 @@ class _Setting:
 
     def _by_strips(self, by_force: NDArray[np.bool_], target: Array, start: Array, depth: float) -> States:
         """Return the states by strips, to which slices and then few strips lead."""
-        slices = [standard_slices(row.bearing, GUIDING_SLICES) for row in self.bearing.rows]
+        slices = [(standard_slices(row.bearing, GUIDING_SLICES),) * 2 for row in self.bearing.rows]
         stripped = [[StripLaw(contact) for contact in row.bearing.contacts] for row in self.bearing.rows]
         for inner, outer in stripped:
             inner.beside(outer)
         few = [[law.on_few_strips(ROUGH_STRIPS) for law in pair] for pair in stripped]
-        sliced, coarse, fine = (
-            _jointed(self.bearing, self.load, laws) for laws in ([(law, law) for law in slices], few, stripped)
-        )
+        sliced, coarse, fine = (_jointed(self.bearing, self.load, laws) for laws in (slices, few, stripped))
         # To the last: rollers that speed alone presses on the outer ring bear less than what is near.
         nearby = balanced(sliced, by_force, target, start, depth)
         # Those that the inner ring presses are nearer to where springs would have them.
@@ -296,48 +295,27 @@ def _depth(bearing: RollerBearing | Paired, acting: Prescribed) -> float:
     return max(by_load, moved, 1e-6 * max(row.roller_diameter for row in rows)) + 4.0 * gap
 
 
-def _sliced(bearing: RollerBearing | Paired, load: Array, laminae: int) -> System:
-    """Return the rollers with independent slices, as ISO/TS 16281 has them."""
+def _jointed(
+    bearing: RollerBearing | Paired, load: Array, laws: Sequence[Sequence[ContactLaw]], *, nominal: bool = False
+) -> System:
+    """Return the rollers with a law for each raceway of each row, and ribs; as ISO/TS 16281 has them if nominal."""
     joints: list[Joint] = []
     first, load = 0, load.copy()
-    for row in bearing.rows:
-        angle, law = row.bearing.nominal_angle, standard_slices(row.bearing, laminae)
-        # The standard knows of nothing that holds tapered rollers along their axes: what presses on raceways is left.
-        normal = np.array([math.sin(angle), math.cos(angle), 0.0])
-        load[first : first + row.bearing.rollers] = np.outer(load[first : first + row.bearing.rollers] @ normal, normal)
-        # Barrels align themselves; tapered rollers have the contact angle of the bearing at both rings.
-        motions = row.bearing.raceway_motions
-        if len(set(row.bearing.contact_angles)) > 1:
-            motions = raceway_motion(angle, inner=True), raceway_motion(angle, inner=False)
-        for column, (motion, gap) in enumerate(zip(motions, row.gaps, strict=True)):
-            joints.append(Joint(column == 0, motion, gap, law, column, first))
-        if not angle:
-            joints += _at_ribs(row, first)
-        first += row.bearing.rollers
-    return _system(bearing, joints, load)
-
-
-def _jointed(bearing: RollerBearing | Paired, load: Array, laws: Sequence[Sequence[ContactLaw]]) -> System:
-    """Return the rollers with a law for each raceway of each row, and ribs."""
-    joints: list[Joint] = []
-    first = 0
     for row, of_row in zip(bearing.rows, laws, strict=True):
-        for column, (motion, gap, law) in enumerate(zip(row.bearing.raceway_motions, row.gaps, of_row, strict=True)):
+        angle, motions = row.bearing.nominal_angle, row.bearing.raceway_motions
+        if nominal:
+            # The standard has nothing that holds tapered rollers along their axes: what presses on raceways is left.
+            normal = np.array([math.sin(angle), math.cos(angle), 0.0])
+            these = slice(first, first + row.bearing.rollers)
+            load[these] = np.outer(load[these] @ normal, normal)
+            # Barrels align themselves; tapered rollers have the contact angle of the bearing at both rings.
+            if len(set(row.bearing.contact_angles)) > 1:
+                motions = raceway_motion(angle, inner=True), raceway_motion(angle, inner=False)
+        for column, (motion, gap, law) in enumerate(zip(motions, row.gaps, of_row, strict=True)):
             joints.append(Joint(column == 0, motion, gap, law, column, first))
-        joints += _at_ribs(row, first)
+        for column, (rib, gap) in enumerate(zip(row.bearing.rib_contacts, row.rib_gaps, strict=True), start=2):
+            if not (nominal and angle):
+                joints.append(Joint(rib.ring == "inner", rib.motion, gap, rib.law, column, first))
         first += row.bearing.rollers
-    return _system(bearing, joints, load)
-
-
-def _at_ribs(row: Row, first: int) -> list[Joint]:
-    """Return the contacts of the rollers' ends of a row whose first roller has a number."""
-    return [
-        Joint(rib.ring == "inner", rib.motion, gap, rib.law, column, first)
-        for column, (rib, gap) in enumerate(zip(row.bearing.rib_contacts, row.rib_gaps, strict=True), start=2)
-    ]
-
-
-def _system(bearing: RollerBearing | Paired, joints: list[Joint], load: Array) -> System:
-    motion = np.concatenate([row.ring_motion for row in bearing.rows])
     lever = 0.5 * max(row.bearing.roller_length for row in bearing.rows)
-    return System(motion, tuple(joints), load, lever)
+    return System(np.concatenate([row.ring_motion for row in bearing.rows]), tuple(joints), load, lever)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-import math
 from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import (
@@ -21,6 +20,7 @@ from pydantic import (
     model_validator,
 )
 
+from nonhertz.bearing.assessed import checked_setting
 from nonhertz.bearing.bearings import (
     ARRANGEMENTS,
     MOST_ROLLERS,
@@ -35,13 +35,13 @@ from nonhertz.bearing.bearings import (
 )
 from nonhertz.bearing.clearance import EXPANSION, REFERENCE, Housing, Shaft, operating_clearance
 from nonhertz.bearing.frames import RINGS
-from nonhertz.bearing.lubrication import CLEANLINESS, LEAST_RATIO, reference_viscosity, reliability_factor
+from nonhertz.bearing.lubrication import CLEANLINESS, LEAST_RATIO, reference_viscosity
 from nonhertz.bearing.ribs import DESIGNS, Rib
 from nonhertz.bearing.spectrum import LoadCase
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.bearing.verb import METHODS, refuse_load
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, one_line, one_of, positive, whole
+from nonhertz.inputs.checks import finite, one_line, one_of, whole
 from nonhertz.io.bounds import FORMAT
 from nonhertz.io.document import (
     Angle,
@@ -70,7 +70,7 @@ from nonhertz.io.profiles import quantity_schema
 from nonhertz.io.shape_tables import ShapeInput, read_shape
 from nonhertz.io.units import in_unit
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
-from nonhertz.life.spectrum import WHOLE
+from nonhertz.life.spectrum import at_most_whole
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter
 from nonhertz.model.material import STEEL, Material
 
@@ -421,10 +421,8 @@ class BearingLoadCaseTable(BearingLoadTable):
 
 def _read_spectrum(value: Any) -> tuple[BearingLoadCaseTable, ...]:
     cases = read_loads(value, BearingLoadCaseTable)
-    total = math.fsum(case.share for case in cases)
-    if total > 1.0 + WHOLE:
-        remedy = "give shares of the revolutions; for what is left, nothing is loaded"
-        raise InputError("share", round(total, 6), "add up to 1 at most", remedy)
+    remedy = "give shares of the revolutions; for what is left, nothing is loaded"
+    at_most_whole("share", [case.share for case in cases], remedy)
     return cases
 
 
@@ -577,24 +575,7 @@ class BearingLifeTable(Table):
     )  # fmt: skip
     @classmethod
     def _check(cls, value: Any, info: ValidationInfo) -> Any:
-        match name := str(info.field_name):
-            case "reliability":
-                reliability_factor(value)
-            case "edge_stress":
-                one_of(name, value, EDGE_STRESS, "use 'pressure' for what was solved")
-            case "cleanliness":
-                one_of(name, value, tuple(CLEANLINESS), "choose one, or give contamination as a number")
-            case "turning":
-                one_of(name, value, RINGS, "name the ring that turns against the load")
-            case "laminae":
-                return whole(name, value, FEWEST, MOST, "give the number of laminae, 41 say")
-            case "contamination":
-                _check_contamination(value)
-            case "viscosity":
-                positive(name, value, "give that of the oil in the bearing in mm^2/s")
-            case _:
-                positive(name, value, "give the load rating in N")
-        return value
+        return checked_setting(str(info.field_name), value)
 
     @model_validator(mode="after")
     def _check_oil(self) -> Self:
@@ -607,13 +588,6 @@ class BearingLifeTable(Table):
         """Return the keywords for `nonhertz.bearing.assess`."""
         found = {name: value for name, value in self if value is not None and name != "spectrum"}
         return found | ({} if self.viscosity is None else {"speed": speed})
-
-
-def _check_contamination(value: float) -> None:
-    remedy = "give e_C, above 0 and at most 1"
-    positive("contamination", value, remedy)
-    if value > 1.0:
-        raise InputError("contamination", value, "not exceed 1", remedy)
 
 
 class PartsTable(Table):

@@ -229,11 +229,10 @@ def most_loaded(solution: BearingSolution) -> int:
 
 def _bearing_rows(bearing: RollerBearing | Paired, *, fitted: bool) -> list[Row]:
     row = bearing.rows[0].bearing
-    kind = kind_of(row)
     rows = len(bearing.rows)
     size = f"{row.rollers}, {given(row.roller_diameter)} x {given(row.roller_length)} mm"
     found = [
-        ("bearing", f"{kind}{f', {rows} rows' if rows > 1 else ''}", ""),
+        ("bearing", f"{row.kind}{f', {rows} rows' if rows > 1 else ''}", ""),
         ("rollers", size, f"{'in each row, ' if rows > 1 else ''}pitch circle {given(row.pitch)} mm"),
     ]
     clearance = getattr(row, "clearance", None)
@@ -277,12 +276,6 @@ def _fit_rows(case: BearingCase) -> list[Row]:
         value = f"{digits(fit.pressure, 4)} MPa{loose}"
         rows.append((f"{ring} fit", value, f"{digits(fit.mounted_pressure, 4)} MPa when mounted"))
     return rows
-
-
-def kind_of(row: RollerBearing) -> str:
-    """Return a class's name as words: CylindricalRollerBearing is a cylindrical roller bearing."""
-    name = type(row).__name__
-    return "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in name).strip()
 
 
 def _load_rows(solution: BearingSolution) -> list[Row]:

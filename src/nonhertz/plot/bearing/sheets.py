@@ -154,7 +154,7 @@ def conditions(solution: BearingSolution) -> list[str]:
     """Return what was solved, in parts: the bearing, and what acts on its inner ring with the method."""
     rows = [row.bearing for row in solution.bearing.rows]
     same = len({(type(each), each.rollers) for each in rows}) == 1
-    kinds = [f"{_name(type(each).__name__)}, {each.rollers} rollers" for each in (rows[:1] if same else rows)]
+    kinds = [f"{each.kind.capitalize()}, {each.rollers} rollers" for each in (rows[:1] if same else rows)]
     acting = [
         f"{name} {_force(float(solution.force[:3] @ abs(way) if name == 'axial' else solution.force[:3] @ way))}"
         for name, way in directions(solution).items()
@@ -163,12 +163,6 @@ def conditions(solution: BearingSolution) -> list[str]:
     acting.append(f"tilt {number(tilt, 3) if tilt > 1e-6 else '0'} mrad")
     acting.append(f"by {solution.method}")
     return [*([f"{len(rows)} rows: {kinds[0]} each"] if same and len(rows) > 1 else kinds), ", ".join(acting)]
-
-
-def _name(kind: str) -> str:
-    """Return a class's name as words: CylindricalRollerBearing is "Cylindrical roller bearing"."""
-    spaced = "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in kind).strip()
-    return spaced[:1].upper() + spaced[1:]
 
 
 def _force(load: float) -> str:

@@ -41,16 +41,12 @@ def bearing_assumptions(found: BearingResults) -> list[Assumption]:
     """Return the assumptions behind the result of a bearing and whether they hold."""
     solution = found.solution
     if solution is None:
-        return [_no_balance()]
+        words = "Solved", "rollers and rings are in balance", "no balance"
+        return [Assumption(*words, Verdict.NOT_MET, "There are no results.")]
     rows = [_balanced(solution), _small_motions(solution)]
     rows += _of_strips(solution) if solution.method == "strips" else _of_slices(solution)
     rows += [*_ribs(solution), *_shapes(solution), *_NEGLECTED]
     return [*rows, SURFACES]
-
-
-def _no_balance() -> Assumption:
-    remark = "There are no results."
-    return Assumption("Solved", "rollers and rings are in balance", "no balance", Verdict.NOT_MET, remark)
 
 
 def _balanced(solution: BearingSolution) -> Assumption:
@@ -100,18 +96,18 @@ def _of_strips(solution: BearingSolution) -> Iterator[Assumption]:
 
 def _contacts(solution: BearingSolution) -> tuple[list[Solution], list[Solution]]:
     """Return the loaded contacts at the inner and at the outer ring, the most loaded first; equal ones once."""
-    inner, outer = (_distinct([solution.contact(j, ring) for j in range(solution.angle.size)]) for ring in RINGS)
+    every = ([solution.contact(j, ring) for j in range(solution.angle.size)] for ring in RINGS)
+    distinct = ({id(each): each for each in of_ring if each is not None} for of_ring in every)
+    inner, outer = (sorted(of_ring.values(), key=lambda each: -each.load) for of_ring in distinct)
     return inner, outer
-
-
-def _distinct(contacts: list[Solution | None]) -> list[Solution]:
-    distinct = {id(each): each for each in contacts if each is not None}
-    return sorted(distinct.values(), key=lambda each: -each.load)
 
 
 def _valid(contacts: tuple[list[Solution], list[Solution]]) -> Iterator[Assumption]:
     """Yield each condition of the contacts once: at each ring the most loaded contact that violates it, or of all."""
-    made = [[{check.assumption: check for check in _checks(each)} for each in ring] for ring in contacts]
+    made = [
+        [{check.assumption: check for check in checks(each, ends(each.contact))} for each in ring if each.contact_y]
+        for ring in contacts
+    ]
     names = dict.fromkeys(name for ring in made for each in ring for name in each)
     for name in names:
         shown: list[tuple[str, ValidityCheck]] = []
@@ -123,10 +119,6 @@ def _valid(contacts: tuple[list[Solution], list[Solution]]) -> Iterator[Assumpti
         words = ", ".join(f"{digits(check.value, 3)} at the {ring} ring" for ring, check in shown)
         first = failing[0] if failing else shown[0][1]
         yield Assumption(_PARTS.get(name, name), first.criterion, words, strained_if(bool(failing)), first.remark)
-
-
-def _checks(contact: Solution) -> tuple[ValidityCheck, ...]:
-    return checks(contact, ends(contact.contact)) if contact.contact_y else ()
 
 
 def _ends(contacts: list[Solution]) -> Assumption:

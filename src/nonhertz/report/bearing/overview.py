@@ -19,7 +19,7 @@ from nonhertz.report.bearing.results import BearingResults
 from nonhertz.report.inputs import shown
 from nonhertz.report.overview import Key
 from nonhertz.result.numerals import digits, given, unit_for
-from nonhertz.show.bearing import carrying, kind_of, most_loaded, place_of
+from nonhertz.show.bearing import carrying, most_loaded, place_of
 
 PARTS = ("roller", *RINGS)
 NEAR_ENDS = 0.9  # of what can touch
@@ -39,7 +39,7 @@ def bearing_opening(case: BearingCase) -> str:
     row = case.bearing.rows[0].bearing
     rows = len(case.bearing.rows)
     size = f"{given(row.roller_diameter, 5)} x {given(row.roller_length, 5)} mm"
-    what = f"{kind_of(row)}{f' of {rows} rows' if rows > 1 else ''}".capitalize()
+    what = f"{row.kind}{f' of {rows} rows' if rows > 1 else ''}".capitalize()
     each = " in each row" if rows > 1 else ""
     speed = f" at {given(float(case.prescribed['speed']))} 1/min" if case.prescribed.get("speed") else ""
     circle = f"on a pitch circle of {given(row.pitch, 5)} mm"
