@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -32,6 +32,7 @@ _NUMBER: dict[str, Any] = {"type": "number"}
 _SWITCH: dict[str, Any] = {"type": "boolean"}
 _LENGTH: dict[str, Any] = {"anyOf": [_NUMBER, _TEXT], "unit": "mm"}
 _COLUMN: dict[str, Any] = {"anyOf": [{"type": "integer", "minimum": 1}, _TEXT]}
+_KINDS = {"string": str, "boolean": bool, "number": int | float, "integer": int | float}
 _IN_WORDS = {"string": "text", "number": "a number", "boolean": "true or false", "integer": "a whole number"}
 
 #: JSON schema of each key, with what it means.
@@ -141,17 +142,18 @@ def checked(name: str, value: Any) -> Any:
     """
     if name not in KEYS:
         raise unknown(name, value, f"parameter of '{KIND}'", name, KEYS)
-    if isinstance(value, bool):
-        if not any(choice == _SWITCH for choice in _choices(name)):
-            raise InputError(name, value, "not be true or false", _meaning(name))
+    choices = KEYS[name].get("anyOf", [KEYS[name]])
+    if isinstance(value, str) and any(value in each.get("enum", [each.get("const")]) for each in choices):
         return value
-    if isinstance(value, str):
-        return _checked_text(name, value)
-    if not isinstance(value, int | float) or not _takes_numbers(name):
-        raise InputError(name, value, f"be {_expected(name)}", _meaning(name))
-    # An integer too large for a float becomes infinite, which the steps reject.
-    number = in_unit(name, value, "mm")
-    return number if name in _LENGTHS or math.isinf(number) else value
+    if name in _LENGTHS and isinstance(value, str | int | float) and not isinstance(value, bool):
+        return in_unit(name, value, "mm")
+    taken = [kinds for word, kinds in _KINDS.items() if any(each.get("type") == word for each in choices)]
+    if any(isinstance(value, kinds) and isinstance(value, bool) == (kinds is bool) for kinds in taken):
+        # An integer too large for a float becomes infinite, which the steps reject.
+        number = in_unit(name, value, "mm") if isinstance(value, int) else value
+        return number if isinstance(number, float) and math.isinf(number) else value
+    meaning = str(KEYS[name]["description"]).rstrip(".")
+    raise InputError(name, value, f"be {_expected(choices)}", meaning[0].lower() + meaning[1:])
 
 
 def measured_from(trace: Trace, values: Mapping[str, Any]) -> Measured:
@@ -188,47 +190,15 @@ def measured_schema() -> dict[str, Any]:
     }
 
 
-def _choices(name: str) -> list[dict[str, Any]]:
-    schema = KEYS[name]
-    return [
-        {key: value for key, value in each.items() if key != "description"} for each in schema.get("anyOf", [schema])
-    ]
-
-
-def _expected(name: str) -> str:
+def _expected(choices: Sequence[Mapping[str, Any]]) -> str:
     """Return in words which values a key takes."""
     words: list[str] = []
-    for choice in _choices(name):
+    for choice in choices:
         if "enum" in choice or "const" in choice:
             words += map(repr, choice.get("enum") or [choice["const"]])
-        elif "anyOf" in choice:
-            words.append("a length")
         else:
-            words.append(_IN_WORDS[choice["type"]])
+            words.append("a length" if "anyOf" in choice else _IN_WORDS[choice["type"]])
     return ", ".join(words[:-1]) + (" or " if words[1:] else "") + words[-1]
-
-
-def _takes_numbers(name: str) -> bool:
-    return any("number" in str(each) or "integer" in str(each) for each in _choices(name))
-
-
-def _checked_text(name: str, value: str) -> Any:
-    words = [word for each in _choices(name) for word in each.get("enum", [each["const"]] if "const" in each else [])]
-    if value in words:
-        return value
-    if name in _LENGTHS:
-        return in_unit(name, value, "mm")
-    if _TEXT in _choices(name):
-        return value
-    if words:
-        condition = f"be {_expected(name)}" if _takes_numbers(name) else "be one of " + ", ".join(map(repr, words))
-        raise InputError(name, value, condition, _meaning(name))
-    raise InputError(name, value, "be a number" if _takes_numbers(name) else "be true or false", "remove the quotes")
-
-
-def _meaning(name: str) -> str:
-    text = str(KEYS[name]["description"]).rstrip(".")
-    return text[0].lower() + text[1:]
 
 
 def _made(values: Mapping[str, Any], folder: Path) -> Profile:

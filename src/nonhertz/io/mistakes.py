@@ -15,7 +15,6 @@ from dataclasses import dataclass
 from typing import Any, get_args
 
 from pydantic import BaseModel, ValidationError
-from pydantic.fields import FieldInfo
 
 from nonhertz.errors import CaseError, InputError
 from nonhertz.io.bounds import MISTAKES
@@ -215,12 +214,9 @@ def _way_out(table: type[BaseModel], place: Place) -> str:
     if not _tables_in(field.annotation):
         return f"give {field.description}"
     inner = _table_at(table, place).model_fields
-    headings = [f"[{path_of((*place, name))}]" for name in inner if _is_needed(inner[name])]
+    needed = [name for name, each in inner.items() if each.is_required() and _tables_in(each.annotation)]
+    headings = [f"[{path_of((*place, name))}]" for name in needed]
     return "write it under a heading " + (" and ".join(headings) or f"[{path_of(place)}]")
-
-
-def _is_needed(field: FieldInfo) -> bool:
-    return field.is_required() and bool(_tables_in(field.annotation))
 
 
 def _tables_in(annotation: object) -> list[type[BaseModel]]:

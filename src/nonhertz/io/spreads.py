@@ -188,7 +188,8 @@ def spread_in(parameter: Parameter, given: Any, document: Mapping[str, Any]) -> 
     if isinstance(given, Distribution):
         _refuse_form(parameter, given.kind)
         if parameter.unit is None:
-            raise _of_words(parameter, given)
+            remedy = "write a list of words, such as ['one', 'other']"
+            raise InputError(parameter.path, given, "be a list, since it is no number", remedy)
         return given
     if isinstance(given, np.ndarray):
         given = given.tolist()
@@ -281,11 +282,6 @@ def _evenly(parameter: Parameter, text: str) -> tuple[float, ...]:
         remedy = "choose a number of values that divides the range, or write a list"
         raise InputError(parameter.path, text, "step through whole numbers", remedy)
     return tuple(int(value) if parameter.whole else value for value in values)
-
-
-def _of_words(parameter: Parameter, given: object) -> InputError:
-    remedy = "write a list of words, such as ['one', 'other']"
-    return InputError(parameter.path, given, "be a list, since it is no number", remedy)
 
 
 def _example(parameter: Parameter) -> str:

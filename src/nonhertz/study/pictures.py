@@ -246,16 +246,16 @@ def _pictured(sweep: Sweep) -> tuple[Quantity, ...]:
 def _drawing(sweep: Sweep) -> Callable[[Quantity, Axes], object] | None:
     """Return what draws a quantity; None if there is no picture of so many paths."""
     if any(isinstance(spread, Distribution) for spread in sweep.plan.spreads.values()):
-        return _of_samples(sweep) if len(sweep.shape) == 1 else None
+        if len(sweep.shape) > 1:
+            return None
+        return lambda quantity, ax: histogram(
+            quantity.factor * sweep[quantity.name], ax, label=quantity_label(quantity)
+        )
     lists = [np.asarray(sweep.plan.spreads[path]) for path in sweep.paths]
     longer = [(path, values) for path, values in zip(sweep.paths, lists, strict=True) if values.size > 1]
     if len(longer) == 1:
         return _of_one(sweep, *longer[0])
     return _of_two(sweep, longer) if len(longer) == 2 else None
-
-
-def _of_samples(sweep: Sweep) -> Callable[[Quantity, Axes], object]:
-    return lambda quantity, ax: histogram(quantity.factor * sweep[quantity.name], ax, label=quantity_label(quantity))
 
 
 def _of_one(sweep: Sweep, path: str, values: NDArray[Any]) -> Callable[[Quantity, Axes], object]:

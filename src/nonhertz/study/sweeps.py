@@ -149,10 +149,8 @@ class Sweep:
             If the rows have no such column.
         """
         units = {quantity.name: quantity.unit for quantity in self.quantities}
-        return units.get(self._known(name, *self.paths)) or self._unit_of_path(name)
-
-    def _unit_of_path(self, name: str) -> str:
-        return (self.plan.template.known[name].unit or "") if name in self.paths else ""
+        varied = self.plan.template.known[name].unit if name in self.paths else None
+        return units.get(self._known(name, *self.paths)) or varied or ""
 
     def _known(self, name: str, *others: str) -> str:
         known = (*others, *(quantity.name for quantity in self.quantities))

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 
@@ -181,7 +181,7 @@ def _layout(numbered: list[tuple[int, str]], request: Request) -> _Layout:
     for separator in (";", "\t", "|"):
         if sum(separator in line.strip(separator + " ") for _, line in sample) > 0.5 * len(sample):
             return _Layout(separator, _with_decimal_commas(sample, separator, request))
-    if _mostly(sample, lambda line: "," in line):
+    if sum("," in line for _, line in sample) > 0.5 * len(sample):
         return _comma_layout(sample, request)
     return _Layout(None, comma=False)
 
@@ -227,10 +227,6 @@ def _refuse_thousands(lines: list[tuple[int, str]], layout: _Layout, request: Re
             number, cell = parted[0]
             condition = f"distinguish decimal commas from thousands separators (line {number} has {shown(cell)})"
             raise request.refuse(condition, "write decimal points and no thousands separators")
-
-
-def _mostly(sample: list[tuple[int, str]], holds: Callable[[str], bool]) -> bool:
-    return sum(holds(line) for _, line in sample) > 0.5 * len(sample)
 
 
 def _chosen(table: Array, names: list[str], request: Request) -> tuple[int, int]:
