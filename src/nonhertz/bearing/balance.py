@@ -27,6 +27,7 @@ Indices = NDArray[np.int64]
 # What may be left of the balance of a roller, over the ring's tolerance.
 OF_ROLLER = 0.1
 SHORTENINGS = 30
+NO_LOAD = 1e-8  # of the largest: what is left of the balance of a roller that has lifted off
 RIDGE = 1e-13  # of the stiffness, where nothing resists
 OVERSHOT = 0.5  # of the slope along a step, by which it may point backwards at its end
 HELD_BACK = 1e-3  # of loads over the penetration to be expected
@@ -192,8 +193,8 @@ class Found(NamedTuple):
         Of the rollers.
     pose : ndarray, shape (states, rollers, columns, 2)
         Approach and tilt of contacts.
-    borne : ndarray, shape (states, rollers, columns, 2)
-        Load and moment of contacts.
+    borne : ndarray, shape (states, rollers, columns, ANSWER)
+        What contacts answer.
     """
 
     ring: Array
@@ -209,7 +210,7 @@ class Found(NamedTuple):
     def blank(cls, states: int, rollers: int, columns: int) -> Found:
         """Return room for states."""
         steps = np.zeros(states, dtype=np.int64)
-        of_contacts = [np.zeros((states, rollers, columns, 2)) for _ in range(2)]
+        of_contacts = [np.zeros((states, rollers, columns, size)) for size in (2, ANSWER)]
         of_ring = np.zeros((states, 5)), np.zeros((states, 5)), np.zeros((states, 5, 5)), np.zeros(states)
         return cls(*of_ring, steps, np.zeros((states, rollers, 3)), *of_contacts)
 
@@ -253,7 +254,7 @@ def keep(work: Work, found: Found, k: int) -> None:
     found.ring[k], found.force[k], found.stiffness[k] = work.ring, work.force, work.stiffness
     found.left[k], found.steps[k] = work.left[0], work.steps[-1]
     found.motion[k], found.pose[k] = work.motion, work.pose
-    found.borne[k] = work.answer[:, :, :2]
+    found.borne[k] = work.answer
 
 
 @entry
@@ -406,7 +407,7 @@ def _rollers_move(parts: Parts, work: Work, given: Given, enough: float) -> bool
 @compiled
 def _roller_steps(parts: Parts, work: Work, given: Given, j: int, enough: float) -> bool:
     """Give a roller a step if it is not in balance."""
-    if _left_of(parts, work, j) <= enough or work.steps[j] >= given.steps:
+    if _largest(parts, work.off[j]) <= enough or work.steps[j] >= given.steps:
         return False
     step = _roller_step(parts, work, given, j)
     slope = 0.0
@@ -423,7 +424,7 @@ def _roller_steps(parts: Parts, work: Work, given: Given, j: int, enough: float)
 def _roller_step(parts: Parts, work: Work, given: Given, j: int) -> Array:
     """Return a step of a roller towards its balance, the ring at rest, shape (3, 1)."""
     # As for the ring: where nothing resists, a roller goes where it is pushed, and not far at once.
-    held = HELD_BACK * _left_of(parts, work, j) / given.depth
+    held = HELD_BACK * _largest(parts, work.off[j]) / given.depth
     matrix, right = work.whole[j].copy(), np.empty((3, 1))
     for a in range(3):
         right[a, 0] = work.off[j, a]
@@ -490,7 +491,7 @@ def _share_of_step(parts: Parts, work: Work, j: int, step: Array) -> float:
     contacts hundreds of times too deep take long to solve.
     """
     share = 1.0
-    expected = (_left_of(parts, work, j) / parts.stiffness) ** (1.0 / STIFFENING)
+    expected = (_largest(parts, work.off[j]) / parts.stiffness) ** (1.0 / STIFFENING)
     for c in range(parts.law.shape[1]):
         if parts.law[j, c] == ABSENT:
             continue
@@ -513,8 +514,13 @@ def _share_of_step(parts: Parts, work: Work, j: int, step: Array) -> float:
 @compiled
 def _condense(parts: Parts, work: Work) -> None:
     """Add up forces on the ring, and its stiffness with rollers that follow it in balance."""
-    work.force[:], work.stiffness[:] = 0.0, 0.0
+    work.force[:], work.stiffness[:], most = 0.0, 0.0, 0.0
     for j in range(work.asked.size):
+        most = max(most, _largest(parts, work.on_ring[j]))
+    for j in range(work.asked.size):
+        # Slices resist with the ninth root of their overlap: one of 1e-19 mm, which is rounding, by a percent and more.
+        if _largest(parts, work.on_ring[j]) <= NO_LOAD * most:
+            continue
         follows = work.of_ring[j].copy()
         _solve(work.whole[j].copy(), follows, parts.scale)
         condensed = work.of_ring[j] - _product(work.of_ring[j], follows)
@@ -583,7 +589,7 @@ def _strays(parts: Parts, work: Work, enough: float) -> int:
     """Return how many rollers are off balance by more than is enough [N]."""
     count = 0
     for j in range(work.asked.size):
-        if _left_of(parts, work, j) > enough:
+        if _largest(parts, work.off[j]) > enough:
             count += 1
     return count
 
@@ -593,17 +599,17 @@ def _left_of_rollers(parts: Parts, work: Work) -> float:
     """Return what is left of the balance of rollers [N]."""
     off = 0.0
     for j in range(work.asked.size):
-        off = max(off, _left_of(parts, work, j))
+        off = max(off, _largest(parts, work.off[j]))
     return off
 
 
 @compiled
-def _left_of(parts: Parts, work: Work, j: int) -> float:
-    """Return what is left of the balance of a roller [N]."""
-    off = 0.0
+def _largest(parts: Parts, forces: Array) -> float:
+    """Return the largest of the forces and the moment on a roller [N]."""
+    most = 0.0
     for a in range(3):
-        off = max(off, abs(work.off[j, a]) / parts.scale[a])
-    return off
+        most = max(most, abs(forces[a]) / parts.scale[a])
+    return most
 
 
 @compiled

@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 
 from nonhertz.bearing.balance import (
     ABSENT,
+    NO_LOAD,
     OUTSIDE,
     Found,
     Given,
@@ -35,7 +36,7 @@ from nonhertz.bearing.balance import (
     go_on,
     keep,
 )
-from nonhertz.bearing.laws import ContactLaw, SolvedLaw
+from nonhertz.bearing.laws import OVERLAP, ContactLaw, SolvedLaw
 from nonhertz.life.lamina import roller_stiffness
 
 Array = NDArray[np.float64]
@@ -46,6 +47,7 @@ Indices = NDArray[np.int64]
 TOLERANCE = 1e-9
 STEPS = 80
 MOST_ASKED = 100  # times that contacts of one roller are solved; random bearings take 50 at most
+EDGE = 1e-5  # mm, a motion far below what rollers and raceways depart from their shapes
 _PORTION = 64  # states, below which a thread of its own does not pay
 
 
@@ -147,8 +149,8 @@ class Rollers(NamedTuple):
     ----------
     motion : ndarray, shape (states, rollers, 3)
         Along x and r [mm] and about the tangent [rad].
-    approach, tilt, load, moment : ndarray, shape (states, rollers, columns)
-        Of their contacts [mm], [rad], [N], [N mm].
+    approach, tilt, load, moment, overlap : ndarray, shape (states, rollers, columns)
+        Of their contacts [mm], [rad], [N], [N mm], [mm].
     """
 
     motion: Array
@@ -156,6 +158,7 @@ class Rollers(NamedTuple):
     tilt: Array
     load: Array
     moment: Array
+    overlap: Array
 
 
 class States(NamedTuple):
@@ -226,8 +229,40 @@ def balanced(
     else:
         _in_machine_code(system.parts, given, (target, ring, at_first), found, threads)
     pose, borne = found.pose, found.borne
-    rollers = Rollers(found.motion, pose[..., 0], pose[..., 1], borne[..., 0], borne[..., 1])
+    rollers = Rollers(found.motion, pose[..., 0], pose[..., 1], borne[..., 0], borne[..., 1], borne[..., OVERLAP])
     return States(found.ring, rollers, found.force, found.stiffness, found.left, found.steps)
+
+
+def at_edge(system: System, state: States) -> tuple[Indices, Array]:
+    """Return the rollers that stand at the edge of the load zone, and what a small motion of the ring finds.
+
+    A roller that just touches both rings without load has no part in the derivatives of the forces, and bears as soon
+    as the ring moves towards it.
+
+    Parameters
+    ----------
+    system : System
+        The rollers.
+    state : States
+        One of them.
+
+    Returns
+    -------
+    ndarray of int
+        Those that bear no load, but do where the ring moves by `EDGE` along x, y or z.
+    ndarray, shape (3,)
+        The change of force over such a motion, to the side on which it is larger [N/mm]; NaN if there are none.
+    """
+    load, overlap = state.rollers.load[0, :, 0], state.rollers.overlap[0, :, :2].sum(axis=1)
+    floor, depth = NO_LOAD * float(load.max()), max(EDGE, float(overlap.max()))
+    near = np.flatnonzero((load <= floor) & (overlap > -2.0 * EDGE))
+    held, moved = np.zeros(5, dtype=np.bool_), state.ring + EDGE * np.concatenate([np.eye(3, 5), -np.eye(3, 5)])
+    found = [balanced(system, held, at, at, depth, motion=state.rollers.motion) for at in moved[:, None] if near.size]
+    ready = near[np.any([each.rollers.load[0, near, 0] > floor for each in found], axis=0)] if found else near
+    if not ready.size:
+        return ready, np.full(3, np.nan)
+    change = np.array([each.force[0, :3] - state.force[0, :3] for each in found]).reshape(2, 3, 3)
+    return ready, np.abs(change.diagonal(axis1=1, axis2=2)).max(axis=0) / EDGE
 
 
 def _in_machine_code(

@@ -21,13 +21,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from nonhertz.bearing.balance import NO_LOAD
 from nonhertz.bearing.bearings import (
     CylindricalThrustBearing,
     Paired,
     RollerBearing,
     SphericalRollerBearing,
 )
-from nonhertz.bearing.solution import NO_LOAD, BearingSolution
+from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import positive
 from nonhertz.life.capacity import (

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.bearing.balance import NO_LOAD
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import States
 from nonhertz.bearing.frames import RINGS, contact_frame
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-NO_LOAD = 1e-8  # of the largest
 _SAME = 1e-9  # of the largest approach
 
 
@@ -57,6 +57,11 @@ class BearingSolution(ReadOnly):
         d(force) / d(displacement).
     roller_load : ndarray, shape (rollers, 3)
         What speed loads every roller with, along x and r of its row [N] and as a moment [N mm].
+    edge_rollers : ndarray of int
+        Rollers that stand at the edge of the load zone: without load, but not where the ring moves by 10 nm.
+    edge_stiffness : ndarray, shape (3,)
+        The change of force over such a motion along x, y and z, to the side on which it is larger [N/mm]; NaN if there
+        are no such rollers, and in states of `solve_many`, where neither is looked for.
     residual : float
         What is left of the balance, over the loads.
     steps : int
@@ -76,13 +81,23 @@ class BearingSolution(ReadOnly):
     force: Array
     stiffness: Array
     roller_load: Array
+    edge_rollers: NDArray[np.int64]
+    edge_stiffness: Array
     residual: float
     steps: int
 
     @classmethod
-    def of(cls, bearing: RollerBearing | Paired, method: str, found: States, roller_load: Array) -> BearingSolution:
+    def of(
+        cls,
+        bearing: RollerBearing | Paired,
+        method: str,
+        found: States,
+        roller_load: Array,
+        edge: tuple[NDArray[np.int64], Array] | None = None,
+    ) -> BearingSolution:
         """Return the only state of a bearing."""
         rollers = found.rollers
+        edge_rollers, edge_stiffness = edge or (np.zeros(0, dtype=np.int64), np.full(3, np.nan))
         # What is left of the balance of a roller that has lifted off is no load.
         borne = rollers.load[0] > NO_LOAD * np.max(rollers.load[0], initial=0.0)
         angles = [
@@ -103,6 +118,8 @@ class BearingSolution(ReadOnly):
             force=found.force[0],
             stiffness=found.stiffness[0],
             roller_load=roller_load,
+            edge_rollers=edge_rollers,
+            edge_stiffness=edge_stiffness,
             residual=float(found.residual[0]),
             steps=int(found.steps[0]),
         )

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.bearing.balance import NO_LOAD
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE, States
 from nonhertz.bearing.frames import state_frame
-from nonhertz.bearing.solution import NO_LOAD, BearingSolution
+from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.unrolled import loaded_shares
 from nonhertz.errors import ConvergenceError
 from nonhertz.result.solution import ReadOnly

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.bearing.bearings import Paired, RollerBearing
-from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, balanced
+from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, at_edge, balanced
 from nonhertz.bearing.laws import ContactLaw
 from nonhertz.bearing.mapped import BearingMaps, MapLaw
 from nonhertz.bearing.prescribed import Prescribed, many_states, motions, one_state
@@ -114,13 +114,13 @@ def solve(
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
     }  # fmt: skip
-    found = setting.solved(one_state(bearing, given))
+    system, found = setting.solved(one_state(bearing, given))
     if not found.residual[0] <= TOLERANCE:
         raise ConvergenceError(
             f"Rollers and rings found no balance in {found.steps[0]} steps: the loads may leave the inner ring unheld.",
             None,
         )
-    solution = BearingSolution.of(bearing, method, found, setting.load)
+    solution = BearingSolution.of(bearing, method, found, setting.load, at_edge(system, found))
     for warning in solution.warnings:
         warnings.warn(warning, AccuracyWarning, stacklevel=2)
     return solution
@@ -173,7 +173,7 @@ def solve_many(
         "axial_displacement": axial_displacement, "tilt": tilt,
     }  # fmt: skip
     acting, shape = many_states(bearing, given) if displacement is None else motions(displacement, given)
-    states = setting.solved(acting, thread_count(threads))
+    _, states = setting.solved(acting, thread_count(threads))
     return BearingSolutions.of(bearing, method, states, setting.load, shape)
 
 
@@ -225,8 +225,8 @@ class _Setting:
         load = np.concatenate([np.tile(each.load_by_speed(rate, turning), (each.rollers, 1)) for each in rows])
         return cls(bearing, method, laminae, maps, load)
 
-    def solved(self, acting: Prescribed, threads: int = 1) -> States:
-        """Return the states of the bearing."""
+    def solved(self, acting: Prescribed, threads: int = 1) -> tuple[System, States]:
+        """Return the rollers with their laws, and the states of the bearing."""
         by_force, target = acting
         depth = _depth(self.bearing, acting)
         start = np.zeros_like(target)
@@ -234,16 +234,19 @@ class _Setting:
         if self.method == "slices":
             slices = [(standard_slices(row.bearing, self.laminae),) * 2 for row in self.bearing.rows]
             sliced = _jointed(self.bearing, self.load, slices, nominal=True)
-            return balanced(sliced, by_force, target, start, depth, threads=threads)
+            return sliced, balanced(sliced, by_force, target, start, depth, threads=threads)
         if self.maps is not None:
             laws = [[MapLaw(each) for each in pair] for pair in self.maps.contacts]
-            found = balanced(_jointed(self.bearing, self.load, laws), by_force, target, start, depth, threads=threads)
+            mapped = _jointed(self.bearing, self.load, laws)
+            found = balanced(mapped, by_force, target, start, depth, threads=threads)
             _refuse_beyond(self.bearing, laws, found)
-            return found
+            return mapped, found
         return self._by_strips(by_force, target, start, depth)
 
-    def _by_strips(self, by_force: NDArray[np.bool_], target: Array, start: Array, depth: float) -> States:
-        """Return the states by strips, to which slices and then few strips lead."""
+    def _by_strips(
+        self, by_force: NDArray[np.bool_], target: Array, start: Array, depth: float
+    ) -> tuple[System, States]:
+        """Return rollers and states by strips, to which slices and then few strips lead."""
         slices = [(standard_slices(row.bearing, GUIDING_SLICES),) * 2 for row in self.bearing.rows]
         stripped = [[StripLaw(contact) for contact in row.bearing.contacts] for row in self.bearing.rows]
         for inner, outer in stripped:
@@ -260,7 +263,7 @@ class _Setting:
         # Strips are laid for the contacts as they were when they were first met.
         for law in itertools.chain(*stripped):
             law.lay_anew()
-        return balanced(fine, by_force, target, found.ring, depth, motion=found.rollers.motion)
+        return fine, balanced(fine, by_force, target, found.ring, depth, motion=found.rollers.motion)
 
 
 def _refuse_beyond(bearing: RollerBearing | Paired, laws: Sequence[Sequence[MapLaw]], found: States) -> None:

@@ -46,6 +46,7 @@ UNITS: dict[str, Any] = {
     "stiffness": [
         [f"{force}/{motion}" for motion in ("mm",) * 3 + ("rad",) * 2] for force in ("N",) * 3 + ("N mm",) * 2
     ],
+    "edge_stiffness": "N/mm",
     "x": "mm",
     "operating_clearance": {
         **dict.fromkeys(
@@ -91,6 +92,8 @@ def as_object(
         "displacement": plain(solution.displacement),
         "force": plain(solution.force),
         "stiffness": plain(solution.stiffness),
+        "edge_rollers": plain(solution.edge_rollers),
+        "edge_stiffness": plain(solution.edge_stiffness),
         "residual": plain(solution.residual),
         "steps": solution.steps,
         "life": None if life is None else _life(life),

@@ -362,8 +362,15 @@ def _stiffness_rows(solution: BearingSolution) -> list[Row]:
         diagonal * [1e-3, 1e-3, 1e-3, 1e-6, 1e-6], np.array([1e3, 1e3, 1e3, *[1e6 / pitch**2] * 2])
     )
     shown = [digits(value) for value in found]
+    rows = [("stiffness", f"{', '.join(shown[:3])} N/um", "along x, y, z")]
+    ready = [str(j) for j in solution.edge_rollers]
+    if ready:
+        who = f"rollers {', '.join(ready)} stand" if 1 < len(ready) < 5 else f"{len(ready)} rollers stand"
+        who = f"roller {ready[0]} stands" if len(ready) == 1 else who
+        secant = ", ".join(digits(1e-3 * value) for value in solution.edge_stiffness)
+        rows.append(("", f"{secant} N/um", f"within 10 nm: {who} at the edge of the load zone without load"))
     return [
-        ("stiffness", f"{', '.join(shown[:3])} N/um", "along x, y, z"),
+        *rows,
         ("", f"{', '.join(shown[3:])} N m/mrad", "about y, z"),
     ]
 

@@ -8,7 +8,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from nonhertz.bearing.assessed import BearingLife
-from nonhertz.bearing.solution import NO_LOAD, BearingSolution
+from nonhertz.bearing.balance import NO_LOAD
+from nonhertz.bearing.solution import BearingSolution
 from nonhertz.report.bearing.results import BearingResults
 from nonhertz.report.differences import ABSENT, Row, compared
 from nonhertz.show.bearing import carrying
