@@ -98,6 +98,8 @@ def test_all_dialects_of_columns_are_the_same_line(name):
         ("X (10⁻⁶ m);Z (10^-9 m)", 1e-3, 1e-6),
         ("X mm;Z angstrom", 1.0, 1e-7),
         ("X (mm);Z (Å)", 1.0, 1e-7),
+        ("X мм;Z мкм", 1.0, 1e-3),
+        ("X [毫米];Z [µ]", 1.0, 1e-3),
         ("X Millimeter;Z Mikrometer", 1.0, 1e-3),
         ("X in;Z mils", 25.4, 0.0254),
         ("Z..um.;Z..um.", 1e-3, 1e-3),
@@ -196,7 +198,7 @@ def test_marks_beside_numbers_are_left_out(mark):
 
 
 MISSING = ["", "NaN", "*****", "BAD", "-", "n/a", "1.#QNAN", "1.#QNAN00", "-1.#IND", "1.#INF", "1.#J", "1,#QNAN"]
-MISSING += ["-nan(ind)", "-nan", "nan(0x8000)", "NaNQ", "Infinity", "#N/A", "#NV", "#DIV/0!", "<NA>", "null", "\u221e"]
+MISSING += ["-nan(ind)", "-nan", "nan(0x8000)", "NaNQ", "Infinity", "#N/A", "#NV", "#DIV/0!", "#####", "<NA>", "\u221e"]
 
 
 @pytest.mark.parametrize("cell", MISSING)

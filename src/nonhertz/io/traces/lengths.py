@@ -8,9 +8,11 @@ import unicodedata
 
 # A prefix, or a power of ten ("1e-6 m", "10^-6 m"), before a metre; other units by name.
 _METRE = re.compile(r"(?:(?:1?e|[x*]?10(?:\^|\*\*|(?=-)))([-+]?\d+)[*x]?)?([a-z]*?)m(?:et(?:er|re|ro)s?)?")
-_PREFIXES = {"": 1e3, "m": 1.0, "milli": 1.0, "mili": 1.0, "c": 10.0, "centi": 10.0, "zenti": 10.0}
-_PREFIXES |= {"u": 1e-3, "mu": 1e-3, "micro": 1e-3, "mikro": 1e-3, "n": 1e-6, "nano": 1e-6, "d": 100.0, "k": 1e6}
+# Powers of ten of a millimetre.
+_PREFIXES = {"k": 6, "": 3, "d": 2, "c": 1, "centi": 1, "zenti": 1, "m": 0, "milli": 0, "mili": 0}
+_PREFIXES |= {"u": -3, "mu": -3, "micro": -3, "mikro": -3, "n": -6, "nano": -6}
 _OTHERS = {"micron": 1e-3, "angstrom": 1e-7, "in": 25.4, "inch": 25.4, "inche": 25.4, "zoll": 25.4}
+_OTHERS |= {"angstroem": 1e-7, "мкм": 1e-3, "мм": 1.0, "нм": 1e-6, "微米": 1e-3, "毫米": 1.0, "纳米": 1e-6}
 _OTHERS |= {"mil": 0.0254, "thou": 0.0254, "uin": 25.4e-6, "microinch": 25.4e-6, "microinche": 25.4e-6}
 _LONGEST = 30
 
@@ -27,12 +29,12 @@ def millimetres(unit: str) -> float | None:
     text = unit.strip(" .,:;'\"[](){}<>_/")
     if not text or len(text) > _LONGEST:
         return None
+    text = {"\u00c5": "angstrom", "\u212b": "angstrom", "\u00b5": "micron", "\u03bc": "micron"}.get(text, text)
     # The letter of micrometres, and what becomes of it where UTF-8 is taken for Latin-1, or code page 850.
     text = re.sub("\u00c2?[\u00b5\u03bc]|\u00e6(?=m)", "u", text)
-    text = re.sub("^[\u00c5\u212b]$", "angstrom", text)
     text = "".join(letter for letter in unicodedata.normalize("NFKD", text) if not unicodedata.combining(letter))
     # "UM" can only mean "um", "Mm" is a megametre and "M" anything.
-    if len(text) < 3 and not (text.islower() or (text.isupper() and len(text) == 2)):
+    if len(text) < 3 and text.isascii() and not (text.islower() or (text.isupper() and len(text) == 2)):
         return None
     text = re.sub(r"[\s-](?!\d)", "", text.casefold().replace("\u2212", "-"))
     if text.rstrip("s") in _OTHERS:
@@ -40,5 +42,4 @@ def millimetres(unit: str) -> float | None:
     found = _METRE.fullmatch(text)
     if found is None or found[2] not in _PREFIXES or len(found[1] or "") > 3:
         return None
-    # Through text, since 1e3 * 1e-6 is not 1e-3.
-    return float(f"{_PREFIXES[found[2]]:g}") if found[1] is None else float(f"{_PREFIXES[found[2]]:g}e{int(found[1])}")
+    return float(f"1e{_PREFIXES[found[2]] + int(found[1] or 0)}")

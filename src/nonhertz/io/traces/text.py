@@ -17,7 +17,7 @@ _UTF_16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 _NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eEdD][-+]?[0-9]+)?")
 # "Not measured" as written by hand, by C runtimes (Microsoft's 1.#QNAN, -1.#IND and 1.#J, glibc's -nan(0x8)), by
 # Fortran (a field of asterisks), Java, and by spreadsheets, in German too.
-_OF_SHEETS = r"#(?:n/?a|nv|div/0|num|ref|null|value|name|wert|zahl|bezug)\b[!?]?"
+_OF_SHEETS = r"#{3,}(?=\s*(?:$|[;,|\t]))|#(?:n/?a|nv|div/0|num|ref|null|value|name|wert|zahl|bezug)\b[!?]?"
 _MISSING = re.compile(
     r"[-+]?(?:nan[qs]?(?:\(\w*\))?|inf(?:inity)?|\d[.,]#\w*(?:e[-+]?\d+)?)"
     rf"|{_OF_SHEETS}|<?n/?a>?|null|nil|none|bad|invalid|missing|void|-*|\*+|\?+|\.+|\u221e",
