@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Final, Unpack
 
@@ -28,8 +28,7 @@ from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import ReadOnly
 from nonhertz.subsurface import Extreme, Extremes, extremes
 from nonhertz.subsurface.evaluation import Within, refuse_options
-from nonhertz.subsurface.extent import Extent
-from nonhertz.subsurface.inside import checked_solution
+from nonhertz.subsurface.inside import Inside, checked_solution
 from nonhertz.subsurface.search import clear_of_ends
 
 __all__ = ["CRITERIA", "Check", "Strength", "Verdict", "assess"]
@@ -55,7 +54,7 @@ class Check(ReadOnly):
     Attributes
     ----------
     name : str
-        ``"pressure"``, ``"yield"``, ``"core"`` or ``"case depth"``.
+        ``"pressure"``, ``"yield"``, ``"bore"``, ``"core"`` or ``"case depth"``.
     verdict : Verdict
         Whether the material bears it.
     ratio : float
@@ -81,7 +80,8 @@ class Strength(ReadOnly):
     criterion : str
         The criterion of yielding, a key of `CRITERIA`.
     checks : tuple of Check
-        The pressure, yielding, and of a case-hardened body the core and the depth of the case.
+        The pressure, yielding, of a hollow roller the bore, and of a case-hardened body the core and the depth of the
+        case.
     largest : Extremes
         The largest stresses in the body, with their positions.
     core : Extremes or None
@@ -197,16 +197,23 @@ def assess(
         case = largest if max(at) <= body.case_depth else extremes(solution, depths=(0.0, body.case_depth), **options)
         below = (body.case_depth, math.inf)
         core = largest if min(at) >= body.case_depth else None
-        if core is None and body.case_depth < Extent(name, body).thickness(solution.y).max():
+        if core is None and body.case_depth < Inside.of(solution, name).extent.thickness(solution.y).max():
             core = extremes(solution, depths=below, **options)
-    asked = _Question(name, body, criterion, _Limit.of(solution))
-    # A narrow peak of pressure has its largest stress near the surface; below a wide contact it is deepest.
-    widest = [extremes(solution, _widest(solution), **options)] if body.case_depth is not None else []
+    inside = Inside.of(solution, name)
+    asked = _Question(name, body, criterion, _Limit.of(solution), bool(inside.warnings))
+    below_contact = []
+    if body.case_depth is not None:
+        # Not at a bore, which no case of the surface reaches.
+        half = (0.0, 0.5 * float(inside.extent.thickness(solution.y).min()))
+        below_contact.append(extremes(solution, depths=half, **options) if largest.shear.at_bore else largest)
+        # A narrow peak of pressure has its largest stress near the surface; below a wide contact it is deepest.
+        below_contact.append(extremes(solution, _widest(solution), depths=half, **options))
     checks = (
         asked.pressure(solution.max_pressure),
         asked.yields(case),
+        *asked.of_bore(largest.bore),
         *asked.of_core(core),
-        *asked.of_case([largest, *widest]),
+        *asked.of_case(below_contact),
     )
     return Strength(name, criterion, checks, largest, core, largest.warnings)
 
@@ -247,6 +254,7 @@ class _Question:
     body: Body
     criterion: str
     limit: _Limit
+    stepped: bool
 
     def pressure(self, found: float) -> Check:
         """Return the check of the largest pressure [MPa]."""
@@ -270,6 +278,13 @@ class _Question:
         hardened = self.body.case_depth is not None
         what = f"the case of body {self.name}" if hardened else f"body {self.name}"
         return self._against("yield", what, self._equivalent(case), "yield_strength")
+
+    def of_bore(self, bore: Extreme | None) -> Iterator[Check]:
+        """Yield the check of the bore, which no case of the surface reaches, by von Mises stress."""
+        strength = "yield_strength" if self.body.case_depth is None else "core_yield_strength"
+        if bore is not None and getattr(self.body.material, strength) is not None:
+            where = replace(self, criterion="von-mises", limit=_Limit("", away=True))
+            yield where._against("bore", f"the bore of body {self.name}", bore, strength)
 
     def of_core(self, core: Extremes | None) -> Iterator[Check]:
         """Yield the check of the core, if the body or its material has one."""
@@ -305,13 +320,13 @@ class _Question:
         if self.criterion == "von-mises":
             return found.von_mises
         shear = found.shear
-        return Extreme(2.0 * shear.max, shear.x, shear.y, shear.z)
+        return replace(shear, max=2.0 * shear.max)
 
     def _against(self, name: str, what: str, found: Extreme, strength: str) -> Check:
         """Return the check of an equivalent stress with a strength of the material."""
         allowed = getattr(self.body.material, strength)
         open_question = f"Whether {what} yields is not known"
-        place = f"at y = {digits(found.y, 3)} mm and z = {digits(found.z, 3)} mm"
+        place = f"{found.at}y = {digits(found.y, 3)} mm and z = {digits(found.z, 3)} mm"
         stress = CRITERIA[self.criterion]
         found_there = f"{digits(found.max)} MPa {place}"
         towards = f"the stress has no limit towards {self.limit.towards}"
@@ -319,6 +334,8 @@ class _Question:
             known = f"; its largest {stress} is {found_there}" if self.limit else ""
             return _unknown(name, f"{open_question}: the material has no {strength}{known}.")
         ratio = found.max / allowed
+        if self.stepped and ratio <= 1.0:
+            return _unknown(name, f"{open_question}: the bending of the wall between steps of its bore is not known.")
         if self.limit:
             answer = "does not yield" if ratio <= 1.0 else "yields"
             return _known(

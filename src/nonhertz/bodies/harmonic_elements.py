@@ -63,10 +63,32 @@ class HarmonicElements:
         ndarray, shape (m, loads)
             Over the load's amplitude and K = (1 - nu^2) / (pi E).
         """
+        moved = self.displaced(n, self.forces(loads))
+        surface = moved[: self._rows * self._columns].reshape(self._rows, self._columns, -1)[-1]
+        half = self.outline.symmetric
+        found: Array = -_interpolated(self._axial, surface, np.abs(places) if half else places)
+        if half:
+            found[:, 1::2] *= np.sign(places)[:, None]
+        return found
+
+    def displaced(self, n: int, forces: Array) -> Array:
+        """Return the nodal displacements over K = (1 - nu^2) / (pi E).
+
+        Parameters
+        ----------
+        n : int
+            Number of waves around, not 1.
+        forces : ndarray, shape (unknowns, loads)
+            Nodal forces, as `forces` returns them.
+
+        Returns
+        -------
+        ndarray, shape (unknowns, loads)
+            By component (u, v, w), then along the wall, then along the axis.
+        """
         # Imported here, because most contacts need no finite elements.
         from scipy.sparse.linalg import splu
 
-        forces = self._forces(loads)
         moved = np.zeros_like(forces)
         constant, linear, square = self._stiffness
         stiffness = constant.copy()
@@ -79,14 +101,48 @@ class HarmonicElements:
                 options={"SymmetricMode": True},
             )
             moved[free, these] = factors.solve(forces[free, these])
-        surface = moved[: self._rows * self._columns].reshape(self._rows, self._columns, -1)[-1]
-        half = self.outline.symmetric
         # The shear modulus is 1: 1 / mu = 2 pi K / (1 - nu).
-        inwards = _interpolated(self._axial, surface, np.abs(places) if half else places)
-        found: Array = -2.0 * np.pi / (1.0 - self.poisson) * inwards
-        if half:
-            found[:, 1::2] *= np.sign(places)[:, None]
+        found: Array = 2.0 * np.pi / (1.0 - self.poisson) * moved
         return found
+
+    def stress(self, n: int, displaced: Array, shares: Array, places: Array) -> Array:
+        """Return the stress of nodal displacements, as `displaced` returns them.
+
+        Parameters
+        ----------
+        n : int
+            Number of waves around.
+        displaced : ndarray, shape (unknowns, loads)
+            Nodal displacements over K.
+        shares : ndarray, shape (s,)
+            Where, from 0 at the bore or the axis to 1 at the surface.
+        places : ndarray, shape (m,)
+            Where, from the middle [radii]; not negative where the outline is symmetric.
+
+        Returns
+        -------
+        ndarray, shape (s, m, 6, loads)
+            The factors of cos(n theta) in the stresses rr, tt, yy and ry, and of sin(n theta) in rt and ty.
+        """
+        (value_s, slope_s), (value_z, slope_z) = (
+            _interpolating(self._shares, shares),
+            _interpolating(self._axial, places),
+        )
+        nodal = (1.0 - self.poisson) / (2.0 * np.pi) * displaced.reshape(3, self._rows, self._columns, -1)
+        moved, along_s, along_z = (
+            np.einsum("si,cijm,pj->cspm", one, nodal, other, optimize=True)
+            for one, other in ((value_s, value_z), (slope_s, value_z), (value_s, slope_z))
+        )
+        (outer, inner), (outer_slope, inner_slope) = self.outline.radii(places), self.outline.slopes(places)
+        wall, share = outer - inner, shares[:, None]
+        radius = (inner + share * wall)[..., None]
+        shift = (-(inner_slope + share * (outer_slope - inner_slope)) / wall)[..., None]
+        (u, v, w), (u_r, v_r, w_r) = moved, along_s / wall[:, None]
+        u_z, v_z, w_z = along_z + shift * along_s
+        hoop = (u + n * v) / radius
+        mean = 2.0 * self.poisson / (1.0 - 2.0 * self.poisson) * (u_r + hoop + w_z)
+        shears = v_r - (v + n * u) / radius, u_z + w_r, v_z - n * w / radius
+        return np.stack([mean + 2.0 * u_r, mean + 2.0 * hoop, mean + 2.0 * w_z, *shears], axis=2)
 
     @cached_property
     def _axial(self) -> Array:
@@ -110,7 +166,7 @@ class HarmonicElements:
     def _columns(self) -> int:
         return DEGREE * (self._axial.size - 1) + 1
 
-    def _forces(self, loads: Callable[[Array], Array]) -> Array:
+    def forces(self, loads: Callable[[Array], Array]) -> Array:
         """Return the forces of loads on the surface, shape (unknowns, loads)."""
         node, weight = legendre.leggauss(_NODES)
         values, _ = _polynomials(node)
@@ -229,3 +285,14 @@ def _interpolated(borders: Array, values: Array, places: Array) -> Array:
     weights, _ = _polynomials(local)
     found: Array = np.einsum("pn,pnk->pk", weights, values[e[:, None] * DEGREE + np.arange(_NODES)])
     return found
+
+
+def _interpolating(borders: Array, places: Array) -> tuple[Array, Array]:
+    """Return what makes values and slopes at places of nodal values, shape (places, nodes)."""
+    e = np.clip(np.searchsorted(borders, places) - 1, 0, borders.size - 2)
+    half = 0.5 * np.diff(borders)[e]
+    values, slopes = _polynomials((places - borders[e]) / half - 1.0)
+    found = np.zeros((2, places.size, DEGREE * (borders.size - 1) + 1))
+    rows, columns = np.arange(places.size)[:, None], e[:, None] * DEGREE + np.arange(_NODES)
+    found[0, rows, columns], found[1, rows, columns] = values, slopes / half[:, None]
+    return found[0], found[1]

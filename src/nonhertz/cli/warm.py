@@ -24,6 +24,8 @@ def _stress() -> None:
     solution = nh.solve(_contact(), load=5e3, strips=11)
     nh.subsurface.extremes(solution, 0.0)
     nh.subsurface.stress(solution, 0.0, 0.0, 0.1, body="b", displacement=True)
+    hollow = nh.Contact(nh.Roller(diameter=20, length=20, bore=10), nh.Plate())
+    nh.subsurface.stress(nh.solve(hollow, load=5e3, strips=5), 0.0, 0.0, 0.1)
 
 
 def _life() -> None:

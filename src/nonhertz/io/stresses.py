@@ -14,7 +14,7 @@ from nonhertz.io.results import key_by_key, plain
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.strength import Strength
-from nonhertz.subsurface import Extremes, Field
+from nonhertz.subsurface import Extreme, Extremes, Field
 
 _EXTREME = {"max": "MPa", "x": "mm", "y": "mm", "z": "mm"}
 _QUANTITIES = ("von_mises", "shear", "orthogonal_shear")
@@ -109,4 +109,9 @@ def _strength(found: Strength) -> dict[str, Any]:
 
 
 def _largest(found: Extremes) -> dict[str, Any]:
-    return {each: {name: plain(getattr(getattr(found, each), name)) for name in _EXTREME} for each in _QUANTITIES}
+    bore = {} if found.bore is None else {"bore": _extreme(found.bore)}
+    return {**{name: _extreme(getattr(found, name)) for name in _QUANTITIES}, **bore}
+
+
+def _extreme(found: Extreme) -> dict[str, Any]:
+    return {**{name: plain(getattr(found, name)) for name in _EXTREME}, "at_bore": found.at_bore}

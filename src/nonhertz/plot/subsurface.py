@@ -332,13 +332,14 @@ def _mark(name: str, found: Extreme, span: tuple[float, float] | None, ax: Axes)
     marker, size, words = MARKS[name]
     # The stress field of the strips is symmetric about x = 0.
     sideways = [found.y] if span else [-found.x, found.x] if found.x > 0.0 else [0.0]
+    depth = np.nan if found.at_bore and found.z > ax.get_ylim()[0] else found.z  # further down than is drawn
     (mark,) = ax.plot(
-        sideways, [found.z] * len(sideways), marker, markersize=size, color=INK, markerfacecolor="white",
+        sideways, [depth] * len(sideways), marker, markersize=size, color=INK, markerfacecolor="white",
         markeredgewidth=THIN, clip_on=False, zorder=4.0 - 0.1 * size,
     )  # fmt: skip
     at = [f"$x$ = ±{number(found.x, 3)}"] if found.x > 0.0 else []
     at += [f"$y$ = {_station(found.y, span)}"] if span else []
-    return mark, f"{words} {number(found.max)} MPa at {', '.join([*at, f'$z$ = {number(found.z, 3)}'])} mm"
+    return mark, f"{words} {number(found.max)} MPa {found.at}{', '.join([*at, f'$z$ = {number(found.z, 3)}'])} mm"
 
 
 def _draw_surface(intervals: tuple[tuple[float, float], ...], label: str, ax: Axes) -> list[Entry]:

@@ -176,11 +176,14 @@ def _elastic(found: CaseResults) -> Iterator[Assumption]:
     where = " away from singular ends" if solution.singular_ends else ""
     yield elastic_below_yield(solution.max_pressure, where)
     for each in found.strengths:
-        largest, checks = each.largest.von_mises, [check for check in each.checks if check.name in {"yield", "core"}]
+        largest, checks = (
+            each.largest.von_mises,
+            [check for check in each.checks if check.name in {"yield", "bore", "core"}],
+        )
         yield Assumption(
             f"Linear elastic below the surface of body {each.body}",
             "von Mises stress below the yield strength",
-            f"{digits(largest.max)} MPa at z = {digits(largest.z, 3)} mm",
+            f"{digits(largest.max)} MPa {largest.at}z = {digits(largest.z, 3)} mm",
             _of_strength({check.verdict for check in checks}),
             " ".join(check.sentence for check in checks),
         )

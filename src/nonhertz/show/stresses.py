@@ -19,6 +19,8 @@ def stress_rows(solution: Solution, overall: Extremes, section: Extremes) -> lis
     for where, found in places.items():
         rows.append((where, *[""] * (len(COLUMNS) - 1)))
         rows += [_row(solution, f"  {name}", getattr(found, key)) for key, name in NAMES.items()]
+        if found.bore is not None and not found.von_mises.at_bore:
+            rows.append(_row(solution, "  von Mises", found.bore))
     return rows
 
 
@@ -40,4 +42,5 @@ def _row(solution: Solution, name: str, found: Extreme) -> tuple[str, ...]:
     share = f"{found.max / pressure:.4f}" if pressure > 0.0 else ""
     # The stress field of the strips is symmetric about x = 0.
     x = f"+-{digits(found.x, 4)}" if found.x > 0.0 else "0"
+    name += ", at the bore" * found.at_bore
     return name, digits(found.max), share, x, digits(found.y, 4), digits(found.z, 4)

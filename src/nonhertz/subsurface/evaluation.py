@@ -95,7 +95,7 @@ def stress(
         ``"a"`` or ``"b"``: the body that the points lie in. Both bear the same pressure; Poisson's ratio and mirror
         images are each body's own.
     displacement : bool
-        Whether to return displacements too.
+        Whether to return displacements too; not in a hollow roller, whose bending they do not know.
     threads : int, optional
         Number of threads; all cores if left out. The result does not depend on it.
     announce : callable, optional
@@ -150,6 +150,8 @@ def stress(
     flag("displacement", displacement, "write True for displacements too")
     callback("announce", announce)
     inside = Inside.of(solution, body)
+    if displacement and inside.body.bore is not None:
+        raise InputError("displacement", True, "only be asked for in bodies without a bore", "leave it out")
     places = broadcast(
         POINTS_REMEDY, *(finite_numbers(name, value) for name, value in zip("xyz", (x, y, z), strict=True))
     )
@@ -188,7 +190,15 @@ def field_at(
     shape = places[0].shape
     moved = displacements.reshape(*shape, 3) if displacements is not None else None
     across, along, below = places
-    return Field(inside.name, across, along, below, stresses.reshape(*shape, 6), moved, inside.extent.warnings(held))
+    return Field(
+        inside.name,
+        across,
+        along,
+        below,
+        stresses.reshape(*shape, 6),
+        moved,
+        (*inside.extent.warnings(held), *inside.warnings),
+    )
 
 
 def axial_plane(

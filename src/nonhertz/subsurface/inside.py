@@ -30,6 +30,7 @@ from nonhertz.subsurface.free_faces import FreeFaceField, Spectrum
 from nonhertz.subsurface.rectangles import Rectangles
 from nonhertz.subsurface.strips import StripLoad
 from nonhertz.subsurface.tails import TWO_PI, stress_tail
+from nonhertz.subsurface.wall import Wall
 
 Array = NDArray[np.float64]
 U_Y, U_Z = 1, 2
@@ -69,6 +70,8 @@ class Inside:
         Rows (sign, offset, weight) of the pressure itself and its images in this body.
     faces : tuple of FreeFaceField
         What its free side faces add.
+    wall : Wall or None
+        The rest of a hollow roller; None of other bodies.
     reference : Reference or None
         The reference of displacement; None if it is far away.
     edges, pressed : ndarray, shape (stations + 1,) and (stations,)
@@ -82,6 +85,7 @@ class Inside:
     load: Load
     terms: Array
     faces: tuple[FreeFaceField, ...]
+    wall: Wall | None
     reference: Reference | None
     edges: Array
     pressed: Array
@@ -106,10 +110,20 @@ class Inside:
         if body.images == SERIES and body.length is not None and terms.shape[0] > SEPARATE_LINKS:
             afar = solution.load / body.length * float(terms[-1, 2])
         pressed = solution.contact.compliance * solution.line_load
-        return cls(name, body, _load(solution), terms, _faces(solution, name, body), reference, edges, pressed, afar)
+        faces = _faces(solution, name, body)
+        wall = _wall(solution, name, body, terms, faces)
+        return cls(name, body, _load(solution), terms, faces, wall, reference, edges, pressed, afar)
 
     def _sides(self) -> tuple[tuple[float, float], tuple[float, float]]:
         return (self.body.faces[0], -1.0), (self.body.faces[1], 1.0)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What its stress leaves out."""
+        if self.body.bore is None or self.wall is not None:
+            return ()
+        solid = "stress below its surface is that of a solid body, without the bending of its wall"
+        return (f"The bore of body {self.name} has steps: {solid}.",)
 
     @property
     def extent(self) -> Extent:
@@ -137,6 +151,10 @@ class Inside:
 
     def stress(self, points: Array) -> Array:
         """Return the stress [MPa] at ``points`` (n, 3), shape (n, 6)."""
+        return self._near(points) if self.wall is None else self.wall.stress(points, self._near)
+
+    def _near(self, points: Array) -> Array:
+        """Return the stress that pressure and images have in a half-space, with what free side faces add."""
         total = np.zeros((points.shape[0], 6))
         for sign, offset, weight in self.terms:
             part = self.load.stress(_seen(points, sign, offset), self.body.material.poisson)
@@ -226,6 +244,17 @@ def _faces(solution: Solved, name: BodyName, body: Body) -> tuple[FreeFaceField,
                     FreeFaceField.of(_load(solution).spectrum, place, side, near, reach, body.material.poisson)
                 )
         found[name] = tuple(faces)
+    return found[name]
+
+
+_WALLS: WeakKeyDictionary[Solved, dict[BodyName, Wall | None]] = WeakKeyDictionary()
+
+
+def _wall(solution: Solved, name: BodyName, body: Body, terms: Array, faces: tuple[FreeFaceField, ...]) -> Wall | None:
+    """Return the wall of a hollow roller, built on first use."""
+    found = _WALLS.setdefault(solution, {})
+    if name not in found:
+        found[name] = Wall.of(solution, body, Extent(name, body), terms, faces)
     return found[name]
 
 

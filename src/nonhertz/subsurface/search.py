@@ -31,6 +31,7 @@ MOST_STATIONS, MOST_ROWS = 401, 65  # for strips, and for a plane grid, which ta
 FEW = 60  # strips: with fewer, their edges are searched too
 CRESTS, WORTH = 3, 0.7  # local maxima to refine, and their least height over the highest
 EQUAL, ROUNDING = 1e-6, 1e-9
+ALONG_BORE = 33  # places along and around the bore at which the search there starts
 MESHES, ROUNDS, SHRINKING = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]), 12, 0.5
 
 
@@ -55,12 +56,20 @@ class Extreme(ReadOnly):
         The value [MPa].
     x, y, z : float
         Where it is [mm]. The field of strips is symmetric about x = 0, and x >= 0 is given.
+    at_bore : bool
+        Whether that is on the bore of a hollow roller.
     """
 
     max: float
     x: float
     y: float
     z: float
+    at_bore: bool = False
+
+    @property
+    def at(self) -> str:
+        """What comes before its coordinates in a sentence."""
+        return "at the bore, " if self.at_bore else "at "
 
 
 @dataclass(frozen=True, repr=False)
@@ -75,6 +84,8 @@ class Extremes(ReadOnly):
         Largest von Mises stress, maximum shear stress and |tau_xz|.
     warnings : tuple of str
         What was left out and other limitations; empty if none.
+    bore : Extreme or None
+        Largest von Mises stress on the bore of a hollow roller, which need not be the largest of all.
     """
 
     body: BodyName
@@ -82,6 +93,7 @@ class Extremes(ReadOnly):
     shear: Extreme
     orthogonal_shear: Extreme
     warnings: tuple[str, ...]
+    bore: Extreme | None = None
 
 
 def extremes(
@@ -147,8 +159,38 @@ def extremes(
     options.pop("announce", None)  # the rest is quick
     region = _Region(stretches, depths)
     largest = {name: _largest(solution, name, coarse, region, options) for name in QUANTITIES}
-    warnings = tuple(_warnings(solution)) if station is None else ()
-    return Extremes(body=options.get("body", "a"), warnings=warnings, **largest)
+    inside = Inside.of(solution, options.get("body", "a"))
+    at_bore = {} if inside.wall is None else _at_bore(inside, station, depths)
+    for name, found in at_bore.items():
+        largest[name] = max(largest[name], found, key=lambda each: each.max)
+    warnings = (*(_warnings(solution) if station is None else ()), *inside.warnings)
+    return Extremes(body=inside.name, warnings=warnings, bore=at_bore.get("von_mises"), **largest)
+
+
+def _at_bore(inside: Inside, station: float | None, depths: tuple[float, float]) -> dict[str, Extreme]:
+    """Return the largest stresses on the bore between some depths; tau_xz has no meaning of its own there."""
+    low, high = inside.body.faces if station is None else (station, station)
+    found = {}
+    for name in ("von_mises", "shear"):
+        best, top = np.array([0.5 * (low + high), 0.25 * np.pi]), -np.inf
+        span = np.array([0.5 * (high - low), 0.25 * np.pi])
+        count = ALONG_BORE
+        for _ in range(ROUNDS):
+            mesh = np.linspace(-1.0, 1.0, count)
+            along = np.unique(np.clip(best[0] + span[0] * mesh, low, high))
+            angle = np.unique(np.clip(best[1] + span[1] * mesh, 0.0, 0.5 * np.pi))
+            y, theta = (each.ravel() for each in np.meshgrid(along, angle, indexing="ij"))
+            outer, inner = inside.extent.radii(y)
+            x, z = inner * np.sin(theta), outer - inner * np.cos(theta)
+            values = np.nan_to_num(QUANTITIES[name](field_at(inside, (x, y, z)).stress))
+            values[(z < depths[0]) | (z > depths[1])] = -np.inf
+            k = int(values.argmax())
+            if values[k] > top:
+                top, best = float(values[k]), np.array([y[k], theta[k]])
+                found[name] = Extreme(top, float(x[k]), float(y[k]), float(z[k]), at_bore=True)
+            span *= SHRINKING if count == MESHES.size else 2.0 / (count - 1)
+            count = MESHES.size
+    return found
 
 
 def _checked_depths(depths: tuple[float, float]) -> tuple[float, float]:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from nonhertz.bodies.depths.depth import Depth
 from nonhertz.bodies.outline import Outline
+from nonhertz.bodies.wall_stress import WallModes, wall_modes
 from nonhertz.bodies.whole_roller import LONGEST, SHORTEST, WholeRoller, whole_roller
 from nonhertz.errors import InputError
 
@@ -39,7 +40,7 @@ class Finite(Depth):
     0.1 % of the compliance against tilting, 0.4 % of the peak under a load of half a millimetre. Corners and profile
     are neglected, and the load on the opposite side is taken to be the same. Where the diameter varies, pressure acts
     square to the axis, and ends are those of a cylinder: with a diameter that varies by a fifth along the roller that
-    leaves 1 % of the compression at its ends. Below the surface, stress is that of a solid body.
+    leaves 1 % of the compression at its ends. The bending of a wall is in its stress, but for bores with steps.
     """
 
     word = "finite"
@@ -86,6 +87,19 @@ def whole(body: Solid) -> bool:
     except InputError as error:
         return error.field == "bore"  # whose own sentence says what is wrong
     return True
+
+
+def bending_of(body: Solid) -> tuple[WallModes, float, float] | None:
+    """Return the modes of the stress in a hollow roller, the radius that is their unit, and its middle [mm].
+
+    None if it is not hollow, or if its bore has steps, for which modes are not known.
+    """
+    if body.bore is None:
+        return None
+    outline, radius = _outline(body)
+    if outline.kinks or min(outline.inner) <= 0.0:
+        return None
+    return wall_modes(outline, body.material.poisson), radius, _middle(body)
 
 
 def _middle(body: Solid) -> float:

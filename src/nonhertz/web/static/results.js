@@ -57,8 +57,8 @@ export function keyNumbers(answer, stress) {
 }
 
 /** Where the largest von Mises stress is; while a slider moves, only the plane of the largest pressure is looked at. */
-function place({ von_mises: { y, z }, searched }) {
-  return searched ? `y = ${amount(y, "mm", 3)}, ${amount(z, "mm", 3)} deep` : "below the largest pressure";
+function place({ von_mises: { y, z, at_bore }, searched }) {
+  return searched ? `${at_bore ? "at the bore, " : ""}y = ${amount(y, "mm", 3)}, ${amount(z, "mm", 3)} deep` : "below the largest pressure";
 }
 
 /** The life by laminae: in revolutions where there is a rating, else over that of an even pressure. */

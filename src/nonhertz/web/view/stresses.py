@@ -107,7 +107,10 @@ def _section(solution: Solution, station: float, body: BodyName) -> tuple[dict[s
 
 
 def _worst(found: Extreme, body: BodyName) -> dict[str, Any]:
-    return {"body": body, "von_mises": {"value": found.max, "x": found.x, "y": found.y, "z": found.z}}
+    return {
+        "body": body,
+        "von_mises": {"value": found.max, "x": found.x, "y": found.y, "z": found.z, "at_bore": found.at_bore},
+    }
 
 
 def _with_numbers(field: Field) -> Field:

@@ -1,0 +1,253 @@
+"""What the stress in a hollow roller is more than that of two flat bodies: the bending of its wall, by low modes.
+
+Around a roller that is pressed alike on two opposite sides, stress is a sum over even n of cos(n theta) and sin(n
+theta). Two half-spaces with their images, one under each of the two loads, have the stress near the contacts; what
+their sum has of mode n on circles about the axis is wrong for low n, for which the wall bends. So for n up to N the
+mode of the half-spaces is taken away, and that of the whole roller by finite elements put in its place. Nothing counts
+twice, whatever the half-spaces are. In two dimensions what is put in of a solid disc is q / (pi R) in n = 0 and nothing
+else. Waves above N reach no deeper than a sixth of the wall, where they are those of the half-space.
+
+Modes are kept between Legendre polynomials of the load along the axis, and Chebyshev points through the wall and along
+the axis. Both are of line loads; that a contact has a width is a factor of each mode's load. The modes of a point load
+on a half-space depend on the distance along the axis alone, so that one table for each circle serves all loads. The
+outermost circle lies just below the surface, to which the polynomials are continued.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.polynomial import chebyshev, legendre
+from numpy.typing import NDArray
+
+from nonhertz.bodies.harmonic_elements import HarmonicElements
+from nonhertz.bodies.outline import Outline
+from nonhertz.bodies.stored import stored
+
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicSpline
+
+Array = NDArray[np.float64]
+
+_MODES, _WALLS = 24, 6.0  # waves around, at least and times the radius over the wall
+_TERMS, _TERMS_PER_LENGTH = 12.0, 6.0  # polynomials of the load, of a short roller and for each half-length
+_FINE = 66  # waves around for which elements at the edges are small enough
+_THROUGH, _THROUGH_PER_WALL = 6, 5.0  # points through the wall: of a thin one, and for each radius
+_ALONG = 13  # points along the axis, at least
+TOP = 0.97
+_ANGLES, _DISTANCES = 64, 121  # of the tables of point loads: on a quarter of a circle, for no waves, and along
+_LOADS = 10.0  # points along the axis, for a half-length of a circle's depth
+# Components: rr, tt, yy and r theta, r y, theta y; all but r theta and theta y vary as cos(n theta).
+_EVEN = np.array([True, True, True, False, True, False])
+_ODD = np.array([1.0, 1.0, 1.0, 1.0, -1.0, -1.0])  # their signs at the opposite place along the axis
+
+
+@dataclass(frozen=True)
+class WallModes:
+    """The modes of one outline, in radii of its surface, and one material.
+
+    Attributes
+    ----------
+    outline : Outline
+        A section through its axis.
+    factors : ndarray, shape (waves, through, along, 6, terms)
+        Chebyshev coefficients, through the wall and along the axis, of the stress of each mode by each polynomial.
+    """
+
+    outline: Outline
+    factors: Array
+
+    @property
+    def waves(self) -> Array:
+        """Numbers of waves around."""
+        found: Array = np.arange(0.0, 2.0 * len(self.factors), 2.0)
+        return found
+
+    def stress(self, loads: Array) -> Array:
+        """Return Chebyshev coefficients of the stress of each mode, shape (waves, 6, through, along).
+
+        Parameters
+        ----------
+        loads : ndarray, shape (waves, terms)
+            Integrals of the load of each mode times the polynomials.
+        """
+        found: Array = np.einsum("nrysm,nm->nsry", self.factors, loads)
+        return found
+
+    def of_field(self, field: Callable[[Array], Array]) -> Array:
+        """Return the same coefficients of a field and its like from the opposite side.
+
+        Parameters
+        ----------
+        field : callable
+            Points (n, 3) across, from the middle along and below the surface [radii] -> six stresses, shape (n, 6).
+        """
+        waves, through, along = np.rint(self.waves).astype(int), *self.factors.shape[1:3]
+        shares, places = _circles(through, along, self.outline.half_length)
+        outer, inner = self.outline.radii(places)
+        found = np.empty((waves.size, through, along, 6))
+        for i, share in enumerate(shares):
+            for j, y in enumerate(places):
+                radius = inner[j] + share * (outer[j] - inner[j])
+                theta, around = _quarter(outer[j] - radius, waves)
+                x, z = radius * np.sin(theta), outer[j] - radius * np.cos(theta)
+                near = np.column_stack([x, np.full(x.size, y), z])
+                far = np.column_stack([-x, near[:, 1], 2.0 * outer[j] - z])
+                found[:, i, j] = np.einsum("snt,ts->ns", around, _polar(field(near) + OPPOSITE * field(far), theta))
+        radial, axial = _to_chebyshev(through), _to_chebyshev(along)
+        coefficients: Array = np.einsum("ir,jy,nrys->nsij", radial, axial, found, optimize=True)
+        return coefficients
+
+    def polynomials(self, z: Array) -> Array:
+        """Return the polynomials of the load at places from the middle [radii], shape (..., terms)."""
+        return _polynomials(self.outline.half_length, self.factors.shape[-1], z)
+
+
+def wall_modes(outline: Outline, poisson: float) -> WallModes:
+    """Return the modes of a bored outline without steps."""
+    return WallModes(outline, _factors(outline, poisson))
+
+
+def _polynomials(half_length: float, count: int, z: Array) -> Array:
+    norms = np.sqrt((2.0 * np.arange(count) + 1.0) / (2.0 * half_length))
+    found: Array = legendre.legvander(z / half_length, count - 1) * norms
+    return found
+
+
+def _chebyshev_points(count: int) -> Array:
+    """Return the extrema of a Chebyshev polynomial and both ends, from -1 to 1."""
+    found: Array = -np.cos(np.pi * np.arange(count) / (count - 1))
+    return found
+
+
+def _to_chebyshev(count: int) -> Array:
+    """Return what makes Chebyshev coefficients of values at as many points."""
+    return np.asarray(np.linalg.inv(chebyshev.chebvander(_chebyshev_points(count), count - 1)), dtype=np.float64)
+
+
+def _circles(through: int, along: int, half_length: float) -> tuple[Array, Array]:
+    """Return shares of the wall and places along the axis [radii], an odd number, of circles for modes."""
+    places = half_length * _chebyshev_points(along)
+    places[along // 2] = 0.0
+    return 0.5 * TOP * (1.0 + _chebyshev_points(through)), places
+
+
+@stored(__name__, "nonhertz.bodies.harmonic_elements", "nonhertz.bodies.outline")
+def _factors(outline: Outline, poisson: float) -> Array:
+    """Return the factors of `WallModes`."""
+    half_length = outline.half_length
+    most = max(_MODES, 2 * math.ceil(0.5 * _WALLS / outline.wall))
+    count = math.ceil(_TERMS + _TERMS_PER_LENGTH * half_length / math.sqrt(outline.wall))
+    waves = np.arange(0, most + 1, 2)
+    through, along = _THROUGH + math.ceil(_THROUGH_PER_WALL * outline.wall), max(_ALONG, count // 2 | 1)
+    shares, places = _circles(through, along, half_length)
+    lower = places.size // 2 if outline.symmetric else 0  # those that mirror the others
+    elements = HarmonicElements(outline, poisson, max(most, _FINE))
+    forces = elements.forces(lambda z: _polynomials(half_length, count, z))
+    found = np.stack(
+        [elements.stress(n, elements.displaced(n, forces), shares, places[lower:]) for n in waves.tolist()]
+    )
+    found *= np.where(waves > 0, 2.0, 1.0)[:, None, None, None, None] / np.pi
+    found -= _of_half_spaces(outline, poisson, waves, shares, places[lower:], count)
+    turned = np.where(np.arange(count) % 2 == 1, -1.0, 1.0) * _ODD[:, None]
+    found = np.concatenate([found[:, :, : -lower - 1 : -1] * turned, found], axis=2)
+    radial, axial = _to_chebyshev(through), _to_chebyshev(along)
+    factors: Array = np.einsum("ir,jy,nrysm->nijsm", radial, axial, found, optimize=True)
+    return factors
+
+
+def _of_half_spaces(
+    outline: Outline, poisson: float, waves: NDArray[np.int64], shares: Array, places: Array, count: int
+) -> Array:
+    """Return the modes on circles of both half-spaces and their images, shape (waves, shares, places, 6, terms)."""
+    half_length = outline.half_length
+    outer, inner = outline.radii(places)
+    found = np.empty((waves.size, shares.size, places.size, 6, count))
+    for i, share in enumerate(shares):
+        radii = inner + share * (outer - inner)
+        eta, weight = legendre.leggauss(math.ceil(_LOADS * half_length / np.min(outer - radii)))
+        eta = half_length * eta
+        load = np.tile(_polynomials(half_length, count, eta) * (half_length * weight)[:, None], (3, 1))
+        sources = np.concatenate([eta, 2.0 * half_length - eta, -2.0 * half_length - eta])
+        last = None
+        for j, y in enumerate(places):
+            if last != (last := (outer[j], radii[j])):
+                scale = outer[j] - radii[j]
+                table = _point_loads(*last, poisson, waves, 4.0 * half_length)
+            distance = y - sources
+            seen = table(np.arcsinh(np.abs(distance) / scale)) * np.where(distance[:, None, None] < 0.0, _ODD, 1.0)
+            found[:, i, j] = np.tensordot(seen, load, (0, 0))
+    return found
+
+
+def _point_loads(
+    surface: float, radius: float, poisson: float, waves: NDArray[np.int64], farthest: float
+) -> CubicSpline:
+    """Return the modes on a circle of two opposite point loads over arsinh of the distance along in depths."""
+    from scipy.interpolate import CubicSpline
+
+    depth = surface - radius
+    theta, around = _quarter(depth, waves)
+    x, z = radius * np.sin(theta)[:, None], surface - radius * np.cos(theta)[:, None]
+    at = np.linspace(0.0, np.arcsinh(farthest / depth), _DISTANCES)
+    y = depth * np.sinh(at)
+    near = _point_load(x, y, z, poisson)
+    far = _point_load(-x, y, 2.0 * surface - z, poisson) * OPPOSITE
+    return CubicSpline(at, np.einsum("snt,tds->dns", around, _polar(near + far, theta[:, None]), optimize=True))
+
+
+def _quarter(depth: float, waves: NDArray[np.int64]) -> tuple[Array, Array]:
+    """Return angles on a quarter of a circle, denser towards the load, and what makes modes of polar stresses there.
+
+    Parameters
+    ----------
+    depth : float
+        Of the circle below the surface [radii].
+    waves : ndarray, shape (waves,)
+        Even numbers of waves around; the other quarters are as symmetry has them.
+
+    Returns
+    -------
+    tuple of ndarray, shape (angles,) and (6, waves, angles)
+    """
+    node, weight = legendre.leggauss(_ANGLES + 2 * int(waves[-1]))
+    end = 0.5 * np.arcsinh(0.5 * np.pi / depth)
+    theta, share = depth * np.sinh(end * (1.0 + node)), depth * np.cosh(end * (1.0 + node)) * end * weight
+    turns = waves[:, None] * theta
+    factor = np.where(waves > 0, 4.0, 2.0)[:, None] / np.pi * share
+    return theta, factor * np.where(_EVEN[:, None, None], np.cos(turns), np.sin(turns))
+
+
+#: Signs of sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy of the same seen from the opposite side.
+OPPOSITE = np.array([1.0, 1.0, 1.0, -1.0, 1.0, -1.0])
+
+
+def _point_load(x: Array, y: Array, z: Array, poisson: float) -> Array:
+    """Return the six stresses of Boussinesq's point load on a half-space, shape (..., 6)."""
+    square = np.maximum(x * x + y * y, 1e-16)
+    R = np.sqrt(square + z * z)
+    lateral, g = (1.0 - 2.0 * poisson) / square, (1.0 - z / R) / square
+    cube, fifth = z / R**3, 3.0 * z / R**5
+    found: Array = np.stack([
+        lateral * (g * (x * x - y * y) + cube * y * y) - fifth * x * x,
+        lateral * (g * (y * y - x * x) + cube * x * x) - fifth * y * y,
+        -fifth * z * z, -fifth * y * z, -fifth * x * z,
+        lateral * x * y * (g - cube) - fifth * x * y,
+    ], axis=-1) / (2.0 * np.pi)  # fmt: skip
+    return found
+
+
+def _polar(stress: Array, theta: Array) -> Array:
+    """Return rr, tt, yy, rt, ry, ty at an angle from the load of stresses in the contact's axes, shape (..., 6)."""
+    sine, cosine = np.sin(theta), np.cos(theta)
+    xx, yy, zz, yz, xz, xy = np.moveaxis(stress, -1, 0)
+    both = 2.0 * xz * sine * cosine
+    found: Array = np.stack([
+        xx * sine**2 - both + zz * cosine**2, xx * cosine**2 + both + zz * sine**2, yy,
+        (xx - zz) * sine * cosine + xz * (sine**2 - cosine**2), xy * sine - yz * cosine, xy * cosine + yz * sine,
+    ], axis=-1)  # fmt: skip
+    return found
