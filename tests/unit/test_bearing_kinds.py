@@ -56,6 +56,21 @@ def test_a_spherical_bearing_aligns_itself(method):
     assert straight.load[17:].max() > 2.0 * straight.load[:17].max()
 
 
+@pytest.mark.parametrize("distance", [0.0, 18.0, 18.2440])
+def test_a_moment_on_a_bearing_that_aligns_itself_is_refused(distance):
+    """It was searched for minutes, and not found."""
+    bearing = B.paired(spherical(), "X", distance) if distance else spherical()
+    with pytest.raises(nh.InputError) as refused:
+        B.solve(bearing, radial=40e3, axial=9e3, moment=5e3)
+    told = "moment = 5000.0 must be zero for a bearing whose inner ring is free to turn about the middle of a sphere"
+    assert str(refused.value).startswith(told)
+    held, free = (B.solve(bearing, radial=40e3, axial=9e3, method="slices", **each) for each in ({}, {"moment": 0.0}))
+    assert_allclose(free.load, held.load)
+    # Rows that are further apart bear one by the distance of their spheres.
+    apart = B.solve(B.paired(spherical(), "O", 30.0), radial=40e3, moment=1e5, method="slices")
+    assert_allclose(apart.force[4], 1e5)
+
+
 def test_rollers_of_a_thrust_bearing_share_the_load():
     found = B.solve(THRUST, axial=50e3)
     assert_allclose(found.load, 2500.0, rtol=1e-8)

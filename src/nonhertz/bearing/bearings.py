@@ -621,6 +621,14 @@ class Row:
         return motion * np.array([[-1.0], [1.0], [-1.0]]) if self.turned else motion
 
     @property
+    def aligns_about(self) -> float:
+        """Where on the axis the middle of a spherical raceway is, about which the ring is free to turn [mm]; or NaN."""
+        if not isinstance(self.bearing, SphericalRollerBearing):
+            return math.nan
+        reach = 0.5 * self.bearing.pitch * math.tan(self.bearing.nominal_angle)
+        return self.x + (reach if self.turned else -reach)
+
+    @property
     def bears_axially(self) -> tuple[bool, bool]:
         """Whether the inner ring can bear an axial load along +x, and along -x."""
         up, down = self.bearing.bears_axially

@@ -47,6 +47,7 @@ _PAIRS = (
     _Pair("axial", "axial_displacement", slice(0, 1), 0, ("N", "mm")),
     _Pair("moment", "tilt", slice(3, 5), 1, ("N mm", "rad")),
 )
+_COINCIDE = 0.02  # of the pitch diameter: how far apart the middles of spheres may be that are meant to be one
 _ROTATION = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
 
 
@@ -100,6 +101,7 @@ def _prescribed(bearing: RollerBearing | Paired, values: Mapping[str, Array], co
     by_force, target = np.zeros(5, dtype=np.bool_), np.zeros((count, 5))
     axially = any(any(row.bears_axially) for row in bearing.rows)
     radially = any(row.bearing.bears_radially for row in bearing.rows)
+    aligns = bool(np.ptp([row.aligns_about for row in bearing.rows]) < _COINCIDE * bearing.rows[0].bearing.pitch)
     for pair in _PAIRS:
         force, motion = values.get(pair.force), values.get(pair.motion)
         if force is not None and motion is not None:
@@ -112,8 +114,9 @@ def _prescribed(bearing: RollerBearing | Paired, values: Mapping[str, Array], co
             target[:, pair.where.start + pair.first] = value
         elif value is not None:
             target[:, pair.where] = value
-    _refuse_unborne("axial", axially, "along", (by_force, target), _PAIRS[1].where)
-    _refuse_unborne("radial", radially, "across", (by_force, target), _PAIRS[0].where)
+    _refuse_unborne("axial", axially, "move along the axis", (by_force, target), _PAIRS[1].where)
+    _refuse_unborne("radial", radially, "move across the axis", (by_force, target), _PAIRS[0].where)
+    _refuse_unborne("moment", not aligns, "turn about the middle of a sphere", (by_force, target), _PAIRS[2].where)
     _refuse_falling_apart(bearing, by_force, target)
     if "tilt" in values:
         _refuse_large("tilt", target[:, 3:])
@@ -126,9 +129,10 @@ def _refuse_unborne(name: str, borne: bool, way: str, given: tuple[NDArray[np.bo
     if borne or not np.any(by_force[where]):
         return
     if np.any(target[:, where] != 0.0):
-        condition = f"be zero for a bearing whose inner ring is free to move {way} the axis"
+        condition = f"be zero for a bearing whose inner ring is free to {way}"
         largest = float(np.max(np.abs(target[:, where])))
-        raise InputError(name, largest, condition, f"use one that bears {name} loads")
+        remedy = "give tilt, or use one that bears moments" if name == "moment" else f"use one that bears {name} loads"
+        raise InputError(name, largest, condition, remedy)
     by_force[where] = False
 
 
