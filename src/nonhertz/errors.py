@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 
@@ -44,7 +44,12 @@ class InputError(NonhertzError, ValueError):
         super().__init__(field, value, condition, remedy)
 
     def __str__(self) -> str:
-        return f"{self.field} = {shown(self.value)} must {self.condition}: {self.remedy}."
+        # Python has no better words for a table of a file, an option without a value, or one that is missing.
+        wordless = isinstance(self.value, Mapping) or (
+            self.field.startswith("--") and (self.value is None or self.value is True)
+        )
+        given = self.field if wordless else f"{self.field} = {shown(self.value)}"
+        return f"{given} must {self.condition}: {self.remedy}."
 
     def within(self, place: str) -> InputError:
         """Return the same error with the field named inside ``place``, such as ``"body.a"``."""
@@ -136,9 +141,24 @@ def without_accuracy_warnings() -> Iterator[None]:
 
 
 def shown(value: object) -> str:
-    """Return a value as messages show it; NumPy scalars are shown as plain numbers."""
+    """Return a value as messages show it: numbers plain and without the rounding of what they were computed from.
+
+    Examples
+    --------
+    >>> shown(20.000000000000004), shown((0.1 + 0.2, 1)), shown("5 mm")
+    ('20.0', '(0.3, 1)', "'5 mm'")
+    """
     try:
-        text = repr(value.item() if hasattr(value, "item") and not hasattr(value, "__len__") else value)
+        text = repr(_rounded(value))
     except ValueError:  # Python refuses to print integers of thousands of digits
         text = f"<{type(value).__name__} too long to show>"
     return text if len(text) <= 60 else text[:57] + "..."
+
+
+def _rounded(value: object) -> object:
+    if hasattr(value, "item") and not hasattr(value, "__len__"):
+        value = value.item()
+    if type(value) is float:
+        return float(f"{value:.12g}")
+    # Of longer ones only the beginning is shown.
+    return type(value)(map(_rounded, value[:60])) if type(value) in (list, tuple) else value  # type: ignore[index,call-arg]

@@ -26,7 +26,7 @@ from numbers import Real
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, shown
 from nonhertz.inputs.checks import LEAST, finite, numbers, positive
 from nonhertz.model.material import Material, check_poisson
 
@@ -286,7 +286,7 @@ def point_contact(
     # Ordering the radii first makes a contact and its mirror image about x = y agree to the last bit.
     short_radius, long_radius = sorted((radius_x, radius_y))
     if short_radius / long_radius < _SMALLEST_RADIUS_RATIO:
-        condition = f"lie within a factor of 1e100 of radius_x = {radius_x!r}"
+        condition = f"lie within a factor of 1e100 of radius_x = {shown(radius_x)}"
         raise InputError("radius_y", radius_y, condition, "use line_contact for straight bodies")
 
     slenderness = _axis_ratio(short_radius / long_radius)
@@ -306,7 +306,7 @@ def point_contact(
         major = math.sqrt(approach * long_radius * curvature / displacement)
         load = major**3 / (compliance * long_radius * curvature)
     else:
-        condition = "be given" if load is None else f"be left out where approach = {approach!r} is given"
+        condition = "be given" if load is None else f"be left out where approach = {shown(approach)} is given"
         raise InputError("load", load, condition, "give either the load in N or the approach in mm")
     minor = slenderness * major
     half_width, half_length = (minor, major) if radius_x <= radius_y else (major, minor)
@@ -448,7 +448,7 @@ def plane_strain_cylinder_compression(contact: LineContact, *, diameter: float, 
     remedy = "give the cylinder's diameter in mm"
     positive("diameter", diameter, remedy)
     if diameter <= 2.0 * contact.half_width:
-        condition = f"exceed the width of contact of {2.0 * contact.half_width!r} mm"
+        condition = f"exceed the width of contact of {2.0 * contact.half_width:.6g} mm"
         raise InputError("diameter", diameter, condition, remedy)
     logarithm = math.log(2.0 * diameter / contact.half_width)
     return contact.line_load * material.compliance * (2.0 * logarithm - 1.0)
@@ -498,7 +498,7 @@ def half_space_line_compression(contact: LineContact, *, length: float) -> float
     remedy = "give the length of the strip in mm, or use point_contact"
     positive("length", length, remedy)
     if length <= 2.0 * contact.half_width:
-        condition = f"exceed the width of contact of {2.0 * contact.half_width!r} mm"
+        condition = f"exceed the width of contact of {2.0 * contact.half_width:.6g} mm"
         raise InputError("length", length, condition, remedy)
     logarithm = math.log(2.0 * length / contact.half_width)
     return contact.line_load * contact.compliance * (1.0 + 2.0 * logarithm)

@@ -250,11 +250,11 @@ MISTAKES = {
     ),
     "unknown section": (
         f"{A}{B}{LOAD}[sovler]\n",
-        ["sovler = {} must be a known key: the nearest is 'solver'."],
+        ["sovler must be a known key: the nearest is 'solver'."],
     ),
     "third body": (
         f"{A}{B}[body.c]\n{LOAD}",
-        ["body.c = {} must be a known key: choose from 'a', 'b'."],
+        ["body.c must be a known key: choose from 'a', 'b'."],
     ),
     "missing body": (f"{A}{LOAD}", ["body.b must be given: write it under a heading [body.b]."]),
     "missing load": (f"{A}{B}", ["load must be given: write it under a heading [load]."]),
@@ -297,8 +297,9 @@ MISTAKES = {
             f"{FACES_REMEDY}."
         ],
     ),
-    "table of side faces": refused_word(
-        "side_faces", "{}", "be one of 'free', 'mirror', 'calibrated', 'none' or a weight", FACES_REMEDY
+    "table of side faces": (
+        with_keys("side_faces = {}"),
+        [f"body.a.side_faces must be one of 'free', 'mirror', 'calibrated', 'none' or a weight: {FACES_REMEDY}."],
     ),
     "no side faces in a list": (
         with_keys("side_faces = []"),

@@ -73,7 +73,7 @@ def _contact() -> nh.Contact:
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        ([], "--load = None must be given where --approach is not"),
+        ([], "--load must be given where --approach is not"),
         (["--load", "0:1kN", "--approach", "0:1um"], "must be given where --approach is not"),
         (["--load", "1kN"], "--load = '1kN' must be a range"),
         (["--load", "2kN:1kN"], "--load = '2kN:1kN' must ascend"),

@@ -81,7 +81,7 @@ def test_json_is_ascii_and_comes_through_a_pipe_of_any_encoding(folder, capsys):
         (["--over", "load.load=5"], "--over load.load = '5' must have a unit: append a unit, such as 5N."),
         (["--over", "load.load=1kN,2kN", "--quantities", "presure"], "the nearest is"),
         (["--over", "load.load=1kN,2kN", "--workers", "0"], "--workers = 0 must"),
-        ([], "--over = {} must vary something: say what a path of the case runs over, such as"),
+        ([], "--over must vary something: say what a path of the case runs over, such as"),
         (["--over", "load.load=-1N,2kN"], "must stay within what the case allows (at -1.0000 N: load.load"),
     ],
 )  # fmt: skip

@@ -400,7 +400,7 @@ MISTAKES = {
     ),
     "a misspelled table": (
         changed(PLAIN, ("[outer]", "[outr]")),
-        ["outr = {'diameter': -55.5} must be a known key: the nearest is 'outer'."],
+        ["outr must be a known key: the nearest is 'outer'."],
     ),
     "a wrong unit": (
         changed(PLAIN, ("10 kN", "10 mm")),
@@ -472,7 +472,7 @@ MISTAKES = {
     "cones the wrong way round": (
         changed(TAPERED, ("[10.94, 10.12]", "[10.12, 10.94]")),
         [
-            "roller.diameter = {'y': [-5.825, 5.825], 'diameter': [10.12, 10.94]} must be a table that is larger at "
+            "roller.diameter must be a table that is larger at "
             "negative y: write { y = [-5, 5], diameter = [11, 10] }, say: the large ends are at low x."
         ],
     ),
@@ -770,7 +770,7 @@ def test_shapes_are_written_and_read_back(tmp_path):
         ("3", "bearing.outer_shape = 3 must be a table: "),
         ("{}", "bearing.outer_shape.terms must be given: "),
         ("[]", "bearing.outer_shape = [] must hold 1 to 100 shapes: "),
-        ("{ waves = 2 }", "bearing.outer_shape = {'waves': 2} must have terms, or angle and deviation, or a file: "),
+        ("{ waves = 2 }", "bearing.outer_shape must have terms, or angle and deviation, or a file: "),
         ("{ terms = [] }", "bearing.outer_shape.terms = [] must be a list of waves: "),
         ("{ terms = [{ waves = 2 }] }", "bearing.outer_shape.terms[1].amplitude must be given: "),
         (

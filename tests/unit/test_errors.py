@@ -2,6 +2,7 @@
 
 import pickle
 
+import numpy as np
 import pytest
 
 import nonhertz as nh
@@ -13,6 +14,25 @@ def test_an_input_error_is_one_sentence_of_four_parts():
     assert str(error) == "length = -5.0 must be positive: give the distance between the side faces in mm."
     assert (error.field, error.value, error.condition) == ("length", -5.0, "be positive")
     assert error.remedy == "give the distance between the side faces in mm"
+
+
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [
+        (20.000000000000004, "x = 20.0"),
+        ((0.1 + 0.2, np.float64(5.0)), "x = (0.3, 5.0)"),
+        ([1e-320, 1.23456789012e-7], "x = [1e-320, 1.23456789012e-07]"),
+        ({"kind": "crown"}, "x"),
+        (None, "x = None"),
+    ],
+)
+def test_values_are_shown_as_people_write_them(value, said):
+    assert str(nh.InputError("x", value, "be right", "mend it")) == f"{said} must be right: mend it."
+
+
+def test_an_option_without_a_value_is_named_alone():
+    said = [str(nh.InputError("--plan", value, "be left out", "leave it out")) for value in (True, None, 1)]
+    assert said == ["--plan must be left out: leave it out."] * 2 + ["--plan = 1 must be left out: leave it out."]
 
 
 def test_within_names_the_place():

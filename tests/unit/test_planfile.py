@@ -107,7 +107,7 @@ load.tilt = []
     [
         ("[samples]\ncount = 0", "samples.count = 0 must be a whole number from 1"),
         ('[samples]\nmethod = "sobl"', "samples.method = 'sobl' must be one of"),
-        ("[ovre]\n", "ovre = {} must be a known key: the nearest is 'over'."),
+        ("[ovre]\n", "ovre must be a known key: the nearest is 'over'."),
         ('quantities = "approach"', "quantities = 'approach' must be names"),
         ("over = 3", "over = 3 must be a table"),
     ],

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.errors import shown
 from nonhertz.model.prescription import loads_between
 from nonhertz.model.profile import Profile
 from nonhertz.result import validity
@@ -76,7 +77,7 @@ def test_impossible_prescriptions_are_refused(arguments, complaint):
 def test_loads_that_rounding_hides_are_refused_and_the_least_is_named(contact, share):
     least, _ = loads_between(contact)
     said = refusal(contact, load=share * least)
-    assert said == f"load = {share * least!r} must be at least {least:.2g} N for bodies of this size and stiffness"
+    assert said == f"load = {shown(share * least)} must be at least {least:.2g} N for bodies of this size and stiffness"
     with pytest.raises(nh.InputError, match=r"case 1\.load"):
         nh.solve_many(contact, load=[1e3 * least, share * least])
     assert nh.solve(contact, load=2.0 * least).load == pytest.approx(2.0 * least, rel=1e-9, abs=0.0)
@@ -319,6 +320,29 @@ def test_a_contact_wider_than_a_body_is_round_is_refused_alone_and_among_many():
     many = nh.solve_many(contact, load=[1e3, 8e6], strips=41)
     assert str(many.failures[1]) == str(refused.value)
     assert many.converged.tolist() == [True, False]
+
+
+@pytest.mark.parametrize(
+    ("roller", "given"),
+    [
+        ({}, {"load": 1e9}),
+        ({}, {"approach": 40.0}),
+        ({"diameter": 19.0 + 1.000000000000004}, {"load": 1e8, "tilt": 1e-3}),
+        ({"material": nh.Material(modulus=1.0, poisson=0.3)}, {"load": 1e4}),
+        ({"bore": 18.0}, {"load": 1e5}),
+    ],
+)
+def test_bodies_too_small_for_the_load_refuse_what_was_given(roller, given):
+    contact = nh.Contact(nh.Roller(**({"diameter": 20.0, "length": 20.0} | roller)), nh.Plate())
+    name, value = next(iter(given.items()))
+    said = rf"^{name} = {value} must leave the half-width, .* (radius of 10 mm|mm of body a)"
+    for solve in (nh.solve, nh.patch.solve):
+        with pytest.raises(nh.InputError, match=said):
+            solve(contact, **given)
+    # The way out is one.
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)
+        assert nh.solve(contact, **(given | {name: 1e-3 * value})).load > 0.0
 
 
 def test_a_loop_that_failed_beyond_all_numbers_speaks_of_no_nan(monkeypatch):

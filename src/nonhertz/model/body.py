@@ -18,7 +18,7 @@ from nonhertz.bodies.depths.finite import whole
 from nonhertz.bodies.images import FEWEST_IMAGES, check_images
 from nonhertz.bodies.sides import FaceRule, side_faces
 from nonhertz.bodies.sides.side_face import SideFace
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, shown
 from nonhertz.inputs.checks import LEAST, finite, numbers, positive
 from nonhertz.model.corner import Chamfer, Cornered, Rounded
 from nonhertz.model.material import STEEL, Material
@@ -186,7 +186,7 @@ class Body:
             object.__setattr__(self, "side_faces", tuple(self.side_faces))
         asked = [side.image_weight(self.material.poisson) for side in self.sides]
         if self.length is None and self.side_faces not in _OF_NO_FACE and max(asked) > 0.0:
-            raise InputError("length", None, f"be given where side_faces = {self.side_faces!r}", _FACELESS_REMEDY)
+            raise InputError("length", None, f"be given where side_faces = {shown(self.side_faces)}", _FACELESS_REMEDY)
         check_images(self.images, self.face_weights, isinstance(self.behind, Endless))
         self.behind.refuse(self)
 
@@ -205,7 +205,9 @@ class Body:
         remedy = "give the length that can touch in mm, or leave it out for all of the body"
         positive("effective_length", effective_length, remedy)
         if self.length is not None and effective_length > self.length:
-            raise InputError("effective_length", effective_length, f"not exceed the length of {self.length} mm", remedy)
+            raise InputError(
+                "effective_length", effective_length, f"not exceed the length of {shown(self.length)} mm", remedy
+            )
 
     def _check_corner(self) -> None:
         for name, remedy in (("chamfer", "make one with nonhertz.Chamfer"), ("corner_radius", "give it in mm")):

@@ -68,6 +68,11 @@ class Prescription:
         return self.load is not None, self.moment is not None
 
     @property
+    def pressed(self) -> tuple[str, float | None]:
+        """Name and value of load or approach, whichever is given."""
+        return ("approach", self.approach) if self.load is None else ("load", self.load)
+
+    @property
     def arm(self) -> float | None:
         """Moment over load [mm], where both are given."""
         return None if self.load is None or self.moment is None else self.moment / self.load

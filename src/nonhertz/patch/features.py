@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, shown
 from nonhertz.inputs.checks import finite, not_negative, positive
 
 Array = NDArray[np.float64]
@@ -71,7 +71,7 @@ class Dent:
         remedy = "give the outer diameter of the shoulder in mm, or leave it out"
         positive("shoulder_diameter", self._outer, remedy)
         if self._outer <= self.diameter:
-            condition = f"exceed the diameter of {self.diameter} mm"
+            condition = f"exceed the diameter of {shown(self.diameter)} mm"
             raise InputError("shoulder_diameter", self._outer, condition, remedy)
 
     @property

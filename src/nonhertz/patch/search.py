@@ -238,7 +238,7 @@ class Search:
         run = widest_run(outcome.state.pressure > 0.0)
         # The width of a contact only a few cells wide is not resolved.
         if run.max() >= LEAST_RUN:
-            refuse_thin_bodies(self.contact, HERTZ, grid.y, 0.5 * grid.dx * run, LEAST_OF_ALL)
+            refuse_thin_bodies(self.contact, HERTZ, grid.y, 0.5 * grid.dx * run, LEAST_OF_ALL, self.given.pressed)
         self._refuse_spans(grid.x_span, grid.y_span)
 
     def _refuse_spans(self, x_span: Span, y_span: Span) -> None:
@@ -257,9 +257,8 @@ class Search:
             remedy = "give one of the bodies a length, or a profile that falls away"
             raise InputError("length", None, "be given where nothing else ends the contact", remedy)
         if wide:
-            field = "approach" if self.given.load is None else "load"
             condition = f"keep the contact narrower than {MOST_RADII:g} radii of the bodies"
-            raise InputError(field, getattr(self.given, field), condition, "reduce it")
+            raise InputError(*self.given.pressed, condition, "reduce it")
 
 
 def _filled(touching: NDArray[np.bool_]) -> float:

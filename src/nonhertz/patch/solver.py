@@ -156,7 +156,7 @@ def solve(
         levels = halved(problem, outcome, tolerance, pool)
     solution = _solution(problem, contact, outcome)
     half_width = 0.5 * solution.dx * widest_run(solution.footprint)
-    refuse_thin_bodies(contact, HERTZ, solution.y, half_width, LEAST_OF_ALL)
+    refuse_thin_bodies(contact, HERTZ, solution.y, half_width, LEAST_OF_ALL, prescription.pressed)
     broken = complaint(solution, surface, prescription, tolerance)
     if solution.status is not Status.CONVERGED:
         raise ConvergenceError(_failed(solution, broken, tolerance), solution)

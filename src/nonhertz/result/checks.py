@@ -25,6 +25,9 @@ MOST_OF_RADIUS = 0.3  # a circle departs from its parabola there by 2 % of its d
 MOST_OF_MODULUS = 0.1  # the hardness of metals and ceramics is a few hundredths of their modulus
 LEAST_DEPTH, LEAST_OF_ALL = 3.0, 1.0  # half-widths: a warning below the first, an error below the second
 HEAVIEST = 1.0 + 1e-9  # largest kappa, with room for the rounding of a sum that is 1
+WAY_OUT = (
+    "reduce it, or check diameters, moduli, tilt and units"  # of a load or approach under which bodies are too small
+)
 WIDER_THAN_LONG = 1.02  # so that rounding does not make a circle count as wide
 # Of the largest interference; waves from 0.75 half-widths upwards then cost the approach up to MODEL_ERROR times the
 # square, by the plane grid. Usual profiles have 4e-4 at most.
@@ -184,20 +187,27 @@ def depths(contact: Contact, shape: Shape, y: Array, half_width: Array) -> list[
     return found
 
 
-def refuse_thin_bodies(contact: Contact, shape: Shape, y: Array, half_width: Array, least: float) -> None:
+def refuse_thin_bodies(
+    contact: Contact, shape: Shape, y: Array, half_width: Array, least: float, pressed: tuple[str, float | None]
+) -> None:
     """Refuse a depth of less than ``least`` half-widths, where the points at depth move as much as the surface.
+
+    ``pressed`` are name and value of what is prescribed, which is refused where the depth was not given.
 
     Raises
     ------
     InputError
     """
     for name, body, ratio in depths(contact, shape, y, half_width):
-        if ratio < least:
-            widest = float(np.max(half_width))
-            shown = ratio * widest if body.depth is None or isinstance(body.depth, str) else body.depth
-            condition = f"be large compared with the half-width of the contact, about {widest:.2g} mm"
-            remedy = "give the thickness of the body, or 'none'"
-            raise InputError("depth", shown, condition, remedy).within(f"body.{name}")
+        if ratio >= least:
+            continue
+        widest = float(np.max(half_width))
+        if body.depth is None or isinstance(body.depth, str):
+            condition = f"leave the half-width, about {widest:.2g} mm, below the {ratio * widest:.4g} mm of body {name}"
+            raise InputError(*pressed, f"{condition} behind it", WAY_OUT)
+        condition = f"be large compared with the half-width of the contact, about {widest:.2g} mm"
+        remedy = f"give the thickness of the body, or 'none', or reduce the {pressed[0]}"
+        raise InputError("depth", body.depth, condition, remedy).within(f"body.{name}")
 
 
 def image_weights(freed: tuple[End, ...]) -> Iterator[ValidityCheck]:

@@ -17,9 +17,8 @@ from nonhertz.result.maximum import largest_pressure
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
 from nonhertz.result.validity import (
     AT_CORNER,
-    refuse_thin,
+    refuse_wide,
     refuse_wide_series,
-    refuse_wider_than_round,
     singularities,
     strains,
 )
@@ -46,9 +45,8 @@ def outcome(contact: Contact, problem: Problem, levels: Levels) -> Solution:
         If the Newton loop failed, or if its solution does not meet what was prescribed.
     """
     solution = _solution(contact, problem, levels)
-    refuse_thin(solution, problem)
+    refuse_wide(solution, problem)
     refuse_wide_series(solution)
-    refuse_wider_than_round(solution, problem)
     if solution.status is not Status.CONVERGED:
         raise ConvergenceError(f"{solution.status.value} {_WAY_OUT}", solution)
     unmet = _shortfall(solution, problem)

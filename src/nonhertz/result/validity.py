@@ -17,6 +17,7 @@ from nonhertz.result.checks import (
     MOST_OF_MODULUS,
     MOST_OF_RADIUS,
     MOST_UNEVEN,
+    WAY_OUT,
     checks,
     refuse_thin_bodies,
     sharper_curvature,
@@ -204,38 +205,35 @@ def _without_limit(solution: Solution) -> list[str]:
     return sentences
 
 
-def refuse_thin(solution: Solution, problem: Problem) -> None:
-    """Refuse a depth so small that the points at depth move as much as the surface."""
+def refuse_wide(solution: Solution, problem: Problem) -> None:
+    """Refuse a contact wider than one of its bodies is round, or than the material behind it is deep."""
     converged = solution.status is Status.CONVERGED
     # A loop that failed leaves meaningless half-widths; those of springs may be too small by half.
     half_width = solution.half_width
     if not converged:
         half_width = solution.element.hertz_ratio * np.sqrt(sprung(problem, solution.edges).m)
-    if np.isfinite(np.max(half_width)):
-        least = LEAST_OF_ALL if converged else SCARCELY
-        refuse_thin_bodies(solution.contact, solution.element, solution.y, half_width, least)
+    if not np.isfinite(np.max(half_width)):
+        return
+    name, per = ("load", problem.compliance) if problem.prescribed[0] else ("approach", 1.0)
+    pressed = name, float(problem.target[0]) / per
+    wide = np.flatnonzero(wider_than_round(solution.contact, solution.y, half_width))
+    # Springs under a moment near the ends are wide whatever the load is.
+    if wide.size and (converged or not problem.prescribed[1]):
+        worst = wide[np.argmax(half_width[wide])]
+        radius = 1.0 / float(sharper_curvature(solution.contact, solution.y[worst : worst + 1])[0])
+        condition = (
+            f"leave the half-width, {half_width[worst]:.3g} mm at y = {solution.y[worst]:.6g} mm, below the "
+            f"radius of {radius:.3g} mm of the more sharply curved body"
+        )
+        raise InputError(*pressed, condition, WAY_OUT)
+    least = LEAST_OF_ALL if converged else SCARCELY
+    refuse_thin_bodies(solution.contact, solution.element, solution.y, half_width, least, pressed)
 
 
 def wider_than_round(contact: Contact, y: Array, half_width: Array) -> Flags:
     """Return where the half-width exceeds the radius of the more sharply curved body: its surface ends before."""
     beyond: Flags = half_width * sharper_curvature(contact, y.ravel()).reshape(y.shape) > 1.0
     return beyond
-
-
-def refuse_wider_than_round(solution: Solution, problem: Problem) -> None:
-    """Refuse a contact that is wider than one of its bodies is round."""
-    wide = np.flatnonzero(wider_than_round(solution.contact, solution.y, solution.half_width))
-    if solution.status is not Status.CONVERGED or not wide.size:
-        return
-    worst = wide[np.argmax(solution.half_width[wide])]
-    radius = 1.0 / float(sharper_curvature(solution.contact, solution.y[worst : worst + 1])[0])
-    by_load = bool(problem.prescribed[0])
-    name, per = ("load", problem.compliance) if by_load else ("approach", 1.0)
-    condition = (
-        f"leave the half-width, {solution.half_width[worst]:.3g} mm at y = {solution.y[worst]:.6g} mm, below the "
-        f"radius of {radius:.3g} mm of the more sharply curved body"
-    )
-    raise InputError(name, float(problem.target[0]) / per, condition, "reduce it, or check diameters, tilt and units")
 
 
 def refuse_wide_series(solution: Solution) -> None:

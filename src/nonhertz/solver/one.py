@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.bodies.influence import influence_of
-from nonhertz.errors import AccuracyWarning, InputError
+from nonhertz.errors import AccuracyWarning, InputError, shown
 from nonhertz.inputs.checks import finite, numbers
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
@@ -242,5 +242,6 @@ def _checked_edges(contact: Contact, strips: ArrayLike) -> Array:
     if not np.all(np.isfinite(edges)) or np.any(np.diff(edges) <= 0.0):
         raise InputError("strips", edges.tolist(), "be ascending and finite", remedy)
     if edges[0] < low or edges[-1] > high:
-        raise InputError("strips", (float(edges[0]), float(edges[-1])), f"lie between {low} and {high}", remedy)
+        condition = f"lie between {shown(low)} and {shown(high)}"
+        raise InputError("strips", (float(edges[0]), float(edges[-1])), condition, remedy)
     return edges

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, shown
 from nonhertz.inputs.checks import finite, flag, not_negative, positive
 from nonhertz.model.profile.base import Array, Formula, Profile
 
@@ -127,7 +127,7 @@ def partial_crown(radius: float, straight: float, blended: bool = True) -> Profi
         raise InputError(
             "straight",
             straight,
-            f"not exceed twice the radius of {radius} mm",
+            f"not exceed twice the radius of {shown(radius)} mm",
             "shorten it or raise the radius",
         )
     arcs = Arcs(math.inf, float(radius), junction=half, end_summit=half if blended else 0.0)
@@ -167,7 +167,7 @@ def two_radius(radius: float, end_radius: float, middle: float) -> Profile:
         raise InputError(
             "middle",
             middle,
-            f"be less than twice the radius of {radius} mm",
+            f"be less than twice the radius of {shown(radius)} mm",
             "shorten it or raise the radius",
         )
     half = 0.5 * float(middle)

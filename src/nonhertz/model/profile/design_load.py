@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, shown
 from nonhertz.inputs.checks import positive
 from nonhertz.model.material import STEEL
 
@@ -31,7 +31,7 @@ def design_half_width(load: float, length: float, radius: float, compliance: flo
         raise InputError(
             "load",
             load,
-            f"leave a line contact, but it would be {2.0 * half_width:.3g} mm wide on {length} mm of length",
+            f"leave a line contact, but it would be {2.0 * half_width:.3g} mm wide on {shown(length)} mm of length",
             "lower the load or check length and radius",
         )
     return half_width

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, shown
 from nonhertz.inputs.checks import finite, not_negative, positive
 from nonhertz.model.profile.base import Array, Formula, Profile, Straight
 
@@ -156,7 +156,7 @@ def chamfer(length: float, width: float, angle: float = 0.25 * math.pi) -> Profi
         raise InputError(
             "width",
             width,
-            f"not exceed half of the length of {length} mm",
+            f"not exceed half of the length of {shown(length)} mm",
             "give the length of one chamfer in mm",
         )
     _acute(angle)
