@@ -326,7 +326,7 @@ class _Question:
         """Return the check of an equivalent stress with a strength of the material."""
         allowed = getattr(self.body.material, strength)
         open_question = f"Whether {what} yields is not known"
-        place = f"{found.at}y = {digits(found.y, 3)} mm and z = {digits(found.z, 3)} mm"
+        place = f"{found.site}y = {digits(found.y, 3)} mm and z = {digits(found.z, 3)} mm"
         stress = CRITERIA[self.criterion]
         found_there = f"{digits(found.max)} MPa {place}"
         towards = f"the stress has no limit towards {self.limit.towards}"

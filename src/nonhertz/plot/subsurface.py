@@ -339,7 +339,7 @@ def _mark(name: str, found: Extreme, span: tuple[float, float] | None, ax: Axes)
     )  # fmt: skip
     at = [f"$x$ = ±{number(found.x, 3)}"] if found.x > 0.0 else []
     at += [f"$y$ = {_station(found.y, span)}"] if span else []
-    return mark, f"{words} {number(found.max)} MPa {found.at}{', '.join([*at, f'$z$ = {number(found.z, 3)}'])} mm"
+    return mark, f"{words} {number(found.max)} MPa {found.site}{', '.join([*at, f'$z$ = {number(found.z, 3)}'])} mm"
 
 
 def _draw_surface(intervals: tuple[tuple[float, float], ...], label: str, ax: Axes) -> list[Entry]:

@@ -183,7 +183,7 @@ def _elastic(found: CaseResults) -> Iterator[Assumption]:
         yield Assumption(
             f"Linear elastic below the surface of body {each.body}",
             "von Mises stress below the yield strength",
-            f"{digits(largest.max)} MPa {largest.at}z = {digits(largest.z, 3)} mm",
+            f"{digits(largest.max)} MPa {largest.site}z = {digits(largest.z, 3)} mm",
             _of_strength({check.verdict for check in checks}),
             " ".join(check.sentence for check in checks),
         )

@@ -71,7 +71,7 @@ class Gallery:
             "proportions.",
         }
         largest = overall.von_mises
-        at = f"{largest.at}x = {largest.x:.3g}, y = {largest.y:.3g}, z = {largest.z:.3g} mm"
+        at = f"{largest.site}x = {largest.x:.3g}, y = {largest.y:.3g}, z = {largest.z:.3g} mm"
         summary = f"The largest is {largest.max:.5g} MPa {at}."
         return {
             name: self.picture(drawn, captions[name], chosen()(summary))

@@ -70,7 +70,7 @@ def keys(found: CaseResults) -> list[Key]:
         shown.append(Key("load", digits(solution.load), "N"))
     if found.stress:
         largest = found.stress[0].von_mises
-        where = f"{largest.at}y = {digits(largest.y, 4)}, z = {digits(largest.z, 3)} mm"
+        where = f"{largest.site}y = {digits(largest.y, 4)}, z = {digits(largest.z, 3)} mm"
         shown.append(Key(f"largest von Mises stress in body {found.stress[0].body}", digits(largest.max), "MPa", where))
     return shown
 

@@ -67,7 +67,7 @@ class Extreme(ReadOnly):
     at_bore: bool = False
 
     @property
-    def at(self) -> str:
+    def site(self) -> str:
         """What comes before its coordinates in a sentence."""
         return "at the bore, " if self.at_bore else "at "
 
