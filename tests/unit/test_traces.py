@@ -501,7 +501,7 @@ DAMAGED = {
     "smd with text": (smd(heights="\r\n".join("123x56")), r"must hold a height in line 12 \(there is 'x'\)"),
     "marwin cut off": (marwin(count=7), r"must hold the 7 points stated in its header \(there are 6\)"),
     "marwin of too many": (marwin(count=10**30), r"must hold the 10000000000000000000 points"),
-    "marwin with text": (marwin(along="x y z"), r"must hold a point X Y Z in line 8"),
+    "marwin with text": (marwin(along="x y z"), r"must hold two columns of numbers \(line 8 is 'x y z"),
     "zip cut off": (x3p()[:-60], r"must be an intact X3P file"),
     "zip of something": (altered(x3p(), "main.xml", b"<a/>"), r"must be an intact X3P file"),
     "checksum of points": (altered(x3p(), "data.bin"), r"must match its checksum"),
@@ -528,7 +528,8 @@ DAMAGED = {
     "head without end": (b"9 a\n" * 1001 + lines("{} {}"), r"must hold two columns of numbers \(line 1 is '9 a'\)"),
     "parted digits": (lines("{} {}") + b"1_5 2\n", r"must hold a number in line 7, column 1 \(there is '1_5'\)"),
     "smd of parted digits": (smd(heights="1_5\r\n" * 5 + "2"), r"must hold a height in line \d+ \(there is '1_5'\)"),
-    "marwin of parted digits": (marwin(along="1_5 0 0"), r"must hold a point X Y Z in line 8"),
+    "marwin of parted digits": (marwin(along="1_5 0 0"), r"must hold two columns of numbers \(line 8 is '1_5"),
+    "marwin with a bad line": (marwin().replace(b"3=0.75", b"3=0,75x"), r"must hold a number in line 11, column 1"),
 }  # fmt: skip
 
 

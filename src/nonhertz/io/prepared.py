@@ -164,14 +164,6 @@ def _roughness(roughness: Roughness) -> dict[str, Any]:
 
 def _fit(fit: Fit) -> dict[str, Any]:
     return {
-        "kind": fit.kind,
-        "parameters": {name: plain(value) for name, value in fit.parameters.items()},
-        "standard_errors": {name: plain(value) for name, value in fit.standard_errors.items()},
-        "offset": fit.offset,
-        "shift": fit.shift,
-        "tilt": fit.tilt,
-        "rms": fit.rms,
-        "largest": fit.largest,
-        "points": fit.points,
-        "penalised": fit.penalised,
+        name: {key: plain(number) for key, number in value.items()} if isinstance(value, Mapping) else value
+        for name, value in vars(fit).items()
     }

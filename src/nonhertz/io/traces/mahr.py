@@ -10,15 +10,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
+from itertools import takewhile
 
 import numpy as np
 
+from nonhertz.io.traces.columns import read_columns
 from nonhertz.io.traces.line import Line, Request
-from nonhertz.io.traces.text import value_in
 
 _VALUES = "[PROFILE_VALUES]"
-_POINT = re.compile(r"\s*\d+\s*=\s*(.*)")
-_COUNT = re.compile(r"\s*NO_POINTS\s*=\s*(\d+)")
+_NUMBER = re.compile(r"\s*\d+\s*=")
+_COUNT = re.compile(r"\s*NO_POINTS\s*=\s*0*(\d+)")
 
 
 def is_marwin(lines: Sequence[str]) -> bool:
@@ -35,30 +37,15 @@ def read_marwin(lines: Sequence[str], request: Request) -> Line:
         If a line is not a point, or the number of points is not that in the file's header.
     """
     request.refuse_choices("a MarWin export")
-    start = next(k for k, line in enumerate(lines) if line.strip().startswith(_VALUES))
-    rows = []
-    for number, line in enumerate(lines[start + 1 :], start=start + 2):
-        if line.strip().startswith("["):
-            break
-        if not line.strip() or line.strip().startswith("//"):
-            continue
-        rows.append(_point(line, number, request))
-    counts = [found[1].lstrip("0") for line in lines[:start] if (found := _COUNT.match(line))]
-    if counts and str(len(rows)) != (counts[0] or "0"):
-        condition = f"hold the {counts[0][:20] or 0} points stated in its header (there are {len(rows)})"
+    start = next(k for k, line in enumerate(lines) if line.strip().startswith(_VALUES)) + 1
+    below = takewhile(lambda line: not line.lstrip().startswith("["), lines[start:])
+    # Blank lines in place of the head: messages name lines by their number.
+    text = [*[""] * start, *(_NUMBER.sub("", line) for line in below)]
+    asked = replace(request, position_unit="mm", height_unit="mm", height_column=3)
+    along = {name: read_columns(text, replace(asked, position_column=k)) for k, name in ((1, "X"), (2, "Y"))}
+    name = max(along, key=lambda name: float(np.ptp(along[name].y)))
+    stated = [found[1] for line in lines[:start] if (found := _COUNT.match(line))][:1]
+    if stated and stated != [str(len(along[name].y))]:
+        condition = f"hold the {stated[0][:20]} points stated in its header (there are {len(along[name].y)})"
         raise request.refuse(condition, "export it again; this file is truncated")
-    if not rows:
-        raise request.refuse("hold points below [PROFILE_VALUES]", "export the profile again")
-    x, y, z = np.array(rows).T
-    along = "Y" if np.ptp(y) > np.ptp(x) else "X"
-    return Line(y if along == "Y" else x, z, (f"A MarWin export: positions are its {along}, heights its Z, in mm.",))
-
-
-def _point(line: str, number: int, request: Request) -> list[float]:
-    found = _POINT.fullmatch(line)
-    cells = found[1].split()[:3] if found else []
-    values = [value_in(cell) for cell in cells]
-    if len(values) < 3 or None in values:
-        condition = f"hold a point X Y Z in line {number} (there is {line.strip()[:40]!r})"
-        raise request.refuse(condition, "export the profile again")
-    return [value for value in values if value is not None]
+    return along[name].noted(f"A MarWin export: positions are its {name}, heights its Z, in mm.")
