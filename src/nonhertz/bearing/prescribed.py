@@ -53,20 +53,23 @@ _ROTATION = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
 
 def one_state(bearing: RollerBearing | Paired, given: Mapping[str, ArrayLike | None]) -> Prescribed:
     """Return what is given of one state: numbers, or pairs of them."""
-    values = {}
-    for pair in _PAIRS:
-        size = pair.where.stop - pair.where.start
-        for name, unit in zip((pair.force, pair.motion), pair.units, strict=True):
-            value = given.get(name)
-            if value is None:
-                continue
-            found = numbers(name, value, f"give it in {unit}")
-            if found.ndim and found.shape != (size,):
-                raise InputError(
-                    name, value, "be a number or two" if size == 2 else "be a number", f"give it in {unit}"
-                )
-            values[name] = found[None] if found.ndim else found.reshape(1)
+    values = {
+        name: components(name, value)[None]
+        for pair in _PAIRS
+        for name in (pair.force, pair.motion)
+        if (value := given.get(name)) is not None
+    }
     return _prescribed(bearing, values, 1)
+
+
+def components(name: str, value: ArrayLike) -> Array:
+    """Return a force or a motion as a number, shape (), or as one along each of two axes."""
+    pair = next(each for each in _PAIRS if name in (each.force, each.motion))
+    remedy = f"give it in {pair.units[name == pair.motion]}"
+    found = numbers(name, value, remedy)
+    if found.ndim and (found.shape != (2,) or pair.force == "axial"):
+        raise InputError(name, value, "be a number" if pair.force == "axial" else "be a number or two", remedy)
+    return found
 
 
 def many_states(

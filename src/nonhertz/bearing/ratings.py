@@ -44,7 +44,7 @@ from nonhertz.model.material import is_steel
 
 _STATIC = 44.0  # N/mm^2
 _SHARE_OF_MOST_LOADED = 5.0
-_OF_SPHERICAL, _OF_THRUST = 1.15, 1.0  # b_m
+_MATERIAL_FACTORS = {SphericalRollerBearing: 1.15, CylindricalThrustBearing: 1.0}  # b_m
 _ALIKE = 1e-9
 
 
@@ -124,7 +124,8 @@ def rating(
             positive(name, value, f"give the basic {name} load rating in N")
     if material_factor is not None:
         positive("material_factor", material_factor, "give b_m, 1.1 for cylindrical and tapered rollers")
-    factor = _material_factor(row) if material_factor is None else float(material_factor)
+    usual = next((known for kind, known in _MATERIAL_FACTORS.items() if isinstance(row, kind)), MATERIAL_FACTOR)
+    factor = usual if material_factor is None else float(material_factor)
     if isinstance(row, CylindricalThrustBearing):
         return _thrust(row, rows, factor, dynamic, static)
     inner, outer = raceways(row)
@@ -205,12 +206,6 @@ def _are_alike(one: RollerBearing, other: RollerBearing) -> bool:
     ]
     same = all(math.isclose(a, b, rel_tol=_ALIKE) for a, b in zip(*sizes, strict=True))
     return type(one) is type(other) and same
-
-
-def _material_factor(row: RollerBearing) -> float:
-    if isinstance(row, SphericalRollerBearing):
-        return _OF_SPHERICAL
-    return _OF_THRUST if isinstance(row, CylindricalThrustBearing) else MATERIAL_FACTOR
 
 
 def _thrust(

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.mapped import BearingMaps
+from nonhertz.bearing.prescribed import components
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.bearing.verb import Method, solve
@@ -55,15 +56,8 @@ class LoadCase:
             raise InputError("share", self.share, "not exceed 1", _SHARE)
         not_negative("speed", self.speed, "give the speed in 1/min")
         for name, value in self.load.items():
-            if value is not None:
-                self._check(name, value)
-
-    def _check(self, name: str, value: ArrayLike) -> None:
-        single = name.startswith("axial")
-        remedy = "give a number" if single else "give a number, or two in the directions of both axes"
-        shape = numbers(name, value, remedy).shape
-        if shape and (single or shape != (2,)):
-            raise InputError(name, value, "be a number" if single else "be a number or two", remedy)
+            if value is not None and name != "speed":
+                components(name, value)
 
     @property
     def load(self) -> dict[str, Any]:

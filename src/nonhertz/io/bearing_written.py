@@ -41,7 +41,8 @@ def document(case: BearingCase) -> dict[str, Any]:
             raise error.within(name) from None
     found["load"] = {name: _plain(value) for name, value in case.prescribed.items() if value is not None}
     if case.fit:
-        found["fit"] = _fit(case.fit)
+        seats = {name: value for name, value in case.fit.items() if isinstance(value, Shaft | Housing)}
+        found["fit"] = case.fit | {name: _seat(value) for name, value in seats.items()}
     found["solver"] = dict(case.solver)
     life = {name: value for name, value in case.life.items() if name != "speed" and value is not None}
     if case.spectrum:
@@ -65,12 +66,9 @@ def _bearing(row: RollerBearing) -> dict[str, Any]:
         if field.name in {"inner_shape", "outer_shape"}:
             table[field.name] = _shape(field.name, value)
         else:
-            table[field.name] = _given(value) if isinstance(value, Rib) else value
+            rib = vars(value).items() if isinstance(value, Rib) else None
+            table[field.name] = value if rib is None else {name: each for name, each in rib if each is not None}
     return table
-
-
-def _given(value: Any) -> dict[str, Any]:
-    return {name: each for name, each in vars(value).items() if each is not None}
 
 
 def _shape(name: str, shape: Any) -> Any:
@@ -89,11 +87,6 @@ def _of_waves(table: dict[str, Any]) -> dict[str, Any]:
         {"waves": order, "amplitude": amplitude, "phase": crest} for order, (amplitude, crest) in table["terms"].items()
     ]
     return {"terms": waves}
-
-
-def _fit(fit: dict[str, Any]) -> dict[str, Any]:
-    """Return seats and temperatures, without what is left out."""
-    return {name: _seat(value) if isinstance(value, Shaft | Housing) else value for name, value in fit.items()}
 
 
 def _seat(seat: Shaft | Housing) -> dict[str, Any]:

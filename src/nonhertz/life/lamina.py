@@ -199,17 +199,17 @@ def laminae_of(solution: Solved, model: LaminaModel, span: tuple[float, float] |
     sharp = tuple(end.y for end in solution.singular_ends) if pressed else ()
     reach, land = (np.concatenate([[end[0]], edges[1:-1], [end[1]]]) for end in (contact.interval, contact.land))
     reach, length = reach if pressed else land, np.diff(land)
-    load = _slices(solution, edges) if model.line_loads == "standard" else _shares(reach, *_line_load(solution))
+    load = (
+        _slices(solution, edges)
+        if model.line_loads == "standard"
+        else _shares(reach, solution.edges, solution.line_load)
+    )
     if pressed:
         factor = _factors(solution, reach, length, load, sharp)
     else:
         factor = edge_function(model.laminae) if model.edge_stress == "standard" else np.ones(model.laminae)
     # A longer lamina bears more, as the capacity of a contact grows with its length.
     return Laminae(edges, load, factor * (np.diff(edges) / length) ** (7.0 / 9.0), sharp)
-
-
-def _line_load(solution: Solved) -> tuple[Array, Array]:
-    return solution.edges, solution.line_load
 
 
 def _shares(edges: Array, fine: Array, density: Array) -> Array:
@@ -224,7 +224,7 @@ def _factors(solution: Solved, edges: Array, length: Array, load: Array, sharp: 
     The mean over a lamina is taken with the power that its load enters the damage with, leaving out the vicinity of an
     end where the pressure has no limit.
     """
-    fine, density = _line_load(solution)
+    fine, density = solution.edges, solution.line_load
     pressure = solution.largest_across
     contact = solution.contact
     as_in_hertz = np.pi**2 * contact.compliance / contact.curvature(solution.y) * pressure**2

@@ -151,7 +151,14 @@ def exposure(solution: Solved, body: BodyName = "a", **options: Unpack[Running])
     counted = _counted(y, half_width, sharp, solution.max_half_width)
     counted &= half_width[:, None] * depths()[0] <= inside.extent.thickness(y)[:, None]
     return Exposure(
-        body, y, width, half_width, **amplitudes, counted=counted, reference=_ideal(solution, body), sharp=sharp
+        body,
+        y,
+        width,
+        half_width,
+        **amplitudes,
+        counted=counted,
+        reference=even_exposure(solution.contact, solution.load, body),
+        sharp=sharp,
     )
 
 
@@ -177,7 +184,14 @@ def section_exposure(solution: Solved, body: BodyName) -> Exposure:
     sharp = tuple(end.y for end in solution.singular_ends)
     counted = _counted(y, half_width, sharp, solution.max_half_width)
     return Exposure(
-        body, y, width, half_width, **amplitudes, counted=counted, reference=_ideal(solution, body), sharp=sharp
+        body,
+        y,
+        width,
+        half_width,
+        **amplitudes,
+        counted=counted,
+        reference=even_exposure(solution.contact, solution.load, body),
+        sharp=sharp,
     )
 
 
@@ -252,10 +266,6 @@ def _edges_in_contact(solution: Solved) -> Array:
         return edges
     fewer: Array = edges[np.unique(np.linspace(0, edges.size - 1, MOST_ROWS + 1).astype(int))]
     return fewer
-
-
-def _ideal(solution: Solved, body: BodyName) -> Exposure | None:
-    return even_exposure(solution.contact, solution.load, body)
 
 
 def even_exposure(
