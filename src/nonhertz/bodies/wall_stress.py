@@ -38,7 +38,7 @@ _TERMS, _TERMS_PER_LENGTH = 12.0, 6.0  # polynomials of the load, of a short rol
 _FINE = 66  # waves around for which elements at the edges are small enough
 _THROUGH, _THROUGH_PER_WALL = 6, 5.0  # points through the wall: of a thin one, and for each radius
 _ALONG = 13  # points along the axis, at least
-TOP = 0.97
+TOP = 0.97  # the outermost circle, as a share of the wall
 _ANGLES, _DISTANCES = 64, 121  # of the tables of point loads: on a quarter of a circle, for no waves, and along
 _LOADS = 10.0  # points along the axis, for a half-length of a circle's depth
 # Components: rr, tt, yy and r theta, r y, theta y; all but r theta and theta y vary as cos(n theta).
