@@ -24,7 +24,7 @@ from nonhertz.bearing import BearingSolution
 from nonhertz.cli import main
 from nonhertz.io.bearing_results import UNITS
 from nonhertz.io.bearingfile import BEARING_TEMPLATES, BearingCase, read_bearing, starting_bearing
-from nonhertz.show.bearing import bearing_warnings, load_zones, roller_rows, summary_rows
+from nonhertz.show.bearing import load_zones, roller_rows, summary_rows
 
 FEW = changed(SIX, ('clearance = "12 um"\n', ""))
 SLICES = '[solver]\nmethod = "slices"\n'
@@ -161,7 +161,7 @@ def test_warnings_that_differ_in_numbers_are_said_once(pair):
     _, found = pair
     contacts = [found.contact(j, ring) for j in range(12) for ring in ("inner", "outer")]
     whole = sum(len(contact.warnings) for contact in contacts if contact is not None)
-    said = bearing_warnings(found)
+    said = found.warnings
     assert 0 < len(said) < whole
     more = sum(int(n) for n in re.findall(r"And (\d+) more", " ".join(said)))
     assert more + len(said) == whole

@@ -1,6 +1,7 @@
 """Spherical, thrust and paired bearings: what each kind is there for."""
 
 import dataclasses
+import warnings
 
 import numpy as np
 import pytest
@@ -321,3 +322,31 @@ def test_clearance_that_is_built_into_the_raceways_is_said_not_to_count(outer, s
     case = nh.BearingCase(row, {"radial": 1e3}, {"method": "slices"})
     rows = [each for each in summary_rows(case, case.solve()) if each[2].startswith("left by the raceways")]
     assert [each[1] for each in rows] == ([said] if said else [])
+
+
+def test_what_contacts_warn_of_is_said_once():
+    """Only the command line said that rollers reach their sharp ends, or are as thin as their contact is wide."""
+    rings = {"inner": nh.Ring(diameter=60.0, depth=0.4), "outer": nh.Ring(diameter=-100.0)}
+    bearing = B.CylindricalRollerBearing(roller=nh.Roller(diameter=20.0, length=30.0), **rings, rollers=8)
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        found = B.solve(bearing, radial=20e3)
+    assert [str(each.message) for each in said] == list(found.warnings)
+    kinds = "depth of body b is only", "reaches the sharp end"
+    assert [kind for kind in kinds for each in said if kind in str(each.message)] == list(kinds)
+    # As single solves have it, away from the ends.
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        alone = nh.solve(bearing.contacts[0], load=found.load[0, 0])
+    assert found.max_pressure[0, 0] == pytest.approx(alone.max_pressure, rel=1e-9)
+    assert set(alone.warnings[:1]) < {
+        sentence.partition(" ring: ")[2].partition(" (And")[0] for sentence in found.warnings
+    }
+
+
+def test_a_force_that_a_single_roller_does_not_feel_has_no_balance():
+    """The ring was moved by 1e300 mm, with 1,200 warnings of NumPy."""
+    parts = {"roller": nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(4000.0))}
+    rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+    with pytest.raises(nh.ConvergenceError, match="found no balance"):
+        B.solve(B.CylindricalRollerBearing(**parts, **rings, rollers=1), radial=(1e3, 500.0))

@@ -324,6 +324,7 @@ def test_rows_that_differ_have_lives_by_volume_of_their_own():
     assert lives.bearing < lives.of_rows.min()
 
 
+@pytest.mark.filterwarnings("ignore:roller .* uncertain")
 @pytest.mark.slow
 def test_steep_pressures_are_said_where_sections_do_not_do():
     corner = dataclasses.replace(row(), roller=nh.Roller(diameter=10.0, length=9.6, corner_radius=0.3))

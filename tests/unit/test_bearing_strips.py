@@ -219,6 +219,7 @@ def test_the_overlap_on_a_corner_is_that_of_its_circle(tilt):
 @pytest.mark.slow
 @pytest.mark.parametrize("profile", [None, nh.profile.logarithmic(0.0063, 12.7, 0.95)])
 @pytest.mark.parametrize("speed", [10.0, 1e3])
+@pytest.mark.filterwarnings("ignore:roller .* ring")
 def test_rollers_that_tip_between_washers_end(profile, speed, monkeypatch):
     """A small moment of their own tips idle ones until two corners touch: the search for that never ended."""
     times = Counter()

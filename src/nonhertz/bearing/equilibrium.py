@@ -136,6 +136,8 @@ class System:
                 tables.append(table)
         # Lever arms that make forces of the ring's moments, and displacements of its rotations.
         reach = np.max(np.abs(self.ring), axis=(0, 1))
+        # A single roller does not feel what moves across it.
+        reach[1:3], reach[3:] = reach[1:3].max(), reach[3:].max()
         scale = np.array([1.0, 1.0, self.lever])
         ring, load = np.ascontiguousarray(self.ring), np.ascontiguousarray(self.load, dtype=float)
         book, stiffness = np.concatenate(tables), roller_stiffness(2.0 * self.lever)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -30,6 +32,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 _SAME = 1e-9  # of the largest approach
+_NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -197,10 +200,19 @@ class BearingSolution(ReadOnly):
         load, rib = max(pressing, key=lambda each: each[0], default=(0.0, None))
         return rib.under(load) if rib is not None and load > 0.0 else None
 
-    @property
+    def place_of(self, roller: int) -> str:
+        """Return which roller it is, in words."""
+        row = next(k for k, these in enumerate(row_slices(self.bearing), start=1) if roller < these.stop)
+        among = f", row {row}" if len(self.bearing.rows) > 1 else ""
+        return f"roller {roller} at {np.degrees(self.angle[roller]):.1f} degrees{among}"
+
+    @cached_property
     def warnings(self) -> tuple[str, ...]:
-        """What strains the model: contacts on ribs that reach an edge, the most loaded one of each ring; bores."""
-        found = []
+        """What strains the model: what contacts by strips warn of, ribs whose contacts reach an edge, bores.
+
+        Of sentences that differ in numbers only, the first, with a count, from the most loaded roller down.
+        """
+        found = self._of_strips() if self.method == "strips" else []
         every = self._ribs()
         for ring in RINGS:
             most = [(float(loads.max()), int(loads.argmax()), rib) for loads, rib in every if rib.ring == ring]
@@ -214,6 +226,21 @@ class BearingSolution(ReadOnly):
         if self.method == "slices" and any(is_hollow(row.bearing.roller) for row in self.bearing.rows):
             found.append("Slices take hollow rollers as solid ones, which are stiffer: solve the bearing by strips.")
         return tuple(found)
+
+    def _of_strips(self) -> list[str]:
+        """Return what contacts warn of."""
+        first: dict[str, str] = {}
+        times: Counter[str] = Counter()
+        for j in np.argsort(-self.load.max(axis=1), kind="stable").tolist():
+            for ring, contact in zip(RINGS, self._solutions[j], strict=True):
+                for sentence in contact.warnings if contact is not None else ():
+                    kind = _NUMBER.sub("#", sentence)
+                    first.setdefault(kind, f"{self.place_of(j)}, {ring} ring: {sentence}")
+                    times[kind] += 1
+        return [
+            sentence + (f" (And {times[kind] - 1} more that differ in numbers.)" if times[kind] > 1 else "")
+            for kind, sentence in first.items()
+        ]
 
     def _ribs(self) -> list[tuple[Array, RibContact]]:
         """Return every rib that bears loads, with that on each roller, which is zero on those of other rows."""

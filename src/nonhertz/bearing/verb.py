@@ -92,7 +92,8 @@ def solve(
     Warns
     -----
     AccuracyWarning
-        If the contact with a rib reaches an edge, or slices take hollow rollers as solid.
+        If contacts strain the model, end where the pressure has no limit or are refused, one on a rib reaches an edge,
+        or slices take hollow rollers as solid; the sentences are in ``solution.warnings`` too.
 
     Notes
     -----
@@ -121,7 +122,11 @@ def solve(
             None,
         )
     solution = BearingSolution.of(bearing, method, found, setting.load, at_edge(system, found))
-    for warning in solution.warnings:
+    try:
+        said = solution.warnings
+    except (InputError, ConvergenceError) as error:  # the loads are known
+        said = (f"There are no pressures: {error}",)
+    for warning in said:
         warnings.warn(warning, AccuracyWarning, stacklevel=2)
     return solution
 

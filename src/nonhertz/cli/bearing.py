@@ -21,7 +21,6 @@ from nonhertz.io.folder import write_files
 from nonhertz.result.reading import chosen
 from nonhertz.show.bearing import (
     OF_LARGEST,
-    bearing_warnings,
     compared_columns,
     compared_roller_rows,
     compared_rows,
@@ -41,7 +40,7 @@ def report_bearing(case: BearingCase, out: Path | None, json: bool) -> int:
     try:
         solution = _solved(case)
         life, reason = rated(case, solution)
-        sentences = bearing_warnings(solution)
+        sentences = solution.warnings
     except ConvergenceError as error:
         print(chosen()(str(error)), file=sys.stderr)
         return NOT_CONVERGED

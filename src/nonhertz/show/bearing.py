@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
-from collections import Counter
 from collections.abc import Iterator
 
 import numpy as np
@@ -21,7 +19,6 @@ from nonhertz.result.numerals import digits, given, in_column, sized, sized_list
 from nonhertz.show.summary import Row
 
 OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
-_NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 _UNRATED = ("bearing", "solution")
 _PLAY = 1e-3  # mm, below which diameters are rounded
 MOST_PRESSURE = 4000.0  # MPa, the pressure by which ISO 76 defines C0
@@ -122,29 +119,6 @@ def roller_rows(solution: BearingSolution) -> list[tuple[str, ...]]:
             )
         )  # fmt: skip
     return found
-
-
-def bearing_warnings(solution: BearingSolution) -> list[str]:
-    """Return what strains the model in the contacts: of sentences that differ in numbers only, the first, with a count.
-
-    The rollers are gone through from the most loaded one down.
-    """
-    if solution.method != "strips":
-        return list(solution.warnings)
-    first: dict[str, str] = {}
-    times: Counter[str] = Counter()
-    for j in np.argsort(-solution.load.max(axis=1), kind="stable").tolist():
-        for ring in RINGS:
-            contact = solution.contact(j, ring)
-            for sentence in contact.warnings if contact is not None else ():
-                kind = _NUMBER.sub("#", sentence)
-                first.setdefault(kind, f"{place_of(solution, j)}, {ring} ring: {sentence}")
-                times[kind] += 1
-    said = [
-        sentence + (f" (And {times[kind] - 1} more that differ in numbers.)" if times[kind] > 1 else "")
-        for kind, sentence in first.items()
-    ]
-    return [*said, *solution.warnings]
 
 
 def compared_rows(strips: BearingSolution, slices: BearingSolution) -> list[tuple[str, str, str, str]]:
@@ -299,7 +273,7 @@ def _most_loaded_rows(solution: BearingSolution) -> list[Row]:
     tilts = _tilts(solution)[j]
     rows = [
         ("loaded rollers", f"{loaded} of {solution.angle.size}", _zones(solution)),
-        ("most loaded roller", place_of(solution, j), ""),
+        ("most loaded roller", solution.place_of(j), ""),
         ("", sized_list(solution.load[j], "N", " and "), "at inner and outer ring"),
     ]
     if np.any(tilts != 0.0):
@@ -341,7 +315,7 @@ def _pressure_rows(solution: BearingSolution) -> list[Row]:
         beyond = f", above the {MOST_PRESSURE:g} MPa of C0" if pressure[j, k] > MOST_PRESSURE else ""
         name = "" if rows else "maximum pressure"
         value = f"{digits(pressure[j, k])} MPa at y = {digits(where[j, k], 4)} mm"
-        rows.append((name, value, f"{ring} ring, {place_of(solution, j)}{beyond}"))
+        rows.append((name, value, f"{ring} ring, {solution.place_of(j)}{beyond}"))
     return rows
 
 
@@ -349,7 +323,7 @@ def _rib_rows(solution: BearingSolution) -> list[Row]:
     if not solution.rib_load.max(initial=0.0) > 0.0:
         return []
     j, k = np.unravel_index(int(np.argmax(solution.rib_load)), solution.rib_load.shape)
-    where = f"{RINGS[k]} ring, {place_of(solution, int(j))}"
+    where = f"{RINGS[k]} ring, {solution.place_of(int(j))}"
     ellipse = solution.rib_contact(int(j), RINGS[k])
     pressure = "" if ellipse is None else f", {digits(ellipse.max_pressure, 4)} MPa"
     return [("largest rib load", f"{sized(solution.rib_load[j, k], 'N')}{pressure}", where)]
@@ -382,13 +356,6 @@ def _method_rows(solution: BearingSolution) -> list[Row]:
     rows = [("method", "strips", "semi-elliptic, on automatic grids")]
     rows.append(("  roller", bearing.roller.model, ""))
     return [*rows, *((f"  {ring} ring", getattr(bearing, ring).model, "") for ring in RINGS)]
-
-
-def place_of(solution: BearingSolution, j: int) -> str:
-    """Return which roller it is, in words."""
-    rows = _row_numbers(solution.bearing)
-    among = f", row {next(row for k, row in enumerate(rows) if k == j)}" if len(solution.bearing.rows) > 1 else ""
-    return f"roller {j} at {_degrees(solution.angle[j])} degrees{among}"
 
 
 def _row_numbers(bearing: RollerBearing | Paired) -> Iterator[str]:

@@ -19,7 +19,7 @@ from nonhertz.report.bearing.results import BearingResults
 from nonhertz.report.inputs import shown
 from nonhertz.report.overview import Key
 from nonhertz.result.numerals import digits, given, unit_for
-from nonhertz.show.bearing import carrying, most_loaded, place_of
+from nonhertz.show.bearing import carrying, most_loaded
 
 PARTS = ("roller", *RINGS)
 NEAR_ENDS = 0.9  # of what can touch
@@ -69,7 +69,7 @@ def bearing_keys(found: BearingResults) -> list[Key]:
     keys = [*_pressure_keys(solution)]
     if count:
         j = most_loaded(solution)
-        keys.append(_load_key("largest load", float(solution.load[j].max()), place_of(solution, j)))
+        keys.append(_load_key("largest load", float(solution.load[j].max()), solution.place_of(j)))
     keys.append(Key("loaded rollers", f"{count} of {solution.angle.size}", ""))
     keys += _motion_keys(solution)
     if solution.rib_load.max(initial=0.0) > 0.0:

@@ -13,7 +13,7 @@ from nonhertz.io.bearingfile import BearingCase, placed
 from nonhertz.io.casefile import named
 from nonhertz.report.results import labels
 from nonhertz.show.analysis import Announce, in_silence
-from nonhertz.show.bearing import bearing_warnings, rated
+from nonhertz.show.bearing import rated
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,9 +113,9 @@ def _settled(case: BearingCase, label: str, life: bool, compare: bool) -> Bearin
             solution = case.solve()
             slices = case.solve("slices") if compare and solution.method == "strips" else None
             rating, reason = rated(case, solution) if life else (None, "")
-            strained = bearing_warnings(solution)
+            strained = solution.warnings
         except ConvergenceError as error:
             return BearingResults(case, label, None, str(error))
         except InputError as error:  # of a contact, when its pressure is solved
             raise placed(error) from None
-    return BearingResults(case, label, solution, "", rating, reason, tuple(strained), slices)
+    return BearingResults(case, label, solution, "", rating, reason, strained, slices)

@@ -15,7 +15,7 @@ from nonhertz.io.bearing_results import files
 from nonhertz.io.bearingfile import BearingCase, bearing_in, placed, starting_bearing
 from nonhertz.io.casefile import as_toml, parsed
 from nonhertz.io.mistakes import case_error
-from nonhertz.show.bearing import bearing_warnings, rated
+from nonhertz.show.bearing import rated
 from nonhertz.web.form.sliders import sliders
 from nonhertz.web.limits import oversizes, slow_bearing, unfit
 from nonhertz.web.view.bearings import bearing_answer, nothing_drawn
@@ -152,7 +152,7 @@ def table(document: dict[str, Any], name: str) -> bytes | dict[str, Any]:
 
     def make(case: BearingCase, solution: BearingSolution) -> bytes:
         life, reason = rated(case, solution)
-        return files(solution, case, life, reason, bearing_warnings(solution))[name].encode()
+        return files(solution, case, life, reason, solution.warnings)[name].encode()
 
     return _made(document, make)
 

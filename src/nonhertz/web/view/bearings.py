@@ -18,7 +18,6 @@ from nonhertz.io.results import plain
 from nonhertz.result.reading import chosen, in_letters
 from nonhertz.result.solution import Solution
 from nonhertz.show.bearing import (
-    bearing_warnings,
     life_rows,
     most_loaded,
     rated,
@@ -67,7 +66,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "summary": [list(map(as_read, row)) for row in rows],
         "columns": list(columns),
         "rollers": [list(row) for row in rollers],
-        "warnings": [as_read(sentence) for sentence in bearing_warnings(solution)],
+        "warnings": [as_read(sentence) for sentence in solution.warnings],
     }
 
 
