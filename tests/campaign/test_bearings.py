@@ -80,7 +80,11 @@ def random_row(rng, kind):
     across = diameter * np.cos(angle - tip) * np.cos(tip) ** 2 / (np.cos(angle) * np.cos(angle - 2.0 * tip))
     rings = {"inner": nh.Ring(diameter=pitch - across, **depth), "outer": nh.Ring(diameter=-(pitch + across), **depth)}
     return B.TaperedRollerBearing(
-        roller=nh.Roller(diameter=cone, **roller), contact_angle=angle, clearance=clearance, **rings, **given
+        roller=nh.Roller(diameter=cone, **roller),
+        contact_angle=angle,
+        clearance=clearance,
+        **rings,
+        **(given | {"pitch_diameter": None}),
     )
 
 
