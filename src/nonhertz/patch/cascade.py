@@ -97,7 +97,7 @@ class PatchProblem:
         InputError
         """
         first, second = self.given
-        given = second / self.compliance
+        given = float(f"{second / self.compliance:.12g}")  # without the rounding of K
         outermost = "the centres of the outermost cells that can bear a pressure"
         if self.by_force[0] and not low <= second / first <= high:
             condition = f"keep moment / load = {second / first:.6g} mm between {low:.6g} and {high:.6g} mm, {outermost}"
