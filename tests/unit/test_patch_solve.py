@@ -184,6 +184,25 @@ def test_cells_that_miss_the_contact_are_refused():
         nh.patch.solve(CROWNED, approach=1e-6, cells=(8, 8), region=((-1.0, 1.0), (-9.0, 9.0)))
 
 
+@pytest.mark.filterwarnings("ignore:Between the centres of cells", "ignore:The estimated error of the largest")
+@pytest.mark.parametrize("cells_away", [1.0, 1.5])
+def test_a_bump_within_two_cells_of_the_region_is_found(cells_away):
+    # Half the approach high, where the bodies' own gap is far less: it overlaps, but no cell of the region sees it.
+    def bowl(x, y):
+        return x**2 / 40.0 + y**2 / 100.0
+
+    body = nh.Contact(nh.Body(diameter=20.0), nh.Plate())
+    without = nh.patch.solve(body, gap=bowl, load=300.0, cells=(32, 32))
+    place, width = float(without.y[-1]) + (0.5 + cells_away) * without.dy, 0.3 * without.dy
+    found = nh.patch.solve(
+        body,
+        gap=lambda x, y: bowl(x, y) - 0.5 * without.approach * np.exp(-(x**2 + (y - place) ** 2) / width**2),
+        load=300.0,
+        cells=(32, 32),
+    )
+    assert without.y[-1] < place < found.y[-1]
+
+
 @pytest.mark.parametrize("given", [{"load": 1e9}, {"approach": 100.0}, {"load": 3e3, "gap": lambda x, y: 0.0 * x * y}])
 def test_a_body_thinner_than_its_contact_is_refused(given):
     with pytest.raises(nh.InputError, match=r"= \S+ must leave the half-width, .* below the 20 mm of body a"):

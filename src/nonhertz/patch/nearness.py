@@ -36,6 +36,8 @@ SCANNED_AT_ONCE = 2**17
 LUMPS, SMALL_LUMPS = (12, 48), (24, 96)
 # Overlaps as fractions of the largest displacement: worth a closer look, worth enlarging the region, worth a warning.
 SUSPECT, SEEN, CLEAR = 0.03, 0.003, 0.01
+# Cells from the border within which lumps of cells are too coarse for small overlaps, and what is seen there even so.
+NEAR, SEEN_NEAR = 2.0, 0.015
 MOST_SUSPECTS = 100
 AT_ONCE = 2**15  # distances
 PER_DISTANCE = 16  # numbers that what free side faces add needs for each
@@ -237,24 +239,25 @@ def least_held(gap: Gap, window: Window) -> float:
     return min(values)
 
 
-def overlap(problem: PatchProblem, outcome: Outcome, several: Iterable[Window], given: bool = False) -> Overlap | None:
+def overlap(
+    problem: PatchProblem, outcome: Outcome, several: Iterable[Window], *, smooth: bool, given: bool = False
+) -> Overlap | None:
     """Return where the deformed bodies overlap beyond the region of a solution, as far as the samples show.
 
     The pressure is first replaced by point forces on lumps of cells; for suspects, by uniform pressure on smaller ones.
-    Places within two cells of the border do not count, and a region ``given`` by the user tolerates a larger overlap.
+    Close to the border only large overlaps count, and none of ``smooth`` bodies, which would overlap within it as well;
+    a region ``given`` by the user tolerates a larger overlap.
     """
     grid, state = outcome.grid, outcome.state
     if not state.pressure.any():
         return None
     largest = outcome.largest_displacement(problem.undeformed(grid))
     found: list[Overlap] = []
-    least, near = CLEAR if given else SEEN, 2.0
+    least, margin = CLEAR if given else SEEN, NEAR if smooth else 0.0
     coarse = _lumps(grid, state.pressure)
     for window in several:
         undeformed = window.of(problem.gap, state.rigid[1]) - state.rigid[0]
-        outside = _beyond(window.x, grid.x_span, near * grid.dx)[:, None] | _beyond(
-            window.y, grid.y_span, near * grid.dy
-        )
+        outside = _outside(window, grid, margin)
         sunk = _sunk(problem, grid, state.pressure, window.y)
         gap = undeformed - sunk
         at = np.argwhere(outside & (gap < 0.0))
@@ -271,8 +274,9 @@ def overlap(problem: PatchProblem, outcome: Outcome, several: Iterable[Window], 
         x, y = _places(window, at)
         left = gap[tuple(at.T)] + _raised(problem, coarse, x, y, images=True)
         left += _raised_by_faces(problem, coarse, x, y) + _raised_nearby(grid, state.pressure, x, y)
+        far = _outside(window, grid, NEAR)
         for i, j, depth in zip(*at.T, -left, strict=True):
-            if depth > least * largest:
+            if depth > (least if far[i, j] else SEEN_NEAR) * largest:
                 around = _neighbours(window.x, i), _neighbours(window.y, j)
                 found.append(Overlap(float(window.x[i]), float(window.y[j]), float(depth), *around))
     if not found:
@@ -317,6 +321,12 @@ def _lowest_sample(gap: Gap, tilt: float, window: Window) -> tuple[Lowest, Windo
 
 def _neighbours(places: Array, index: int) -> Span:
     return float(places[max(index - 1, 0)]), float(places[min(index + 1, places.size - 1)])
+
+
+def _outside(window: Window, grid: Grid, cells: float) -> NDArray[np.bool_]:
+    """Return which places of a window are more than so many cells beyond a region, shape (nx, ny)."""
+    across, along = _beyond(window.x, grid.x_span, cells * grid.dx), _beyond(window.y, grid.y_span, cells * grid.dy)
+    return across[:, None] | along
 
 
 def _beyond(places: Array, span: Span, margin: float) -> NDArray[np.bool_]:

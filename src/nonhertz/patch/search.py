@@ -194,7 +194,7 @@ class Search:
                 x_span = regions.widened(x_span, beyond[0], ENLARGEMENT)
                 y_span = regions.widened(y_span, beyond[1], ENLARGEMENT, limits)
                 continue
-            overlap = nearness.overlap(self.problem, outcome, self.around(outcome))
+            overlap = nearness.overlap(self.problem, outcome, self.around(outcome), smooth=self.own_gap)
             if overlap is not None:
                 x_span, y_span = regions.joined(x_span, overlap.x_span), regions.joined(y_span, overlap.y_span, limits)
                 enlarged = True

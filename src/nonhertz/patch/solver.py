@@ -192,7 +192,8 @@ def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | No
     cut = any((*across, *along))
     if cut:
         return outcome, None
-    return outcome, nearness.overlap(search.problem, outcome, search.around(outcome), given=True)
+    around = search.around(outcome)
+    return outcome, nearness.overlap(search.problem, outcome, around, smooth=search.own_gap, given=True)
 
 
 def _failed(solution: PatchSolution, broken: str, tolerance: float) -> str:
