@@ -17,6 +17,7 @@ from nonhertz.model.prescription import Prescription
 from nonhertz.patch import nearness
 from nonhertz.patch import region as regions
 from nonhertz.patch.cascade import Outcome, PatchProblem, solve_on
+from nonhertz.patch.features import Dent
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.limits import widest_run
 from nonhertz.patch.nearness import Lowest, Overlap, Rows, Window
@@ -74,8 +75,8 @@ class Search:
 
     @property
     def own_gap(self) -> bool:
-        """Whether the gap is that of the bodies alone, which has no bumps."""
-        return not self.gap_given and not getattr(self.problem.gap, "features", ())
+        """Whether the gap is that of the bodies with dents alone, which has no bumps that are not known."""
+        return not self.gap_given and all(isinstance(each, Dent) for each in getattr(self.problem.gap, "features", ()))
 
     def windows(self) -> tuple[Window, ...]:
         """Return where the gap of the undeformed bodies is sampled."""
