@@ -137,6 +137,9 @@ with warnings.catch_warnings():  # as coarse as it may be: nothing is read off t
     PALMGREN = life.lundberg_palmgren()
     LIFE = life.assess(SOLUTION, "iso-16281", body="b")[0]
     EXPOSURE = life.exposure(SOLUTION, body="b")
+    DENT = nh.patch.Dent(depth=0.002, diameter=0.4)
+    COARSELY = {"cell": 0.05, "station": 1.0, "reach": 0.5}
+    OVERROLLED = life.overrolled(SOLUTION, DENT, **COARSELY)
 SWEPT = nh.sweep(nh.Case(CONTACT, {"load": 6e3}, {"strips": 11}), over={"load.load": [6e3]})
 TOLERANCE = nh.tolerance(
     nh.Case(CONTACT, {"load": 6e3}, {"strips": 11}), over={"load.load": "uniform(6 kN, 7 kN)"}, samples=3
@@ -736,6 +739,25 @@ ENTRIES: dict[str, Entry] = {
         contact_angle=(None, "number?"),
     ),
     "life.exposure": entry(life.exposure, **WITHIN),
+    "life.overrolled": entry(
+        life.overrolled,
+        solution=(SOLUTION, "thing"),
+        dent=(DENT, "thing"),
+        body=("b", "word"),
+        cell=(COARSELY["cell"], "positive?"),
+        station=(COARSELY["station"], "share"),
+        reach=(COARSELY["reach"], "positive"),
+        announce=(None, "function?"),
+    ),
+    "life.Overrolled.excess": entry(OVERROLLED.excess, model=(PALMGREN, "thing"), within=(0.2, "endless")),
+    "life.Overrolled.density": entry(OVERROLLED.density, model=(PALMGREN, "thing"), dented=(True, "flag")),
+    "life.Overrolled.relative_life": entry(
+        OVERROLLED.relative_life,
+        model=(PALMGREN, "thing"),
+        dents=(2, "count"),
+        per_area=(None, "number?"),
+        raceway_diameter=(None, "positive?"),
+    ),
     "life.Exposure.density": entry(EXPOSURE.density, model=(PALMGREN, "thing")),
     "life.Exposure.damage": entry(EXPOSURE.damage, model=(PALMGREN, "thing")),
     "life.Life.over": entry(LIFE.over, other=(LIFE, "thing")),
@@ -896,8 +918,8 @@ ENTRIES["profile.sum.relief"] = entry((TABLE.shifted(1.0) + TABLE.scaled(2.0)).r
 
 #: Of these only what must be refused is tried.
 SLOW = {
-    "bearing.maps", "compare", "map", "life.assess", "life.exposure", "measured.fit", "measured.fit_best",
-    "measured.prepare", "strength.assess", "subsurface.extremes", "sweep", "tolerance",
+    "bearing.maps", "compare", "map", "life.assess", "life.exposure", "life.overrolled", "measured.fit",
+    "measured.fit_best", "measured.prepare", "strength.assess", "subsurface.extremes", "sweep", "tolerance",
 }  # fmt: skip
 
 
@@ -985,7 +1007,7 @@ RESULTS = {
     "bearing.Rating", "bearing.RingShape", "bearing.Row",
     "bearing.ForceTable", "bearing.UnrolledPressure",
     "bearing.VolumeLife",
-    "life.Exposure", "life.Life",
+    "life.Exposure", "life.Life", "life.Overrolled",
     "measured.Fit", "measured.Roughness", "measured.StepResult",
     "subsurface.Extreme", "subsurface.Extremes", "subsurface.Field", "subsurface.Passage",
     "AccuracyWarning", "CaseError", "ConvergenceError", "InputError", "Interrupted", "NonhertzError",

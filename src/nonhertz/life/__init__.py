@@ -21,6 +21,8 @@ from nonhertz.life.catalogue import weibull as weibull
 from nonhertz.life.catalogue import zaretsky as zaretsky
 from nonhertz.life.lamina import LaminaModel as LaminaModel
 from nonhertz.life.lamina import iso_16281 as iso_16281
+from nonhertz.life.overrolling import Overrolled as Overrolled
+from nonhertz.life.overrolling import overrolled as overrolled
 from nonhertz.life.spectrum import LoadCase as LoadCase
 from nonhertz.life.spectrum import solve_spectrum as solve_spectrum
 from nonhertz.life.volume import Exposure as Exposure

@@ -26,6 +26,7 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_of, text, whole
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import STEEL, STEEL_MODULUS
+from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.protocol import Solved
 
 Array = NDArray[np.float64]
@@ -187,8 +188,9 @@ def laminae_of(solution: Solved, model: LaminaModel, span: tuple[float, float] |
     Raises
     ------
     InputError
-        If the bodies can touch over an unlimited length, which cannot be cut.
+        If the bodies can touch over an unlimited length, which cannot be cut, or a dent is in the contact.
     """
+    refuse_rolling_on(solution)
     contact = solution.contact
     low, high = contact.land if span is None else span
     if not math.isfinite(high - low):
@@ -210,6 +212,19 @@ def laminae_of(solution: Solved, model: LaminaModel, span: tuple[float, float] |
         factor = edge_function(model.laminae) if model.edge_stress == "standard" else np.ones(model.laminae)
     # A longer lamina bears more, as the capacity of a contact grows with its length.
     return Laminae(edges, load, factor * (np.diff(edges) / length) ** (7.0 / 9.0), sharp)
+
+
+def refuse_rolling_on(solution: Solved) -> None:
+    """Refuse a solution that holds for one position of a dent alone.
+
+    Raises
+    ------
+    InputError
+    """
+    if isinstance(solution, PatchSolution) and solution.rolls_on:
+        condition = "stay as it is while the surfaces roll, and a dent rolls on with its surface"
+        remedy = "solve the contact without it, and roll it through with nonhertz.life.overrolled"
+        raise InputError("solution", "one position of a dent", condition, remedy)
 
 
 def _shares(edges: Array, fine: Array, density: Array) -> Array:

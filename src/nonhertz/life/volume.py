@@ -17,12 +17,12 @@ from functools import cache
 from typing import Unpack
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.hertz import line_contact
 from nonhertz.life.catalogue import VolumeModel
-from nonhertz.life.lamina import LEFT_OUT
+from nonhertz.life.lamina import LEFT_OUT, refuse_rolling_on
 from nonhertz.model.body import BodyName
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
@@ -91,14 +91,20 @@ class Exposure(ReadOnly):
         """Return the integral over the depth of ``<s - s_u>^k / z^h`` [MPa^k mm^(1-h)] at every station."""
         if not isinstance(model, VolumeModel):
             raise InputError("model", model, "be an integral over the volume", "give a VolumeModel")
-        depth, weight = depths()
-        suffered = np.maximum(getattr(self, model.stress) - model.fatigue_limit, 0.0) ** model.exponent
-        over_depth = np.where(self.counted, suffered, 0.0) @ (weight * depth**-model.depth_exponent)
-        return np.asarray(over_depth * self.half_width ** (1.0 - model.depth_exponent))
+        counted = np.where(self.counted, getattr(self, model.stress), 0.0)
+        return over_depth(model, counted, self.half_width)
 
     def damage(self, model: VolumeModel) -> float:
         """Return the integral over y and z of ``<s - s_u>^k / z^h`` [MPa^k mm^(2-h)]."""
         return float(self.width @ self.density(model))
+
+
+def over_depth(model: VolumeModel, stresses: Array, half_width: ArrayLike) -> Array:
+    """Return the integral of ``<s - s_u>^k / z^h`` [MPa^k mm^(1-h)] over the last axis, at all `depths`."""
+    depth, weight = depths()
+    suffered = np.maximum(stresses - model.fatigue_limit, 0.0) ** model.exponent
+    over: Array = suffered @ (weight * depth**-model.depth_exponent)
+    return over * np.asarray(half_width) ** (1.0 - model.depth_exponent)
 
 
 @cache
@@ -111,7 +117,7 @@ def depths() -> tuple[Array, Array]:
 
 
 @cache
-def _levels() -> tuple[Array, Array]:
+def levels() -> tuple[Array, Array]:
     """Return the depths over the half-width at which stresses are evaluated, and the matrix to all `depths`."""
     root = np.linspace(np.sqrt(SHALLOWEST), np.sqrt(PANELS[-1]), LEVELS)
     from scipy.interpolate import CubicSpline
@@ -138,13 +144,14 @@ def exposure(solution: Solved, body: BodyName = "a", **options: Unpack[Running])
     Raises
     ------
     InputError
-        If nothing is in contact, or ``body`` is neither.
+        If nothing is in contact, ``body`` is neither, or a dent is in the contact, which rolls on.
     """
     refuse_options("exposure", options, Running)
+    refuse_rolling_on(solution)
     inside = Inside.of(solution, body)
     y, width, half_width = _stations(solution, inside.body.faces)
-    levels, fill = _levels()
-    seen = passage(solution, y[:, None], half_width[:, None] * levels, body=body, **options)
+    depth, fill = levels()
+    seen = passage(solution, y[:, None], half_width[:, None] * depth, body=body, **options)
     # There is nothing where a thin wall ends.
     amplitudes = {name: np.maximum(np.nan_to_num(getattr(seen, name)) @ fill.T, 0.0) for name in QUANTITIES}
     sharp = tuple(end.y for end in solution.singular_ends)
@@ -201,10 +208,10 @@ def _from_nearby(solution: Solved, y: Array, half_width: Array, plane: Array) ->
     pressure = solution.largest_across[touching]
     across = solution.extent_across[1][touching]
     edges = solution.edges[np.append(touching, touching[-1] + 1)]
-    depth, (levels, fill) = depths()[0], _levels()
-    found = np.empty((y.size, levels.size))
+    depth, (evaluated, fill) = depths()[0], levels()
+    found = np.empty((y.size, evaluated.size))
     for i, (station, b) in enumerate(zip(y, half_width, strict=True)):
-        z = b * levels[:, None]
+        z = b * evaluated[:, None]
         reach = np.sqrt(z**2 + (SPREAD * b) ** 2)
         first = max(int(np.searchsorted(edges, station - NEARBY * b)) - 1, 0)
         last = min(int(np.searchsorted(edges, station + NEARBY * b)), touching.size)
@@ -228,8 +235,8 @@ def _share_below(distance: Array) -> Array:
 def _plane_strain(poisson: float) -> dict[str, Array]:
     """Return the largest stresses over a pass of Hertz's line contact over its pressure, at all `depths`."""
     line = line_contact(line_load=1.0, radius=1.0, compliance=1.0)
-    levels, fill = _levels()
-    found = plane_strain_passage(line, levels * line.half_width, poisson)
+    depth, fill = levels()
+    found = plane_strain_passage(line, depth * line.half_width, poisson)
     return {name: fill @ values / line.max_pressure for name, values in found.items()}
 
 

@@ -63,6 +63,8 @@ class PatchSolution(ContactResult):
         Relative errors of discretisation, from the coarser grids.
     warnings : tuple of str
         What strains the model in this case; empty when nothing does.
+    rolls_on : bool
+        Whether a feature changes across the contact, as a dent does: once rolled on, it is at another x.
     """
 
     contact: Contact
@@ -82,6 +84,7 @@ class PatchSolution(ContactResult):
     residual: float
     error_estimate: ErrorEstimate
     warnings: tuple[str, ...]
+    rolls_on: bool = False
 
     def _said(self) -> list[str]:
         singular = [ends_in_words([end]).removeprefix("the ") for end in self.singular_ends]

@@ -177,7 +177,8 @@ def solve(
     )
     for sentence in sentences:
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
-    return replace(solution, warnings=(*sentences, *singularities(solution)))
+    rolls_on = surface.changes_across(solution.x[:, None], solution.y[None, :])
+    return replace(solution, warnings=(*sentences, *singularities(solution)), rolls_on=rolls_on)
 
 
 def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:

@@ -19,6 +19,8 @@ from nonhertz.model.contact import Contact
 Array = NDArray[np.float64]
 Feature = Callable[[Array, Array], ArrayLike]
 
+ALIKE = 1e-9  # of the largest relief
+
 _CALLABLE = "give a function of x and y in mm that returns mm"
 _RETURN = "let it return a gap in mm for every x and y"
 
@@ -105,6 +107,11 @@ class Surface:
         """Return every function given, with its name for error messages."""
         named = [(f"features[{i}]", feature) for i, feature in enumerate(self.features)]
         return named if self.gap is None else [("gap", self.gap), *named]
+
+    def changes_across(self, x: Array, y: Array) -> bool:
+        """Return whether a feature's relief changes with x of shape (nx, 1) at y of shape (1, ny)."""
+        reliefs = (_returned("features", each, x, y) for each in self.features)
+        return any(bool(np.any(np.abs(each - each[:1]) > ALIKE * np.max(np.abs(each)))) for each in reliefs)
 
     def __call__(self, x: Array, y: Array) -> Array:
         """Return the gap at x of shape (nx, 1) and y of shape (1, ny), of shape (nx, ny).

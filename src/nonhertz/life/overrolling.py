@@ -1,0 +1,462 @@
+"""The life of a raceway with a dent that is rolled over.
+
+A dent rolls with its surface through the contact, so that one solution with a dent is a moment of its passage. Here the
+contact is solved on a plane grid with the dent at a row of positions, from where it does not change the pressure to
+where it no longer does, at the approach of the smooth contact: what a dent takes from the load is too little to move
+the bodies. Each point of the raceway travels with the dent, and takes the largest value of its criterion, or half the
+range of the orthogonal shear stress, over the whole passage. What the dent adds to the damage is the integral over its
+surroundings, less that of the same points on the smooth raceway.
+
+The stress is that of the smooth strips plus that of the difference which the dent makes to the pressure of the cells.
+That difference is local, so at each depth it is a convolution on the grid of the cells, by FFT, with the stress below
+one cell in closed form. Below the middles of cells it shows their steps in the orthogonal shear stress alone, which
+therefore falls in proportion to the depth nearer to the surface than half a cell.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from itertools import count
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.fft import irfft2, next_fast_len, rfft2
+
+from nonhertz.errors import InputError, without_accuracy_warnings
+from nonhertz.inputs.checks import callback, flag, not_negative, positive, whole
+from nonhertz.life.assessment import ratio
+from nonhertz.life.catalogue import STRESSES, VolumeModel
+from nonhertz.life.volume import Exposure, exposure, levels, over_depth
+from nonhertz.model.body import BodyName
+from nonhertz.patch.features import Dent
+from nonhertz.patch.solution import PatchSolution
+from nonhertz.patch.solver import solve
+from nonhertz.result.protocol import Solved
+from nonhertz.result.solution import ReadOnly
+from nonhertz.subsurface.evaluation import stress
+from nonhertz.subsurface.field import TAU_XZ, max_shear_of, von_mises_of
+from nonhertz.subsurface.inside import checked_body, checked_solution
+from nonhertz.subsurface.rectangles import Rectangles
+
+Array = NDArray[np.float64]
+
+STATION = 0.1  # half-widths from one position of the dent to the next
+ACROSS_DENT, ACROSS_SHOULDER, ACROSS_CONTACT = 24, 8, 20  # cells at least, of the contact to either side
+EVERY = 2  # cells in either direction: the points at which the passage is followed
+REACH = 3.0  # half-widths beyond the rim: the surroundings
+WINDOW = 3.5  # half-widths to either side: from further away no point takes its largest stress
+UNCHANGED = 1e-4  # of the largest pressure: below this the dent has nothing to do with the contact
+WIDER = 1.2  # than the contact: the cells
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Overrolled(ReadOnly):
+    """What the surroundings of a dent go through while a contact rolls over them.
+
+    Attributes
+    ----------
+    dent : Dent
+        The dent.
+    body : {"a", "b"}
+        The body whose raceway has it.
+    diameter : float
+        Diameter of that raceway [mm], positive; infinite where it is flat.
+    smooth : Exposure
+        The stresses of the smooth raceway, from its own solution.
+    positions : ndarray, shape (stations,)
+        Positions of the dent across the contact [mm] at which it changes the pressure; none where it never does.
+    max_pressure : ndarray, shape (stations,)
+        Largest pressure [MPa] within the surroundings at these positions.
+    x, y, z : ndarray, shape (nx,), (ny,) and (depths,)
+        Points of the surroundings [mm]: in the direction of rolling from the middle of the dent, along the contact, and
+        below the surface.
+    orthogonal_shear, shear, von_mises : ndarray, shape (nx, ny, depths)
+        Half the range of tau_xz, and the largest maximum shear and von Mises stress, over the passage [MPa].
+    smooth_orthogonal_shear, smooth_shear, smooth_von_mises : ndarray, shape (nx, ny, depths)
+        The same without the dent.
+    warnings : tuple of str
+        What strains the solution with the dent where the pressure is largest.
+    """
+
+    dent: Dent
+    body: BodyName
+    diameter: float
+    smooth: Exposure
+    positions: Array
+    max_pressure: Array
+    x: Array
+    y: Array
+    z: Array
+    orthogonal_shear: Array
+    shear: Array
+    von_mises: Array
+    smooth_orthogonal_shear: Array
+    smooth_shear: Array
+    smooth_von_mises: Array
+    warnings: tuple[str, ...]
+
+    def excess(self, model: VolumeModel, within: float = math.inf) -> float:
+        """Return the damage that the dent adds, an integral over its surroundings [MPa^k mm^(3-h)].
+
+        Parameters
+        ----------
+        model : VolumeModel
+            A model of `nonhertz.life`.
+        within : float
+            Distance from the middle of the dent [mm], in either direction, up to which points count: the excess hardly
+            changes with it beyond a half-width or two from the rim.
+        """
+        if within != math.inf:
+            positive("within", within, "give a distance from the middle of the dent in mm")
+        x, y = np.abs(self.x) <= within, np.abs(self.y - self.dent.y) <= within
+        added = self.density(model) - self.density(model, dented=False)
+        return float(added[x][:, y].sum() * np.diff(self.x[:2])[0] * np.diff(self.y[:2])[0])
+
+    def density(self, model: VolumeModel, *, dented: bool = True) -> Array:
+        """Return the integral over the depth [MPa^k mm^(1-h)] at ``x`` and ``y``, with the dent or without."""
+        flag("dented", dented, "write False for the smooth raceway")
+        if not isinstance(model, VolumeModel):
+            raise InputError("model", model, "be an integral over the volume", "give a VolumeModel")
+        evaluated, fill = levels()
+        stresses = np.maximum(getattr(self, model.stress if dented else f"smooth_{model.stress}") @ fill.T, 0.0)
+        return over_depth(model, stresses, self.z[-1] / evaluated[-1])
+
+    def relative_life(
+        self,
+        model: VolumeModel,
+        *,
+        dents: int = 1,
+        per_area: float | None = None,
+        raceway_diameter: float | None = None,
+    ) -> float:
+        """Return the life of the raceway with dents over that of the smooth one [-].
+
+        Parameters
+        ----------
+        model : VolumeModel
+            A model of `nonhertz.life`.
+        dents : int
+            How many such dents lie around the raceway, at the same y, far enough apart not to meet in the contact.
+        per_area : float, optional
+            In their place, how many lie on a square millimetre [1/mm^2] all over the raceway. Each is taken to do as
+            much damage, compared with the smooth raceway at its y, as this one.
+        raceway_diameter : float, optional
+            Diameter of the raceway [mm]; that of the body if left out.
+
+        Raises
+        ------
+        InputError
+            If the raceway is flat and has no diameter, or the dents would overlap.
+        """
+        excess, remedy = self.excess(model), "give the diameter of the raceway in mm"
+        if raceway_diameter is None and per_area is None and math.isinf(self.diameter):
+            raise InputError("raceway_diameter", None, "be given where the raceway is flat", remedy)
+        if raceway_diameter is not None:
+            positive("raceway_diameter", raceway_diameter, remedy)
+        dents = whole("dents", dents, 0, math.inf, "give the number of dents around the raceway")
+        if per_area is None:
+            smooth = math.pi * (raceway_diameter or self.diameter) * self.smooth.damage(model)
+            return ratio(smooth, smooth + dents * excess, model.slope)
+        not_negative("per_area", per_area, "give the number of dents on a square millimetre")
+        most = 4.0 / (math.pi * outer(self.dent) ** 2)
+        if per_area > most:
+            raise InputError("per_area", per_area, f"not exceed {most:.3g}", "so many such dents cover the raceway")
+        smooth = float(np.interp(self.dent.y, self.smooth.y, self.smooth.density(model)))
+        return ratio(smooth, smooth + per_area * excess, model.slope)
+
+
+def outer(dent: Dent) -> float:
+    """Return the diameter [mm] within which a dent changes the surface."""
+    return float(dent.shoulder_diameter or dent.diameter) if dent.shoulder > 0.0 else dent.diameter
+
+
+def overrolled(
+    solution: Solved,
+    dent: Dent,
+    *,
+    body: BodyName = "b",
+    cell: float | None = None,
+    station: float = STATION,
+    reach: float = REACH,
+    announce: Callable[[int, int], object] | None = None,
+) -> Overrolled:
+    """Roll a dent in a raceway through a contact, and return what its surroundings go through.
+
+    Parameters
+    ----------
+    solution : Solution or PatchSolution
+        The contact without the dent.
+    dent : Dent
+        The dent. Its ``y`` is where it lies along the contact; its ``x`` shifts the row of positions, and should change
+        nothing.
+    body : {"a", "b"}
+        The body whose raceway has the dent.
+    cell : float, optional
+        Side of the cells [mm]; if left out, the least of a 24th of the dent's diameter, an 8th of the width of its
+        shoulder and a 20th of the half-width.
+    station : float
+        From one position of the dent to the next, in half-widths; rounded to whole cells.
+    reach : float
+        How far the surroundings reach beyond the rim of the dent, in half-widths.
+    announce : callable, optional
+        Called with the number of positions done, and that expected.
+
+    Returns
+    -------
+    Overrolled
+
+    Raises
+    ------
+    InputError
+        If the dent does not lie between the ends of the contact, with a half-width to spare, or a number is not valid.
+    ConvergenceError
+        If a position cannot be solved.
+
+    Notes
+    -----
+    The dent keeps its shape: elastic stress only, without the residual stress of the material pushed aside. It takes
+    one to two minutes. The effect of side faces on what the dent adds is left out.
+
+    Examples
+    --------
+    A contact of 0.3 x 1.6 mm, on cells that are too coarse for more than two digits:
+
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=20, length=8, profile=nh.profile.crown(radius=100))
+    >>> dent = nh.patch.Dent(depth=0.002, diameter=0.3, shoulder=0.0005)
+    >>> solution = nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), load=300)
+    >>> found = overrolled(solution, dent, cell=0.035, station=0.25, reach=1)
+    >>> round(found.relative_life(nh.life.zaretsky(), dents=10), 1)
+    0.9
+    """
+    checked_body(body)
+    contact, half_width = checked_solution(solution).contact, solution.max_half_width
+    _refuse_place(solution, dent)
+    callback("announce", announce)
+    least = min(dent.diameter, half_width)
+    side = cell
+    if side is None:
+        side = min(dent.diameter / ACROSS_DENT, half_width / ACROSS_CONTACT)
+        side = min(side, 0.5 * (outer(dent) - dent.diameter) / ACROSS_SHOULDER) if dent.shoulder > 0.0 else side
+    for name, value, most in (("station", station, 1.0), ("reach", reach, 10.0), ("cell", side, 0.25 * least)):
+        positive(name, value, f"give a number up to {most:.3g}, or leave it out")
+        if value > most:
+            raise InputError(name, value, f"not exceed {most:.3g}", "leave it out for the usual one")
+    rim = 0.5 * outer(dent)
+    with without_accuracy_warnings():
+        smooth, options = _grid(solution, dent, side)
+        step = max(round(station * half_width / smooth.dx), 1)
+        start = round(dent.x / smooth.dx) % step
+        passed = _passed(smooth, options, dent, range(start, start + step), announce)
+    around = _Surroundings.of(solution, dent, body, smooth, rim + reach * half_width)
+    differences = {place: each.pressure - smooth.pressure for place, each in passed.items()}
+    places, near = sorted(passed), np.abs(smooth.y - dent.y) <= rim + half_width
+    curvature = float((contact.a if body == "a" else contact.b).curvature(np.array([dent.y]))[0])
+    names = (*STRESSES, *(f"smooth_{name}" for name in STRESSES))
+    return Overrolled(
+        dent=dent,
+        body=body,
+        diameter=2.0 / abs(curvature) if curvature else math.inf,
+        smooth=exposure(solution, body),
+        positions=smooth.dx * np.array(places, dtype=float),
+        max_pressure=np.array([passed[place].pressure[:, near].max() for place in places]),
+        x=around.x,
+        y=around.y,
+        z=half_width * levels()[0],
+        **dict(zip(names, around.largest(differences, step, start), strict=True)),
+        warnings=max(passed.values(), key=lambda each: each.max_pressure).warnings if passed else (),
+    )
+
+
+def _refuse_place(solution: Solved, dent: Dent) -> None:
+    """Refuse a dent that meets one of the ends of a contact."""
+    if not isinstance(dent, Dent):
+        raise InputError("dent", dent, "be a dent", "make one with nonhertz.patch.Dent")
+    room = 0.5 * outer(dent) + solution.max_half_width
+    low, high = solution.contact.interval[0] + room, solution.contact.interval[1] - room
+    if not low <= dent.y <= high:
+        remedy = "choose a place where the ends of the contact have no effect"
+        condition = f"lie between {low:.4g} and {high:.4g} mm" if low < high else "be narrower than the contact is long"
+        raise InputError("y" if low < high else "diameter", dent.y if low < high else dent.diameter, condition, remedy)
+
+
+def _grid(solution: Solved, dent: Dent, side: float) -> tuple[PatchSolution, dict[str, Any]]:
+    """Return the contact without the dent on cells of a size, and the options of all solutions on them.
+
+    Their number across is odd, so that the middle of the dent passes over centres of cells.
+    """
+    contact, half_width = solution.contact, solution.max_half_width
+    # The shoulder may touch beyond the edge, where the gap of Hertz's line contact is still lower than it is high:
+    # 4 sqrt(2) / 3 (b^2 / 2 rho) (x / b - 1)^(3/2).
+    rise = float(contact.curvature(np.array([dent.y]))[0]) * half_width**2 * 4.0 * math.sqrt(2.0) / 6.0
+    across = half_width * (WIDER + (dent.shoulder / rise) ** (2.0 / 3.0))
+    low, high = solution.contact_y[0][0] - 2.0 * half_width, solution.contact_y[-1][1] + 2.0 * half_width
+    low, high = max(low, contact.interval[0]), min(high, contact.interval[1])
+    cells = 2 * math.ceil(across / side) + 1, math.ceil((high - low) / side)
+    options: dict[str, Any] = {"cells": cells, "region": ((-across, across), (low, high))}
+    smooth = solve(contact, load=solution.load, tilt=solution.tilt, **options)
+    return smooth, options | {"approach": smooth.approach, "tilt": smooth.tilt}
+
+
+def _passed(
+    smooth: PatchSolution,
+    options: dict[str, Any],
+    dent: Dent,
+    between: range,
+    announce: Callable[[int, int], object] | None,
+) -> dict[int, PatchSolution]:
+    """Return the solutions with the dent at all positions, in cells, where it changes the pressure.
+
+    The first lies at the beginning of ``between``, the others as many cells apart as that has.
+    """
+    step, found = len(between), dict[int, PatchSolution]()
+    expected = math.ceil((0.5 * outer(dent) - smooth.x[0]) / (step * smooth.dx))
+    least = UNCHANGED * float(smooth.pressure.max())
+    for first, onwards in ((between.start, step), (between.start - step, -step)):
+        for place in count(first, onwards):
+            if -place in found:
+                mirrored = found[-place]
+                found[place] = replace(mirrored, pressure=mirrored.pressure[::-1], gap=mirrored.gap[::-1])
+                continue
+            solution = solve(smooth.contact, features=replace(dent, x=place * smooth.dx), **options)
+            if np.abs(solution.pressure - smooth.pressure).max() < least:
+                break
+            found[place] = solution
+            if announce is not None:
+                announce(len(found), max(expected, len(found)))
+    return found
+
+
+@dataclass(frozen=True, eq=False)
+class _Surroundings:
+    """The points that travel with the dent, and the stress below them.
+
+    Attributes
+    ----------
+    x, y : ndarray, shape (nx,) and (ny,)
+        The points [mm], by the middle of the dent across, and along the contact.
+    columns : ndarray of int, shape (half of nx,)
+        Columns of cells from the middle of the dent to the points on one side.
+    window : int
+        Columns of cells to either side of the contact below which there is a stress.
+    shallow : int
+        Number of `levels` that are less than half a cell deep.
+    smooth : ndarray, shape (2 window + 1, ny, depths, 6)
+        Stress of the smooth contact [MPa].
+    added : callable
+        Differences of the pressure on cells -> the stress [MPa] they add, of that shape.
+    """
+
+    x: Array
+    y: Array
+    columns: NDArray[np.int64]
+    window: int
+    shallow: int
+    smooth: Array
+    added: Callable[[Array], Array]
+
+    @classmethod
+    def of(cls, solution: Solved, dent: Dent, body: BodyName, cells: PatchSolution, reach: float) -> _Surroundings:
+        half_width = solution.max_half_width
+        own = solution.contact.a if body == "a" else solution.contact.b
+        z = half_width * levels()[0]
+        shallow = int(np.searchsorted(z, 0.5 * max(cells.dx, cells.dy)))
+        columns = EVERY * np.arange(int(reach / (EVERY * cells.dx)) + 1)
+        middle, most = round((dent.y - cells.y[0]) / cells.dy), int(reach / (EVERY * cells.dy))
+        rows = middle + EVERY * np.arange(-most, most + 1)
+        y = cells.y[0] + rows * cells.dy
+        inside = (y > own.faces[0]) & (y < own.faces[1])
+        rows, y = rows[inside], y[inside]
+        window = int(WINDOW * half_width / cells.dx)
+        across = cells.dx * np.arange(-window, window + 1)
+        # There is nothing where a thin wall ends.
+        smooth = np.nan_to_num(stress(solution, across[:, None, None], y[:, None], z, body=body).stress)
+        added = _below(cells, window, rows, z, own.material.poisson)
+        x = cells.dx * np.concatenate([-columns[:0:-1], columns])
+        return cls(x, y, columns, window, shallow, smooth, added)
+
+    def largest(self, differences: dict[int, Array], step: int, start: int) -> list[Array]:
+        """Return half the range of tau_xz and the largest stresses, over the passage: with the dent, then without."""
+        alone = _measures(self.smooth)
+        tops = [_Top(np.zeros((4, self.columns.size, *self.smooth.shape[1:3]))) for _ in range(2)]
+        furthest = self.window + int(self.columns[-1]) + 2 * step
+        after: Array | None = None
+        for place in range(start - step * (furthest // step + 1), furthest + step):
+            at = place + self.columns + self.window
+            seen = (at >= 0) & (at <= 2 * self.window)
+            share = (place - start) % step / step
+            if share == 0.0:
+                before, after = after, self._added_at(differences, place + step)
+            without = np.zeros_like(tops[0].last)
+            without[:, seen] = alone[:, at[seen]]
+            having = without
+            if before is not None or after is not None:
+                added = sum(w * each[seen] for w, each in ((1.0 - share, before), (share, after)) if each is not None)
+                having = np.zeros_like(without)
+                having[:, seen] = _measures(self.smooth[at[seen]] + added)
+            for top, values in zip(tops, (having, without), strict=True):
+                top.pass_by(values)
+        return [each for top in tops for each in self._on_both_sides(top.best)]
+
+    def _added_at(self, differences: dict[int, Array], place: int) -> Array | None:
+        """Return the stress that the dent adds to its surroundings in a position, shape (columns, ny, depths, 6)."""
+        if place not in differences:
+            return None
+        # Beyond the window a point takes no part, whatever stands for its stress.
+        return self.added(differences[place])[np.clip(place + self.columns + self.window, 0, 2 * self.window)]
+
+    def _on_both_sides(self, best: Array) -> list[Array]:
+        """Return the stresses on both sides of the dent, the orthogonal shear without the steps of cells."""
+        both = np.stack([0.5 * (best[0] + best[1]), best[2], best[3]])
+        depth, first = levels()[0], self.shallow
+        both[0, ..., :first] = both[0, ..., first, None] * depth[:first] / depth[first]
+        return list(np.concatenate([both[:, :0:-1], both], axis=1))
+
+
+class _Top:
+    """The largest value of a passing row of samples, refined by the parabola through three."""
+
+    def __init__(self, nothing: Array) -> None:
+        self.before, self.last, self.best = nothing, nothing, nothing
+
+    def pass_by(self, values: Array) -> None:
+        """Take the next sample of all points."""
+        bend = 2.0 * self.last - self.before - values
+        peaked = (self.last > self.before) & (self.last >= values)
+        beyond = np.where(peaked, (values - self.before) ** 2 / (8.0 * np.where(bend > 0.0, bend, np.inf)), 0.0)
+        self.best = np.maximum(self.best, self.last + beyond)
+        self.before, self.last = self.last, values
+
+
+def _measures(stresses: Array) -> Array:
+    """Return tau_xz, -tau_xz, the maximum shear and the von Mises stress, shape (4, ...)."""
+    tau = stresses[..., TAU_XZ]
+    return np.stack([tau, -tau, max_shear_of(stresses), von_mises_of(stresses)])
+
+
+def _below(
+    cells: PatchSolution, window: int, rows: NDArray[np.int64], z: Array, poisson: float
+) -> Callable[[Array], Array]:
+    """Return a function from pressures on cells to the stress below their middles, shape (columns, rows, depths, 6)."""
+    half = cells.x.size // 2
+    low, high = max(int(rows[0]), 0), min(int(rows[-1]) + 1, cells.y.size)
+    shape = next_fast_len(2 * (half + window) + 1), next_fast_len(int(max(high, rows[-1]) - min(low, rows[0])) * 2 + 1)
+    offsets = (np.rint(np.fft.fftfreq(n) * n) for n in shape)
+    x, y = np.meshgrid(*(side * each for side, each in zip((cells.dx, cells.dy), offsets, strict=True)), indexing="ij")
+    one = np.zeros(1)
+    cell = Rectangles.of(one, one, cells.dx, cells.dy, np.ones((1, 1)))
+    kernels = []
+    for depth in z:
+        points = np.column_stack([x.ravel(), y.ravel(), np.full(x.size, depth)])
+        kernels.append(rfft2(cell.stress(points, poisson).T.reshape(6, *shape)))
+    columns = (np.arange(-window, window + 1) + half) % shape[0]
+    out = np.ix_(columns, (rows - low) % shape[1])
+
+    def added(pressure: Array) -> Array:
+        spectrum = rfft2(pressure[:, low:high], shape)
+        return np.stack([np.moveaxis(irfft2(spectrum * each, shape)[:, *out], 0, -1) for each in kernels], axis=-2)
+
+    return added

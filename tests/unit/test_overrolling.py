@@ -1,0 +1,181 @@
+"""The life of a raceway with a dent that is rolled over."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import nonhertz as nh
+from nonhertz.errors import InputError
+from nonhertz.life import VolumeModel, exposure, lundberg_palmgren, model, overrolled, weibull, zaretsky
+
+# Coarse cells say what they miss; how far the results depend on them is tested here.
+pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.errors.AccuracyWarning")
+
+DENT = nh.patch.Dent(y=0.0, depth=0.002, diameter=0.3, shoulder=0.0005)
+COARSE = 0.02  # mm, a cell
+
+
+def crowned(load=300.0):
+    """Return a small contact, 0.4 x 1.4 mm, which few cells cover, on a raceway of 80 mm."""
+    roller = nh.Roller(diameter=20, length=8, profile=nh.profile.crown(radius=100))
+    return nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), load=load)
+
+
+@pytest.fixture(scope="module")
+def smooth():
+    return crowned()
+
+
+@pytest.fixture(scope="module")
+def found(smooth):
+    return overrolled(smooth, DENT, cell=COARSE, reach=2.0)
+
+
+# What is refused
+
+
+def test_the_life_of_one_position_of_a_dent_is_refused_with_the_way_out(smooth):
+    dented = nh.patch.solve(smooth.contact, load=300.0, cells=(24, 48), features=[DENT])
+    for name in ("iso-16281", "lundberg-palmgren"):
+        with pytest.raises(InputError, match=r"a dent rolls on .*: .*nonhertz\.life\.overrolled\.$"):
+            nh.life.assess(dented, name)
+    waves = nh.patch.Waviness(amplitude=1e-4, wavelength=0.5, direction="along")
+    steady = nh.patch.solve(smooth.contact, load=300.0, cells=(24, 48), features=[waves])
+    assert nh.life.assess(steady, "iso-16281")[0].damage > 0.0
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"y": 3.9}, "y = 3.9 must lie between"),
+        ({"station": 0.0}, "station = 0.0 must be positive"),
+        ({"cell": -1.0}, "cell = -1.0 must be positive"),
+        ({"reach": 0.0}, "reach = 0.0 must be positive"),
+        ({"body": "c"}, "body = 'c' must"),
+    ],
+)
+def test_what_cannot_be_rolled_over_is_refused_in_one_sentence(smooth, changes, words):
+    y = changes.pop("y", 0.0)
+    with pytest.raises(InputError, match=words):
+        overrolled(smooth, replace(DENT, y=y), **changes)
+
+
+# Nothing to roll over
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("dent", [replace(DENT, y=2.5), nh.patch.Dent(depth=1e-9, diameter=0.3)])
+def test_a_dent_far_away_or_of_no_depth_leaves_the_life_as_it_is(smooth, dent):
+    seen = overrolled(smooth, dent, cell=0.035, reach=1.0)
+    for each in (lundberg_palmgren(), zaretsky()):
+        assert seen.excess(each) == 0.0
+        assert seen.relative_life(each) == 1.0
+    assert seen.positions.size == 0
+
+
+@pytest.mark.slow
+def test_relative_lives_follow_from_the_excess(found):
+    each, damage = zaretsky(), found.smooth.damage(zaretsky())
+    assert found.relative_life(each, dents=0) == found.relative_life(each, per_area=0.0) == 1.0
+    lived = (1.0 + 5.0 * found.excess(each) / (math.pi * 60.0 * damage)) ** (-1.0 / each.slope)
+    assert found.relative_life(each, dents=5, raceway_diameter=60.0) == pytest.approx(lived, rel=1e-12)
+    assert found.diameter == pytest.approx(80.0, rel=1e-12)
+    with pytest.raises(InputError, match="such dents cover the raceway"):
+        found.relative_life(each, per_area=100.0)
+
+
+# Whether the numbers are true
+
+
+@pytest.mark.slow
+def test_the_smooth_raceway_has_the_damage_that_its_strips_have(smooth):
+    # All of the small contact lies within the surroundings: each mm in the direction of rolling has the same damage.
+    seen = overrolled(smooth, nh.patch.Dent(depth=1e-9, diameter=0.3), cell=0.01, reach=6.0)
+    for each in (lundberg_palmgren(), model("ioannides-harris", fatigue_limit=200.0), zaretsky(), weibull()):
+        rolled = seen.density(each, dented=False).mean(axis=0).sum() * (seen.y[1] - seen.y[0])
+        assert rolled == pytest.approx(exposure(smooth, "b").damage(each), rel=0.01)
+
+
+@pytest.mark.slow
+def test_the_excess_is_that_of_point_loads_summed_at_every_point(smooth, found):
+    """Own positions, own cells, own depths: Boussinesq's point loads in the middles of cells, and midpoint sums."""
+    models = [VolumeModel(name, name, 4.0, 0.0, 1.0, 0.0, "none") for name in ("orthogonal_shear", "shear")]
+    b = smooth.max_half_width
+    within, step, deep = 0.24 + 0.5 * b, 0.125 * b, 0.2 * b
+    options = {"cells": (31, 81), "region": ((-1.3 * b, 1.3 * b), (-0.85, 0.85)), "tilt": 0.0}
+    alone = nh.patch.solve(smooth.contact, load=300.0, **options)
+    x, y = (each[np.abs(each) <= within] for each in (found.x, found.y))
+    weight = np.where(x[x > -1e-9] < 1e-9, 1.0, 2.0)[:, None, None]
+    points = np.stack(np.meshgrid(x[x > -1e-9], y, deep * (np.arange(10) + 0.5), indexing="ij"), axis=-1)
+    histories = []
+    for at in step * np.arange(-math.ceil((within + 1.5 * b) / step), math.ceil(1.5 * b / step)):
+        seen = [criteria(alone, points.reshape(-1, 3) + np.array([at, 0.0, 0.0]))] * 2
+        if abs(at) < 0.24 + 1.05 * b:
+            moved = replace(DENT, x=float(at))
+            dented = nh.patch.solve(smooth.contact, approach=alone.approach, features=moved, **options)
+            seen[0] = criteria(dented, points.reshape(-1, 3) + np.array([at, 0.0, 0.0]))
+        histories.append(seen)
+    direct = np.array(histories)  # shape (stations, dented and smooth, criteria, points)
+    volume = (x[1] - x[0]) * (y[1] - y[0]) * deep
+    for each, levels in zip(models, (0.5 * np.ptp(direct[:, :, 0], axis=0), direct[:, :, 1].max(axis=0)), strict=True):
+        added = volume * weight * (levels[0] ** 4 - levels[1] ** 4).reshape(points.shape[:3])
+        # Of the orthogonal shear gains and losses nearly cancel, so each is held to their sum without signs.
+        assert found.excess(each, within=within) == pytest.approx(added.sum(), abs=0.03 * np.abs(added).sum())
+
+
+def criteria(solution, points):
+    """Return tau_xz and the maximum shear stress at points, shape (points,) each, by Boussinesq (Johnson 3.19).
+
+    Cells count as point loads at their four Gauss points.
+    """
+    i, j = np.nonzero(solution.pressure)
+    gauss = 0.5 / math.sqrt(3.0) * np.array([[-1, -1], [-1, 1], [1, -1], [1, 1]]) * [solution.dx, solution.dy]
+    of_loads = (np.column_stack([solution.x[i], solution.y[j]])[:, None] + gauss).reshape(-1, 2)
+    force = np.repeat(solution.pressure[i, j], 4) * solution.dx * solution.dy / (8.0 * math.pi)
+    total, nu = np.zeros((len(points), 3, 3)), 0.3
+    for at in range(0, len(points), 200):
+        (x, y), z = np.moveaxis(points[at : at + 200, None, :2] - of_loads, -1, 0), points[at : at + 200, 2:]
+        r = np.sqrt(x**2 + y**2 + z**2)
+        along = -3.0 * z / r**5 * force
+        round_ = (1.0 - 2.0 * nu) * (2.0 * r + z) / (r**3 * (r + z) ** 2) * force
+        even = (1.0 - 2.0 * nu) * np.sum((z / r**3 - 1.0 / (r * (r + z))) * force, axis=1)
+        part = total[at : at + 200]
+        part[:, 0, 0] = even + np.sum((along + round_) * x**2, axis=1)
+        part[:, 1, 1] = even + np.sum((along + round_) * y**2, axis=1)
+        part[:, 1, 0] = np.sum((along + round_) * x * y, axis=1)
+        part[:, 2, 0], part[:, 2, 1] = z[:, 0] * np.sum(along * x, axis=1), z[:, 0] * np.sum(along * y, axis=1)
+        part[:, 2, 2] = z[:, 0] ** 2 * np.sum(along, axis=1)
+    principal = np.linalg.eigvalsh(total)  # of the lower triangle
+    return total[:, 2, 0], 0.5 * (principal[:, 2] - principal[:, 0])
+
+
+# Whether they have converged
+
+
+@pytest.mark.slow
+def test_the_excess_converges_with_the_surroundings(found):
+    rim, b = 0.24, float(found.z[-1] / 4.0)
+    for each in (zaretsky(), weibull(stress="von_mises")):
+        whole = found.excess(each)
+        assert found.excess(each, rim + b) == pytest.approx(whole, rel=0.03)
+        assert found.excess(each, rim + 1.5 * b) == pytest.approx(whole, rel=0.01)
+
+
+@pytest.mark.slow
+def test_stations_and_their_place_and_cells_hardly_matter(smooth, found):
+    each = zaretsky()
+    excess, life = found.excess(each), found.relative_life(each, per_area=0.1)
+    changes = {
+        "place": {"cell": COARSE},
+        "stations": {"cell": COARSE, "station": 0.2},
+        "cells": {"cell": 0.75 * COARSE},
+    }
+    for name, tried in changes.items():
+        dent = replace(DENT, x=0.01) if name == "place" else DENT
+        other = overrolled(smooth, dent, reach=2.0, **tried)
+        assert other.excess(each) == pytest.approx(excess, rel=0.05)
+        assert other.relative_life(each, per_area=0.1) == pytest.approx(life, rel=0.01)
