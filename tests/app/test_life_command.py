@@ -310,3 +310,42 @@ def test_a_tapered_roller_has_an_l10_with_its_contact_angle(tmp_path: Path, caps
     problem = read_case(path)
     (life,) = assess(problem.solve(), "iso-16281", body="b", rollers=14, contact_angle=np.radians(11.9))
     assert found["models"][0]["million_revolutions"] == pytest.approx(life.million_revolutions, rel=1e-6)
+
+
+DENTED = """
+[body.a]
+kind = "roller"
+diameter = 20
+length = 8
+profile = [{ kind = "crown", radius = 100 }]
+[body.b]
+kind = "ring"
+diameter = 80
+[load]
+load = 300
+[life]
+models = ["zaretsky", "iso-16281"]
+[life.dent]
+depth = "2 um"
+diameter = 0.3
+shoulder = "0.5 um"
+dents = 10
+"""
+
+
+def test_dents_are_refused_by_their_keys(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for old, new, words in (
+        ('depth = "2 um"', "depth = -1", "life.dent.depth = -1.0 must be positive"),
+        ("dents = 10", "dents = 1.5", "life.dent.dents = 1.5 must be a whole number"),
+        ("dents = 10", 'body = "c"', "life.dent.body = 'c' must be one of 'a', 'b'"),
+        ("dents = 10", "y = 3.9", "life.dent.y = 3.9 must lie between"),
+        (
+            "dents = 10",
+            "[[life.spectrum]]\nload = 1\nshare = 1",
+            "life.dent = 'with a spectrum' must be under one load",
+        ),
+    ):
+        assert words in refused([changed(old, new, text=DENTED)], capsys)

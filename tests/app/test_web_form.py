@@ -161,7 +161,7 @@ def test_a_form_is_the_document_again_whatever_is_changed():
 
 
 def test_every_key_of_the_schema_is_in_the_form():
-    document = every_kind() | {"life": with_life()["life"], "solver": {}, "report": {}}
+    document = every_kind() | {"life": with_life()["life"] | {"dent": {}}, "solver": {}, "report": {}}
     document["body"]["b"] |= {"diameter": {"y": [], "diameter": []}, "side_faces": ["mirror", "none"], "chamfer": {}}
     document["body"]["a"] |= {"chamfer": {}, "bore": {}}
     document["body"]["b"]["bore"] = {}

@@ -131,6 +131,8 @@ def test_options_and_life_come_back():
     )
     case = dataclasses.replace(made(), solver={"element": nh.PARABOLIC, "strips": 41}, life=life)
     assert back(case) == case
+    dented = LifeCase(dent={"depth": 0.002, "diameter": 0.3, "per_area": 0.1})
+    assert back(dataclasses.replace(case, life=dented)).life == dented
 
 
 @dataclasses.dataclass(frozen=True)

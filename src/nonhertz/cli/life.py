@@ -52,7 +52,7 @@ def check_models(names: Iterable[str]) -> None:
 def report_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_json: bool) -> int:
     """Solve one or two cases, assess their lives, write them if requested, print them; return the exit code."""
     models, notes = models_for(cases[0], names, cases[1:])
-    progress = Progress(sum(2 * max(1, len(case.life.spectrum)) for case in cases))
+    progress = Progress(sum(case.life.steps for case in cases))
     found: list[Assessment] = []
     try:
         for case in cases:

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 OF_BEARINGS = ("bearing", "roller", "inner", "outer")
 _OF_BOTH_BODIES = ("diameter", "length", "position")
 _SECTIONS = {
+    "life.dent": ("y", "per_area", "raceway_diameter"),
     "life": ("rollers", "contact_angle", "slope", "fatigue_limit", "laminae", "edge_stress", "line_loads", "share"),
     "load": ("load", "approach", "tilt", "moment"),
     "solver": ("element", "strips", "accuracy"),
@@ -56,6 +57,8 @@ class LifeCase:
         Loads that replace the single load; empty if there is no spectrum.
     contact_angle : float or None
         Contact angle of the bearing [rad], for tapered rollers.
+    dent : dict or None
+        What the file says of a dent that is rolled over.
     """
 
     rollers: int | None = None
@@ -63,6 +66,12 @@ class LifeCase:
     parameters: dict[str, Any] = field(default_factory=dict)
     spectrum: tuple[LoadCase, ...] = ()
     contact_angle: float | None = None
+    dent: dict[str, Any] | None = None
+
+    @property
+    def steps(self) -> int:
+        """How many steps an assessment announces: both bodies under each load, and the dent."""
+        return 2 * max(1, len(self.spectrum)) + (self.dent is not None)
 
     def models(self, names: Iterable[str] = ()) -> tuple[Model, ...]:
         """Return models by name, each with the parameters from the file that it takes.
@@ -504,7 +513,8 @@ def placed(error: InputError) -> CaseError:
     if error.field in _OF_BOTH_BODIES:
         return case_error([of_both(error).within(("body",))])
     section = [section for section, fields in _SECTIONS.items() if error.field in fields]
-    return case_error([Mistake((*section, *error.field.split(".")), error)])
+    place = (*(part for each in section for part in each.split(".")), *error.field.split("."))
+    return case_error([Mistake(place, error)])
 
 
 @contextlib.contextmanager
@@ -523,7 +533,8 @@ def _life(table: LifeTable) -> LifeCase:
         from nonhertz.life import LoadCase
 
         spectrum = tuple(LoadCase(**dict(case)) for case in table.spectrum)
-    return LifeCase(table.rollers, table.models, table.parameters(), spectrum, table.contact_angle)
+    dent = None if table.dent is None else table.dent.model_dump(exclude_unset=True)
+    return LifeCase(table.rollers, table.models, table.parameters(), spectrum, table.contact_angle, dent)
 
 
 def _tables(text: str, name: str) -> dict[str, Any]:

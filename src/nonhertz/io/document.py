@@ -38,14 +38,14 @@ from nonhertz.bodies.sides import SIDE_FACES
 from nonhertz.bodies.sides.side_face import SideFace
 from nonhertz.bodies.sides.weighted import Weighted
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import MOST, above_zero, finite, one_line, positive
+from nonhertz.inputs.checks import MOST, above_zero, finite, one_line, one_of, positive, whole
 from nonhertz.io.bounds import FORMAT, LOADS, MISTAKES
 from nonhertz.io.dimensions import BROKEN, dimensions
 from nonhertz.io.mistakes import Mistake, TableError, missing, mistake_in, mistakes_in, nearest, unknown
 from nonhertz.io.profiles import profile_schema, quantity_schema, read_profile
 from nonhertz.io.title_block import TitleBlock
 from nonhertz.io.units import begins_with_digits, in_unit
-from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter, convex
+from nonhertz.model.body import BODIES, Body, Plate, Ring, Roller, TabulatedDiameter, convex
 from nonhertz.model.contact import Contact
 from nonhertz.model.corner import Chamfer
 from nonhertz.model.material import STEEL, Material
@@ -666,6 +666,46 @@ _MODEL_WITH = {
 }
 
 
+class DentTable(Table):
+    """A dent in the raceway that is rolled over."""
+
+    depth: Length = Field(description="depth of the bowl [mm]")
+    diameter: Length = Field(description="diameter of the bowl [mm]")
+    shoulder: Length = Field(default=0.0, description="height of the material pushed up around it [mm]")
+    shoulder_diameter: Length | None = Field(
+        default=None, description="outer diameter of the shoulder [mm], 1.6 times that of the bowl if left out"
+    )
+    y: Length = Field(default=0.0, description="where it lies along the contact [mm]")
+    body: Annotated[str, PlainValidator(lambda value: value), WithJsonSchema({"enum": list(BODIES)})] = Field(
+        default="b", description="the body that has it, 'a' or 'b'"
+    )
+    dents: Number = Field(default=1, description="how many lie around the raceway at that y")
+    per_area: Number | None = Field(default=None, description="in their place, how many lie on a square millimetre")
+    raceway_diameter: Length | None = Field(
+        default=None, description="diameter of the raceway [mm], that of the body if left out"
+    )
+
+    @field_validator("depth", "diameter", "shoulder", "shoulder_diameter", "y")
+    @classmethod
+    def _check(cls, value: float, info: ValidationInfo) -> float:
+        from nonhertz.patch import Dent
+
+        Dent(**{"depth": 1.0, "diameter": 1e-9, **info.data, str(info.field_name): value})
+        return value
+
+    @field_validator("body", "dents", "per_area", "raceway_diameter")
+    @classmethod
+    def _check_raceway(cls, value: Any, info: ValidationInfo) -> Any:
+        name = str(info.field_name)
+        if name == "body":
+            one_of(name, value, BODIES, "name the body whose raceway has the dent")
+        elif name == "dents":
+            return whole(name, value if value % 1.0 else int(value), 1, math.inf, "give the number of dents")
+        else:
+            positive(name, value, "give a positive number, or leave it out")
+        return value
+
+
 class LifeTable(Table):
     """How long the bodies last."""
 
@@ -696,6 +736,14 @@ class LifeTable(Table):
         PlainValidator(_read_spectrum),
         WithJsonSchema({"type": "array", "items": LoadCaseTable.model_json_schema(), "minItems": 1}),
     ] = Field(default=(), description="loads with their shares of the revolutions, in place of [load]")
+    dent: DentTable | None = Field(default=None, description="a dent that is rolled over")
+
+    @field_validator("dent")
+    @classmethod
+    def _check_dent(cls, value: DentTable | None, info: ValidationInfo) -> DentTable | None:
+        if value is not None and info.data.get("spectrum"):
+            raise InputError("dent", "with a spectrum", "be under one load", "leave out the spectrum, or the dent")
+        return value
 
     @field_validator("contact_angle")
     @classmethod

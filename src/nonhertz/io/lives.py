@@ -6,11 +6,11 @@ import csv
 import io
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from nonhertz.io.results import key_by_key, plain
-from nonhertz.life import Life
+from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.solution import Solution
 
@@ -43,6 +43,10 @@ class Assessment:
         One life per model for each body, ``"a"`` and ``"b"``.
     notes : tuple of str
         Remarks in addition to the warnings of the lives.
+    dent : Overrolled or None
+        A dent that was rolled over.
+    dents : mapping of str to float
+        How many there are: keywords of `Overrolled.relative_life`.
     """
 
     title: str
@@ -50,6 +54,24 @@ class Assessment:
     spectrum: tuple[tuple[Solution, float], ...]
     lives: Mapping[BodyName, tuple[Life, ...]]
     notes: tuple[str, ...] = ()
+    dent: Overrolled | None = None
+    dents: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def dent_lives(self) -> dict[str, float]:
+        """The life of the raceway with dents over that without, by every volume model."""
+        if self.dent is None:
+            return {}
+        return {each.name: self.dent.relative_life(each, **self.dents) for each in self._volume_models}
+
+    @property
+    def judging_dents(self) -> VolumeModel:
+        """The first volume model that is not of orthogonal shear, which hardly sees dents."""
+        return min(self._volume_models, key=lambda each: each.stress == "orthogonal_shear")
+
+    @property
+    def _volume_models(self) -> list[VolumeModel]:
+        return [life.model for life in self.lives["b"] if isinstance(life.model, VolumeModel)]
 
     @property
     def raceway(self) -> BodyName | None:
@@ -60,7 +82,7 @@ class Assessment:
     @property
     def warnings(self) -> tuple[str, ...]:
         """All warnings, each once."""
-        found = list(self.notes)
+        found = [*self.notes, *(() if self.dent is None else self.dent.warnings)]
         for life in (life for body in BODIES for life in self.lives[body]):
             found += life.warnings
         return tuple(dict.fromkeys(found))
@@ -137,6 +159,7 @@ def _models(found: Assessment) -> list[dict[str, Any]]:
                 "damage": {body: plain(life.damage) for body, life in by_body.items()},
                 "reference": {body: plain(life.reference) for body, life in by_body.items()},
             }
+            | ({"with_dents": plain(found.dent_lives[model.name])} if model.name in found.dent_lives else {})
         )
     return entries
 

@@ -144,6 +144,7 @@ def _life(life: LifeCase) -> dict[str, Any]:
         "contact_angle": life.contact_angle,
         "models": list(life.names),
         **life.parameters,
+        "dent": life.dent,
     }
     found["spectrum"] = [
         {"load": float(each.load), "share": float(each.share), "tilt": float(each.tilt)} for each in life.spectrum

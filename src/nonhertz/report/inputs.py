@@ -44,6 +44,8 @@ _BORNE = {
 # Units of numbers within an input that is a table.
 _WITHIN = {
     **dict.fromkeys(("length", "blend_radius", "approach", "end_radius", "height", "crown_radius", "edge"), " mm"),
+    **dict.fromkeys(("depth", "diameter", "shoulder", "shoulder_diameter", "y", "raceway_diameter"), " mm"),
+    "per_area": " /mm^2",
     **dict.fromkeys(("load", "radial", "axial"), " N"),
     **dict.fromkeys(("angle", "tilt"), " rad"),
     "moment": " N mm",

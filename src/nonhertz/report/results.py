@@ -13,7 +13,6 @@ from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.casefile import Case, LifeCase, named
 from nonhertz.io.lives import Assessment
 from nonhertz.io.stresses import all_warnings
-from nonhertz.model.body import BODIES
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import (
     Announce,
@@ -124,8 +123,7 @@ def steps(found: Sequence[CaseResults], *, life: bool | None = None, stress: boo
     searches = sum(
         STRESS_STEPS + bears_something(each.solution.contact.b) for each in found if stress and not each.complaint
     )
-    loads = sum(max(1, len(each.case.life.spectrum)) for each in found if _wants_life(each, life))
-    return searches + len(BODIES) * loads
+    return searches + sum(each.case.life.steps for each in found if _wants_life(each, life))
 
 
 def _stressed(found: CaseResults, announce: Announce) -> CaseResults:

@@ -9,15 +9,17 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.io.casefile import Case, placed
 from nonhertz.io.lives import Assessment
-from nonhertz.life import Model, VolumeModel, solve_spectrum
+from nonhertz.life import Model, VolumeModel, overrolled, solve_spectrum
 from nonhertz.life import assess as assess_life
 from nonhertz.model.body import BODIES, Body, BodyName
+from nonhertz.patch import Dent
 from nonhertz.result.ends import ends_in_words
 from nonhertz.result.solution import Solution
 from nonhertz.strength import Strength, assess
@@ -175,7 +177,24 @@ def assessed(
                 contact_angle=case.life.contact_angle,
                 announce=announce_next,
             )
-    return Assessment(case.title, case.life.rollers, spectrum, lives, notes)
+        found = Assessment(case.title, case.life.rollers, spectrum, lives, notes)
+        if case.life.dent is not None:
+            announce("dent")
+            found = _dented(found, dict(case.life.dent))
+    return found
+
+
+def _dented(found: Assessment, given: dict[str, Any]) -> Assessment:
+    """Return lives with those of dents, of which the case says what is given, or a note that no model has any."""
+    body = given.pop("body", "b")
+    dents: dict[str, Any] = {
+        name: given.pop(name) for name in ("dents", "per_area", "raceway_diameter") if name in given
+    }
+    if not any(isinstance(life.model, VolumeModel) for life in found.lives["b"]):
+        return replace(found, notes=(*found.notes, "The dent is left out: it needs a model of the stressed volume."))
+    found = replace(found, dent=overrolled(found.spectrum[0][0], Dent(**given), body=body), dents=dents)
+    _ = found.dent_lives  # refused here, where errors name keys of the file
+    return found
 
 
 @contextlib.contextmanager

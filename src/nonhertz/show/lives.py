@@ -62,6 +62,22 @@ def sentences(found: Assessment) -> list[str]:
         of_ring = found.lives[found.raceway or "b"]
         why = dict.fromkeys(life.no_revolutions for life in of_ring if life.model.name in RATED)
         lines += [f"No life in revolutions: {reason}." for reason in why]
+    return lines + _of_dents(found)
+
+
+def _of_dents(found: Assessment) -> list[str]:
+    """Return by how much dents shorten the life, in a sentence, if there are any."""
+    if found.dent is None:
+        return []
+    per_area, dents = found.dents.get("per_area"), found.dents.get("dents", 1)
+    number = (
+        f"{dents:g} dent{'s' * (dents != 1)}" if per_area is None else f"{per_area:.4g} dents on a square millimetre"
+    )
+    lives = ", ".join(f"{_relative(life)} ({name})" for name, life in found.dent_lives.items())
+    verb = "leaves" if (per_area, dents) == (None, 1) else "leave"
+    lines = [f"{number} in the raceway of body {found.dent.body} {verb} this part of its life: {lives}."]
+    if any(getattr(life.model, "stress", "") == "orthogonal_shear" for life in found.lives["b"]):
+        lines.append("The range of the orthogonal shear hardly sees dents: judge them by models of maximum shear.")
     return lines
 
 
