@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import csv
+import functools
+import html
 import json
 import re
 from collections.abc import Callable
@@ -18,6 +20,7 @@ import nonhertz.show.analysis
 from nonhertz.cli import main
 from nonhertz.io.casefile import read_case
 from nonhertz.life import LoadCase, assess, ioannides_harris, solve_spectrum
+from nonhertz.result.numerals import digits
 
 pytestmark = pytest.mark.slow
 
@@ -331,6 +334,28 @@ diameter = 0.3
 shoulder = "0.5 um"
 dents = 10
 """
+
+
+def test_a_dent_that_is_rolled_over_is_in_table_files_and_report(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    coarsely = functools.partial(nonhertz.life.overrolled, cell=0.035, station=0.25, reach=1.0)
+    monkeypatch.setattr(nonhertz.show.analysis, "overrolled", coarsely)
+    monkeypatch.chdir(tmp_path)
+    Path("dent.toml").write_text(DENTED, encoding="utf-8")
+    assert main(["life", "dent.toml", "--out", "out"]) == 0
+    dent = nh.patch.Dent(depth=0.002, diameter=0.3, shoulder=0.0005)
+    life = coarsely(solved("dent.toml"), dent).relative_life(nonhertz.life.zaretsky(), dents=10)
+    sentence = f"10 dents in the raceway of body b leave this part of its life: {digits(life, 4)} (zaretsky)."
+    assert sentence in capsys.readouterr().out
+    assert {each.name for each in Path("out").iterdir()} == FILES | {"life-dent.svg", "life-dent.png"}
+    (of_zaretsky, of_laminae) = json.loads(Path("out/life.json").read_text(encoding="utf-8"))["models"]
+    assert of_zaretsky["with_dents"] == pytest.approx(life, rel=1e-12)
+    assert "with_dents" not in of_laminae
+    assert main(["report", "dent.toml", "--out", "report.html"]) == 0
+    page = Path("report.html").read_text(encoding="utf-8")
+    assert sentence in html.unescape(page)
+    assert "The largest stress around the dent while it is rolled over" in page
 
 
 def test_dents_are_refused_by_their_keys(

@@ -80,11 +80,13 @@ def report_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_j
 def _lives_written(directory: Path, found: Assessment, other: Assessment | None) -> tuple[Path, ...]:
     from nonhertz.io.folder import write_files
     from nonhertz.io.lives import files
-    from nonhertz.plot import life_figure, save
+    from nonhertz.plot import dent_figure, life_figure, save
 
     def draw(folder: Path) -> None:
         compared = None if other is None else other.lives
         save(life_figure(found.spectrum, found.lives, found.title, compared), folder / "life-density")
+        if found.dent is not None:
+            save(dent_figure(found.dent, found.judging_dents, found.title), folder / "life-dent")
 
     return write_files(directory, files(found, other), draw)
 

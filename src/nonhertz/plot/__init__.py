@@ -5,7 +5,8 @@ half-width along the contact), `footprint` (the contact area) and `profile` (the
 loading). Two more take what `nonhertz.subsurface` found below the surface as well: `axial_stress` (a plane along the
 contact) and `section_stress` (a plane across it). `figures` makes one finished figure of each of the first three,
 `stress_figures` of the other two, `comparison` one of strips beside a plane grid, `life_figure` one of where the bodies
-fatigue (which `life_density` draws), `measured_figure` one of the steps of a measured profile, and `save` writes a
+fatigue (which `life_density` draws), `dent_figure` one of a dent that is rolled over,
+`measured_figure` one of the steps of a measured profile, and `save` writes a
 figure to SVG and PNG. Of bearings, `bearing_loads`, `bearing_pressure`, `most_loaded_roller`, `roller_relief` and
 `displacement_against_load` take a `nonhertz.bearing.BearingSolution` and axes, and `bearing_figures` makes finished
 figures. Nothing here uses pyplot or leaves a setting changed, and matplotlib is imported only when something is drawn.
@@ -18,7 +19,7 @@ from nonhertz.plot.bearing.roller import most_loaded_roller, roller_relief
 from nonhertz.plot.bearing.sheets import bearing_figures
 from nonhertz.plot.centre_line import pressure
 from nonhertz.plot.contact_area import footprint
-from nonhertz.plot.fatigue import life_density, life_figure
+from nonhertz.plot.fatigue import dent_figure, life_density, life_figure
 from nonhertz.plot.measured import measured_figure
 from nonhertz.plot.sheets import figures, save
 from nonhertz.plot.side_by_side import comparison
@@ -31,6 +32,7 @@ __all__ = [
     "bearing_loads",
     "bearing_pressure",
     "comparison",
+    "dent_figure",
     "displacement_against_load",
     "figures",
     "footprint",

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.life import Life
+from nonhertz.life import Life, Overrolled, VolumeModel
+from nonhertz.life.overrolling import outer
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.plot.axial import AXIAL_LABEL, axial_range, conditions, draw_body_ends, mark_unlimited, number
 from nonhertz.plot.sheets import BOTTOM, LEFT, TITLE, WIDTH, blank, panel, write_title
-from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
+from nonhertz.plot.style import COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
@@ -26,6 +27,7 @@ Spectrum = Sequence[tuple[Solution, float]]
 # Inches: the conditions above all panels, and above each panel its name and rows of the legend.
 HEAD, NAME, ROW, HIGH, HIGH_OF_TWO, BETWEEN, MARGIN = 0.3, 0.22, 0.17, 2.6, 2.0, 0.35, 0.15
 COLUMNS, COLUMNS_COMPARED = 3, 2  # of the legend
+DENT_HIGH = 2.7
 LINES: dict[str, tuple[str, Any]] = {
     "lundberg-palmgren": (FIRST, "-"),
     "ioannides-harris": (SECOND, (0, (5, 1.5))),
@@ -132,6 +134,53 @@ def life_figure(
                 axes.set_xlabel("")
             bottom -= BOTTOM if body == "b" else BETWEEN
         write_title(figure, title, _conditions(spectrum))
+    return figure
+
+
+def dent_figure(found: Overrolled, model: VolumeModel, title: str = "") -> Figure:
+    """Return a figure of what a dent that is rolled over does to its surroundings, by one model.
+
+    On the left the largest value of the model's stress over the passage and the depth; on the right the share of the
+    added damage that lies within a distance of the middle, in either direction. Thin lines are the bowl and the rim.
+
+    Parameters
+    ----------
+    found : Overrolled
+        The dent, rolled over.
+    model : VolumeModel
+        A model of `nonhertz.life`.
+    title : str
+        Heading; none if empty.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        `save` writes it.
+    """
+    rim = 0.5 * outer(found.dent)
+    with sheet_style():
+        figure = blank(DENT_HIGH)
+        figure.set_layout_engine("constrained")
+        area, share = figure.subplots(1, 2, width_ratios=(1.2, 1.0))
+        largest = getattr(found, model.stress).max(axis=-1)
+        field = area.pcolormesh(found.y, found.x, largest, cmap=COLOUR_MAP, shading="nearest", rasterized=True)
+        around = np.linspace(0.0, 2.0 * np.pi, 181)
+        for radius in {rim, 0.5 * found.dent.diameter}:
+            circle = found.dent.y + radius * np.cos(around), radius * np.sin(around)
+            area.plot(*circle, color="white", linewidth=HAIR)
+        area.set(xlabel=AXIAL_LABEL, ylabel="By the middle of the dent $x$ [mm]", aspect="equal")
+        area.locator_params(nbins=5)
+        figure.colorbar(field, ax=area, label=f"Largest {model.stress.replace('_', ' ')} [MPa]", shrink=0.8)
+        reach = np.linspace(0.0, found.x[-1], 60)[1:]
+        excess = np.array([found.excess(model, each) for each in reach])
+        share.axvline(rim, color=FAINT_INK, linewidth=HAIR)
+        share.plot(reach, excess / (excess[-1] or 1.0), color=FIRST, linewidth=LINE)
+        share.set(xlabel="Up to this distance from the middle [mm]", ylabel="Share of the added damage [-]")
+        share.set_xlim(0.0, reach[-1])
+        for side in ("top", "right"):
+            share.spines[side].set_visible(False)
+        if title:
+            figure.suptitle(title, x=0.01, ha="left")
     return figure
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import count
 from typing import TYPE_CHECKING
 
-from nonhertz.plot import figures, life_figure, measured_figure, stress_figures
+from nonhertz.plot import dent_figure, figures, life_figure, measured_figure, stress_figures
 from nonhertz.plot.units import rewrite_units
 from nonhertz.report.drawing import inline_svg
 from nonhertz.report.measurements import Measurement
@@ -89,6 +89,15 @@ class Gallery:
         lives = [life for body in found.lives.lives.values() for life in body]
         summary = "; ".join(f"{life.model.name} in body {life.body}: life {life.relative:.3g}" for life in lives)
         return self.picture(drawn, caption, summary)
+
+    def of_dent(self, found: CaseResults) -> ReportFigure | None:
+        """Return the surroundings of a dent that is rolled over, if there is one."""
+        if found.lives is None or found.lives.dent is None:
+            return None
+        drawn = dent_figure(found.lives.dent, found.lives.judging_dents)
+        caption = "The largest stress around the dent while it is rolled over, and where it adds damage."
+        lives = (f"{name}: life {life:.3g}" for name, life in found.lives.dent_lives.items())
+        return self.picture(drawn, caption, "; ".join(lives))
 
     def of_measurement(self, measurement: Measurement) -> ReportFigure:
         """Return the steps from measured points to a profile."""

@@ -170,12 +170,12 @@ def _life(found: CaseResults, gallery: Gallery) -> dict[str, Any] | None:
     rows = life_rows(found.lives)
     # Drop columns that are blank throughout, as revolutions are without a raceway.
     kept = [column for column in range(len(LIFE_COLUMNS)) if any(row[column] for row in rows)]
-    picture = gallery.of_lives(found)
+    pictures = [gallery.of_lives(found), gallery.of_dent(found)]
     return {
         "columns": [LIFE_COLUMNS[column] for column in kept],
         "rows": [[row[column] for column in kept] for row in rows],
         "sentences": life_sentences(found.lives),
         "spectrum_columns": SPECTRUM_COLUMNS,
         "spectrum": spectrum_rows(found.lives) if len(found.lives.spectrum) > 1 else [],
-        "figures": [marked(picture)] if picture else [],
+        "figures": [marked(picture) for picture in pictures if picture],
     }
