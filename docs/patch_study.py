@@ -1,4 +1,4 @@
-"""Write docs/explain/patch-table.md and the figure of docs/explain/patch.md: what cells cost, and what they give.
+"""Write docs/explain/patch-table.md and the figures of dents: what cells cost, and what they give.
 
     python docs/patch_study.py
 
@@ -15,6 +15,7 @@ import time
 import warnings
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -40,13 +41,20 @@ def main() -> None:
     sections = (_head, _cost_table, _long_table, _hertz_table, _sharp_table)
     PAGE.write_text("\n".join(line for section in sections for line in section()), encoding="utf-8")
     print(f"wrote {PAGE.relative_to(ROOT)}")
-    specification = importlib.util.spec_from_file_location("dented", ROOT / "examples" / "dented-raceway.py")
+    example = _example("dented-raceway")
+    example.draw(example.solve(), example.solve(example.DENT), FIGURE)
+    print(f"wrote {FIGURE.relative_to(ROOT)}")
+    _example("overrolled-dent").main(FIGURE.parent)
+    FIGURE.with_name("overrolled-dent.svg").unlink()
+
+
+def _example(name: str) -> Any:
+    specification = importlib.util.spec_from_file_location(name.replace("-", "_"), ROOT / "examples" / f"{name}.py")
     assert specification is not None
     assert specification.loader is not None
     example = importlib.util.module_from_spec(specification)
     specification.loader.exec_module(example)
-    example.draw(example.solve(), example.solve(example.DENT), FIGURE)
-    print(f"wrote {FIGURE.relative_to(ROOT)}")
+    return example
 
 
 def _head() -> Iterator[str]:

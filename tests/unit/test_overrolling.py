@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import runpy
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -179,3 +181,14 @@ def test_stations_and_their_place_and_cells_hardly_matter(smooth, found):
         other = overrolled(smooth, dent, reach=2.0, **tried)
         assert other.excess(each) == pytest.approx(excess, rel=0.05)
         assert other.relative_life(each, per_area=0.1) == pytest.approx(life, rel=0.01)
+
+
+@pytest.mark.slow
+def test_the_example_ranks_its_dents_by_their_shoulders(tmp_path, capsys):
+    path = Path(__file__).parents[2] / "examples" / "overrolled-dent.py"
+    example = runpy.run_path(str(path))
+    tried = example["main"](tmp_path, cell=0.035)
+    lives = [each.relative_life(zaretsky(), per_area=0.1) for each in tried]
+    assert 1.0 > lives[0] > lives[1] > lives[2] > lives[3] > 0.8
+    assert len(capsys.readouterr().out.splitlines()) == 5
+    assert (tmp_path / "overrolled-dent.svg").stat().st_size > 10_000
