@@ -94,7 +94,7 @@ def test_relief_at_every_strip(crowned, quantity):
         bare = dataclasses.replace(CROWNED.a, profile=profile, corner_radius=None)
         return dataclasses.replace(CROWNED, a=bare), {}
 
-    expected = differenced(crowned, quantity, HOLDING[0], change, 0.0, size=0.1)
+    expected = differenced(crowned, quantity, HOLDING[0], change, 0.0, size=0.01)
     assert_allclose(found.relief @ bump, expected, rtol=1e-6)
     assert np.all(found.relief[crowned.half_width == 0.0] == 0.0)
 

@@ -45,21 +45,20 @@ def moved(case):
 
 @pytest.mark.parametrize("case", ["1", "6-0.0", "8"])
 def test_a_uniform_load_compresses_the_roller_as_elements_say(case):
-    found, expected, y = moved(CASES[case])
-    inside = y < 10.0 - 0.1 * CASES[case]["b"]
-    np.testing.assert_allclose(found[inside], expected[inside], rtol=3e-3)
-    np.testing.assert_allclose(found, expected, rtol=1e-2)
-
-
-@pytest.mark.parametrize(("case", "of_peak"), [("2", 2e-3), ("4", 2e-3), ("5-0", 4e-3), ("5-9.75", 3e-3)])
-def test_uneven_loads_move_the_surface_as_elements_say(case, of_peak):
     found, expected, _ = moved(CASES[case])
-    np.testing.assert_allclose(found, expected, atol=of_peak * np.abs(expected).max())
+    # Half-widths of 0.05 and 0.02 radii, in place of 0.03.
+    np.testing.assert_allclose(found, expected, rtol=2e-3)
+
+
+@pytest.mark.parametrize("case", ["2", "4", "5-0", "5-9.75"])
+def test_uneven_loads_move_the_surface_as_elements_say(case):
+    found, expected, _ = moved(CASES[case])
+    np.testing.assert_allclose(found, expected, atol=1.5e-3 * np.abs(expected).max())
 
 
 def test_the_compliance_against_tilting():
     found, expected, y = moved(CASES["4"])
-    assert np.trapezoid(found * y, y) == pytest.approx(np.trapezoid(expected * y, y), rel=3e-3)
+    assert np.trapezoid(found * y, y) == pytest.approx(np.trapezoid(expected * y, y), rel=1e-3)
 
 
 def test_a_long_roller_is_compressed_as_in_plane_strain_and_grows_longer():

@@ -17,14 +17,16 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
-from nonhertz.bodies.outline import Outline, breaks, with_kinks
+from nonhertz.bodies.outline import Outline, borders_towards_end, with_kinks
 
 Array = NDArray[np.float64]
 
 DEGREE = 6
-_SMALLEST, _GROWTH, _LARGEST = 0.1, 2.6, 0.6  # sizes of elements [radii]
-_BY_WAVE = 2.4  # size of the smallest times the most waves around
+# Sizes of elements [radii] at edges, per unit of distance from them, and at most along the axis and through the wall.
+_FINEST, _GROWTH, _LARGEST_ALONG, _LARGEST_ACROSS = 0.036, 0.96, 0.4, 0.35
+_BY_WAVE = 0.86  # size of the smallest times the most waves around
 _NODES = DEGREE + 1
+_LOAD_NODES = 16  # of an element's surface, on which loads are polynomials of a high degree
 U, V, W = range(3)
 
 
@@ -38,38 +40,39 @@ class HarmonicElements:
         A section through its axis.
     poisson : float
         Poisson's ratio.
-    most : int
+    most : float
         The largest number of waves around.
+    longest : float
+        The longest element along the axis [radii], where the loads need shorter ones than the body.
     """
 
     outline: Outline
     poisson: float
-    most: int
+    most: float
+    longest: float = _LARGEST_ALONG
 
-    def compressed(self, n: int, loads: Callable[[Array], Array], places: Array) -> Array:
-        """Return how far the surface moves inwards under radial line loads cos(n theta) f(z) on each arc of 1 rad.
+    def forces(self, loads: Callable[[Array], Array]) -> Array:
+        """Return the nodal forces of radial loads on the surface, inwards, that vary as cos(n theta).
 
         Parameters
         ----------
-        n : int
-            Number of waves around, not 1.
         loads : callable
-            z [radii], shape (m,) -> f of each load, shape (m, loads); even and odd functions in turn.
-        places : ndarray, shape (m,)
-            Where, from the middle [radii].
+            z [radii], shape (m,) -> force of each load on an arc of 1 rad per unit of z, shape (m, loads); even and odd
+            functions in turn where the outline is symmetric, of which only z > 0 is looked at.
 
         Returns
         -------
-        ndarray, shape (m, loads)
-            Over the load's amplitude and K = (1 - nu^2) / (pi E).
+        ndarray, shape (unknowns, loads)
         """
-        moved = self.displaced(n, self.forces(loads))
-        surface = moved[: self._rows * self._columns].reshape(self._rows, self._columns, -1)[-1]
-        half = self.outline.symmetric
-        found: Array = -_interpolated(self._axial, surface, np.abs(places) if half else places)
-        if half:
-            found[:, 1::2] *= np.sign(places)[:, None]
-        return found
+        node, weight = legendre.leggauss(_LOAD_NODES)
+        values, _ = _polynomials(node)
+        half = 0.5 * np.diff(self._axial)[:, None]
+        z = self._axial[:-1, None] + half * (1.0 + node)
+        pressure = loads(z.ravel()).reshape(*z.shape, -1) * (half * weight)[..., None]
+        found = np.zeros((3, self._rows, self._columns, pressure.shape[-1]))
+        for e, of_element in enumerate(pressure):
+            found[U, -1, e * DEGREE : (e + 1) * DEGREE + 1] -= values.T @ of_element
+        return found.reshape(-1, found.shape[-1])
 
     def displaced(self, n: int, forces: Array) -> Array:
         """Return the nodal displacements over K = (1 - nu^2) / (pi E).
@@ -146,17 +149,20 @@ class HarmonicElements:
 
     @cached_property
     def _axial(self) -> Array:
-        smallest = min(_SMALLEST, _BY_WAVE / self.most)
-        half = breaks(self.outline.half_length, smallest, _GROWTH, _LARGEST)
+        half = borders_towards_end(self.outline.half_length, self._finest, _GROWTH, min(_LARGEST_ALONG, self.longest))
         if self.outline.symmetric:
-            return with_kinks(half, tuple(each for each in self.outline.kinks if each > 0.0), smallest)
-        return with_kinks(np.concatenate([-half[:0:-1], half]), self.outline.kinks, smallest)
+            return with_kinks(half, tuple(each for each in self.outline.kinks if each > 0.0), self._finest)
+        return with_kinks(np.concatenate([-half[:0:-1], half]), self.outline.kinks, self._finest)
 
     @cached_property
     def _shares(self) -> Array:
         """Borders of elements from the bore or the axis to the surface, as shares of the wall."""
         wall = self.outline.wall
-        return breaks(wall, min(_SMALLEST, _BY_WAVE / self.most), _GROWTH, _LARGEST) / wall
+        return borders_towards_end(wall, self._finest, _GROWTH, _LARGEST_ACROSS) / wall
+
+    @property
+    def _finest(self) -> float:
+        return min(_FINEST, _BY_WAVE / self.most)
 
     @property
     def _rows(self) -> int:
@@ -165,19 +171,6 @@ class HarmonicElements:
     @property
     def _columns(self) -> int:
         return DEGREE * (self._axial.size - 1) + 1
-
-    def forces(self, loads: Callable[[Array], Array]) -> Array:
-        """Return the forces of loads on the surface, shape (unknowns, loads)."""
-        node, weight = legendre.leggauss(_NODES)
-        values, _ = _polynomials(node)
-        half = 0.5 * np.diff(self._axial)[:, None]
-        z = self._axial[:-1, None] + half * (1.0 + node)
-        pressure = loads(z.ravel())
-        pressure = pressure.reshape(*z.shape, -1) * (half * weight)[..., None]
-        forces = np.zeros((3, self._rows, self._columns, pressure.shape[-1]))
-        for e, of_element in enumerate(pressure):
-            forces[U, -1, e * DEGREE : (e + 1) * DEGREE + 1] -= values.T @ of_element
-        return forces.reshape(-1, forces.shape[-1])
 
     @cached_property
     def _stiffness(self) -> tuple[Any, Any, Any]:
@@ -276,15 +269,6 @@ def _polynomials(places: Array) -> tuple[Array, Array]:
     """Return values and slopes of the polynomials through the nodes at places from -1 to 1, shape (places, nodes)."""
     values, slopes = _from_nodes()
     return legendre.legvander(places, DEGREE) @ values, legendre.legvander(places, DEGREE - 1) @ slopes
-
-
-def _interpolated(borders: Array, values: Array, places: Array) -> Array:
-    """Return nodal values (nodes, k) at places."""
-    e = np.clip(np.searchsorted(borders, places) - 1, 0, borders.size - 2)
-    local = (2.0 * places - borders[e] - borders[e + 1]) / (borders[e + 1] - borders[e])
-    weights, _ = _polynomials(local)
-    found: Array = np.einsum("pn,pnk->pk", weights, values[e[:, None] * DEGREE + np.arange(_NODES)])
-    return found
 
 
 def _interpolating(borders: Array, places: Array) -> tuple[Array, Array]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -13,6 +14,7 @@ Array = NDArray[np.float64]
 
 _KINK = 0.03  # change of slope at which an outline has a corner
 _GROWN = 2.6  # size of an element that begins at a corner over that of the one on the other side
+_FINE_BORDERS = 801  # of places between which borders of elements are interpolated
 _FINE = 65  # places from a corner to half-way to the next at which sizes of elements are looked at
 
 
@@ -83,13 +85,19 @@ class Outline:
         return outer[at], inner[at]
 
 
-def breaks(length: float, smallest: float, growth: float, largest: float) -> Array:
-    """Return borders of elements from 0 to a length, which shrink towards its end."""
-    found, size = [length], min(smallest, 0.5 * length)
-    while found[-1] - size > 0.4 * size:
-        found.append(found[-1] - size)
-        size = min(growth * size, largest)
-    return np.array([*found[:0:-1], length]) if found[-1] == 0.0 else np.array([0.0, *found[::-1]])
+def borders_towards_end(length: float, finest: float, growth: float, largest: float) -> Array:
+    """Return borders of elements from 0 to a length, which shrink towards its end.
+
+    An element at a distance d from the end is ``finest + growth * d`` long, ``largest`` at most. The borders divide the
+    integral of the density of elements evenly, so that a small change of the length moves all of them a little.
+    """
+    distance = length * np.linspace(0.0, 1.0, _FINE_BORDERS) ** 2
+    density = 1.0 / np.minimum(finest + growth * distance, largest)
+    elements = np.concatenate([[0.0], np.cumsum(0.5 * np.diff(distance) * (density[1:] + density[:-1]))])
+    count = max(2, math.ceil(elements[-1]))
+    found: Array = length - np.interp(elements[-1] * np.linspace(1.0, 0.0, count + 1), elements, distance)
+    found[0], found[-1] = 0.0, length
+    return found
 
 
 def with_kinks(borders: Array, kinks: tuple[float, ...], smallest: float) -> Array:

@@ -1,19 +1,30 @@
-"""What makes a flat body with free ends a whole roller: the difference, which is smooth at the scale of the radius.
+"""What makes a flat body with free ends a whole roller: the difference, in two parts.
 
 A roller, solid or bored, is pressed on two opposite sides by the same load along its length. The pressure around it is
 a sum of cos(n theta), n even, and each of these modes moves the surface in its own way. Near the contact, modes of high
 n move it as waves of the wave number n / R do on a flat body with the same free ends, which is what strips and their
 images are made of. So a whole roller is the flat body, plus the sum over n of that difference, plus what a sum over n
-differs from the integral over all wave numbers. All of this hardly depends on how wide the contact is. For low n it is
-found by finite elements; for high n the difference is local, (n - beta) / (n^2 - 1) in place of 1 / n in plane strain,
-with beta = (1 - 2 nu) / (2 (1 - nu)). Sums over n of the flat body's functions have closed forms (Gradshteyn & Ryzhik
-8.526).
+differs from the integral over all wave numbers. All of this hardly depends on how wide the contact is.
+
+Around an axis, a wave of the numbers n around and k along (radius 1, kappa^2 = n^2 + k^2) moves the surface by
+
+    1 / kappa + [(1 - 2 nu) k^2 - beta n^2] / kappa^4 + O(kappa^-3),     beta = (1 - 2 nu) / (2 (1 - nu)),
+
+where a flat body has the first term alone. The second is the *curved part*. Of a line of load at a distance s, all
+modes together make of it a function with a logarithm at s = 0, about the load and both its images, so it is integrated
+over strips in closed form. In plane strain, mode n moves the surface by (n - beta) / (n^2 - 1): what that differs from
+both terms is added on the strip itself.
+
+What is left is smooth, and a matrix between Legendre polynomials along the axis (Galerkin's method): for low n the
+finite elements' energy, less the flat and the curved part of the same modes; then the sum over all n of the flat
+body's functions, in closed form (Gradshteyn & Ryzhik 8.526), less their integral. Modes and polynomials fade with
+weights that are smooth functions of the shape, so that no count of them makes a step.
 
 A bore is felt by waves that reach through the wall, which are among the low n. Where the diameter varies, n / R is
 taken with the geometric mean of R at both ends of a distance.
 
-The difference is kept as a matrix between Legendre polynomials along the axis. Displacement is measured against the
-roller's axis, and the load on the opposite side is in. The roller is free to grow longer.
+Displacement is measured against the roller's axis, and the load on the opposite side is in. The roller is free to grow
+longer.
 """
 
 from __future__ import annotations
@@ -37,38 +48,66 @@ from nonhertz.compiled import compiled, entry
 Array = NDArray[np.float64]
 
 SHORTEST, LONGEST = 0.1, 10.0  # length over diameter
-_MODES, _WALLS = 24, 6.0  # waves around, at least and times the wall, that need finite elements
-_FEWEST_TERMS, _TERMS_PER_RADIUS = 9, 5  # polynomials along the axis
+# Modes that need finite elements fade out around the first, or around the second over the wall, whichever is more.
+_MODES, _WALLS = 20.0, 6.0
+_AT_ONCE = 0.1  # of a power of e: the width of the change from one to the other
+_SAMPLED = np.array([0, 2, 4, 6, 8, 12, 16, 20, 24, 32, 40, 52, 64, 80, 100, 128])  # modes to interpolate between
+_POINTS = 4  # of which each mode is interpolated
+# Polynomials along the axis, of a short roller and for each half-length; the last ones count less and less.
+_TERMS, _TERMS_PER_LENGTH, _FADING = 12.0, 6.0, 4.0
+_PER_TERM = 5.0  # half-lengths over the polynomials, of the longest element
 _STEP, _DIGITS = 0.004, 9  # between half-lengths of which others are interpolated [radii]; their digits
 _interpolating: ContextVar[bool] = ContextVar("interpolating", default=False)
-_PANELS, _NODES = 18, 8  # halvings towards logarithms, and nodes on each panel
-# Half-width over radius for which the local part of high modes is exact. Up to twice that it leaves 0.2 % of the
-# compression for any Poisson's ratio.
-_USUAL_WIDTH = 0.03
+_PANELS, _NODES = 18, 12  # halvings towards logarithms, and nodes on each panel
+_OUTER_NODES = 24  # and as many for every eight polynomials: with half of them the sixth digit changes
+# What the width of a contact of usual half-width, b = 0.03 R, changes on its strip: the sums over n = 2, 4 ... of
+# 4 [2 J1(n b) / (n b) - 1] times 1 / (n (n^2 - 1)) and, per unit of -beta, times 1 / (n^2 - 1). Up to twice that width
+# it leaves 0.1 % of the compression for any Poisson's ratio.
+_BY_WIDTH = (-1.15710e-3, 3.99971e-2)
 _LAST_MODE = 4000
 _SPACING = 2.0  # of the wave numbers of even modes, times the radius
 _BY_SERIES, _REFLECTIONS = 2.5, 9  # beyond that by this many terms, of 1e-9 and less
 _ZETA = (1.2020569031595942, 1.0369277551433699, 1.0083492773819228, 1.0020083928260822, 1.0004941886041195,
          1.0001227133475785, 1.0000305882363070, 1.0000076371976379)  # of 3, 5, 7 ...  # fmt: skip
+_FARTHEST, _PLACES = 25.0, 5001  # of the table of the curved part [radii], evenly spaced, which leaves 1e-12
+_NEAR = 0.2  # radii; from there on cubic polynomials follow its logarithm, too, within 1e-9
+_NEAREST, _FAR, _DISTANCES = 1e-12, 700.0, 3001  # of the flat body's functions, which are tables in the logarithm
 
 
 @dataclass(frozen=True)
 class WholeRoller:
-    """The smooth part of the displacement of a whole roller.
+    """What the displacement of a whole roller is more than that of a flat body with free ends.
 
     Attributes
     ----------
-    half_length : float
-        Half the length [radii].
+    outline : Outline
+        A section through its axis.
     matrix : ndarray, shape (m, m)
-        Between normalised Legendre polynomials: displacement over K times the load per length, of a radius of 1.
+        The smooth part, between normalised Legendre polynomials: displacement over K times the load per length, of a
+        radius of 1.
+    curved : ndarray, shape (places, 4)
+        Table of the curved part: values and slopes without its logarithm, and with it.
+    logarithm : float
+        The factor of s ln s in the curved part of a load from 0 to s.
+    own : float
+        What a strip adds on itself.
     """
 
-    half_length: float
+    outline: Outline
     matrix: Array
+    curved: Array
+    logarithm: float
+    own: float
+
+    @classmethod
+    def of(cls, outline: Outline, poisson: float, matrix: Array) -> WholeRoller:
+        """Return that of an outline, in a radius of the surface, and a material."""
+        _, decay, slope = _curved_factors(poisson)
+        own = _BY_WIDTH[0] + _BY_WIDTH[1] * 0.5 * (slope - decay)
+        return cls(outline, matrix, _curved_table(poisson), -0.5 * decay, own)
 
     def displacement(self, y: Array, edges: Array) -> Array:
-        """Return the smooth part at ``y`` under a unit load between neighbouring edges.
+        """Return it at ``y`` under a unit load between neighbouring edges.
 
         Parameters
         ----------
@@ -83,8 +122,10 @@ class WholeRoller:
         """
         shape = (*y.shape, edges.shape[-1] - 1)
         places, ends = (np.ascontiguousarray(each).reshape(-1, each.shape[-1]) for each in (y, edges))
-        found = np.empty((len(places), *shape[-2:]))
-        _displaced(places, ends, self.half_length, self.matrix, found)
+        (at_places, _), (of_strips, _) = map(self.outline.radii, (places, 0.5 * (ends[:, 1:] + ends[:, :-1])))
+        found, half_length = np.empty((len(places), *shape[-2:])), self.outline.half_length
+        _displaced(places, ends, half_length, self.matrix, found)
+        _add_curved(places, ends, half_length, at_places, of_strips, self.curved, self.logarithm, self.own, found)
         return found.reshape(shape)
 
 
@@ -122,6 +163,51 @@ def _displaced(y: Array, edges: Array, half_length: float, matrix: Array, out: A
                 before = total
 
 
+@entry
+def _add_curved(
+    y: Array, edges: Array, half_length: float, at_places: Array, of_strips: Array, curved: Array, logarithm: float,
+    own: float, out: Array,
+) -> None:  # fmt: skip
+    """Add the curved part of a unit load between neighbouring edges, of its images, and what a strip does on itself."""
+    last = out.shape[2] - 1
+    for row in range(y.shape[0]):
+        for i in range(y.shape[1]):
+            place, radius, low = y[row, i], 0.0, 0.0
+            for e in range(last + 1):
+                between = math.sqrt(at_places[row, i] * of_strips[row, e])
+                if between != radius:
+                    radius = between
+                    low = _curved_until(edges[row, e], place, half_length, radius, curved, logarithm)
+                high = _curved_until(edges[row, e + 1], place, half_length, radius, curved, logarithm)
+                out[row, i, e] += high - low
+                low = high
+                if edges[row, e] <= place < edges[row, e + 1] or (e == last and place == edges[row, e + 1]):
+                    out[row, i, e] += own
+
+
+@compiled
+def _curved_until(edge: float, y: float, half_length: float, radius: float, curved: Array, logarithm: float) -> float:
+    """Return the curved part at ``y`` of loads up to an edge, from any place on, and of their images."""
+    direct = _curved_within((edge - y) / radius, curved, logarithm)
+    at_high = _curved_within((2.0 * half_length - edge - y) / radius, curved, logarithm)
+    return direct - at_high + _curved_within((edge + y + 2.0 * half_length) / radius, curved, logarithm)
+
+
+@compiled
+def _curved_within(distance: float, curved: Array, logarithm: float) -> float:
+    """Return the integral of the curved part from 0 to a distance: an odd function, by cubic polynomials."""
+    s, step = min(abs(distance), _FARTHEST), _FARTHEST / (curved.shape[0] - 1)
+    at = min(int(s / step), curved.shape[0] - 2)
+    x = s / step - at
+    kind = 0 if s < _NEAR else 2
+    start, change = curved[at, kind], curved[at + 1, kind] - curved[at, kind]
+    first, second = step * curved[at, kind + 1] - change, step * curved[at + 1, kind + 1] - change
+    found = start + x * (change + (1.0 - x) * ((1.0 - x) * first - x * second))
+    if 0.0 < s < _NEAR:
+        found += logarithm * s * math.log(s)
+    return math.copysign(found, distance)
+
+
 @compiled
 def _polynomials(x: float, out: Array) -> None:
     """Fill in the Legendre polynomials at x, brought to between -1 and 1."""
@@ -138,19 +224,19 @@ def _norms(count: int, half_length: float) -> Array:
 
 
 def whole_roller(outline: Outline, poisson: float) -> WholeRoller:
-    """Return the smooth part for an outline, in a radius of the surface, and a material."""
+    """Return what makes a whole roller of an outline, in a radius of the surface, and a material."""
     half_length = outline.half_length
-    if _interpolating.get() and outline == Outline.cylinder(half_length):
-        return WholeRoller(half_length, _between_shapes(half_length, poisson))
-    return WholeRoller(half_length, _matrix(outline, poisson))
+    between = _interpolating.get() and outline == Outline.cylinder(half_length)
+    matrix = _between_shapes(half_length, poisson) if between else _matrix(outline, poisson)
+    return WholeRoller.of(outline, poisson, matrix)
 
 
 @contextlib.contextmanager
 def interpolated_shapes() -> Iterator[None]:
     """Interpolate between solid cylinders of fixed lengths, in a ``with`` block: for thousands of different ones.
 
-    A new shape takes a third of a second. What is interpolated between three of the fixed ones is within 1e-6 of what
-    it is for the shape itself; for a length of a tenth of the diameter, within 2e-5.
+    A new shape takes half a second. What is interpolated between three of the fixed ones is within 1e-6 of what it is
+    for the shape itself.
     """
     token = _interpolating.set(True)
     try:
@@ -161,48 +247,115 @@ def interpolated_shapes() -> Iterator[None]:
 
 def _between_shapes(half_length: float, poisson: float) -> Array:
     """Return the matrix of a solid cylinder, by a parabola through those of three lengths close to its own."""
-    terms = _terms(half_length, 1.0)
     nearest = round(half_length / _STEP)
-    # The three have as many polynomials as the cylinder itself.
-    around = (round(step * _STEP, _DIGITS) for step in range(nearest - 3, nearest + 4))
-    alike = [length for length in around if _terms(length, 1.0) == terms]
-    lengths = sorted(alike, key=lambda length: abs(length - half_length))[:3]
-    total = np.zeros((terms, terms))
-    for one in lengths:
-        weight = math.prod((half_length - other) / (one - other) for other in lengths if other != one)
-        total += weight * _matrix(Outline.cylinder(one), poisson)
+    lengths = [round(step * _STEP, _DIGITS) for step in range(nearest - 1, nearest + 2)]
+    found = [_matrix(Outline.cylinder(length), poisson) for length in lengths]
+    total = np.zeros_like(found[-1])
+    for length, matrix in zip(lengths, found, strict=True):
+        weight = math.prod((half_length - other) / (length - other) for other in lengths if other != length)
+        total[: len(matrix), : len(matrix)] += weight * matrix
     return total
 
 
-def _terms(half_length: float, wall: float) -> int:
-    """Return the number of polynomials along the axis."""
-    return math.ceil(_FEWEST_TERMS + _TERMS_PER_RADIUS * half_length / math.sqrt(min(1.0, wall)))
+def _step(x: Array) -> Array:
+    """Return a function that rises from 0 to 1 between 0 and 1, with two continuous derivatives."""
+    x = np.clip(x, 0.0, 1.0)
+    found: Array = x**3 * (10.0 - 15.0 * x + 6.0 * x**2)
+    return found
+
+
+def _terms(outline: Outline) -> float:
+    """Return the number of polynomials along the axis, a real number."""
+    wall = outline.wall if outline.bored else 1.0
+    return _TERMS + _TERMS_PER_LENGTH * outline.half_length / math.sqrt(wall)
+
+
+def _modes(outline: Outline) -> float:
+    """Return how many waves around need finite elements, a real number."""
+    x = 0.5 * math.log(_WALLS / outline.wall / _MODES)
+    return _MODES * math.exp(x + math.hypot(x, 0.5 * _AT_ONCE))
+
+
+def _sampled(most: float) -> dict[int, float]:
+    """Return modes and the weights with which they stand for all.
+
+    What a mode leaves falls as n^-3: that times n^3 is interpolated in 1 / n, and stays so beyond ``most``.
+    """
+    n: Array = np.arange(2.0, _LAST_MODE, 2.0)
+    counts = _step((1.25 * most - n) / (0.5 * most))
+    found = np.zeros(_SAMPLED.size)
+    for k, share in zip(n[counts > 0.0], counts[counts > 0.0], strict=True):
+        first = max(1, int(np.searchsorted(_SAMPLED, k)) - _POINTS + 1)
+        points = _SAMPLED[first : first + _POINTS]
+        for at, one in enumerate(points, start=first):
+            weight = math.prod((1.0 / k - 1.0 / other) / (1.0 / one - 1.0 / other) for other in points if other != one)
+            found[at] += share * weight * (one / k) ** 3
+    changing = np.interp(_SAMPLED, n, counts * (1.0 - counts))
+    found += changing / changing.sum() * float(np.sum((1.0 - counts) / n**3)) * _SAMPLED**3.0
+    found[0] = 0.5
+    return {int(k): 2.0 / math.pi * weight for k, weight in zip(_SAMPLED, found, strict=True) if weight != 0.0}
+
+
+def _curved_factors(poisson: float) -> tuple[float, float, float]:
+    """Return 1 - 2 nu and the factors A, B of the curved part of mode n, exp(-n s) (A / n - B s)."""
+    along, beta = 1.0 - 2.0 * poisson, (1.0 - 2.0 * poisson) / (2.0 * (1.0 - poisson))
+    return along, along - beta, along + beta
+
+
+@stored(__name__)
+def _curved_table(poisson: float) -> Array:
+    """Return the integral from 0 to s of the curved part and its slope, both but for its s ln s, and both as they are.
+
+    The curved part is the sum over n = 2, 4 ... of exp(-n s) (A / n - B s), times 2 / pi times pi / 2, and of
+    (1 - 2 nu) exp(-s) for n = 0.
+    """
+    from scipy import special
+
+    along, decay, slope = _curved_factors(poisson)
+    s = np.linspace(0.0, _FARTHEST, _PLACES)
+    at = np.maximum(s, np.finfo(float).tiny)
+    less = -np.expm1(-2.0 * s)
+    logarithm = np.log(np.maximum(less, np.finfo(float).tiny))
+    dilogarithm = special.spence(less)
+    whole = -along * np.exp(-s) - 0.25 * decay * dilogarithm - 0.5 * slope * (s * logarithm - 0.5 * dilogarithm)
+    over = np.divide(s * np.exp(-2.0 * s), less, out=np.full_like(s, 0.5), where=s > 0.0)
+    ratio = np.divide(less, s, out=np.full_like(s, 2.0), where=s > 0.0)
+    smooth = along * np.exp(-s) - 0.5 * decay * np.log(ratio) - slope * over + 0.5 * decay
+    rising = 0.5 * decay * s * np.log(at), 0.5 * decay * (np.log(at) + 1.0)
+    whole -= whole[0]
+    return np.stack([whole + rising[0], smooth, whole, smooth - rising[1]], axis=-1)
 
 
 @stored(__name__, "nonhertz.bodies.harmonic_elements", "nonhertz.bodies.outline", "nonhertz.bodies.quarter_space")
 def _matrix(outline: Outline, poisson: float) -> Array:
     """Return the matrix of `WholeRoller`."""
-    half_length = outline.half_length
-    count = _terms(half_length, outline.wall)
-    node, weight = legendre.leggauss(count + 6)
+    half_length, terms = outline.half_length, _terms(outline)
+    most = _modes(outline)
+    modes = _sampled(most)
+    order: Array = np.arange(float(math.ceil(terms)))
+    fading = _step((terms - order) / _FADING)
+    norms: Array = np.sqrt((order + 0.5) / half_length)
+
+    def polynomials(z: Array) -> Array:
+        found: Array = legendre.legvander(z / half_length, fading.size - 1) * norms
+        return found
+
+    elements = HarmonicElements(outline, poisson, most, _PER_TERM * half_length / terms)
+    forces = elements.forces(polynomials)
+    by_elements = np.zeros((order.size, order.size))
+    for n, weight_of_mode in modes.items():
+        by_elements += weight_of_mode * forces.T @ elements.displaced(n, forces)
+    node, weight = legendre.leggauss(_OUTER_NODES * (1 + math.ceil(fading.size / 8)))
     if outline.symmetric:  # the other half does the same
+        by_elements *= 2.0
         weight = np.where(node > 0.0, 2.0, node == 0.0)[node >= 0.0] * weight[node >= 0.0]
         node = node[node >= 0.0]
-    grid = _Grid.of(half_length * node, outline, count, free_face(poisson))
-    most = _most_waves(outline)
-    total = _modes(grid, outline, poisson, most)
-    total += grid.moved(_sum_over_images, _sum_over_planes) + grid.moved(*_flat(1.0)) / math.pi
-    total += _local(poisson, most) * grid.at_places
-    matrix = (grid.at_places * (half_length * weight)[:, None]).T @ total
-    matrix = 0.5 * (matrix + matrix.T)
+    grid = _Grid.of(half_length * node, outline, polynomials, free_face(poisson))
+    flat = (polynomials(grid.y) * (half_length * weight)[:, None]).T @ grid.less_modes(modes, poisson)
+    matrix: Array = fading[:, None] * (by_elements + 0.5 * (flat + flat.T)) * fading
     if outline.symmetric:
-        matrix[np.add.outer(np.arange(count), np.arange(count)) % 2 == 1] = 0.0
+        matrix[np.add.outer(order, order) % 2.0 == 1.0] = 0.0
     return matrix
-
-
-def _most_waves(outline: Outline) -> int:
-    """Return the waves around up to which finite elements are needed: shorter ones do not reach through the wall."""
-    return max(_MODES, 2 * math.ceil(0.5 * _WALLS / outline.wall))
 
 
 @dataclass(frozen=True)
@@ -213,8 +366,6 @@ class _Grid:
     ----------
     y : ndarray, shape (places,)
         Places [radii].
-    at_places : ndarray, shape (places, m)
-        The polynomials there.
     loads : ndarray, shape (places, points, m)
         The polynomials at the points, times the points' weights, over the surface's radius.
     direct : ndarray, shape (places, points)
@@ -228,7 +379,6 @@ class _Grid:
     """
 
     y: Array
-    at_places: Array
     loads: Array
     direct: Array
     image: Array
@@ -236,33 +386,72 @@ class _Grid:
     distances: Array
 
     @classmethod
-    def of(cls, y: Array, outline: Outline, count: int, free: FreeFace) -> _Grid:
+    def of(cls, y: Array, outline: Outline, polynomials: Callable[[Array], Array], free: FreeFace) -> _Grid:
         """Return those for some places."""
         half_length = outline.half_length
         points, weights = np.array([_points(place, half_length) for place in y]).transpose(1, 0, 2)
-        norm = _norms(count, half_length)
         # Waves around are as long as the surface is wide.
         (at_y, _), (at_points, _) = outline.radii(y), outline.radii(points)
         radius = np.sqrt(at_y[:, None] * at_points)
-        loads = legendre.legvander(points / half_length, count - 1) * norm * (weights / radius)[..., None]
+        loads = polynomials(points.ravel()).reshape(*points.shape, -1) * (weights / radius)[..., None]
         of_places = half_length - y[:, None] * np.array([1.0, -1.0])[:, None, None]
         of_points = half_length - points * np.array([1.0, -1.0])[:, None, None]
         u, v = np.broadcast_to(of_places, of_points.shape), np.maximum(of_points, np.finfo(float).tiny)
         direct = np.maximum(np.abs(points - y[:, None]), np.finfo(float).tiny)
-        at_places = legendre.legvander(y / half_length, count - 1) * norm
-        return cls(y, at_places, loads, direct / radius, (u + v) / radius, free.towards(u, v), free.distances)
+        return cls(y, loads, direct / radius, (u + v) / radius, free.towards(u, v), free.distances)
 
-    def moved(self, of_images: Callable[[Array], Array], of_planes: Callable[[Array], Array]) -> Array:
-        """Return what the polynomials as loads do by direct effect, images and free faces, shape (places, m).
+    def less_modes(self, modes: dict[int, float], poisson: float) -> Array:
+        """Return all modes of a flat body less their integral, less the flat and curved part of some modes.
 
-        ``of_images`` is the effect of a load at a distance, ``of_planes`` that of a pressure of a half-plane.
+        They are added up as functions of a distance first: of loads, and of pressures of a half-plane.
+
+        Parameters
+        ----------
+        modes : dict
+            Those modes, and how much each counts.
+        poisson : float
+            Poisson's ratio.
+
+        Returns
+        -------
+        ndarray, shape (places, m)
         """
-        effect = of_images(self.direct) + of_images(self.image).sum(axis=0)
+        # Imported here, because most contacts need none of this.
+        from scipy import special
+
+        along, decay, slope = _curved_factors(poisson)
+        waves = [(n, weight) for n, weight in modes.items() if n]
+        of_loads = _tabulated(lambda s: _sum_over_images(s) - sum(2.0 * w * special.k0(n * s) for n, w in waves))
+        of_planes = _tabulated(lambda s: _sum_over_planes(s) - sum(w * np.exp(-n * s) for n, w in waves))
+        curved = _tabulated(
+            lambda s: (
+                along * np.exp(-s) + 0.5 * math.pi * sum(w * np.exp(-n * s) * (decay / n - slope * s) for n, w in waves)
+            )
+        )
+        effect = of_loads(self.direct) - curved(self.direct)
+        effect += np.sum(of_loads(self.image) - curved(self.image), axis=0)
         for k, distance in enumerate(self.distances):
             at = distance * self.image
-            effect += np.sum(self.face[..., 0, k] * of_images(at) + self.face[..., 1, k] * of_planes(at), axis=0)
+            effect += np.sum(self.face[..., 0, k] * of_loads(at) + self.face[..., 1, k] * of_planes(at), axis=0)
         found: Array = np.einsum("ix,ixm->im", effect, self.loads)
         return found
+
+
+def _tabulated(function: Callable[[Array], Array]) -> Callable[[Array], Array]:
+    """Return a function of a distance by cubic polynomials in its logarithm, below the first straight in it."""
+    from scipy.interpolate import CubicSpline
+
+    first, last = math.log(_NEAREST), math.log(_FAR)
+    at = np.linspace(first, last, _DISTANCES)
+    spline = CubicSpline(at, function(np.exp(at)))
+    slope = float(spline(first, 1))
+
+    def found(distance: Array) -> Array:
+        x = np.log(distance)
+        values: Array = spline(np.clip(x, first, last)) + slope * np.minimum(x - first, 0.0)
+        return values
+
+    return found
 
 
 def _points(place: float, half_length: float) -> tuple[Array, Array]:
@@ -277,31 +466,6 @@ def _points(place: float, half_length: float) -> tuple[Array, Array]:
         points += [end + half * part, place - half * part]
         weights += [abs(half) * share] * 2
     return np.concatenate(points).ravel(), np.concatenate(weights).ravel()
-
-
-def _flat(wave_number: float) -> tuple[Callable[[Array], Array], Callable[[Array], Array]]:
-    """Return the effects of loads that vary as cos(k x) on a flat body."""
-    # Imported here, because most contacts need none of this.
-    from scipy import special
-
-    return (lambda s: 2.0 * special.k0(wave_number * s)), (lambda s: np.exp(-wave_number * s))
-
-
-def _modes(grid: _Grid, outline: Outline, poisson: float, most: int) -> Array:
-    """Return what low modes move the surface by, less the flat body's, shape (places, m)."""
-    half_length, count = outline.half_length, grid.loads.shape[2]
-    elements, norm = HarmonicElements(outline, poisson, most), _norms(count, half_length)
-
-    def loads(z: Array) -> Array:
-        found: Array = legendre.legvander(z / half_length, count - 1) * norm
-        return found
-
-    total = np.zeros((grid.y.size, count))
-    for n in range(0, most + 1, 2):
-        weight = (2.0 if n else 1.0) / math.pi
-        total += weight * elements.compressed(n, loads, grid.y)
-        total -= weight * grid.moved(*_flat(float(n or 1)))
-    return total
 
 
 def _sum_over_images(distance: Array) -> Array:
@@ -326,14 +490,3 @@ def _sum_over_planes(distance: Array) -> Array:
     at_least = np.clip(x, 1e-3, 700.0)
     found: Array = np.where(x < 1e-2, -0.5 + x / 12.0 - x**3 / 720.0, 1.0 / np.expm1(at_least) - 1.0 / at_least)
     return _SPACING / math.pi * found
-
-
-def _local(poisson: float, most: int) -> float:
-    """Return what high modes add at the place of the load, and what low ones do because the contact has a width."""
-    from scipy import special
-
-    n = np.arange(2.0, _LAST_MODE, 2.0)
-    beta = (1.0 - 2.0 * poisson) / (2.0 * (1.0 - poisson))
-    difference = (n - beta) / (n**2 - 1.0) - 1.0 / n
-    shape = 2.0 * special.j1(n * _USUAL_WIDTH) / (n * _USUAL_WIDTH)
-    return 4.0 * float(np.sum(difference * np.where(n > most, shape, shape - 1.0)))

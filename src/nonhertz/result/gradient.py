@@ -1,6 +1,7 @@
 """Gradients: how a number of a solution changes with all that was given, by one adjoint solve.
 
-The strips stay where they are, so that a gradient is that of the number which these strips give, exactly.
+The strips stay where they are, or move in proportion with the length on which the bodies can touch, so that a gradient
+is that of the number which these strips give, exactly.
 """
 
 from __future__ import annotations
@@ -136,15 +137,19 @@ class Gradient(ReadOnly):
         finite("at", at, "give the parameter of the solution's contact")
         step = STEP * abs(at) if step is None else step
         positive("step", step, "give a step of the parameter")
-        k = self._at.linear.r.size
-        residuals, compliance = np.zeros(2 * k), 0.0
+        total, measure = 0.0, measure_of(self.quantity)
         for steps, weight in _FIVE_POINTS:
             contact = family(at + steps * step)
             if not isinstance(contact, Contact):
                 raise InputError("family", contact, "return a Contact", "give a function that makes one of a number")
-            residuals += weight / step * self._at.residuals(contact)
-            compliance += weight / step * contact.compliance
-        return -float(self._sensitivities[: 2 * k] @ residuals) + self._by_compliance * compliance
+            moved = self._at.moved(contact)
+            by_force = self.holding[0] == "load", self.holding[1] == "moment"
+            value = -self._sensitivities @ self._at.residuals(contact, moved, by_force)
+            value += self._by_compliance * contact.compliance
+            if moved is not self.solution:
+                value += measure.partials(moved).value
+            total += weight / step * float(value)
+        return total
 
 
 @dataclass(frozen=True, eq=False)
@@ -164,24 +169,58 @@ class _Linear:
         grids = _grids(solution, influence)
         return cls(solution, linearised(grids, r, m, law_of(influence, solution.element)), influence, grids.at_depth[0])
 
-    def residuals(self, contact: Contact) -> Array:
-        """Return how far the loads and half-widths are from a contact, for curvature and for the gap; shape (2 k,)."""
-        solution, linear = self.solution, self.linear
-        influence = influence_of(contact, solution.element)
-        grids = _grids(solution, influence)
-        displaced, _, curved, _ = linear.blocks
-        loads = linear.r * linear.m
-        if not (np.array_equal(influence.terms, self.influence.terms) and influence.faces == self.influence.faces):
-            m = solution.element_half_width**2
-            displaced, _, curved, _ = linearised(grids, m, m, law_of(influence, solution.element)).blocks
-            lifted = displaced @ loads
-        elif np.array_equal(grids.at_depth[0], self.at_depth):
-            lifted = displaced @ loads
-        else:
-            pairs = np.ix_(linear.active, linear.active)
-            lifted = displaced @ loads + (self.at_depth - grids.at_depth[0])[pairs] @ loads
-        bent = curved @ linear.r - contact.curvature_at(linear.y)
-        return np.concatenate([bent, lifted + contact.separation_at(linear.y)])
+    def moved(self, contact: Contact) -> Solution:
+        """Return the same loads per length and half-widths on strips that move as the ends of a contact do.
+
+        Bends of the profile, such as where corners begin, stay where they are among the strips.
+        """
+        old, new = _landmarks(self.solution.contact), _landmarks(contact)
+        if old.size != new.size:
+            old, new = old[[0, -1]], new[[0, -1]]
+        if np.array_equal(old[[0, -1]], new[[0, -1]]) or not np.all(np.isfinite([old, new])):
+            return self.solution
+
+        def to(place: Any) -> Any:
+            return np.interp(place, old, new)
+
+        solution, edges = self.solution, to(self.solution.edges)
+        forces = solution.line_load * np.diff(edges)
+        return dataclasses.replace(
+            solution,
+            edges=edges,
+            load=float(forces.sum()),
+            moment=float(forces @ (0.5 * (edges[1:] + edges[:-1]))),
+            contact_y=tuple((to(start), to(end)) for start, end in solution.contact_y),
+            singular_ends=tuple(dataclasses.replace(end, y=to(end.y)) for end in solution.singular_ends),
+        )
+
+    def residuals(self, contact: Contact, moved: Solution, by_force: tuple[bool, bool]) -> Array:
+        """Return how far loads and half-widths are from a contact, shape (2 k + 2,).
+
+        Parameters
+        ----------
+        contact : Contact
+            For its curvature, and for the gap.
+        moved : Solution
+            The strips, and the sums of their loads.
+        by_force : tuple of bool
+            Whether load and moment are given.
+        """
+        linear = self.linear
+        influence = influence_of(contact, moved.element)
+        grids = _grids(moved, influence)
+        y, (displaced, _, curved, _), loads = linear.y, linear.blocks, linear.r * linear.m
+        alike = np.array_equal(influence.terms, self.influence.terms) and influence.faces == self.influence.faces
+        if moved is not self.solution or not alike:
+            m = moved.element_half_width**2
+            again = linearised(grids, m, m, law_of(influence, moved.element))
+            y, (displaced, _, curved, _) = again.y, again.blocks
+        elif not np.array_equal(grids.at_depth[0], self.at_depth):
+            displaced = displaced + (self.at_depth - grids.at_depth[0])[np.ix_(linear.active, linear.active)]
+        bent = curved @ linear.r - contact.curvature_at(y)
+        gap = displaced @ loads + contact.separation_at(y) - moved.tilt * y
+        forces = self.solution.contact.compliance * np.array([moved.load, moved.moment]) * by_force
+        return np.concatenate([bent, gap, forces])
 
 
 def gradient(solution: Solution, quantity: str | Measure, holding: tuple[str, str]) -> Gradient:
@@ -222,6 +261,12 @@ def _linear(solution: Solution) -> _Linear:
     if solution not in _KNOWN:
         _KNOWN[solution] = _Linear.of(solution)
     return _KNOWN[solution]
+
+
+def _landmarks(contact: Contact) -> Array:
+    """Return the ends of what can touch and the bends of the profiles between them [mm]."""
+    low, high = contact.interval
+    return np.array([low, *(bend for bend in contact.bends if low < bend < high), high])
 
 
 def family_of(contact: Contact, name: str) -> tuple[Family, float]:
