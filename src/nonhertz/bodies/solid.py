@@ -57,6 +57,10 @@ class Solid(Protocol):
         """Whether the side faces are freed exactly: what images leave on them is taken away, too."""
 
     @property
+    def corner_angles(self) -> tuple[float, float]:
+        """Angles between the surface and the side faces at low and high y, within the body [rad]."""
+
+    @property
     def images(self) -> int | str:
         """Number of mirror images per face, or ``"series"``."""
 

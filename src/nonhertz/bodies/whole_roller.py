@@ -39,7 +39,8 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
-from nonhertz.bodies.harmonic_elements import HarmonicElements
+from nonhertz.bodies.ends import IN_SPACE, corner_weights
+from nonhertz.bodies.harmonic_elements import HarmonicElements, radial
 from nonhertz.bodies.outline import Outline
 from nonhertz.bodies.quarter_space import FreeFace, free_face
 from nonhertz.bodies.stored import stored
@@ -122,7 +123,7 @@ class WholeRoller:
         """
         shape = (*y.shape, edges.shape[-1] - 1)
         places, ends = (np.ascontiguousarray(each).reshape(-1, each.shape[-1]) for each in (y, edges))
-        (at_places, _), (of_strips, _) = map(self.outline.radii, (places, 0.5 * (ends[:, 1:] + ends[:, :-1])))
+        at_places, of_strips = map(self.outline.girths, (places, 0.5 * (ends[:, 1:] + ends[:, :-1])))
         found, half_length = np.empty((len(places), *shape[-2:])), self.outline.half_length
         _displaced(places, ends, half_length, self.matrix, found)
         _add_curved(places, ends, half_length, at_places, of_strips, self.curved, self.logarithm, self.own, found)
@@ -326,7 +327,13 @@ def _curved_table(poisson: float) -> Array:
     return np.stack([whole + rising[0], smooth, whole, smooth - rising[1]], axis=-1)
 
 
-@stored(__name__, "nonhertz.bodies.harmonic_elements", "nonhertz.bodies.outline", "nonhertz.bodies.quarter_space")
+@stored(
+    __name__,
+    "nonhertz.bodies.ends",
+    "nonhertz.bodies.harmonic_elements",
+    "nonhertz.bodies.outline",
+    "nonhertz.bodies.quarter_space",
+)
 def _matrix(outline: Outline, poisson: float) -> Array:
     """Return the matrix of `WholeRoller`."""
     half_length, terms = outline.half_length, _terms(outline)
@@ -342,16 +349,20 @@ def _matrix(outline: Outline, poisson: float) -> Array:
 
     elements = HarmonicElements(outline, poisson, most, _PER_TERM * half_length / terms)
     forces = elements.forces(polynomials)
+    readings = elements.forces(lambda z: polynomials(z) * outline.cosines(z)[:, None])
     by_elements = np.zeros((order.size, order.size))
     for n, weight_of_mode in modes.items():
-        by_elements += weight_of_mode * forces.T @ elements.displaced(n, forces)
+        read = readings if n else radial(readings)
+        by_elements += weight_of_mode * read.T @ elements.displaced(n, forces)
     node, weight = legendre.leggauss(_OUTER_NODES * (1 + math.ceil(fading.size / 8)))
     if outline.symmetric:  # the other half does the same
         by_elements *= 2.0
         weight = np.where(node > 0.0, 2.0, node == 0.0)[node >= 0.0] * weight[node >= 0.0]
         node = node[node >= 0.0]
     grid = _Grid.of(half_length * node, outline, polynomials, free_face(poisson))
-    flat = (polynomials(grid.y) * (half_length * weight)[:, None]).T @ grid.less_modes(modes, poisson)
+    flat = (polynomials(grid.y) * (half_length * weight)[:, None]).T @ grid.less_modes(
+        modes, poisson, outline.corner_angles
+    )
     matrix: Array = fading[:, None] * (by_elements + 0.5 * (flat + flat.T)) * fading
     if outline.symmetric:
         matrix[np.add.outer(order, order) % 2.0 == 1.0] = 0.0
@@ -391,8 +402,7 @@ class _Grid:
         half_length = outline.half_length
         points, weights = np.array([_points(place, half_length) for place in y]).transpose(1, 0, 2)
         # Waves around are as long as the surface is wide.
-        (at_y, _), (at_points, _) = outline.radii(y), outline.radii(points)
-        radius = np.sqrt(at_y[:, None] * at_points)
+        radius = np.sqrt(outline.girths(y)[:, None] * outline.girths(points))
         loads = polynomials(points.ravel()).reshape(*points.shape, -1) * (weights / radius)[..., None]
         of_places = half_length - y[:, None] * np.array([1.0, -1.0])[:, None, None]
         of_points = half_length - points * np.array([1.0, -1.0])[:, None, None]
@@ -400,7 +410,7 @@ class _Grid:
         direct = np.maximum(np.abs(points - y[:, None]), np.finfo(float).tiny)
         return cls(y, loads, direct / radius, (u + v) / radius, free.towards(u, v), free.distances)
 
-    def less_modes(self, modes: dict[int, float], poisson: float) -> Array:
+    def less_modes(self, modes: dict[int, float], poisson: float, angles: tuple[float, float]) -> Array:
         """Return all modes of a flat body less their integral, less the flat and curved part of some modes.
 
         They are added up as functions of a distance first: of loads, and of pressures of a half-plane.
@@ -411,6 +421,8 @@ class _Grid:
             Those modes, and how much each counts.
         poisson : float
             Poisson's ratio.
+        angles : tuple of float
+            Of the corners at low and high y, within the body [rad].
 
         Returns
         -------
@@ -429,10 +441,13 @@ class _Grid:
             )
         )
         effect = of_loads(self.direct) - curved(self.direct)
-        effect += np.sum(of_loads(self.image) - curved(self.image), axis=0)
+        weights = 1.0 + IN_SPACE * np.array([corner_weights(angle) for angle in reversed(angles)])
+        of_image, of_face = weights.T[:, :, None, None]
+        effect += np.sum(of_image * of_loads(self.image) - curved(self.image), axis=0)
         for k, distance in enumerate(self.distances):
             at = distance * self.image
-            effect += np.sum(self.face[..., 0, k] * of_loads(at) + self.face[..., 1, k] * of_planes(at), axis=0)
+            added = self.face[..., 0, k] * of_loads(at) + self.face[..., 1, k] * of_planes(at)
+            effect += np.sum(of_face * added, axis=0)
         found: Array = np.einsum("ix,ixm->im", effect, self.loads)
         return found
 

@@ -307,6 +307,11 @@ class Body:
         return low, high
 
     @property
+    def corner_angles(self) -> tuple[float, float]:
+        """Angles between surface and side faces at low and high y, within the body [rad]."""
+        return self.behind.corner_angles(self)
+
+    @property
     def bends(self) -> tuple[float, ...]:
         """Axial positions [mm] where the relief bends."""
         return tuple(self.position + bend for bend in self.surface.bends)

@@ -70,8 +70,12 @@ def von_mises(solution, poisson=0.3, across=14, along=40):
 
 
 def _forces(solution, n, z, outer, weight):
-    """Return the radial forces at the surface's nodes, consistent with quadratic shape functions."""
+    """Return radial and axial forces normal to the surface at its nodes, consistent with quadratic shape functions.
+
+    Under equal ones all around (n = 0) the axial ones are left to a rib.
+    """
     node, gauss = np.polynomial.legendre.leggauss(4)
+    slope = (outer[-1] - outer[0]) / (z[-1] - z[0])  # of a cylinder or a cone
     found = np.zeros(z.size)
     for low, high, q, b in zip(
         solution.edges[:-1], solution.edges[1:], solution.line_load, solution.half_width, strict=True
@@ -88,7 +92,7 @@ def _forces(solution, n, z, outer, weight):
                 e = min(max(int(np.searchsorted(z[::2], y)) - 1, 0), z[::2].size - 2)
                 t = 2.0 * (y - z[2 * e]) / (z[2 * e + 2] - z[2 * e]) - 1.0
                 found[2 * e : 2 * e + 3] -= force * _shape(t)[0]
-    return found
+    return found, -slope * found if n else np.zeros_like(found)
 
 
 def _shape(t):
@@ -140,7 +144,9 @@ class _Mesh:
             free[self.size : 2 * self.size] = False
             free[2 * self.size] = False
         load = np.zeros(3 * self.size)
-        load[self.size - forces.size : self.size] = forces
+        for component, of_nodes in zip((0, 2), forces, strict=True):
+            last = (component + 1) * self.size
+            load[last - of_nodes.size : last] = of_nodes
         moved = np.zeros(3 * self.size)
         moved[free] = splu(
             stiffness[free][:, free], "MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}

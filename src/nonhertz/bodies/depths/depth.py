@@ -68,6 +68,10 @@ class Depth(ABC):
         """What a file gives for it."""
         return self.word
 
+    def corner_angles(self, body: Solid) -> tuple[float, float]:
+        """Return the angles between surface and side faces at low and high y, within the body [rad]: right ones."""
+        return 0.5 * math.pi, 0.5 * math.pi
+
     @property
     @abstractmethod
     def place(self) -> str:
