@@ -189,7 +189,7 @@ def corner_operator(poisson: float) -> tuple[Array, Array, Array, Array, Array]:
     Distances are multiplied by k.
     """
     panels = _panels()
-    y, weight = _nodes(panels)
+    y, weight = nodes_on(panels)
     brought = _brought(panels, y, poisson)
     operator = brought * weight
     _mend_corner(operator, panels, y, weight)
@@ -204,7 +204,7 @@ def _panels() -> Array:
     return np.array(found)
 
 
-def _nodes(panels: Array) -> tuple[Array, Array]:
+def nodes_on(panels: Array) -> tuple[Array, Array]:
     """Return Gauss nodes and weights on all panels."""
     node, weight = legendre.leggauss(NODES)
     centre, half = 0.5 * (panels[1:] + panels[:-1]), 0.5 * np.diff(panels)

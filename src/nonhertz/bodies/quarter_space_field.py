@@ -18,14 +18,15 @@ Towards the edge f and g grow as a logarithm, and only the sum of their fields i
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
 from numpy.typing import NDArray
 
-from nonhertz.bodies.quarter_space import NODES, corner_operator, interpolation, to_legendre
+from nonhertz.bodies.quarter_space import NODES, corner_operator, interpolation, nodes_on, to_legendre
 from nonhertz.bodies.stored import MOST, stored
 
 Array = NDArray[np.float64]
@@ -39,13 +40,15 @@ COMPONENTS = 9  # six stresses and three displacements
 # Between these Poisson's ratios, up to 0.5, the field is interpolated to 1e-5; below -0.5 it is extrapolated.
 POISSONS = 0.5 * chebyshev.chebpts1(8)
 _RANK_ERROR = 1e-6  # of the largest singular value
+FARTHEST_APART = 12.0
+_APART = np.geomspace(0.01, FARTHEST_APART, 20)  # distances between two faces times k
 _DEPTH_NODES = 40
 _FARTHEST = 40.0  # beyond which K0 is negligible
 # From (d, s, x, xs, xd, sd; u_x, u_s, u_d) to (x, y, z, yz, xz, xy; u_x, u_y, u_z) of loads on surface and side face.
 _OF_SURFACE, _OF_FACE = [2, 1, 0, 5, 4, 3, 6, 7, 8], [2, 0, 1, 5, 3, 4, 6, 8, 7]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class QuarterSpaceField:
     """What a free side face adds to the field of loads and their mirror images, for loads that vary as cos(k x).
 
@@ -55,12 +58,15 @@ class QuarterSpaceField:
         Edges of the panels on which loads are polynomials, distances from the edge times k.
     loads : ndarray, shape (nodes, rank)
         From the load on the nodes' parts of the surface to coefficients.
+    residuals : ndarray, shape (nodes, rank)
+        From a normal pressure that is wanted on the side face at the nodes to coefficients.
     places : ndarray, shape (distances, directions, components, rank)
         From coefficients to stresses, and displacements times 2 G k, at `DISTANCES` and `ANGLES`.
     """
 
     panels: Array
     loads: Array
+    residuals: Array
     places: Array
 
     def projected(self, k: Array, edges: Array, steps: Array) -> Array:
@@ -99,10 +105,68 @@ class QuarterSpaceField:
         projected: Array = found.reshape(k.size, -1) @ self.loads
         return projected
 
-    def at_places(self, coefficients: Array) -> Array:
-        """Return the field of loads, shape (..., distances * directions * components)."""
-        found: Array = coefficients @ self.places.reshape(-1, self.places.shape[-1]).T
+    def at_places(self, coefficients: Array, components: slice) -> Array:
+        """Return some components of the field, shape (..., distances * directions * components)."""
+        found: Array = coefficients @ self.places[:, :, components].reshape(-1, self.places.shape[-1]).T
         return found
+
+    @cached_property
+    def _across(self) -> Callable[[Array], Array]:
+        """Logarithm of a distance times k -> how the coefficients of a face there change by those of this one."""
+        from scipy.interpolate import CubicSpline
+
+        depth, _ = nodes_on(self.panels)
+        found = []
+        for distance in _APART:
+            by_distance = between_distances(np.log(np.hypot(distance, depth)))
+            by_angle = between_angles(np.arctan2(depth, distance))
+            normal = np.einsum("nj,nd,jdr->nr", by_distance, by_angle, self.places[:, :, 1])
+            found.append(normal.T @ self.residuals)
+        change: Callable[[Array], Array] = CubicSpline(np.log(_APART), np.array(found))
+        return change
+
+    def between_faces(self, distance: Array, own: Array, other: Array) -> Array:
+        """Return the coefficients with which two faces take away what each leaves on the other.
+
+        Parameters
+        ----------
+        distance : ndarray, shape (m,)
+            Between the faces, times k.
+        own, other : ndarray, shape (m, rank)
+            Coefficients of both without the other.
+
+        Notes
+        -----
+        What each of them adds is mirrored once about either face: it acts on its own face from twice the distance, and
+        on the other one from the distance and from three times that.
+        """
+        once, twice, thrice = (
+            np.where(apart < FARTHEST_APART, self._across(np.log(np.clip(apart, _APART[0], FARTHEST_APART))).T, 0.0).T
+            for apart in (distance, 2.0 * distance, 3.0 * distance)
+        )
+        change = np.eye(own.shape[1]) + 2.0 * twice
+        same, opposed = (
+            np.linalg.solve((change + sign * (2.0 * once + thrice)).transpose(0, 2, 1), (own + sign * other)[..., None])
+            for sign in (1.0, -1.0)
+        )
+        found: Array = 0.5 * (same + opposed)[..., 0]
+        return found
+
+
+def between_distances(logarithm: Array) -> Array:
+    """Return the matrices from values at `DISTANCES` to values between them; nothing is left beyond."""
+    from scipy.interpolate import CubicSpline
+
+    known = np.log(DISTANCES)
+    found: Array = CubicSpline(known, np.eye(known.size))(np.clip(logarithm, known[0], known[-1]))
+    found[logarithm > known[-1]] = 0.0
+    return found
+
+
+def between_angles(angle: Array) -> Array:
+    """Return the matrix from values at `ANGLES` to values between them."""
+    between, given = (chebyshev.chebvander(4.0 / np.pi * each - 1.0, DIRECTIONS - 1) for each in (angle, ANGLES))
+    return np.asarray(between @ np.linalg.inv(given))
 
 
 @lru_cache(MOST)
@@ -110,11 +174,13 @@ def quarter_space_field(poisson: float) -> QuarterSpaceField:
     """Return the field of a material."""
     panels, y, _, _, _ = corner_operator(poisson)
     table, count = _table(), DISTANCES.size * DIRECTIONS * COMPONENTS
-    of_materials = table[count:].reshape(POISSONS.size, y.size, -1)
+    of_materials = table[count:].reshape(POISSONS.size, 2, y.size, -1)
     degree = POISSONS.size - 1
     share = chebyshev.chebvander(2.0 * poisson, degree) @ np.linalg.inv(chebyshev.chebvander(2.0 * POISSONS, degree))
-    loads = np.tensordot(share.ravel(), of_materials, 1)
-    return QuarterSpaceField(panels, loads, table[:count].reshape(DISTANCES.size, DIRECTIONS, COMPONENTS, -1))
+    loads, residuals = np.tensordot(share.ravel(), of_materials, 1)
+    return QuarterSpaceField(
+        panels, loads, residuals, table[:count].reshape(DISTANCES.size, DIRECTIONS, COMPONENTS, -1)
+    )
 
 
 @stored(__name__, "nonhertz.bodies.quarter_space")
@@ -130,27 +196,31 @@ def _table() -> Array:
     surface, face = (np.concatenate(each, axis=1) for each in zip(*rows, strict=True))
     # Columns weighted for loads that are integrals over the nodes' parts of the surface.
     scale = np.sqrt(weight)
-    of_places, of_loads = [], []
+    of_places, of_residuals, to_residual = [], [], []
     for poisson in POISSONS:
         operator = corner_operator(poisson)[-1]
         # What mirrored loads leave on the face is taken away by g, which brings f on the surface.
-        on_face = np.linalg.solve(np.eye(y.size) - operator @ operator, operator / weight)
-        on_surface = operator @ on_face
-        field = (surface[0] + poisson * surface[1]) @ on_surface - (face[0] + poisson * face[1]) @ on_face
-        left, right = _low_rank(field * scale)
-        of_places.append(left)
-        of_loads.append(right)
-    left, right = _low_rank(np.concatenate(of_places, axis=1))
-    first = np.cumsum([0, *(each.shape[0] for each in of_loads)])
-    of_loads = [right[:, i:j] @ each / scale for i, j, each in zip(first, first[1:], of_loads, strict=False)]
-    return np.concatenate([left, np.concatenate(of_loads, axis=1).T])
+        of_face = np.linalg.inv(np.eye(y.size) - operator @ operator)
+        of_surface = operator @ of_face
+        field = (surface[0] + poisson * surface[1]) @ of_surface - (face[0] + poisson * face[1]) @ of_face
+        of_residuals.append(field)
+        to_residual.append(operator / weight)
+        left, values = _low_rank(field @ to_residual[-1] * scale)
+        of_places.append(left * values)
+    left, values = _low_rank(np.concatenate(of_places, axis=1))
+    loads = [
+        np.stack([left.T @ field @ to, left.T @ field]) for field, to in zip(of_residuals, to_residual, strict=True)
+    ]
+    return np.concatenate(
+        [left, np.array(loads).reshape(POISSONS.size, 2, left.shape[1], -1).swapaxes(2, 3).reshape(-1, left.shape[1])]
+    )
 
 
 def _low_rank(matrix: Array) -> tuple[Array, Array]:
-    """Return two matrices of low rank whose product is nearly the given one."""
-    left, values, right = np.linalg.svd(matrix, full_matrices=False)
+    """Return the orthogonal columns that nearly span a matrix, and their singular values."""
+    left, values, _ = np.linalg.svd(matrix, full_matrices=False)
     kept = values > _RANK_ERROR * values[0]
-    return left[:, kept] * values[kept], right[kept]
+    return left[:, kept], values[kept]
 
 
 def _rule(panels: Array, y: Array, weight: Array, s: float, d: float) -> Array:

@@ -10,14 +10,22 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.polynomial import chebyshev, legendre
+from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
-from nonhertz.bodies.quarter_space_field import ANGLES, COMPONENTS, DIRECTIONS, DISTANCES, quarter_space_field
+from nonhertz.bodies.quarter_space_field import (
+    COMPONENTS,
+    DIRECTIONS,
+    DISTANCES,
+    FARTHEST_APART,
+    QuarterSpaceField,
+    between_angles,
+    between_distances,
+    quarter_space_field,
+)
 
 if TYPE_CHECKING:
     from scipy.interpolate import NdBSpline
@@ -66,6 +74,8 @@ class FreeFaceField:
         Where the face is [mm]; -1 at the low, 1 at the high end of the body.
     half_width, farthest : float
         The half-width of the contact near the face, and how far the table reaches [mm].
+    length : float
+        The distance of another free face [mm], 0 if there is none.
     parts : tuple of (ndarray of bool, NdBSpline, NdBSpline)
         Of the even part of the pressure, and of the odd one if there is one: what changes its sign with x, and stress
         and the shear modulus times displacement over x, the distance from the edge and the direction.
@@ -75,6 +85,7 @@ class FreeFaceField:
     side: float
     half_width: float
     farthest: float
+    length: float
     parts: tuple[tuple[NDArray[np.bool_], NdBSpline, NdBSpline], ...]
 
     @classmethod
@@ -86,16 +97,23 @@ class FreeFaceField:
         half_width: float,
         reach: float,
         poisson: float,
+        opposite: float | None = None,
     ) -> FreeFaceField:
-        """Return what a face adds to a load that has a spectrum, and its far end at the distance ``reach`` [mm]."""
+        """Return what a face adds to a load that has a spectrum, and its far end at the distance ``reach`` [mm].
+
+        Where there is another free face at ``opposite``, stress takes away what each leaves on the other. Displacement
+        does not: it is that of the solver.
+        """
         from scipy.interpolate import NdBSpline
 
-        field, (k, weight) = quarter_space_field(poisson), _wave_numbers(half_width, reach)
-        farthest = _BEYOND * reach
+        length = 0.0 if opposite is None else abs(place - opposite)
+        farthest = max(_BEYOND * reach, 3.0 * length)
+        field, (k, weight) = quarter_space_field(poisson), _wave_numbers(half_width, farthest)
         across = _grid(0.0, np.arcsinh(farthest / (_ACROSS * half_width)), _ACROSS_STEP)
         radial = _grid(np.log(_CLOSEST * half_width), np.log(farthest), _RADIAL)
         (t_x, to_x), (t_r, to_r), (t_a, to_a) = (_spline(each) for each in (across, radial, _ANGLES))
-        by_distance = to_r @ _between_distances(np.log(k)[:, None] + radial)
+        by_distance = to_r @ between_distances(np.log(k)[:, None] + radial)
+        by_angle = to_a @ between_angles(_ANGLES)
         x = _ACROSS * half_width * np.sinh(across)[:, None]
         smoothed = _SMOOTHED * np.maximum(x - _FROM * half_width, 0.0)
         waves = to_x @ (weight / np.pi * np.exp(1j * k * x - 0.5 * (k * smoothed) ** 2))
@@ -103,23 +121,33 @@ class FreeFaceField:
         for steps, turned, wave in ((load.even, _ODD, waves), (load.odd, ~_ODD, -1j * waves)):
             if steps is None:
                 continue
-            found = field.at_places(field.projected(k, side * (place - load.edges), -side * steps))
-            found = by_distance @ found.reshape(k.size, DISTANCES.size, -1)
-            found = to_a @ _between_angles() @ found.reshape(k.size, radial.size, DIRECTIONS, COMPONENTS)
-            found[..., _STRESSES:] *= 0.5 / k[:, None, None, None]
-            table = np.empty((x.size, *found.shape[1:]))
-            for these, of in ((~_ODD, wave.real), (_ODD, wave.imag)):
-                table[..., these] = np.tensordot(of, found[..., these], 1)
-            stress, displacement = np.split(table, [_STRESSES], axis=-1)
-            knots = t_x, t_r, t_a
-            parts.append((turned, *(NdBSpline(knots, np.ascontiguousarray(c), 3) for c in (stress, displacement))))
-        return cls(place, side, half_width, farthest, tuple(parts))
+            distance = side * (place - load.edges)
+            alone = field.projected(k, distance, -side * steps)
+            both = alone if opposite is None else _both(field, k, distance, -side * steps, alone, length)
+            splines = []
+            for coefficients, of in ((both, slice(_STRESSES)), (alone, slice(_STRESSES, COMPONENTS))):
+                found = by_distance @ field.at_places(coefficients, of).reshape(k.size, DISTANCES.size, -1)
+                found = by_angle @ found.reshape(k.size, radial.size, DIRECTIONS, -1)
+                if of.start:
+                    found *= 0.5 / k[:, None, None, None]
+                odd = _ODD[of]
+                table = np.empty((x.size, *found.shape[1:]))
+                table[..., ~odd] = np.tensordot(wave.real, found[..., ~odd], 1)
+                table[..., odd] = np.tensordot(wave.imag, found[..., odd], 1)
+                splines.append(NdBSpline((t_x, t_r, t_a), table, 3))
+            parts.append((turned, splines[0], splines[1]))
+        return cls(place, side, half_width, farthest, length, tuple(parts))
 
     def stress(self, points: Array) -> Array:
         """Return the stress [MPa] at ``points`` (n, 3), shape (n, 6)."""
-        where, nearer = self._seen(points)
-        found = sum(stress(where) * self._signs(points, turned)[:, :_STRESSES] for turned, stress, _ in self.parts)
-        return np.asarray(nearer**2 * found)
+        total, apart = np.zeros((len(points), _STRESSES)), 2.0 * self.side * self.length
+        images = [(1.0, 0.0)] if not apart else [(1.0, 0.0), (-1.0, 2.0 * self.place - apart), (1.0, -apart)]
+        for sign, offset in images:
+            seen = np.column_stack([points[:, 0], sign * points[:, 1] + offset, points[:, 2]])
+            where, nearer = self._seen(seen)
+            part = sum(stress(where) * self._signs(points, turned)[:, :_STRESSES] for turned, stress, _ in self.parts)
+            total += nearer**2 * part * np.where(_ALONG[:_STRESSES], sign, 1.0)
+        return total
 
     def displacement(self, points: Array) -> Array:
         """Return the shear modulus times the displacement [N/mm] at ``points`` (n, 3), shape (n, 3)."""
@@ -142,9 +170,23 @@ class FreeFaceField:
         return mirrored * np.where(turned & (points[:, :1] < 0.0), -1.0, 1.0)
 
 
+def _both(field: QuarterSpaceField, k: Array, distance: Array, steps: Array, alone: Array, length: float) -> Array:
+    """Return the coefficients of a face with another one at the other end, given those without it.
+
+    The image about one face is not mirrored about the other, on which it leaves half of what it would with its image.
+    """
+    near = k * length < FARTHEST_APART
+    k, steps = k[near], steps[near]
+    own = alone[near] - 0.5 * field.projected(k, 2.0 * length - distance, steps)
+    other = 0.5 * field.projected(k, length + distance, steps) - field.projected(k, length - distance, steps)
+    found = alone.copy()
+    found[near] = field.between_faces(k * length, own, other)
+    return found
+
+
 def _wave_numbers(half_width: float, reach: float) -> tuple[Array, Array]:
     """Return wave numbers [1/mm] and their weights in an integral."""
-    edges = [0.0, 0.25 / reach]
+    edges = [0.0, 0.5 / reach]
     while edges[-1] < _LARGEST / half_width:
         edges.append(edges[-1] + min(edges[-1], _STEP / half_width))
     node, weight = legendre.leggauss(_NODES)
@@ -167,20 +209,3 @@ def _spline(grid: Array) -> tuple[Array, Array]:
 
     spline = make_interp_spline(grid, np.eye(grid.size), 3)
     return spline.t, spline.c
-
-
-def _between_distances(logarithm: Array) -> Array:
-    """Return the matrices from values at `DISTANCES` to values between them; nothing is left beyond."""
-    from scipy.interpolate import CubicSpline
-
-    known = np.log(DISTANCES)
-    found: Array = CubicSpline(known, np.eye(known.size))(np.clip(logarithm, known[0], known[-1]))
-    found[logarithm > known[-1]] = 0.0
-    return found
-
-
-@cache
-def _between_angles() -> Array:
-    """Return the matrix from values at `ANGLES` to those on the table's directions."""
-    table, given = (chebyshev.chebvander(4.0 / np.pi * each - 1.0, DIRECTIONS - 1) for each in (_ANGLES, ANGLES))
-    return np.asarray(table @ np.linalg.inv(given))

@@ -235,14 +235,14 @@ def _faces(solution: Solved, name: BodyName, body: Body) -> tuple[FreeFaceField,
         loaded = solution.line_load > 0.0
         y, half_width = solution.y[loaded], solution.extent_across[1][loaded]
         low, high = solution.edges[:-1][loaded][0], solution.edges[1:][loaded][-1]
+        freed = [w > 0.0 and side.of_body for side, w in zip(body.sides, body.face_weights, strict=True)]
         faces = []
-        for place, side, treated, weight in zip(body.faces, (-1.0, 1.0), body.sides, body.face_weights, strict=True):
-            if weight > 0.0 and treated.of_body:
+        for place, opposite, side in ((*body.faces, -1.0), (*body.faces[::-1], 1.0)):
+            if freed[side > 0.0]:
                 near = float(np.max(half_width - NARROWING * np.abs(y - place), initial=LEAST * half_width.max()))
-                reach = max(high - place, place - low)
-                faces.append(
-                    FreeFaceField.of(_load(solution).spectrum, place, side, near, reach, body.material.poisson)
-                )
+                reach, other = max(high - place, place - low), opposite if all(freed) else None
+                load, poisson = _load(solution), body.material.poisson
+                faces.append(FreeFaceField.of(load.spectrum, place, side, near, reach, poisson, other))
         found[name] = tuple(faces)
     return found[name]
 
