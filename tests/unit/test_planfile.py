@@ -64,7 +64,7 @@ def test_the_plan_to_start_from_goes_with_the_case_to_start_from(folder):
 
 
 def test_the_plan_of_the_reference_is_one(tmp_path):
-    text = starting_case("cylindrical").replace("diameter = 10.0", "diameter = 15.0")
+    text = starting_case("cylindrical").replace("diameter = 10.0", "diameter = 20.0")
     (tmp_path / "roller.toml").write_text(text, encoding="utf-8")
     reference = (Path(__file__).parents[2] / "docs" / "reference" / "plan-file.md").read_text(encoding="utf-8")
     path = tmp_path / "plan.toml"
