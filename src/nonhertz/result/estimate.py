@@ -101,7 +101,7 @@ def error_estimate(
             (COARSE if aimed > ACCURACY else 1.0) * max(PRESSURE_LEFT * aimed, levels.difference(largest)),
             _raised_at_ends(problem, state, edges, highest),
         )
-        + _beside_strips(problem, state, singular, ripples, highest)
+        + _beside_strips(problem, levels, singular, ripples, highest)
         + PRESSURE_LEFT_BY_MODES * whole,
         moment=0.0 if by_moment else max(floor, error(_moment, float(state.load) * reach) + unseen[1]) + left,
         tilt=max(floor, error(_tilt, penetration / reach) + unseen[0]) + left if by_moment else 0.0,
@@ -119,7 +119,7 @@ def _raised_at_ends(problem: Problem, state: States, edges: tuple[EdgePressure, 
     return raised
 
 
-def _beside_strips(problem: Problem, state: States, singular: Array, ripples: Array, highest: float) -> float:
+def _beside_strips(problem: Problem, levels: Levels, singular: Array, ripples: Array, highest: float) -> float:
     """Return the relative error of the largest pressure caused by what strips do not resolve.
 
     Flattening the departure from a parabola within each strip takes ripples of pressure. A summit may be narrower than
@@ -127,6 +127,7 @@ def _beside_strips(problem: Problem, state: States, singular: Array, ripples: Ar
     shortly before the end of the bodies looks like one that reaches it: where the profile falls away there, the last
     strip may well have the largest pressure.
     """
+    state = levels.finest
     half_width = problem.element.hertz_ratio * np.sqrt(state.m)
     bearing = state.m > 0.0
     hidden, sure = 0.0, []
@@ -137,8 +138,23 @@ def _beside_strips(problem: Problem, state: States, singular: Array, ripples: Ar
         else:
             sure.append(end)
     counted = bearing & (distance_beyond(state.y, half_width, np.array(sure)) > 0.0)
-    summit = float(np.max(np.where(counted, cusps(state.pressure), 0.0)))
+    summit = float(np.max(np.where(counted, _reach(levels), 0.0)))
     return max(hidden, summit / highest - 1.0) + float(np.max(np.where(counted, ripples, 0.0))) / highest
+
+
+def _reach(levels: Levels) -> Array:
+    """Return how high summits may reach that are narrower than their strips, zero for all other strips.
+
+    A summit stands out no further than by twice what halving the strips has just raised it by.
+    """
+    state = levels.finest
+    reach: Array = cusps(state.pressure)
+    if len(levels.states) > 1:
+        coarse = levels.states[1]
+        at = np.clip(np.searchsorted(coarse.edges, state.y) - 1, 1, coarse.pressure.size - 2)
+        before = np.max([coarse.pressure[at + k] for k in (-1, 0, 1)], axis=0)
+        reach = np.minimum(reach, state.pressure + SAFETY * np.abs(state.pressure - before))
+    return reach
 
 
 def _falls_away(problem: Problem, state: States, end: float, half_width: float) -> bool:
