@@ -301,7 +301,7 @@ def test_templates_solve_without_a_warning(
             "--template = 'cam' must be one of 'cylindrical', 'needle', 'tapered-pair'",
         ),
         (("--template", "cam", "--plan"), "--template = 'cam' must not be given with --plan"),
-        (("--plan", "--bearing"), "--plan = True must not be given with --bearing"),
+        (("--plan", "--bearing"), "--plan must not be given with --bearing"),
     ],
 )
 def test_templates_that_there_are_not(

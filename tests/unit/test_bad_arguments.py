@@ -686,6 +686,7 @@ ENTRIES: dict[str, Entry] = {
     "bearing.RingShape.scaled": entry(bearing.fourier_shape({2: 0.005}).scaled, by=(-1.0, "number")),
     "bearing.BearingSolution.contact": entry(LOADED.contact, roller=(0, "count"), ring=("inner", "word")),
     "bearing.BearingSolution.rib_contact": entry(LOADED.rib_contact, roller=(0, "count"), ring=("inner", "word")),
+    "bearing.BearingSolution.place_of": entry(LOADED.place_of, roller=(0, "count")),
     "bearing.BearingSolution.rollers_of": entry(LOADED.rollers_of, row=(0, "count")),
     "bearing.BearingSolution.unrolled_pressure": entry(
         LOADED.unrolled_pressure, ring=("inner", "word"), row=(0, "count"), y=([0.0, 1.0], "row?")
@@ -899,7 +900,7 @@ ENTRIES: dict[str, Entry] = {
         corner=("keep", "word"),
         outliers=(True, "prepared"),
         smooth=("gaussian", "prepared"),
-        cutoff=(0.8, "positive"),
+        cutoff=(0.8, "positive?"),
         slope=(0.05, "positive?"),
         points=("auto", "prepared"),
     ),

@@ -10,7 +10,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.io.free_forms import FreeForm, free_form_in
-from nonhertz.study.design import _asked, best, front
+from nonhertz.study.design import best, checked, front
 from nonhertz.study.objective import refuse_unlimited
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
@@ -23,7 +23,7 @@ RADIUS = {"body.a.profile.radius": "1500 mm : 30000 mm"}
 
 
 def asked(vary, goal="pressure", loads=None, where=None, case=CASE):
-    return _asked(case, vary, goal, loads or LOADS, where, None, None).task
+    return checked(case, vary, goal, loads or LOADS, where, None, None).task
 
 
 @pytest.mark.parametrize("goal", ["pressure", "life"])

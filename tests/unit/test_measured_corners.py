@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 
 import numpy as np
 import pytest
@@ -33,9 +34,9 @@ def trace(
     return Trace(y + 3.1, height + noise * np.random.default_rng(seed).standard_normal(len(y)))
 
 
-def solved(profile: nh.profile.Profile, **corner: object) -> nh.Solution:
+def solved(profile: nh.profile.Profile, accuracy: float | None = None, **corner: object) -> nh.Solution:
     roller = nh.Roller(diameter=15, length=2.0 * HALF, profile=profile, **corner)  # type: ignore[arg-type]
-    return nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), load=LOAD, tilt=MINUTES)
+    return nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), load=LOAD, tilt=MINUTES, accuracy=accuracy)
 
 
 @pytest.mark.parametrize("land", LAND)
@@ -71,10 +72,10 @@ def test_other_corners_keep_their_pressure(corner, rtol):
 @pytest.mark.slow
 def test_the_noise_of_a_corner_does_not_make_the_pressure():
     pressures = [solved(prepare(trace(step=1e-3, seed=seed)).profile()).max_pressure for seed in range(5)]
-    rough = [
-        solved(prepare(trace(step=1e-3, seed=seed), smooth=False, points=2001).profile()).max_pressure
-        for seed in range(2)
-    ]
+    traces = (prepare(trace(step=1e-3, seed=seed), smooth=False, points=2001) for seed in range(2))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", nh.AccuracyWarning)  # noise is resolved by strips of its own step alone
+        rough = [solved(each.profile(), 1e-5).max_pressure for each in traces]
     assert np.ptp(pressures) < 0.02 * np.mean(pressures)
     assert min(rough) > 1.02 * max(pressures)
 

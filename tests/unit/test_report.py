@@ -236,10 +236,12 @@ def test_steps_of_a_measured_profile_are_told_though_the_case_file_leaves_them_o
     (tmp_path / "roller.txt").write_text("\n".join(rows), encoding="utf-8")
     text = '[body.a]\ndiameter = 10\nprofile = { kind = "measured", file = "roller.txt", trim = "9 mm" }\n[body.b]\n'
     (tmp_path / "case.toml").write_text(text + "[load]\nload = 100\n", encoding="utf-8")
-    (profile,) = inputs(read_case(tmp_path / "case.toml"))[0].profiles
+    case = read_case(tmp_path / "case.toml")
+    (profile,) = inputs(case)[0].profiles
     told = {entry.key: (f"{entry.value} {entry.unit}".strip(), entry.default) for entry in profile.entries}
     assert told["trim"] == ("9 mm", False)
-    assert told["cutoff"] == ("0.8 mm", True)
+    (measured,) = measurements(case)
+    assert "shorter than 0.8 mm" in dict(measured.rows)["smooth"]
     assert told["smooth"] == ("gaussian", True)
     assert told["level"] == ("yes", True)
     assert told["points"] == ("auto", True)

@@ -329,19 +329,19 @@ def test_a_contact_wider_than_a_body_is_round_is_refused_alone_and_among_many():
         ({}, {"approach": 40.0}),
         ({"diameter": 19.0 + 1.000000000000004}, {"load": 1e8, "tilt": 1e-3}),
         ({"material": nh.Material(modulus=1.0, poisson=0.3)}, {"load": 1e4}),
-        ({"bore": 18.0}, {"load": 1e5}),
+        ({"bore": 18.0}, {"load": 2e5}),
     ],
 )
 def test_bodies_too_small_for_the_load_refuse_what_was_given(roller, given):
     contact = nh.Contact(nh.Roller(**({"diameter": 20.0, "length": 20.0} | roller)), nh.Plate())
     name, value = next(iter(given.items()))
     said = rf"^{name} = {value} must leave the half-width, .* (radius of 10 mm|mm of body a)"
-    for solve in (nh.solve, nh.patch.solve):
-        with pytest.raises(nh.InputError, match=said):
-            solve(contact, **given)
-    # The way out is one.
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", nh.AccuracyWarning)
+        for solve in (nh.solve, nh.patch.solve):
+            with pytest.raises(nh.InputError, match=said):
+                solve(contact, **given)
+        # The way out is one.
         assert nh.solve(contact, **(given | {name: 1e-3 * value})).load > 0.0
 
 

@@ -201,7 +201,19 @@ class BearingSolution(ReadOnly):
         return rib.under(load) if rib is not None and load > 0.0 else None
 
     def place_of(self, roller: int) -> str:
-        """Return which roller it is, in words."""
+        """Return which roller it is, in words.
+
+        Parameters
+        ----------
+        roller : int
+            Its number, from 0.
+
+        Raises
+        ------
+        InputError
+            If there is no such roller.
+        """
+        roller = whole("roller", roller, 0, self.angle.size - 1, "count from 0")
         row = next(k for k, these in enumerate(row_slices(self.bearing), start=1) if roller < these.stop)
         among = f", row {row}" if len(self.bearing.rows) > 1 else ""
         return f"roller {roller} at {np.degrees(self.angle[roller]):.1f} degrees{among}"

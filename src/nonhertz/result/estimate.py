@@ -151,8 +151,9 @@ def _reach(levels: Levels) -> Array:
     reach: Array = cusps(state.pressure)
     if len(levels.states) > 1:
         coarse = levels.states[1]
-        at = np.clip(np.searchsorted(coarse.edges, state.y) - 1, 1, coarse.pressure.size - 2)
-        before = np.max([coarse.pressure[at + k] for k in (-1, 0, 1)], axis=0)
+        at = np.clip(np.searchsorted(coarse.edges, state.y) - 1, 0, coarse.pressure.size - 1)
+        beside = np.pad(coarse.pressure, 1)
+        before = np.max([beside[at + k] for k in range(3)], axis=0)
         reach = np.minimum(reach, state.pressure + SAFETY * np.abs(state.pressure - before))
     return reach
 

@@ -45,6 +45,10 @@ class TaperedEnds(Formula):
         return (-0.5 * self.straight, 0.5 * self.straight) if self.straight > 0.0 else (0.0,)
 
 
+BEARS_NOTHING = 0.05
+"""Drop [mm] of an end that no contact reaches: surfaces deflect by tens of micrometres at most."""
+
+
 @dataclass(frozen=True)
 class Chamfers(TaperedEnds):
     """The same where the ends are too steep to bear, as those of a roller beyond its effective length."""
@@ -160,7 +164,8 @@ def chamfer(length: float, width: float, angle: float = 0.25 * math.pi) -> Profi
             "give the length of one chamfer in mm",
         )
     _acute(angle)
-    ends = Chamfers(float(length) - 2.0 * float(width), float(angle))
+    kind = Chamfers if float(width) * math.tan(angle) > BEARS_NOTHING else TaperedEnds
+    ends = kind(float(length) - 2.0 * float(width), float(angle))
     return ends.called("chamfer", length=length, width=width, angle=angle)
 
 
