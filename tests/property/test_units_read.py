@@ -247,7 +247,7 @@ def report_text(*words: str) -> str:
     assert main(["report", *words, "--out", "report.html"]) == 0
     page = Path("report.html").read_text(encoding="utf-8")
     for left_out in (
-        *(r"<style>.*?</style>", r"<pre.*?</pre>", r'<span lang="en">.*?</span>', r'<ul class="references".*?</ul>'),
+        *(r"<style>.*?</style>", r"<pre.*?</pre>", r"<i>Source:.*?</i>", r'<ul class="references".*?</ul>'),
         *(r"<small>written.*?</small>", r'<ul class="files">.*?</ul>', r"<footer>.*?</footer>", r"<title>.*?</title>"),
     ):
         page = re.sub(left_out, "", page, flags=re.DOTALL)
