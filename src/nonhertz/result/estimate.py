@@ -69,7 +69,7 @@ def error_estimate(
         return ErrorEstimate(*[math.inf] * 5)
     by_load, by_moment = problem.prescribed.tolist()
     floor = sharp_end_error(edges, sum(high - low for low, high in contact_of(state)))
-    whole = any(isinstance(each, AxisOfRoller) for each in problem.influence.references)
+    whole = has_whole_roller(problem)
     left = left_at_sharp_ends(problem, state, edges) + LEFT_BY_MODES * whole
     unlimited = at_corner or any(edge.kind is EdgeKind.CUT_OFF for edge in edges)
     places, separation = within(problem, state.edges)
@@ -106,6 +106,11 @@ def error_estimate(
         moment=0.0 if by_moment else max(floor, error(_moment, float(state.load) * reach) + unseen[1]) + left,
         tilt=max(floor, error(_tilt, penetration / reach) + unseen[0]) + left if by_moment else 0.0,
     )
+
+
+def has_whole_roller(problem: Problem) -> bool:
+    """Return whether a body is a whole roller, of which modes and polynomials leave `LEFT_BY_MODES`."""
+    return any(isinstance(each, AxisOfRoller) for each in problem.influence.references)
 
 
 def _raised_at_ends(problem: Problem, state: States, edges: tuple[EdgePressure, ...], highest: float) -> float:

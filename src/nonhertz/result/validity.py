@@ -24,7 +24,14 @@ from nonhertz.result.checks import (
     unevenness,
 )
 from nonhertz.result.ends import step_at
-from nonhertz.result.estimate import LARGE_ERROR, LARGE_PRESSURE_ERROR, MISSED, may_be_uncertain
+from nonhertz.result.estimate import (
+    LARGE_ERROR,
+    LARGE_PRESSURE_ERROR,
+    LEFT_BY_MODES,
+    MISSED,
+    has_whole_roller,
+    may_be_uncertain,
+)
 from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.solution import EdgeKind, Solution, Status
 from nonhertz.strip.grid import reaching
@@ -115,7 +122,9 @@ def _short_of_accuracy(solution: Solution, problem: Problem) -> list[str]:
     """Return a sentence where the accuracy that was asked for is not met; larger errors have their own."""
     estimate, asked = solution.error_estimate, problem.accuracy
     name, error = max(("approach", estimate.approach), ("load", estimate.load), key=lambda each: each[1])
-    if not problem.asked or asked is None or not asked < error <= LARGE_ERROR:
+    # Strips have no part in what the modes of a whole roller leave.
+    by_strips = error - LEFT_BY_MODES * has_whole_roller(problem)
+    if not problem.asked or asked is None or not asked < by_strips <= LARGE_ERROR:
         return []
     return [
         f"The accuracy of {asked:g} asked for is not met: the error of the {name} is estimated at {error:.2g}, on "
