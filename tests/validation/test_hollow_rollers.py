@@ -70,6 +70,7 @@ def test_random_rollers_are_as_by_quadratic_elements():
         np.testing.assert_allclose(found, values, rtol=0.01, atol=0.003 * values.max())
 
 
+@pytest.mark.slow
 def test_long_thin_roller_is_a_curved_beam():
     """Winkler's beam under two opposite loads (Timoshenko, Strength of Materials, Part II), in plane strain."""
     load, middle, wall, inner = 40.0, 19.0, 2.0, 18.0  # N/mm and mm
