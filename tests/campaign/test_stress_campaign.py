@@ -45,12 +45,13 @@ def random_solution(number):
     """A roller on a body that goes on for ever, or None where there is nothing to solve."""
     rng = np.random.default_rng([SEED, number])
     length = 10.0 ** rng.uniform(0.5, 2.0)
-    faces, images = rng.choice([0.0, 1.0, 0.6]), int(rng.choice([1, 2]))
+    # Behind other faces the field is that of a free face, not of images.
+    faces, images = rng.choice([0.0, 1.0]), int(rng.choice([1, 2]))
     roller = nh.Roller(
         diameter=length * 10.0 ** rng.uniform(-0.5, 0.5),
         length=length,
         profile=random_profile(rng, length),
-        side_faces=float(faces),
+        side_faces="mirror" if faces else "none",
         images=images,
     )
     other = nh.Plate(material=nh.Material(modulus=210e3, poisson=rng.uniform(0.0, 0.45)))
