@@ -37,6 +37,11 @@ def unfolded(desk: Desk) -> None:
         fold.click()
 
 
+def pointed(desk: Desk) -> None:
+    desk.page.locator('[data-figure="pressure"] .drawing svg').hover()
+    desk.page.locator('[data-figure="pressure"] .drawing svg text:has-text("p₀")').last.wait_for()
+
+
 def sharp(desk: Desk) -> None:
     desk.press('button[data-action="remove"][data-path="body.a.profile[1]"]')
 
@@ -51,6 +56,7 @@ STATES: dict[str, Callable[[Desk], Any]] = {
     "pinned": pinned,
     "mistake": lambda desk: desk.write("load.load", "30 kg"),
     "unfolded": unfolded,
+    "pointed at": pointed,
     "sharp ends": sharp,
     "measured": measured,
 }

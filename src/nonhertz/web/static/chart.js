@@ -64,7 +64,8 @@ export function figure(name) {
 export function draw(host, options, words) {
   const room = /** @type {HTMLElement} */ (host.querySelector(".drawing"));
   const chart = Plot.plot({ ...options, width: widthOf(host), style: { fontSize: "11px", overflow: "visible" } });
-  // Screen readers read the text alternative; the labels that Plot gives to groups would not be read.
+  // Screen readers read the text alternative; the labels that Plot gives to groups would not be read. Groups that follow
+  // the pointer are drawn anew, with their labels: they are hidden where they are made.
   for (const group of chart.querySelectorAll("g[aria-label]")) group.removeAttribute("aria-label");
   chart.setAttribute("role", "img");
   chart.setAttribute("aria-label", words);
@@ -157,9 +158,10 @@ export function line(x, y, options) {
  * @param {(position: number) => string} words
  */
 export function reading(x, y, words) {
-  const at = Plot.pointerX({ x, y, maxRadius: 60 });
+  const near = { maxRadius: 60, ariaHidden: true };
+  const at = Plot.pointerX({ x, y, ...near });
   return [
-    Plot.ruleX(x, Plot.pointerX({ x, maxRadius: 60, stroke: FAINT, strokeWidth: 0.7 })),
+    Plot.ruleX(x, Plot.pointerX({ x, ...near, stroke: FAINT, strokeWidth: 0.7 })),
     Plot.tip(x, { ...at, title: (_, position) => words(position), fill: "var(--surface)", stroke: "var(--rule)" }),
   ];
 }
