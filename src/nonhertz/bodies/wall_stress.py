@@ -18,6 +18,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -40,10 +41,11 @@ _THROUGH, _THROUGH_PER_WALL = 6, 5.0  # points through the wall: of a thin one, 
 _ALONG = 13  # points along the axis, at least
 TOP = 0.97  # the outermost circle, as a share of the wall
 _ANGLES, _DISTANCES = 64, 121  # of the tables of point loads: on a quarter of a circle, for no waves, and along
-_LOADS = 10.0  # points along the axis, for a half-length of a circle's depth
+_LOADS, _WAVES_PER_PANEL = 12, 5  # points of a panel of loads along the axis, which has as many half-waves
 # Components: rr, tt, yy and r theta, r y, theta y; all but r theta and theta y vary as cos(n theta).
 _EVEN = np.array([True, True, True, False, True, False])
 _ODD = np.array([1.0, 1.0, 1.0, 1.0, -1.0, -1.0])  # their signs at the opposite place along the axis
+_gauss = cache(legendre.leggauss)
 
 
 @dataclass(frozen=True)
@@ -168,20 +170,33 @@ def _of_half_spaces(
     outer, inner = outline.radii(places)
     found = np.empty((waves.size, shares.size, places.size, 6, count))
     for i, share in enumerate(shares):
-        radii = inner + share * (outer - inner)
-        eta, weight = legendre.leggauss(math.ceil(_LOADS * half_length / np.min(outer - radii)))
-        eta = half_length * eta
-        load = np.tile(_polynomials(half_length, count, eta) * (half_length * weight)[:, None], (3, 1))
-        sources = np.concatenate([eta, 2.0 * half_length - eta, -2.0 * half_length - eta])
         last = None
         for j, y in enumerate(places):
-            if last != (last := (outer[j], radii[j])):
-                scale = outer[j] - radii[j]
+            if last != (last := (outer[j], inner[j] + share * (outer[j] - inner[j]))):
+                scale = last[0] - last[1]
                 table = _point_loads(*last, poisson, waves, 4.0 * half_length)
+            sources, weight = _around(y, scale, half_length, count)
+            mirrored = 2.0 * np.clip(sources, -half_length, half_length) - sources
+            load = _polynomials(half_length, count, mirrored) * weight[:, None]
             distance = y - sources
             seen = table(np.arcsinh(np.abs(distance) / scale)) * np.where(distance[:, None, None] < 0.0, _ODD, 1.0)
             found[:, i, j] = np.tensordot(seen, load, (0, 0))
     return found
+
+
+def _around(y: float, scale: float, half_length: float, count: int) -> tuple[Array, Array]:
+    """Return nodes and weights for polynomials on the roller and its two images, seen from a distance `scale` at y.
+
+    Panels double with the distance from y, and are no longer than a few waves of the last polynomial, which are as
+    short towards the ends as those of a cosine.
+    """
+    waves = -half_length * np.cos(np.linspace(0.0, np.pi, 1 + math.ceil(count / _WAVES_PER_PANEL)))
+    steps = scale * 2.0 ** np.arange(1 + math.ceil(math.log2(4.0 * half_length / scale)))
+    borders = np.concatenate([waves - 2.0 * half_length, waves, waves + 2.0 * half_length, y - steps, [y], y + steps])
+    borders = np.unique(borders[np.abs(borders) <= 3.0 * half_length])
+    node, weight = _gauss(_LOADS)
+    half = 0.5 * np.diff(borders)[:, None]
+    return (borders[:-1, None] + half * (1.0 + node)).ravel(), (half * weight).ravel()
 
 
 def _point_loads(
@@ -214,7 +229,7 @@ def _quarter(depth: float, waves: NDArray[np.int64]) -> tuple[Array, Array]:
     -------
     tuple of ndarray, shape (angles,) and (6, waves, angles)
     """
-    node, weight = legendre.leggauss(_ANGLES + 2 * int(waves[-1]))
+    node, weight = _gauss(_ANGLES + 2 * int(waves[-1]))
     end = 0.5 * np.arcsinh(0.5 * np.pi / depth)
     theta, share = depth * np.sinh(end * (1.0 + node)), depth * np.cosh(end * (1.0 + node)) * end * weight
     turns = waves[:, None] * theta
