@@ -85,7 +85,7 @@ def read_columns(lines: Sequence[str], request: Request) -> Line:
     written = [(k, line.strip()) for k, line in enumerate(lines, start=1)]
     numbered = [(k, line) for k, line in written if line and not COMMENT.match(line)]
     layout = _layout(numbered, request)
-    rows = [layout.row(line) for _, line in numbered]
+    rows = _rows(numbered, layout, request)
     widths = Counter(len(row) for row in rows if row and _measured(row))
     width = widths.most_common(1)[0][0] if widths else 0
     wide = [k for k, row in enumerate(rows) if row and len(row) == width]
@@ -94,9 +94,6 @@ def read_columns(lines: Sequence[str], request: Request) -> Line:
     if first is None or first > LONGEST_HEAD:
         raise request.refuse(f"hold two columns of numbers ({_instead(numbered)})", _AS_TEXT)
     last = wide[-1]
-    if width * (last + 1 - first) > _MOST_CELLS:
-        condition = f"hold no more than {_MOST_CELLS:,} numbers (there are {last + 1 - first:,} lines of {width:,})"
-        raise request.refuse(condition, "export fewer points, or the columns of positions and heights alone")
     body, notes = _between(numbered, rows, (first, last), layout, request)
     table = np.array(body)
     while table.shape[1] > 2 and np.all(np.isnan(table[:, -1])):
@@ -122,6 +119,21 @@ def read_columns(lines: Sequence[str], request: Request) -> Line:
     drop = request.sense == "drop" or counts_drop(names[chosen[1]], request)
     known = units[0] is not None, units[1] is not None
     return Line(values[0], values[1], (*told, *notes), known, drop)
+
+
+def _rows(numbered: list[tuple[int, str]], layout: _Layout, request: Request) -> list[list[float] | None]:
+    """Return the numbers of every line; refuse more than fit into memory before they fill it."""
+    rows, count = [], 0
+    for _, line in numbered:
+        row = layout.row(line)
+        rows.append(row)
+        count += len(row or ())
+        if count > _MOST_CELLS:
+            condition = (
+                f"hold no more than {_MOST_CELLS:,} numbers (there are {len(numbered):,} lines of {len(row or ()):,})"
+            )
+            raise request.refuse(condition, "export fewer points, or the columns of positions and heights alone")
+    return rows
 
 
 def _measured(row: list[float]) -> bool:
