@@ -22,7 +22,7 @@ from nonhertz.plot.style import FIRST, INK, sheet_style
 
 PAPER = Path(__file__).resolve().parent
 ROOT = PAPER.parent
-VALIDATION = ROOT / "docs/validation/validation.md"
+VALIDATION = ROOT / "docs/validation"
 BENCHMARKS = ROOT / "docs/benchmarks"
 
 HALF_SPACE: dict[str, Any] = {"side_faces": "none", "depth": "none"}
@@ -34,11 +34,10 @@ WRAPPING: dict[str, Any] = {"break_long_words": False, "break_on_hyphens": False
 RADII, STEEL = (10.0, 100.0), nh.Material(206000.0, 0.3)
 
 
-def section(title: str) -> str:
-    """Return what was found in a section of the validation, as one line."""
-    text = VALIDATION.read_text(encoding="utf-8")
-    _, _, rest = text.partition(f"\n## {title}")
-    return re.sub(r"\s+", " ", rest.partition("\n## ")[0])
+def claim(page: str, of: str) -> str:
+    """Return the number of claims that is set into a page of the validation."""
+    text = (VALIDATION / f"{page}.md").read_text(encoding="utf-8")
+    return found(text, re.escape(f"<!-- off {of} -->") + r"(.*?)<!-- \. -->")[0]
 
 
 def found(text: str, pattern: str) -> tuple[str, ...]:
@@ -49,20 +48,9 @@ def found(text: str, pattern: str) -> tuple[str, ...]:
 
 def numbers() -> dict[str, str]:
     """Return the numbers of the text, by the names in the template."""
-    text = VALIDATION.read_text(encoding="utf-8")
-    checks, passed, failed, shown = found(text, r"\n\| all \| (\d+) \| (\d+) \| (\d+) \| (\d+) \|")
+    overview = (VALIDATION / "validation.md").read_text(encoding="utf-8")
+    checks, passed, failed, shown = found(overview, r"\n\| all \| (\d+) \| (\d+) \| (\d+) \| (\d+) \|")
     judged = int(passed) + int(failed)
-    hertz = section("Elliptical contacts: Hertz")
-    row = r"semi-elliptic, automatic grid: {} \| Hertz \| [\d.]+ \| [\d.]+ \| (\S+) \|"
-    (pressure,) = found(hertz, row.format(r"greatest pressure \[MPa\]"))
-    (approach,) = found(hertz, row.format(r"approach \[mm\]"))
-    free = section("Free ends: strips against a plane grid")
-    free_approach, free_moment = found(free, r"agree within (\S+ %) in approach and within (\S+ %) in the moment")
-    whole = section("The whole roller")
-    (within,) = found(whole, r"is within (\S+ %) of finite elements at every place listed below but the very end")
-    bearings = section("Whole bearings")
-    (slices,) = found(bearings, r"the load that MASTA has, within (\S+ %)\.")
-    (strips,) = found(bearings, r"Strips are up to (\S+ %) off it")
     results = json.loads((BENCHMARKS / "results.json").read_text(encoding="utf-8"))
     times = [1e3 * case["time"] for case in results["automatic"].values()]
     race = (BENCHMARKS / "race.md").read_text(encoding="utf-8")
@@ -75,13 +63,13 @@ def numbers() -> dict[str, str]:
         "judged": str(judged),
         "failed": {"0": "none"}.get(failed, failed),
         "shown": shown,
-        "hertz_pressure": part(pressure),
-        "hertz_approach": part(approach),
-        "free_approach": free_approach,
-        "free_moment": free_moment,
-        "whole": within,
-        "slices": slices,
-        "strips": strips,
+        "hertz_pressure": claim("hertz", "hertz-ellipse/semi-elliptic-automatic-grid-greatest-pressure"),
+        "hertz_approach": claim("hertz", "hertz-ellipse/semi-elliptic-automatic-grid-approach"),
+        "free_approach": claim("free-ends", "free-ends/*-approach"),
+        "free_moment": claim("free-ends", "free-ends/straight-tilted-moment,free-ends/[tlw]*moment"),
+        "whole": claim("whole-roller", "whole-roller/whole-roller*y-[0589]*"),
+        "slices": claim("bearings", "bearings/hr30306j-slices-load-at-[0-9]*.[041789]-degrees"),
+        "strips": claim("bearings", "bearings/hr30306j-strips-load-at-[0-9]*.[041789]-degrees"),
         "fastest": f"{min(times):.1f}",
         "slowest": f"{max(times):.1f}",
         "race_least": least,
@@ -89,12 +77,6 @@ def numbers() -> dict[str, str]:
         "processor": f"one core of an {machine['processor']} processor",
         "figure_difference": f"{100 * figure['difference']:.2f} %",
     }
-
-
-def part(difference: str) -> str:
-    """Return a relative difference such as ``-7.7e-6`` in words."""
-    digits, _, exponent = difference.lstrip("-+").partition("e")
-    return rf"${digits} \cdot 10^{{{int(exponent)}}}$"
 
 
 def text() -> str:

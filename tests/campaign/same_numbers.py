@@ -79,12 +79,16 @@ def command_record(work):
 
 def check_records():
     """Yield the records of the checks of `verify`, but for those that measure time."""
-    from nonhertz import verify
+    from nonhertz.cli import main
+    from nonhertz.verify import CATALOGUE
 
-    for name, section in verify.sections(only=[name for name in verify.CATALOGUE if name != "cost"]):
-        for number, check in enumerate(section.checks):
-            numbers = {"expected": check.expected, "computed": check.computed}
-            yield {"of": f"verify {name} {number}", "ended": check.verdict, "numbers": numbers}
+    printed, numbers_of = io.StringIO(), defaultdict(int)
+    with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(io.StringIO()):
+        main(["verify", "--json", "--only", *(name for name in CATALOGUE if name != "cost")])
+    for check in json.loads(printed.getvalue()):
+        section, numbers = check["section"], {name: check[name] for name in ("expected", "computed")}
+        yield {"of": f"verify {section} {numbers_of[section]}", "ended": check["verdict"], "numbers": numbers}
+        numbers_of[section] += 1
 
 
 def _number(value):

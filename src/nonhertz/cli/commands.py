@@ -967,7 +967,7 @@ def verify(
     Parameters
     ----------
     out : Path
-        Directory for validation.md, its figures and verify.json; created if it does not exist.
+        Directory for validation.md and verify.json, tables of all claims; created if it does not exist.
     only : tuple of str
         Names of the sections to run, such as 'half-space plane-strain'; by default all of them.
     as_json : bool
@@ -982,14 +982,14 @@ def verify(
     names = chosen(only)
     if out is not None:
         refuse_unwritable(out)
-    found = {}
+    found = []
     progress = Progress(len(names))
     try:
-        for name, section in sections(names, progress.announce):
+        for section in sections(names, progress.announce):
             progress.wipe()
-            found[name] = section
+            found.append(section)
             if not as_json:
-                print_section(name, section)
+                print_section(section)
     finally:
         progress.wipe()
     command = " ".join(["nonhertz verify --out DIR", *(["--only", *names] if only else [])])

@@ -15,7 +15,7 @@ _WIDTHS = {"claim": 3, "source": 2}  # shares of the width that the numbers leav
 _COLOURS = {"pass": "green", "FAIL": "bold red", "shown": "cyan"}
 
 
-def print_section(name: str, section: Section) -> None:
+def print_section(section: Section) -> None:
     """Print a section's checks as a table."""
     printing = console()
     table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="dim", expand=True)
@@ -27,7 +27,7 @@ def print_section(name: str, section: Section) -> None:
     for check in section.checks:
         *cells, verdict = row(check)
         table.add_row(*map(Text, cells), Text(verdict, style=_COLOURS[verdict]))
-    printing.print(Text.assemble((section.title, "bold"), (f"  ({name})", "dim")))
+    printing.print(Text.assemble((section.title, "bold"), (f"  ({section.name})", "dim")))
     print_table(printing, table)
     printing.print()
 

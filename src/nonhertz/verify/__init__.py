@@ -1,20 +1,16 @@
-"""Whether the numbers are right: comparisons with publications, exact solutions and other methods.
+"""Whether the numbers are right: claims about them, by publications, exact solutions and other methods.
 
-Each comparison is a module with a function ``section`` that solves what it needs and returns a
-`nonhertz.verify.claim.Section`: checks with a verdict, a text and pictures. `sections` runs them, and
-`nonhertz.verify.page` turns them into the validation page.
+Each topic is a module with a ``TITLE`` and a function ``claims``. `sections` computes the numbers of the claims, and
+`nonhertz.verify.page` makes tables of them; what is compared and how well is told in docs/validation.
 """
 
 from __future__ import annotations
 
 import importlib
 from collections.abc import Callable, Iterable, Iterator
-from typing import TYPE_CHECKING
 
-from nonhertz.errors import InputError, NonhertzError, without_accuracy_warnings
-
-if TYPE_CHECKING:
-    from nonhertz.verify.claim import Section
+from nonhertz.errors import InputError, without_accuracy_warnings
+from nonhertz.verify.claim import Claim, Section, forget, named
 
 #: Name and module of every section, in reading order.
 CATALOGUE = {
@@ -57,10 +53,13 @@ def chosen(only: Iterable[str] = ()) -> tuple[str, ...]:
     return tuple(name for name in CATALOGUE if name in names or not names)
 
 
-def sections(
-    only: Iterable[str] = (), announce: Callable[[str], object] | None = None
-) -> Iterator[tuple[str, Section]]:
-    """Run sections one after another.
+def claims(name: str) -> tuple[Claim, ...]:
+    """Return the claims of a section by its name; nothing is solved yet."""
+    return named(name, importlib.import_module(CATALOGUE[name]).claims())
+
+
+def sections(only: Iterable[str] = (), announce: Callable[[str], object] | None = None) -> Iterator[Section]:
+    """Compute the numbers of sections one after another.
 
     Parameters
     ----------
@@ -71,25 +70,16 @@ def sections(
 
     Yields
     ------
-    tuple of str and Section
-        Name and result, as soon as each is ready.
+    Section
+        Each as soon as it is ready. Cases that were solved for it are forgotten before and after.
     """
     for name in chosen(only):
         if announce is not None:
             announce(name)
         # Imported late, so that running one section does not load the others.
-        module = importlib.import_module(CATALOGUE[name])
-        try:
-            with without_accuracy_warnings():
-                found = module.section()
-        except (NonhertzError, ValueError, ArithmeticError) as error:
-            found = _broken(name, error)
-        yield name, found
-
-
-def _broken(name: str, error: Exception) -> Section:
-    """Return a substitute for a section that could not finish: one check that fails."""
-    from nonhertz.verify.claim import Check, Section
-
-    check = Check(f"{name} runs to its end", "this command", 1.0, 0.0, 0.0)
-    return Section(name, f"This section did not run to its end: {error}", (check,))
+        title = importlib.import_module(CATALOGUE[name]).TITLE
+        forget()
+        with without_accuracy_warnings():
+            checks = tuple(claim.check() for claim in claims(name))
+        forget()
+        yield Section(name, title, checks)

@@ -1,49 +1,95 @@
-"""The parts of a verification: checks with a verdict, in sections with a text and pictures."""
+"""Claims: what a number should be, by which source and how nearly, and the function that finds it."""
 
 from __future__ import annotations
 
+import functools
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import ParamSpec, TypeVar, cast
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from nonhertz.errors import NonhertzError
+
+Value = float | Callable[[], float]
+P = ParamSpec("P")
+T = TypeVar("T")
+
+_FORGET: list[Callable[[], None]] = []
 
 
-@dataclass(frozen=True)
-class Check:
-    """One number compared with its expected value.
+@dataclass(frozen=True, eq=False)
+class Claim:
+    """One number and what it should be.
 
     Attributes
     ----------
-    claim : str
+    quantity : str
         What the number is, in words.
     source : str
         Source of the expected value: publication with equation, or the law it follows from.
-    expected, computed : float
-        Both values.
-    tolerance : float or None
+    expected : float or callable
+        The expected value, or a function that returns it.
+    found : callable
+        Returns the computed value.
+    tolerance : float, callable or None
         Largest allowed difference; None if the difference is shown but not judged.
     unit : str
         Unit of both values, empty for a ratio.
     absolute : bool
         Whether difference and tolerance are absolute, in ``unit``; else relative to the expected value.
+    why : str
+        Reason for the tolerance, where it is not that of the source.
+    id : str
+        Name of the claim, ``section/quantity`` in lower case with hyphens; set by `named`.
     """
 
-    claim: str
+    quantity: str
     source: str
+    expected: Value
+    found: Callable[[], float]
+    tolerance: Value | None
+    unit: str = ""
+    absolute: bool = False
+    why: str = ""
+    id: str = ""
+
+    def check(self) -> Check:
+        """Return the claim with its numbers; a computation that fails gives NaN and the reason."""
+        try:
+            tolerance = None if self.tolerance is None else _number(self.tolerance)
+            return Check(self, _number(self.expected), float(self.found()), tolerance)
+        except (NonhertzError, ValueError, ArithmeticError) as error:
+            return Check(self, math.nan, math.nan, 0.0, str(error))
+
+
+@dataclass(frozen=True, eq=False)
+class Check:
+    """A claim with its numbers.
+
+    Attributes
+    ----------
+    claim : Claim
+        The claim.
+    expected, computed : float
+        Both values, in the claim's unit.
+    tolerance : float or None
+        Largest allowed difference; None if it is not judged.
+    error : str
+        Why there are no numbers; empty if there are.
+    """
+
+    claim: Claim
     expected: float
     computed: float
     tolerance: float | None
-    unit: str = ""
-    absolute: bool = False
+    error: str = ""
 
     @property
     def difference(self) -> float:
-        """Computed less expected, relative unless ``absolute``."""
-        difference = float(self.computed - self.expected)
-        if self.absolute or difference == 0.0:
+        """Computed less expected, relative unless the claim is absolute."""
+        difference = self.computed - self.expected
+        if self.claim.absolute or difference == 0.0:
             return difference
         return difference / abs(self.expected) if self.expected else math.inf
 
@@ -61,49 +107,60 @@ class Check:
 
 
 @dataclass(frozen=True)
-class Picture:
-    """A figure, drawn on demand.
-
-    Attributes
-    ----------
-    name : str
-        File name without extension.
-    caption : str
-        What it shows, one or two sentences.
-    draw : callable
-        Draws into an empty matplotlib figure.
-    height : float
-        Height of the figure [inch].
-    """
+class Section:
+    """The checks of a topic: its name, its title and the claims with their numbers."""
 
     name: str
-    caption: str
-    draw: Callable[[Figure], None]
-    height: float = 3.4
-
-
-@dataclass(frozen=True)
-class Section:
-    """Checks that belong together.
-
-    Attributes
-    ----------
-    title : str
-        What is verified.
-    text : str
-        Markdown: what is compared with what, and what is found.
-    checks : tuple of Check
-        The numbers.
-    pictures : tuple of Picture
-        The figures.
-    """
-
     title: str
-    text: str
     checks: tuple[Check, ...]
-    pictures: tuple[Picture, ...] = ()
 
-    @property
-    def failed(self) -> int:
-        """Number of failed checks."""
-        return sum(check.passed is False for check in self.checks)
+
+def series(
+    quantities: Sequence[str],
+    source: str | Sequence[str],
+    expected: Sequence[float] | Callable[[], Sequence[float]],
+    found: Callable[[], Sequence[float]],
+    tolerance: float | Sequence[float | None] | None,
+    unit: str | Sequence[str] = "",
+    *,
+    absolute: bool = False,
+    why: str = "",
+) -> Iterator[Claim]:
+    """Yield a claim for each of several numbers that are found together; sequences have an entry for each."""
+
+    def entry(values: Sequence[float] | Callable[[], Sequence[float]], place: int) -> Callable[[], float]:
+        return lambda: float((values() if callable(values) else values)[place])
+
+    for place, quantity in enumerate(quantities):
+        by = source if isinstance(source, str) else source[place]
+        of = unit if isinstance(unit, str) else unit[place]
+        allowed = tolerance[place] if isinstance(tolerance, Sequence) else tolerance
+        yield Claim(quantity, by, entry(expected, place), entry(found, place), allowed, of, absolute, why)
+
+
+def named(section: str, claims: Iterable[Claim]) -> tuple[Claim, ...]:
+    """Return claims with their ids; quantities that repeat are numbered."""
+    counts: dict[str, int] = {}
+    found = []
+    for claim in claims:
+        words = "-".join(re.findall(r"[a-z0-9.]+", claim.quantity.lower()))
+        counts[words] = number = counts.get(words, 0) + 1
+        found.append(replace(claim, id=f"{section}/{words}" + (f"-{number}" if number > 1 else "")))
+    return tuple(found)
+
+
+def solved(function: Callable[P, T]) -> Callable[P, T]:
+    """Let a function remember what it returned for the same arguments, until `forget`."""
+    remembering = functools.cache(function)
+    _FORGET.append(remembering.cache_clear)
+    return cast("Callable[P, T]", remembering)
+
+
+def forget() -> None:
+    """Forget all solved cases."""
+    for clear in _FORGET:
+        clear()
+
+
+def _number(value: Value) -> float:
+    return float(value() if callable(value) else value)

@@ -1,4 +1,4 @@
-"""The validation page: one Markdown file with its figures, and the same checks as JSON.
+"""Tables of claims with their numbers: Markdown and JSON.
 
 The same numbers give the same files: they contain no date, path or machine name.
 """
@@ -8,14 +8,14 @@ from __future__ import annotations
 import json
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
 from nonhertz import __version__
 from nonhertz.io.folder import write_files
 from nonhertz.io.results import plain
-from nonhertz.verify.claim import Check, Picture, Section
+from nonhertz.verify.claim import Check, Section
 
 #: Headings of what `row` returns.
 COLUMNS = ("claim", "source", "expected", "computed", "difference", "tolerance", "verdict")
@@ -31,12 +31,12 @@ marked abs, and its tolerance, is absolute. "shown" is the verdict of a differen
 """
 
 
-def tally(found: Mapping[str, Section]) -> Counter[str]:
+def tally(found: Iterable[Section]) -> Counter[str]:
     """Return the number of checks with each verdict."""
-    return Counter(check.verdict for section in found.values() for check in section.checks)
+    return Counter(check.verdict for section in found for check in section.checks)
 
 
-def summary(found: Mapping[str, Section]) -> str:
+def summary(found: Iterable[Section]) -> str:
     """Return a one-line summary of the outcome."""
     count = tally(found)
     return f"{count.total()} checks: {count['pass']} passed, {count['FAIL']} failed, {count['shown']} shown"
@@ -44,104 +44,78 @@ def summary(found: Mapping[str, Section]) -> str:
 
 def row(check: Check) -> tuple[str, ...]:
     """Return a check as readable text, one entry for each of `COLUMNS`."""
-    difference = _power(check.difference)
+    claim, difference = check.claim, _power(check.difference)
     return (
-        f"{check.claim} [{check.unit}]" if check.unit else check.claim,
-        check.source,
+        _quantity(check) + (f" [{claim.unit}]" if claim.unit else ""),
+        claim.source,
         _number(check.expected),
         _number(check.computed),
-        f"{difference} abs" if check.absolute else difference,
+        f"{difference} abs" if claim.absolute else difference,
         "" if check.tolerance is None else _trimmed(_power(check.tolerance, 2)),
         check.verdict,
     )
 
 
-def as_json(found: Mapping[str, Section]) -> str:
+def as_json(found: Iterable[Section]) -> str:
     """Return all checks as one JSON list, one check per line; non-finite numbers are null."""
-    objects = (_as_object(name, section, check) for name, section in found.items() for check in section.checks)
+    objects = (_as_object(section, check) for section in found for check in section.checks)
     return "[\n" + ",\n".join(f"  {json.dumps(entry, allow_nan=False)}" for entry in objects) + "\n]"
 
 
-def as_markdown(found: Mapping[str, Section], command: str) -> str:
-    """Return the page.
-
-    Parameters
-    ----------
-    found : mapping of str to Section
-        The sections in reading order, by name.
-    command : str
-        The command that makes the page.
-    """
-    blocks = [_OPENING.format(command=command, version=__version__), _overview(found)]
-    figure = 0
-    for section in found.values():
-        blocks += [f"## {section.title}\n", f"{section.text.strip()}\n"]
-        for figure, picture in enumerate(section.pictures, start=figure + 1):  # noqa: B020  (counts through the page)
-            blocks.append(f"![{picture.name}]({picture.name}.svg)\n\nFigure {figure}. {picture.caption}\n")
-        if section.checks:
-            blocks.append(_table(COLUMNS, map(row, section.checks), numbers=COLUMNS[2:6]))
+def as_markdown(found: Sequence[Section], command: str) -> str:
+    """Return a page with a table for each section, in reading order; ``command`` is the command that makes it."""
+    blocks = [_OPENING.format(command=command, version=__version__), overview(found)]
+    for section in found:
+        blocks += [f"## {section.title}\n", table(COLUMNS, map(row, section.checks), numbers=COLUMNS[2:6])]
     return "\n".join(blocks)
 
 
-def write_page(directory: str | Path, found: Mapping[str, Section], command: str) -> tuple[Path, ...]:
-    """Write page, figures (SVG and PNG) and checks (JSON) into a directory; see `nonhertz.io.folder.write_files`.
-
-    ``found`` has the sections in reading order, by name; ``command`` is the command that makes the page.
-    """
-
-    def draw(folder: Path) -> None:
-        for section in found.values():
-            for picture in section.pictures:
-                _save(picture, folder)
-
-    return write_files(directory, {PAGE: as_markdown(found, command), CHECKS: as_json(found) + "\n"}, draw)
+def write_page(directory: str | Path, found: Sequence[Section], command: str) -> tuple[Path, ...]:
+    """Write the page and the checks (JSON) into a directory; see `as_markdown` and `nonhertz.io.folder.write_files`."""
+    return write_files(directory, {PAGE: as_markdown(found, command), CHECKS: as_json(found) + "\n"})
 
 
-def _save(picture: Picture, folder: Path) -> None:
-    from matplotlib.figure import Figure
+def overview(found: Sequence[Section]) -> str:
+    """Return a table of the number of checks of each section with each verdict."""
 
-    from nonhertz.plot import save
-    from nonhertz.plot.sheets import WIDTH
-    from nonhertz.plot.style import sheet_style
+    def counted(title: str, some: Sequence[Section]) -> tuple[str, ...]:
+        count = tally(some)
+        return title, *map(str, (count.total(), count["pass"], count["FAIL"], count["shown"]))
 
-    with sheet_style():
-        figure = Figure(figsize=(WIDTH, picture.height), layout="constrained")
-        picture.draw(figure)
-        save(figure, folder / picture.name)
+    rows = [counted(section.title, [section]) for section in found]
+    if len(rows) > 1:
+        rows.append(counted("all", found))
+    head = ("section", "checks", "passed", "failed", "shown")
+    return table(head, rows, numbers=head[1:])
 
 
-def _as_object(name: str, section: Section, check: Check) -> dict[str, Any]:
+def table(head: Sequence[str], rows: Iterable[Iterable[str]], numbers: Sequence[str]) -> str:
+    """Return a table in Markdown; the columns in ``numbers`` are aligned to the right."""
+    rule = ("---:" if name in numbers else "---" for name in head)
+    lines = [head, rule, *([_escaped(cell) for cell in cells] for cells in rows)]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
+def _quantity(check: Check) -> str:
+    return f"{check.claim.quantity} (not found: {check.error})" if check.error else check.claim.quantity
+
+
+def _as_object(section: Section, check: Check) -> dict[str, Any]:
     return {
-        "section": name,
+        "section": section.name,
         "title": section.title,
-        "claim": check.claim,
-        "source": check.source,
+        "id": check.claim.id,
+        "claim": _quantity(check),
+        "source": check.claim.source,
         "expected": plain(check.expected),
         "computed": plain(check.computed),
         "difference": plain(check.difference),
         "tolerance": plain(check.tolerance),
-        "unit": check.unit,
-        "absolute": check.absolute,
+        "why": check.claim.why,
+        "unit": check.claim.unit,
+        "absolute": check.claim.absolute,
         "verdict": check.verdict,
     }
-
-
-def _overview(found: Mapping[str, Section]) -> str:
-    def counted(title: str, some: Mapping[str, Section]) -> tuple[str, ...]:
-        count = tally(some)
-        return title, *map(str, (count.total(), count["pass"], count["FAIL"], count["shown"]))
-
-    rows = [counted(section.title, {name: section}) for name, section in found.items()]
-    if len(rows) > 1:
-        rows.append(counted("all", found))
-    head = ("section", "checks", "passed", "failed", "shown")
-    return _table(head, rows, numbers=head[1:])
-
-
-def _table(head: tuple[str, ...], rows: Iterable[Iterable[str]], numbers: tuple[str, ...]) -> str:
-    rule = ("---:" if name in numbers else "---" for name in head)
-    lines = [head, rule, *([_escaped(cell) for cell in cells] for cells in rows)]
-    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
 def _escaped(text: str) -> str:
