@@ -77,6 +77,7 @@ GROUPS = {
             *(f"unit/test_{name}.py" for name in ("side_faces_and_depth", "newton", "influence", "edge", "subsurface")),
             "property/test_solution_properties.py",
             "validation/test_finite_bodies.py",
+            "validation/test_claims.py",
         ),
     ),
     "subsurface": Group(
@@ -84,7 +85,9 @@ GROUPS = {
         55,
         ("unit/test_subsurface*.py", "unit/test_lamination.py", "unit/test_life.py", "property/test_stress_*.py"),
     ),
-    "life": Group(("life/*.py",), 35, ("unit/test_life*.py", "validation/test_life_published.py")),
+    "life": Group(
+        ("life/*.py",), 35, ("unit/test_life*.py", "validation/test_life_published.py", "validation/test_claims.py")
+    ),
 }
 
 

@@ -4,13 +4,11 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
-from nonhertz.strip.influence import displacements
+from nonhertz.verify import free_ends, quarter_space, whole_roller
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 
 MODULUS_OF_CONTACT = 1e5
-DISTANCE = [0.1, 0.25, 0.5, 1.0, 2.0, 5.0]  # in half-widths of 1 mm
 
 
 def beside_a_face(*, both, poisson=0.3):
@@ -25,16 +23,13 @@ def beside_a_face(*, both, poisson=0.3):
 
 @pytest.mark.parametrize(
     ("both", "expected", "within"),
-    [
-        (True, [0.657, 0.753, 0.828, 0.885, 0.925, 0.972], [0.01, 0.005, 0.005, 0.005, 0.005, 0.005]),
-        (False, [1.193, 1.091, 1.035, 1.011, 0.998, 0.992], [0.04, 0.015, 0.005, 0.005, 0.005, 0.005]),
-    ],
+    [(True, quarter_space.EXACT_BOTH, (0.01, 0.005)), (False, quarter_space.EXACT_ROLLER, (0.04, 0.015))],
 )
 def test_the_pressure_towards_free_ends(both, expected, within):
     solution = nh.solve(beside_a_face(both=both), load=785.4 * 14.0, accuracy=1e-5)
-    pressure = np.interp(DISTANCE, solution.y, solution.centre_pressure)
-    relative = pressure / np.interp(8.0, solution.y, solution.centre_pressure)
-    np.testing.assert_array_less(np.abs(relative / expected - 1.0), within)
+    pressure = np.interp([*quarter_space.PLACES, 8.0], solution.y, solution.centre_pressure)
+    off = np.abs(pressure[:-1] / pressure[-1] / expected - 1.0)
+    np.testing.assert_array_less(off, [*within, 0.005, 0.005, 0.005, 0.005])
 
 
 def test_coincident_ends_press_the_less_the_more_they_bulge():
@@ -55,20 +50,15 @@ def straight(side_faces):
     return nh.Contact(roller, nh.Ring(diameter=80.0, material=steel))
 
 
-def test_a_straight_roller_on_a_long_ring():
-    solution = nh.solve(straight("free"), load=20e3)
+def test_straight_rollers_on_a_long_ring():
+    solution, tilted = free_ends.by_strips(free_ends.STRAIGHT), free_ends.by_strips(free_ends.TILTED)
     half_width = float(np.interp(0.0, solution.y, solution.half_width))
-    assert float(np.interp(0.0, solution.y, solution.centre_pressure)) == pytest.approx(2098.9, rel=0.001)
-    places = 10.0 - half_width * np.array([0.1, 0.25, 0.5, 1.0, 2.0])
-    pressure = np.interp(places, solution.y, solution.centre_pressure)
-    np.testing.assert_allclose(pressure, [2687.0, 2416.0, 2298.0, 2227.0, 2181.0], rtol=0.005)
+    assert free_ends.pressure(solution, 0.0)[0] == pytest.approx(free_ends.MIDDLE, rel=0.001)
+    places = 10.0 - half_width * np.array(free_ends.PLACES)
+    np.testing.assert_allclose(free_ends.pressure(solution, places), free_ends.PRESSURES, rtol=0.005)
     # The other solution ends 1 to 2 % short: its bodies are cut off.
     assert solution.approach == pytest.approx(0.03469 * 1.015, rel=0.01)
-
-
-def test_a_tilted_roller_on_a_long_ring():
-    solution = nh.solve(straight("free"), load=20e3, tilt=0.3e-3)
-    assert solution.moment == pytest.approx(9412.0, rel=0.003)
+    assert tilted.moment == pytest.approx(free_ends.MOMENT, rel=0.003)
 
 
 def test_free_ends_are_softer_than_mirrored_and_stiffer_than_nothing():
@@ -121,22 +111,14 @@ def test_the_stiffness_is_the_derivative_of_load_and_moment():
 
 
 @pytest.mark.parametrize(
-    ("poisson", "errors"), [(0.3, {0.0: -0.0089, 9.5: 0.0351, 10.0: 0.0502}), (0.0, {0.0: -0.0006, 10.0: 0.0855})]
+    ("load", "errors"),
+    [
+        (whole_roller.UNIFORM, {0.0: -0.0089, 9.5: 0.0351, 10.0: 0.0502}),
+        (whole_roller.PLANE, {0.0: -0.0006, 10.0: 0.0855}),
+    ],
 )
-def test_a_whole_roller_with_a_depth_is_as_far_off_as_documented(poisson, errors):
-    # Spectral finite elements, converged to 1e-6: displacement over K q under a uniform load of half-width 0.5 mm on a
-    # roller of 20 x 20 mm.
-    exact = {(0.3, 0.0): 7.917, (0.3, 9.5): 8.9321, (0.3, 10.0): 9.682, (0.0, 0.0): 7.7947, (0.0, 10.0): 7.7947}
-    material = nh.Material(206000.0, poisson)
-    roller = nh.Roller(diameter=20.0, length=20.0, material=material, side_faces="free", depth="plane-strain")
-    influence = influence_of(nh.Contact(roller, nh.Plate(material=material)), nh.SEMI_ELLIPTIC)
-    edges = np.unique(
-        np.concatenate([sign * (10.0 - np.geomspace(0.01, 10.0, 60)) for sign in (-1.0, 1.0)] + [[10.0, -10.0]])
-    )
-    square, load = np.full(edges.size - 1, 0.25), np.full(edges.size - 1, 1.0)
-    y = np.array(list(errors))
-    both = displacements(influence, y, edges, load / square, square, nh.SEMI_ELLIPTIC)
-    plate = displacements(Influence(HALF_SPACE), y, edges, load / square, square, nh.SEMI_ELLIPTIC)
-    found = (both - 0.5 * plate) / 0.5
-    for place, displacement in zip(y, found, strict=True):
-        assert displacement / exact[poisson, place] - 1.0 == pytest.approx(errors[place], abs=0.002)
+def test_a_whole_roller_with_a_depth_is_as_far_off_as_documented(load, errors):
+    (model,) = (each for each in whole_roller.MODELS if each.name == "free ends, plane-strain depth")
+    found = whole_roller.moved(model.roller(load.poisson), load, np.array(list(errors)))
+    expected = np.interp(list(errors), load.y, load.moved)
+    np.testing.assert_allclose(found / expected - 1.0, list(errors.values()), rtol=0.0, atol=0.002)

@@ -1,4 +1,4 @@
-"""Rectangles against strips on bodies with free faces: both know the quarter-space, and share nothing else of it.
+"""Rectangles against strips on bodies with free faces, beside what the claims of `nonhertz verify` say of them.
 
 Strips read their own integrals of it along their length, of a pressure that is a semi-ellipse across; cells have a
 matrix between rows, of a pressure that is anything across.
@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.verify import free_ends
 
 # Most end at a free face on a body that goes on, where the pressure has no limit.
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")]
@@ -21,13 +22,7 @@ LONG = nh.Ring(diameter=80.0, material=STEEL)
 AS_LONG = nh.Ring(diameter=80.0, length=20.0, **FREE)
 TILT = 0.3e-3
 CASES = {
-    "straight": (FREE, LONG, {"load": 20e3}),
-    "straight, tilted": (FREE, LONG, {"load": 20e3, "tilt": TILT}),
-    "both end": (FREE, AS_LONG, {"load": 20e3}),
-    "both end, tilted": (FREE, AS_LONG, {"load": 20e3, "tilt": TILT}),
-    # The contact ends 0.30 half-widths from the end of the roller.
-    "logarithmic": (FREE | {"profile": LOGARITHMIC}, LONG, {"load": 42e3}),
-    "logarithmic, tilted": (FREE | {"profile": LOGARITHMIC}, LONG, {"load": 42e3, "tilt": TILT}),
+    "straight, both end": (FREE, AS_LONG, {"load": 20e3}),
     "logarithmic, both end": (FREE | {"profile": LOGARITHMIC}, AS_LONG, {"load": 42e3, "tilt": TILT}),
     "unlike bodies and faces": (
         FREE | {"material": SOFT, "side_faces": ("free", "mirror")},
@@ -35,7 +30,6 @@ CASES = {
         {"load": 10e3, "tilt": TILT},
     ),
     "plane-strain depth": (FREE | {"depth": "plane-strain"}, LONG, {"load": 20e3, "tilt": TILT}),
-    "whole roller": (FREE | {"depth": "finite"}, LONG, {"load": 20e3, "tilt": TILT}),
 }
 
 
@@ -62,17 +56,15 @@ def test_both_find_the_same(name):
 
 
 def test_towards_an_end_it_is_the_solution_of_two_half_spaces_iterated():
-    solution = nh.patch.solve(contact("straight"), load=20e3, cells=(64, 1024))
-    half_width = float(np.interp(0.0, solution.y, solution.half_width))
-    assert float(np.interp(0.0, solution.y, solution.centre_pressure)) == pytest.approx(2098.9, rel=3e-4)
-    places = 10.0 - half_width * np.array([0.25, 0.5, 1.0, 2.0])
-    pressure = np.interp(places, solution.y, solution.centre_pressure)
-    np.testing.assert_allclose(pressure, [2416.0, 2298.0, 2227.0, 2181.0], rtol=3e-3)
+    solution = free_ends.on_grid(free_ends.STRAIGHT)
+    assert free_ends.pressure(solution, 0.0)[0] == pytest.approx(free_ends.MIDDLE, rel=3e-4)
+    places = 10.0 - free_ends.half_width(free_ends.STRAIGHT) * np.array(free_ends.PLACES)
+    np.testing.assert_allclose(free_ends.pressure(solution, places[1:]), free_ends.PRESSURES[1:], rtol=3e-3)
 
 
-@pytest.mark.parametrize(("name", "singular"), [("straight", 2), ("both end", 0)])
-def test_the_estimate_covers_the_change_to_a_finer_grid(name, singular):
-    coarse, fine = (nh.patch.solve(contact(name), load=20e3, cells=cells) for cells in ((32, 128), (96, 384)))
+@pytest.mark.parametrize(("case", "singular"), [(free_ends.STRAIGHT, 2), (free_ends.TOGETHER, 0)])
+def test_the_estimate_covers_the_change_to_a_finer_grid(case, singular):
+    coarse, fine = (nh.patch.solve(case.contact, load=20e3, cells=cells) for cells in ((32, 128), (96, 384)))
     for quantity in ("approach", "max_pressure"):
         estimate = getattr(coarse.error_estimate, quantity)
         assert abs(getattr(coarse, quantity) / getattr(fine, quantity) - 1.0) < estimate < 0.03
