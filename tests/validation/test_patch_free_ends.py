@@ -9,6 +9,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.verify import free_ends
+from nonhertz.verify.claim import pressures
 
 # Most end at a free face on a body that goes on, where the pressure has no limit.
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")]
@@ -57,9 +58,9 @@ def test_both_find_the_same(name):
 
 def test_towards_an_end_it_is_the_solution_of_two_half_spaces_iterated():
     solution = free_ends.on_grid(free_ends.STRAIGHT)
-    assert free_ends.pressure(solution, 0.0)[0] == pytest.approx(free_ends.MIDDLE, rel=3e-4)
+    assert pressures(solution, [0.0])[0] == pytest.approx(free_ends.MIDDLE, rel=3e-4)
     places = 10.0 - free_ends.half_width(free_ends.STRAIGHT) * np.array(free_ends.PLACES)
-    np.testing.assert_allclose(free_ends.pressure(solution, places[1:]), free_ends.PRESSURES[1:], rtol=3e-3)
+    np.testing.assert_allclose(pressures(solution, places[1:]), free_ends.PRESSURES[1:], rtol=3e-3)
 
 
 @pytest.mark.parametrize(("case", "singular"), [(free_ends.STRAIGHT, 2), (free_ends.TOGETHER, 0)])

@@ -7,9 +7,16 @@ import math
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import ParamSpec, TypeVar, cast
+from typing import TYPE_CHECKING, ParamSpec, TypeVar, cast
+
+import numpy as np
+from numpy.typing import NDArray
 
 from nonhertz.errors import NonhertzError
+
+if TYPE_CHECKING:
+    from nonhertz.patch.solution import PatchSolution
+    from nonhertz.result.solution import Solution
 
 Value = float | Callable[[], float]
 P = ParamSpec("P")
@@ -147,6 +154,16 @@ def named(section: str, claims: Iterable[Claim]) -> tuple[Claim, ...]:
         counts[words] = number = counts.get(words, 0) + 1
         found.append(replace(claim, id=f"{section}/{words}" + (f"-{number}" if number > 1 else "")))
     return tuple(found)
+
+
+def middle(solution: Solution, quantity: str) -> float:
+    """Return a quantity of the strip in the middle of a contact."""
+    return float(getattr(solution, quantity)[int(np.argmin(np.abs(solution.y)))])
+
+
+def pressures(solution: Solution | PatchSolution, y: Sequence[float] | NDArray[np.float64]) -> list[float]:
+    """Return pressures on the centre line at places y [MPa]."""
+    return list(np.interp(y, solution.y, solution.centre_pressure))
 
 
 def solved(function: Callable[P, T]) -> Callable[P, T]:

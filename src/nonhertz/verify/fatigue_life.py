@@ -19,6 +19,7 @@ from nonhertz.patch import solve as solve_patch
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.verify.claim import Claim, solved
+from nonhertz.verify.subsurface_stress import mcewen
 
 Array = NDArray[np.float64]
 
@@ -144,16 +145,11 @@ def quadrature(model: VolumeModel) -> tuple[float, float]:
 
 def _over(x: Array, z: Array, stress: str) -> Array:
     """Return the largest stress at each depth over p0, by the vertex of a parabola, lengths over b."""
-    apart = 1.0 - x**2 + z**2
-    root = np.sqrt(apart**2 + 4.0 * x**2 * z**2)
-    m, n = np.sqrt(0.5 * (root + apart)), np.sqrt(np.maximum(0.5 * (root - apart), 0.0))
-    fraction = (z**2 + n**2) / (m**2 + n**2)
-    across, below, shear = 2.0 * z - m * (1.0 + fraction), -m * (1.0 - fraction), n * (m**2 - z**2) / (m**2 + n**2)
+    across, along, below, _, shear, _ = np.moveaxis(mcewen(x, np.broadcast_to(z, x.shape), STEEL.poisson), -1, 0)
     if stress == "orthogonal_shear":
         values = np.abs(shear)
     else:
         middle, half = 0.5 * (across + below), np.sqrt(0.25 * (across - below) ** 2 + shear**2)
-        along = 2.0 * STEEL.poisson * middle
         values = np.maximum(half, 0.5 * (half + np.abs(middle - along)))
     best = np.clip(values.argmax(axis=1), 1, x.shape[1] - 2)
     low, top, high = (values[np.arange(best.size), best + step] for step in (-1, 0, 1))

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from nonhertz.model.body import Body, Ring, Roller
 from nonhertz.model.contact import Contact
@@ -22,7 +21,8 @@ from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.solver import solve as solve_patch
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
-from nonhertz.verify.claim import Claim, series, solved
+from nonhertz.verify.claim import Claim, pressures, series, solved
+from nonhertz.verify.quarter_space import EXACT_BOTH, EXACT_ROLLER
 
 TITLE = "Free ends: strips against a plane grid"
 CELLS = (64, 1024)
@@ -34,7 +34,7 @@ _GRID, _ITERATED = "plane grid", "two half-spaces iterated"
 # Pressures at PLACES of the straight roller, in the middle, and the moment at 0.3 mrad.
 PRESSURES, MIDDLE, MOMENT = (2687.0, 2416.0, 2298.0, 2227.0, 2181.0), 2098.9, 9412.0
 # p(0, y) / p(0, 8) beside a face, y in mm at PLACES, by whether both bodies end there or one.
-BESIDE = {True: (0.657, 0.753, 0.828, 0.885, 0.925), False: (1.193, 1.091, 1.035, 1.011, 0.998)}
+BESIDE = {True: EXACT_BOTH, False: EXACT_ROLLER}
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,23 +85,18 @@ def half_width(case: Case) -> float:
     return float(np.interp(0.0, on_grid(case).y, on_grid(case).half_width))
 
 
-def pressure(solution: Solution | PatchSolution, y: ArrayLike) -> list[float]:
-    """Return pressures on the centre line [MPa]."""
-    return list(np.interp(np.atleast_1d(np.asarray(y, dtype=float)), solution.y, solution.centre_pressure))
-
-
 def claims() -> Iterator[Claim]:
     """Yield the claims."""
     for case in CASES:
         yield from _of_case(case)
     yield Claim(
-        "straight, plane grid: pressure in the middle", _ITERATED, MIDDLE, lambda: pressure(on_grid(STRAIGHT), 0.0)[0],
-        1e-3, "MPa",
+        "straight, plane grid: pressure in the middle", _ITERATED, MIDDLE,
+        lambda: pressures(on_grid(STRAIGHT), [0.0])[0], 1e-3, "MPa",
     )  # fmt: skip
     yield Claim("straight, tilted, plane grid: moment", _ITERATED, MOMENT, lambda: on_grid(TILTED).moment, 5e-3, "N mm")
     yield from series(
         [f"straight, plane grid: pressure {place:g} half-widths from the end" for place in PLACES], _ITERATED,
-        PRESSURES, lambda: pressure(on_grid(STRAIGHT), HALF - half_width(STRAIGHT) * np.array(PLACES)), TOLERANCES,
+        PRESSURES, lambda: pressures(on_grid(STRAIGHT), HALF - half_width(STRAIGHT) * np.array(PLACES)), TOLERANCES,
         "MPa",
     )  # fmt: skip
     for both in (True, False):
@@ -122,8 +117,8 @@ def _of_case(case: Case) -> Iterator[Claim]:
 
     yield claim("approach", "approach", 1e-4, "mm")
     yield Claim(
-        f"{name}: pressure in the middle", _GRID, lambda: pressure(on_grid(case), 0.0)[0],
-        lambda: pressure(by_strips(case), 0.0)[0], 2e-4, "MPa",
+        f"{name}: pressure in the middle", _GRID, lambda: pressures(on_grid(case), [0.0])[0],
+        lambda: pressures(by_strips(case), [0.0])[0], 2e-4, "MPa",
     )  # fmt: skip
     # Beside a sharp end it is found a half-width from it, between two rows.
     yield claim("greatest pressure", "max_pressure", 2e-3, "MPa")
@@ -132,7 +127,7 @@ def _of_case(case: Case) -> Iterator[Claim]:
     tolerances = [None if case.runs_out and place < 0.5 else TOLERANCES[i] for i, place in enumerate(PLACES)]
     yield from series(
         [f"{name}: pressure {place:g} half-widths from the end of the contact" for place in PLACES], _GRID,
-        lambda: pressure(on_grid(case), towards_end()), lambda: pressure(by_strips(case), towards_end()), tolerances,
+        lambda: pressures(on_grid(case), towards_end()), lambda: pressures(by_strips(case), towards_end()), tolerances,
         "MPa",
     )  # fmt: skip
 
@@ -148,7 +143,7 @@ def _ratios(both: bool) -> tuple[list[float], list[float]]:
     flat = Body(length=40.0, position=20.0, material=material, side_faces=("free", "none"))
     contact = Contact(roller, flat if both else Body(material=material))
     case = Case("beside a face", contact, {"load": 785.4 * 14.0})
-    strips, grid = (np.array(pressure(each, [*PLACES, FAR])) for each in (by_strips(case), on_grid(case)))
+    strips, grid = (np.array(pressures(each, [*PLACES, FAR])) for each in (by_strips(case), on_grid(case)))
     return list(strips[:-1] / strips[-1]), list(grid[:-1] / grid[-1])
 
 

@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-import numpy as np
-
 from nonhertz.model.body import Plate, Roller
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import STEEL
 from nonhertz.model.profile import Profile, crown, straight
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
-from nonhertz.verify.claim import Claim, series, solved
+from nonhertz.verify.claim import Claim, middle, pressures, series, solved
 
 TITLE = "Rollers on half-spaces"
 SOURCE = "uniform rectangles, extrapolated"
@@ -74,33 +72,30 @@ def claims() -> Iterator[Claim]:
 
 
 def _of_case(reference: Reference) -> Iterator[Claim]:
-    name, tolerance = reference.name, reference.tolerance
+    name, tolerance, places = reference.name, reference.tolerance, [place for place, _ in reference.inwards]
 
-    def centre(quantity: str) -> float:
-        solution = on_strips(reference)
-        return float(getattr(solution, quantity)[int(np.argmin(np.abs(solution.y)))])
+    def strips() -> Solution:
+        return on_strips(reference)
 
-    def inwards() -> list[float]:
-        solution = on_strips(reference)
-        return list(np.interp([place for place, _ in reference.inwards], solution.y, solution.centre_pressure))
-
-    yield Claim(f"{name}: approach", SOURCE, reference.approach, lambda: on_strips(reference).approach, tolerance, "mm")
+    yield Claim(f"{name}: approach", SOURCE, reference.approach, lambda: strips().approach, tolerance, "mm")
     yield Claim(
-        f"{name}: centre pressure", SOURCE, reference.pressure, lambda: centre("centre_pressure"), tolerance, "MPa"
-    )
+        f"{name}: centre pressure", SOURCE, reference.pressure, lambda: middle(strips(), "centre_pressure"), tolerance,
+        "MPa",
+    )  # fmt: skip
     yield Claim(
-        f"{name}: centre half-width", SOURCE, reference.half_width, lambda: centre("half_width"), tolerance, "mm"
-    )
+        f"{name}: centre half-width", SOURCE, reference.half_width, lambda: middle(strips(), "half_width"), tolerance,
+        "mm",
+    )  # fmt: skip
     if reference.moment is not None:
-        yield Claim(f"{name}: moment", SOURCE, reference.moment, lambda: on_strips(reference).moment, 3e-4, "N mm")
+        yield Claim(f"{name}: moment", SOURCE, reference.moment, lambda: strips().moment, 3e-4, "N mm")
     yield from series(
-        [f"{name}: pressure at y = {place:g} mm" for place, _ in reference.inwards], SOURCE,
-        [pressure for _, pressure in reference.inwards], inwards,
-        [1e-2 if place <= JUDGED_TO else None for place, _ in reference.inwards], "MPa",
+        [f"{name}: pressure at y = {place:g} mm" for place in places], SOURCE,
+        [pressure for _, pressure in reference.inwards], lambda: pressures(strips(), places),
+        [1e-2 if place <= JUDGED_TO else None for place in places], "MPa",
     )  # fmt: skip
     if reference.strength is not None:
         yield Claim(
             f"{name}: K at the end", SOURCE, reference.strength,
-            lambda: on_strips(reference).edge_pressure[1].strength or float("nan"), 3e-3, "MPa mm^0.5",
+            lambda: strips().edge_pressure[1].strength or float("nan"), 3e-3, "MPa mm^0.5",
             why="that of the references changes by 0.15 % with the way it is extrapolated",
         )  # fmt: skip

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator
-
-import numpy as np
 
 from nonhertz.hertz import LineContact, line_contact
 from nonhertz.model.body import Plate, Roller
@@ -14,7 +13,7 @@ from nonhertz.model.material import Material
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
-from nonhertz.verify.claim import Claim, solved
+from nonhertz.verify.claim import Claim, middle, solved
 
 TITLE = "Line contact: limits of both elements (paper, Eqs. 59, 61, 62)"
 STEEL = Material(206000.0, 0.3)
@@ -84,36 +83,26 @@ def _solution(element: Element, strips: int | None) -> Solution:
 
 
 def _contacts(element: Element, grid: str, strips: int | None) -> Iterator[Claim]:
-    case = f"{element.name}, {grid}"
+    case, twice = f"{element.name}, {grid}", 2.0 * STEEL.compliance
 
-    def middle(name: str) -> float:
-        solution = _solution(element, strips)
-        return float(getattr(solution, name)[int(np.argmin(np.abs(solution.y)))])
+    def of(quantity: str) -> float:
+        return middle(_solution(element, strips), quantity)
 
     def hertz() -> LineContact:
         # The sharp ends attract load; what is left in the middle decides.
-        compliance = 2.0 * STEEL.compliance
-        return line_contact(line_load=middle("line_load"), radius=0.5 * DIAMETER, compliance=compliance)
-
-    def limit() -> float:
-        return math.sqrt(6.0 * 2.0 * STEEL.compliance * middle("line_load") * 0.5 * DIAMETER)
+        return line_contact(line_load=of("line_load"), radius=0.5 * DIAMETER, compliance=twice)
 
     def by_summit() -> float:
-        a = middle("element_half_width")
-        return PRESSURE_FACTOR * (0.75 * middle("line_load") / a**3) * a**2
+        a = of("element_half_width")
+        return PRESSURE_FACTOR * (0.75 * of("line_load") / a**3) * a**2
 
-    def b() -> float:
-        return middle("half_width")
-
-    def p0() -> float:
-        return middle("centre_pressure")
-
+    b, p0, c = (functools.partial(of, name) for name in ("half_width", "centre_pressure", "element_half_width"))
     yield Claim(f"{case}: half-width b", _HERTZ, lambda: hertz().half_width, b, 1e-7, "mm")
     yield Claim(f"{case}: pressure p0", _HERTZ, lambda: hertz().max_pressure, p0, 1e-7, "MPa")
     if element is PARABOLIC and strips == 1:
         yield Claim(
-            f"{case}: c", "sqrt(6 K q rho), from Eq. (59)", limit, lambda: middle("element_half_width"), 1e-7, "mm"
-        )
-        of_c = math.sqrt(2.0 / 3.0)
-        yield Claim(f"{case}: b of c", "paper, Eq. (61)", lambda: of_c * middle("element_half_width"), b, 1e-12, "mm")
+            f"{case}: c", "sqrt(6 K q rho), from Eq. (59)",
+            lambda: math.sqrt(6.0 * twice * of("line_load") * 0.5 * DIAMETER), c, 1e-7, "mm",
+        )  # fmt: skip
+        yield Claim(f"{case}: b of c", "paper, Eq. (61)", lambda: math.sqrt(2.0 / 3.0) * c(), b, 1e-12, "mm")
         yield Claim(f"{case}: p0 of s and c", "paper, Eq. (62)", by_summit, p0, 1e-12, "MPa")

@@ -10,8 +10,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-import numpy as np
-
 from nonhertz.hertz import line_contact, plane_strain_cylinder_compression
 from nonhertz.model.body import Ring, Roller
 from nonhertz.model.contact import Contact
@@ -19,7 +17,7 @@ from nonhertz.model.profile import Profile, iso_logarithmic, partial_crown, stra
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
-from nonhertz.verify.claim import Claim, solved
+from nonhertz.verify.claim import Claim, middle, solved
 from nonhertz.verify.profiled_roller import ARC, DIAMETER, LENGTH, LOAD, RING_DIAMETER, RING_WIDTH, STEEL, STRAIGHT
 
 TITLE = "Load and compression (paper, Figs. 8 and 9)"
@@ -134,9 +132,7 @@ def _in_plane_strain(pair: Pair, load: float) -> Iterator[Claim]:
         )  # fmt: skip
 
     def uniform() -> float:
-        solution = on_strips(pair, load, "plane-strain")
-        middle = int(np.argmin(np.abs(solution.y)))
-        return 1e3 * pair.plane_strain(float(solution.line_load[middle]) * pair.length)
+        return 1e3 * pair.plane_strain(middle(on_strips(pair, load, "plane-strain"), "line_load") * pair.length)
 
     yield cut_out(1, "one image per face", 5e-3)
     yield cut_out("series", "all images", 1e-5)

@@ -19,7 +19,7 @@ from nonhertz.model.profile import Profile, iso_logarithmic, partial_crown
 from nonhertz.result.solution import EdgeKind, Solution
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
-from nonhertz.verify.claim import Claim, solved
+from nonhertz.verify.claim import Claim, middle, solved
 
 TITLE = "A profiled roller on an inner ring (paper, Figs. 6 and 7)"
 STEEL = Material(206000.0, 0.3)
@@ -94,11 +94,6 @@ def claims() -> Iterator[Claim]:
     yield from _tilted()
     for reference in REFERENCES:
         yield from _second_program(reference)
-
-
-def middle(solution: Solution, quantity: str) -> float:
-    """Return a quantity of the strip in the middle."""
-    return float(getattr(solution, quantity)[int(np.argmin(np.abs(solution.y)))])
 
 
 def _hertz() -> LineContact:

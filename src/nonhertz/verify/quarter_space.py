@@ -16,7 +16,7 @@ from nonhertz.model.material import Material
 from nonhertz.model.profile import Profile, tabulated
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
-from nonhertz.verify.claim import Claim, series, solved
+from nonhertz.verify.claim import Claim, pressures, series, solved
 
 TITLE = "Free ends: what mirroring leaves"
 LENGTH, FLAT = 60.0, 13.0  # mm: length of the bodies, where the run-out begins
@@ -67,9 +67,8 @@ def _of_case(
     tolerances: tuple[float | None, ...],
 ) -> Iterator[Claim]:
     def ratios() -> list[float]:
-        solution = with_weights(*weights)
-        pressure = np.interp((*PLACES, FAR), solution.y, solution.centre_pressure)
-        return list(pressure[:-1] / pressure[-1])
+        *near, far = pressures(with_weights(*weights), [*PLACES, FAR])
+        return [pressure / far for pressure in near]
 
     quantities = [f"{name}: pressure at y = {place:g} mm over that at {FAR:g} mm" for place in PLACES]
     why = "across the last quarter of a half-width the pressure is no semi-ellipse"

@@ -167,7 +167,7 @@ def plane_strain() -> Iterator[Claim]:
             b, p0 = line(0.3).hertz.half_width, line(0.3).hertz.max_pressure
             across, deep = b * np.linspace(-3.0, 3.0, 41), b * np.geomspace(0.01, 5.0, 21)
             x, z = np.meshgrid(across, deep, indexing="ij")
-            expected = _mcewen(x / b, z / b, 0.3)
+            expected = mcewen(x / b, z / b, 0.3)
             return float(np.max(np.abs(stress(line(0.3).solution, x, y, z).stress / p0 - expected)))
 
         return found
@@ -179,7 +179,7 @@ def plane_strain() -> Iterator[Claim]:
         )  # fmt: skip
 
 
-def _mcewen(x: Array, z: Array, poisson: float) -> Array:
+def mcewen(x: Array, z: Array, poisson: float) -> Array:
     """Return the stresses of Hertz's line contact over p0 at positions over b, Johnson 1985, Eq. (4.49)."""
     apart = 1.0 - x**2 + z**2
     root = np.sqrt(apart**2 + 4.0 * x**2 * z**2)
@@ -314,18 +314,9 @@ def lundberg(ratio: float) -> tuple[float, float]:
 
 @dataclass(frozen=True, eq=False)
 class Tilted:
-    """The tilted roller on automatic strips, on finer strips, and by direct summation.
+    """The tilted roller on strips and cells, and its stress summed directly in either body.
 
-    Attributes
-    ----------
-    automatic, refined : Solution
-        On strips.
-    grid : PatchSolution
-        On cells.
-    points : ndarray, shape (levels, across, stations, 3)
-        x, y, z [mm].
-    direct : dict of str to ndarray, shape (levels, across, stations, 6)
-        Stress [MPa] in either body, summed directly.
+    ``points`` have the shape (levels, across, stations, 3) [mm], the stresses (levels, across, stations, 6) [MPa].
     """
 
     automatic: Solution
