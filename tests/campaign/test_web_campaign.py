@@ -76,7 +76,10 @@ def server() -> Iterator[tuple[int, int]]:
             client.get("/bearing")  # whose processes start when it is opened
             while not client.get("/bearing/status").json()["ready"]:
                 time.sleep(0.1)
-        time.sleep(10.0)  # until the others of its workers are ready too
+        before = 0.0
+        while (now := memory_of(process.pid)) > before + 1.0:  # until the others of its workers are ready too
+            before = now
+            time.sleep(5.0)
         yield port, process.pid
         process.send_signal(signal.SIGINT)
         _, errors = process.communicate(timeout=20)
