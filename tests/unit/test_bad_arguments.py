@@ -550,6 +550,7 @@ ENTRIES: dict[str, Entry] = {
         about_y=(0.0, "many"),
         about_z=(0.0, "many"),
         speed=(0.0, "not negative"),
+        turning=("inner", "word"),
         method=("slices", "word"),
         laminae=(30, "whole"),
         maps=(None, "optional"),

@@ -49,7 +49,9 @@ class ForceTable(ReadOnly):
     method : str
         How its contacts were solved.
     speed : float
-        Of the inner ring [1/min].
+        Of the turning ring [1/min].
+    turning : {"inner", "outer"}
+        The ring that turns.
     names : tuple of str
         The motions that vary, of ``"x"``, ``"y"``, ``"z"`` [mm], ``"about_y"`` and ``"about_z"`` [rad].
     axes : tuple of ndarray
@@ -68,6 +70,7 @@ class ForceTable(ReadOnly):
     bearing: RollerBearing | Paired
     method: str
     speed: float
+    turning: str
     names: tuple[str, ...]
     axes: tuple[Array, ...]
     displacement: Array
@@ -89,7 +92,7 @@ class ForceTable(ReadOnly):
             f"{'mrad' if name.startswith('about') else 'um'} in {axis.size}"
             for name, axis in zip(self.names, self.axes, strict=True)
         ]
-        at = f", at {given(self.speed)} 1/min" if self.speed else ""
+        at = f", at {given(self.speed)} 1/min of the {self.turning} ring" if self.speed else ""
         said = [
             f"{' and '.join(rows)}, by {self.method}{at}",
             "; ".join(grid),
@@ -207,6 +210,7 @@ def table(
     about_y: ArrayLike = 0.0,
     about_z: ArrayLike = 0.0,
     speed: float = 0.0,
+    turning: str = "inner",
     method: Method = "strips",
     laminae: int = LAMINAE,
     maps: BearingMaps | None = None,
@@ -222,7 +226,7 @@ def table(
         Displacements of the inner ring [mm]: a number where it is fixed, ascending ones along an axis of the grid.
     about_y, about_z : float or array_like
         Its rotations [rad], likewise.
-    speed, method, laminae, maps
+    speed, turning, method, laminae, maps
         As in `nonhertz.bearing.solve_many`; a large table takes maps.
     checks : int
         In the middle of how many cells it is solved as well, to know what interpolation is off by; all cells, if there
@@ -267,7 +271,9 @@ def table(
     if states > MOST_STATES:
         condition = f"be at most {MOST_STATES} points, not {states}"
         raise InputError("grid of " + ", ".join(names), "too large", condition, "give fewer values")
-    options: dict[str, Any] = {"speed": speed, "method": method, "laminae": laminae, "maps": maps}
+    options: dict[str, Any] = {
+        "speed": speed, "turning": turning, "method": method, "laminae": laminae, "maps": maps,
+    }  # fmt: skip
     axes = tuple(values[name] for name in names)
     grid = _grid(values)
     force, stiffness, converged = _solved(bearing, grid.reshape(-1, 5), options)
@@ -285,6 +291,7 @@ def table(
         bearing=bearing,
         method=method,
         speed=float(speed),
+        turning=turning,
         names=names,
         axes=axes,
         displacement=grid,
