@@ -1,6 +1,10 @@
-"""Whether two states of the package give the same numbers: campaign cases, examples, and the checks of `verify`.
+"""Whether two states of the package give the same numbers: campaigns' cases, golden runs, and the checks of `verify`.
 
-The states are two source trees. Each is recorded by itself, with this folder's cases, and the records are compared:
+    python tests/campaign/same_numbers.py commits main HEAD               # or a commit alone: this folder beside it
+    python tests/campaign/same_numbers.py commits main --cases 200        # a fiftieth of all draws
+
+records two commits, each from a worktree of its own, with this folder's cases and the present interpreter, and prints
+what differs. A source tree can be recorded by itself, too, and records compared:
 
     PYTHONPATH=/before/src python tests/campaign/same_numbers.py record /tmp/before.jsonl
     PYTHONPATH=src         python tests/campaign/same_numbers.py record /tmp/after.jsonl
@@ -16,65 +20,124 @@ import json
 import math
 import multiprocessing
 import os
+import subprocess
 import sys
+import tempfile
+import warnings
 from collections import defaultdict
 from itertools import chain
 from pathlib import Path
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
-CAMPAIGNS = ("practice_cases", "extreme_cases")
-COMMANDS = ("solve", "stress", "life")
+HERE = Path(__file__).resolve().parent
+sys.path.append(str(HERE.parent / "golden"))
+# Of 10,000 cases; every fifth bearing is by strips, the others by slices.
+DRAWS = {"practice_cases": 10_000, "extreme_cases": 10_000, "bearing": 2_000, "patch": 300, "stress": 300}
 SAME = 1e-12
 # Of a case that took its time, and of the release that made the file.
 NOT_COMPARED = ("seconds", "version", "format", ".case")
 
 
-def flattened(value, name=""):
-    """Yield name and value of every number, word and flag within nested lists and dictionaries."""
-    if isinstance(value, dict | list):
-        parts = value.items() if isinstance(value, dict) else enumerate(value)
-        for key, inner in parts:
-            yield from flattened(inner, f"{name}.{key}")
-    else:
-        yield name, value
-
-
 def case_record(work):
     """Return the record of a case of a campaign."""
+    kind, number = work
+    ended, found = {"bearing": bearing, "patch": patch, "stress": stress}.get(kind, contact)(*work)
+    return {"of": f"{kind} {number}", "ended": ended, "numbers": found}
+
+
+def contact(campaign, number):
+    """Return how a contact of a campaign ended, and its numbers."""
     import campaign_run
+
+    ending = campaign_run.solved(campaign_run.generator(campaign)(number))
+    names = ("approach", "tilt", "load", "moment", "max_pressure", "max_half_width", "stiffness")
+    rows = ("edges", "line_load", "half_width", "gap")
+    found = {} if ending.solution is None else quantities(ending.solution, names, rows)
+    return f"{ending.kind} {ending.words}", found
+
+
+def bearing(_, number):
+    """Return how a random bearing ended, and its numbers."""
+    from test_bearings import random_bearing
+
+    import nonhertz as nh
+
+    of, given = random_bearing(number)
+    ended, found = tried(lambda: nh.bearing.solve(of, method="slices" if number % 5 else "strips", **given))
+    rows = ("load", "moment", "approach", "tilt", "rib_loads")
+    return ended, {} if found is None else quantities(found, ("displacement", "force", "stiffness"), rows)
+
+
+def patch(_, number):
+    """Return how a random contact on a plane grid ended, and its numbers."""
+    import numpy as np
+    from test_patch_estimate import KINDS, case
+
+    import nonhertz as nh
+
+    generator = np.random.default_rng((number % len(KINDS), number // len(KINDS)))
+    of, given = case(KINDS[number % len(KINDS)], generator)
+    cells = int(generator.integers(16, 49)), int(generator.integers(24, 97))
+    ended, found = tried(lambda: nh.patch.solve(of, cells=cells, **given))
+    names = ("approach", "tilt", "load", "moment", "max_pressure")
+    return ended, {} if found is None else quantities(found, names, ("x", "y", "pressure", "gap"))
+
+
+def stress(_, number):
+    """Return the stress at some places below a random contact."""
+    import numpy as np
+    from test_stress_campaign import random_solution
+
+    import nonhertz as nh
+    from golden import numbers
+
+    case = random_solution(number)
+    if case is None:
+        return "refused", {}
+    solution, _, rng = case
+    low, high = solution.edges[np.flatnonzero(solution.line_load)[[0, -1]] + [0, 1]]
+    wide = solution.half_width.max()
+    places = wide * rng.uniform(-2.0, 2.0, 20), rng.uniform(low, high, 20), wide * rng.uniform(0.05, 3.0, 20)
+    ended, found = "solved", {}
+    for body in "ab":
+        ended, field = tried(lambda body=body: nh.subsurface.stress(solution, *places, body=body, threads=1))
+        found |= {} if field is None else dict(numbers(field.stress.tolist(), body))
+    return ended, found
+
+
+def tried(solve):
+    """Return how a solve ended, and its result, None if it has none."""
+    import nonhertz as nh
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            return "solved", solve()
+        except nh.NonhertzError as error:
+            return type(error).__name__, None
+
+
+def quantities(result, names, rows):
+    """Return numbers of a result, and of arrays that depend on its grid how many, their sum and that of squares."""
     import numpy as np
 
-    campaign, number = work
-    ending = campaign_run.solved(campaign_run.generator(campaign)(number))
-    found = {"of": f"{campaign} {number}", "ended": f"{ending.kind} {ending.words}", "numbers": {}}
-    if ending.solution is not None:
-        solution, names = ending.solution, ("approach", "tilt", "load", "moment", "max_pressure", "max_half_width")
-        found["numbers"] = {name: float(getattr(solution, name)) for name in names}
-        found["numbers"] |= dict(flattened(np.asarray(solution.stiffness).tolist(), "stiffness"))
-        for name in ("edges", "line_load", "half_width", "gap"):
-            row = np.asarray(getattr(solution, name))
-            row = row[np.isfinite(row)]
-            found["numbers"] |= {f"{name}.count": row.size, f"{name}.sum": math.fsum(row), f"{name}.squares": row @ row}
+    from golden import numbers
+
+    found = dict(numbers({name: np.asarray(getattr(result, name)).tolist() for name in names}))
+    for name in rows:
+        row = np.asarray(getattr(result, name)).ravel()
+        row = row[np.isfinite(row)]
+        found |= {f"{name}.count": row.size, f"{name}.sum": math.fsum(row), f"{name}.squares": row @ row}
     return found
 
 
-def command_record(work):
-    """Return the record of what a command tells of an example."""
-    from nonhertz.cli import main
+def command_records():
+    """Yield the records of the golden runs, with all their numbers."""
+    from golden import RUNS, ran
 
-    command, case = work
-    printed = io.StringIO()
-    with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(io.StringIO()):
-        try:
-            code = main([command, str(case), "--json"])
-        except SystemExit as ended:
-            code = ended.code
-    text = printed.getvalue()
-    return {
-        "of": f"{command} {case.name}",
-        "ended": str(code or 0),
-        "numbers": dict(flattened(json.loads(text))) if text else {},
-    }
+    for command, sources in RUNS.items():
+        for source in sources:
+            code, found = ran(command, source)
+            yield {"of": f"{command} {source}", "ended": str(code), "numbers": found}
 
 
 def check_records():
@@ -100,14 +163,31 @@ def record(out, cases, workers):
     import nonhertz
 
     print(f"recording {Path(nonhertz.__file__).parent}", flush=True)
-    numbered = [(campaign, number) for campaign in CAMPAIGNS for number in range(cases)]
-    contacts = [case for case in sorted(EXAMPLES.glob("*.toml")) if "[body.a]" in case.read_text(encoding="utf-8")]
-    examples = [(command, case) for command in COMMANDS for case in contacts]
+    drawn = [(kind, number) for kind, count in DRAWS.items() for number in range(count * cases // 10_000)]
     with multiprocessing.get_context("spawn").Pool(workers) as pool, out.open("w") as lines:
-        solved = pool.imap_unordered(case_record, numbered, chunksize=20)
-        for found in chain(map(command_record, examples), check_records(), solved):
+        solved = pool.imap_unordered(case_record, drawn, chunksize=20)
+        for found in chain(command_records(), check_records(), solved):
             found["numbers"] = {name: _number(value) for name, value in found["numbers"].items()}
             lines.write(json.dumps(found) + "\n")
+
+
+def of_commits(commits, options):
+    """Record one commit and the sources here, or two commits, and return whether they give the same."""
+    with tempfile.TemporaryDirectory() as folder:
+        records, git = [], ["git", "-C", str(HERE)]
+        for commit in commits:
+            tree, written = Path(folder, f"tree{len(records)}"), Path(folder, f"{len(records)}.jsonl")
+            sources = tree / "src" if commit else HERE.parents[1] / "src"
+            if commit:
+                subprocess.run([*git, "worktree", "add", "--quiet", "--detach", str(tree), commit], check=True)
+            try:
+                words = [sys.executable, __file__, "record", str(written), *options]
+                subprocess.run(words, env=os.environ | {"PYTHONPATH": str(sources)}, check=True)
+            finally:
+                if commit:
+                    subprocess.run([*git, "worktree", "remove", "--force", str(tree)], check=True)
+            records.append(written)
+        return compared(*records)
 
 
 def difference(one, other):
@@ -149,16 +229,23 @@ def main():
     actions = parser.add_subparsers(dest="action", required=True)
     recording = actions.add_parser("record", help="write the numbers of one state")
     recording.add_argument("out", type=Path)
-    recording.add_argument("--cases", type=int, default=10_000, help="of each campaign")
-    recording.add_argument("--workers", type=int, default=os.cpu_count())
     comparing = actions.add_parser("compare", help="compare the numbers of two states")
     comparing.add_argument("before", type=Path)
     comparing.add_argument("after", type=Path)
+    both = actions.add_parser("commits", help="record two commits and compare them")
+    both.add_argument("before")
+    both.add_argument("after", nargs="?", help="by default the sources as they are here")
+    for each in (recording, both):
+        each.add_argument("--cases", type=int, default=10_000, help="of each campaign; other draws in proportion")
+        each.add_argument("--workers", type=int, default=os.cpu_count())
     chosen = parser.parse_args()
     if chosen.action == "record":
         record(chosen.out, chosen.cases, chosen.workers)
         return 0
-    return 0 if compared(chosen.before, chosen.after) else 1
+    if chosen.action == "compare":
+        return 0 if compared(chosen.before, chosen.after) else 1
+    options = ["--cases", str(chosen.cases), "--workers", str(chosen.workers)]
+    return 0 if of_commits((chosen.before, chosen.after), options) else 1
 
 
 if __name__ == "__main__":
