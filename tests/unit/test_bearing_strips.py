@@ -1,6 +1,7 @@
 """Contacts of a bearing by strips: they follow from one step to the next, and both rings use the same strips."""
 
 import dataclasses
+import weakref
 from collections import Counter
 from pathlib import Path
 
@@ -24,9 +25,21 @@ def asked(law, approach, tilt, row=0):
     return law.pressed(np.array([row]), np.array([approach]), np.array([tilt]))[0, :6]
 
 
-def laid(law, row=0):
-    grids = law._kept[row].grids
-    return grids.edges[0, : grids.counts[0] + 1]
+def laid_for(contact, approach):
+    """Edges of the strips that are laid for an approach of a contact by itself."""
+    law = StripLaw(contact)
+    asked(law, approach, 0.0)
+    return law.edges(0)
+
+
+@pytest.fixture
+def laid(monkeypatch):
+    """Give the poses for which strips have been laid."""
+    poses, lay = [], strips.on_automatic_strips
+    monkeypatch.setattr(
+        strips, "on_automatic_strips", lambda *given: (poses.extend(given[-1].tolist()), lay(*given))[1]
+    )
+    return poses
 
 
 def size_of(answer):
@@ -46,29 +59,16 @@ def test_answers_are_those_of_a_contact_by_itself(pose):
 
 @pytest.mark.parametrize("pose", POSES)
 @pytest.mark.parametrize("change", [(1e-3, 0.0), (-0.02, 0.01), (0.015, -0.004), (-0.1, 0.0)])
-def test_a_contact_that_followed_is_the_one_solved_there_on_the_same_strips(pose, change):
+def test_a_contact_that_followed_is_the_one_solved_there_on_the_same_strips(pose, change, monkeypatch):
     law = StripLaw(INNER, strips=41)
     asked(law, *pose)
     depth = float(law.penetration(np.array([pose[0]]), np.array([pose[1]]))[0])
     there = pose[0] + change[0] * depth, pose[1] + change[1] * depth / 5.0
-    kept = law._kept[0]
-    assert law._follows(0, kept, there)
-    followed = kept.answer / law._problem.compliance
     anew = asked(StripLaw(INNER, strips=41), *there)
+    monkeypatch.setattr(strips, "settle_all", None)  # it is not solved from the start
+    followed = asked(law, *there)
     # The load is exact to the square of the last step, the stiffness to the step.
     assert np.all(np.abs(followed - anew) <= np.array([1e-9, 1e-9, 1e-5, 1e-5, 1e-5, 1e-5]) * size_of(anew))
-
-
-def test_what_cannot_follow_is_left_as_it_was():
-    law = StripLaw(INNER, strips=41)
-    before = asked(law, 0.0118, 0.0)
-    kept = law._kept[0]
-    state = [each.copy() for each in (kept.states.r, kept.states.m, kept.states.rigid)]
-    assert not law._follows(0, kept, (-1.0, 0.0))
-    for was, each in zip(state, (kept.states.r, kept.states.m, kept.states.rigid), strict=True):
-        assert_array_equal(each, was)
-    assert kept.asked == (0.0118, 0.0)
-    assert_array_equal(asked(law, 0.0118, 0.0), before)
 
 
 def test_stiffness_is_the_derivative_on_kept_strips():
@@ -87,7 +87,7 @@ def test_the_other_ring_takes_the_strips_and_loses_nothing():
     pose = 0.0118, 1.46e-4
     outer.expect(FIRST, np.array([pose[0]]), np.array([pose[1]]))
     first, second = asked(inner, *pose), asked(outer, *pose)
-    assert_array_equal(laid(inner), laid(outer))
+    assert_array_equal(inner.edges(0), outer.edges(0))
     for contact, found in ((INNER, first), (OUTER, second)):
         alone = nh.solve(contact, approach=pose[0], tilt=pose[1])
         assert_allclose(found[0], alone.load, rtol=2e-4)
@@ -99,60 +99,70 @@ def test_the_ring_that_is_pressed_deeper_lays_the_strips():
     inner.beside(outer)
     outer.expect(FIRST, np.array([0.012]), np.array([0.0]))
     asked(inner, 0.0115, 0.0)
-    assert outer._kept[0].laid_for == (0.012, 0.0)
-    assert_array_equal(laid(inner), laid(outer))
+    deeper = laid_for(OUTER, 0.012)
+    assert_array_equal(outer.edges(0), deeper)
+    assert_array_equal(inner.edges(0), deeper)
     inner.expect(FIRST, np.array([0.001]), np.array([0.0]))
     asked(outer, 0.02, 0.0)
-    assert outer._kept[0].laid_for == (0.012, 0.0)  # it is on its way
+    assert_array_equal(outer.edges(0), deeper)  # it is on its way
 
 
 def test_rings_whose_separations_differ_lay_their_own():
     crowned = nh.Contact(ROLLER, nh.Ring(diameter=-55.5, depth=3.25, profile=nh.profile.crown(3000.0)))
     inner, outer = StripLaw(INNER), StripLaw(crowned)
     inner.beside(outer)
-    assert inner._other is None
-    assert outer._other is None
+    outer.expect(FIRST, np.array([0.012]), np.array([0.0]))
+    asked(inner, 0.0115, 0.0)
+    asked(outer, 0.012, 0.0)
+    assert_array_equal(inner.edges(0), laid_for(INNER, 0.0115))
+    assert_array_equal(outer.edges(0), laid_for(crowned, 0.012))
 
 
 @pytest.mark.parametrize(("deeper", "anew"), [(0.01, False), (0.05, True), (-0.05, False), (-0.2, True)])
 def test_near_the_balance_strips_are_laid_anew_where_the_contact_has_become_another(deeper, anew):
     law = StripLaw(INNER)
     asked(law, 0.01, 0.0)
-    before = laid(law).copy()
+    before = law.edges(0).copy()
     law.lay_anew()
     asked(law, 0.01 * (1.0 + deeper), 0.0)
-    after = laid(law)
+    after = law.edges(0)
     assert anew != (before.shape == after.shape and bool(np.all(before == after)))
 
 
 def test_on_the_way_strips_are_kept_up_to_three_times_the_depth():
     law = StripLaw(INNER)
     asked(law, 0.004, 0.0)
-    before = laid(law).copy()
+    before = law.edges(0).copy()
     asked(law, 0.004 * 2.9, 0.0)
-    assert_array_equal(laid(law), before)
+    assert_array_equal(law.edges(0), before)
     asked(law, 0.004 * 3.1, 0.0)
-    assert law._kept[0].laid_for == (0.004 * 3.1, 0.0)
+    assert_array_equal(law.edges(0), laid_for(INNER, 0.004 * 3.1))
 
 
-def test_the_same_contacts_are_solved_once(monkeypatch):
+def test_the_same_contacts_are_solved_once(laid):
     law = StripLaw(INNER)
-    solved = []
-    lay = StripLaw._lay
-    monkeypatch.setattr(StripLaw, "_lay", lambda self, missing: (solved.append(missing), lay(self, missing)))
     rows, approach, tilt = np.arange(4), np.array([0.01, 0.005, 0.01, -0.003]), np.array([0.0, 1e-4, 0.0, 0.0])
     found = law.pressed(rows, approach, tilt)
-    assert sorted(row for each in solved for row in each) == [0, 1]
+    assert laid == [[0.01, 0.0], [0.005, 1e-4]]
     assert found[0, 0] == found[2, 0] > found[1, 0] > found[3, 0] == 0.0
 
 
 def test_few_remotes_are_kept(monkeypatch):
     monkeypatch.setattr(strips, "KEPT_REMOTE", 2)
+    made, blank = [], strips.blank_remote
+
+    def remote(*given):
+        found = blank(*given)
+        made.append(weakref.ref(found.powers))
+        return found
+
+    monkeypatch.setattr(strips, "blank_remote", remote)
     law = StripLaw(INNER)
     for row in range(3):
         asked(law, 0.01, 1e-5 * row, row)
         asked(law, 0.01 + 1e-5, 1e-5 * row, row)
-        assert len(law._remote) <= 2
+        assert sum(each() is not None for each in made) <= 2
+    assert len(made) > 2
     alone = nh.solve(INNER, approach=0.01 + 1e-5, tilt=1e-5)
     assert_allclose(asked(law, 0.01 + 1e-5, 1e-5, 1)[0], alone.load, rtol=2e-4)
 
@@ -164,11 +174,8 @@ def test_a_contact_without_a_solution_is_named():
 
 
 @pytest.mark.parametrize(("speed", "most"), [(30.0, 100), (3000.0, 26)])
-def test_rollers_that_speed_alone_presses_cost_little(speed, most, monkeypatch):
+def test_rollers_that_speed_alone_presses_cost_little(speed, most, laid):
     """They crossed the clearance in leaps that pressed them half a millimetre deep: a hundred times the work."""
-    laid = []
-    lay = StripLaw._lay
-    monkeypatch.setattr(StripLaw, "_lay", lambda self, missing: (laid.extend(missing), lay(self, missing)))
     nu206 = nh.bearing.CylindricalRollerBearing(
         roller=ROLLER, inner=RINGS[0], outer=RINGS[1], rollers=13, clearance=0.0184
     )
@@ -179,11 +186,8 @@ def test_rollers_that_speed_alone_presses_cost_little(speed, most, monkeypatch):
     assert len(laid) <= most
 
 
-def test_idle_tapered_rollers_cost_little(monkeypatch):
+def test_idle_tapered_rollers_cost_little(laid):
     """On the outer ring and the rib they tilted to and fro, each time on other strips: 180 where 30 do."""
-    laid = []
-    lay = StripLaw._lay
-    monkeypatch.setattr(StripLaw, "_lay", lambda self, missing: (laid.extend(missing), lay(self, missing)))
     found = nh.read_bearing(EXAMPLES / "tapered-pair.toml").solve()
     idle = found.load[:, 0] == 0.0
     assert np.count_nonzero(idle) == 12
@@ -251,7 +255,7 @@ def test_light_contacts_take_no_more_strips_than_by_themselves():
     law = StripLaw(contact)
     approach, rows = np.array([1.5e-4, 1e-4, 3e-8]), np.arange(3)
     law.pressed(rows, approach, np.zeros(3))
-    assert [laid(law, row).size - 1 for row in rows] == [nh.solve(contact, approach=each).strips for each in approach]
+    assert [law.edges(row).size - 1 for row in rows] == [nh.solve(contact, approach=each).strips for each in approach]
 
 
 def test_few_strips_bear_close_to_a_corner():

@@ -8,6 +8,8 @@ import nonhertz as nh
 from nonhertz.model.prescription import Prescription
 from nonhertz.solver.one import problem_of
 from nonhertz.strip import settle
+from nonhertz.strip.influence import blank_remote
+from nonhertz.strip.newton import TOLERANCE
 from nonhertz.strip.problem import row_of
 from nonhertz.strip.records import CONVERGED, STAGNATED, Given, States
 
@@ -25,7 +27,7 @@ def raised(problem):
     grids, found = problem.grids(*STRIPS), States.unsolved(*STRIPS, 1)
     sought = settle.sought_of(found, 0, found.m.shape[1])
     given = Given(problem.prescribed, problem.target)
-    status, *_ = settle._raised(settle.strips_of(grids, 0), given, problem.law, sought, grids.shallowest[0])
+    status, *_ = settle.raise_load(settle.strips_of(grids, 0), given, problem.law, sought, grids.shallowest[0])
     return status, found.one(0)
 
 
@@ -51,3 +53,18 @@ def test_before_a_rise_is_given_up_it_has_been_cut_to_a_thousandth_of_the_load(p
     beyond = min(share for share in tried if share > 0.3)
     reached = max(share for share in tried if share <= 0.3)
     assert beyond - reached < 2e-3
+
+
+def test_a_case_that_cannot_follow_is_left_as_it_was():
+    roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000))
+    problem = problem_of(nh.Contact(roller, nh.Plate()), Prescription.checked(0.01, None, 0.0, None), nh.SEMI_ELLIPTIC)
+    grids, found, answer = problem.grids(*STRIPS), States.unsolved(*STRIPS, 1), np.zeros(6)
+    target = problem.target[None]
+    settle.settle_all(grids, Given(problem.prescribed, target), problem.law, States.none(), found, TOLERANCE, False)
+    assert found.status[0] == CONVERGED
+    before = [each.copy() for each in found]
+    remote, apart = blank_remote(21, problem.law), Given(problem.prescribed, np.array([[-1.0, 0.0]]))
+    assert not settle.follow(grids, apart, problem.law, remote, np.zeros(1), found, answer)
+    for was, each in zip(before, found, strict=True):
+        np.testing.assert_array_equal(each, was)
+    assert not answer.any()

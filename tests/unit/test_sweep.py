@@ -18,7 +18,7 @@ from nonhertz.io.planfile import Plan
 from nonhertz.study import Sampling, Sweep
 from nonhertz.study.crew import LostError, Processes
 from nonhertz.study.rows import Row, Work
-from nonhertz.study.store import FILE
+from nonhertz.study.store import FILE, Store
 
 ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000), side_faces="none", depth="none")
 PLATE = nh.Plate(side_faces="none", depth="none")
@@ -150,12 +150,10 @@ def test_a_sweep_goes_on_where_it_was_stopped(tmp_path):
 
 
 def test_a_portion_that_is_kept_twice_is_there_once(tmp_path):
-    found = nh.sweep(CASE, over={"load.load": [5e3, 6e3]}, quantities=("approach",), out=tmp_path)
-    rows = sqlite3.connect(tmp_path / FILE)
-    (first,) = rows.execute("select n0 from rows where number = 0").fetchone()
-    rows.close()
-    found._store.add(0, [0], [(5e3,)], [Row((1.0,))])
-    assert found["approach"].tolist() == [first, found["approach"][1]]
+    store = Store(tmp_path, {}, ("load.load",), ("approach",))
+    for value in (1.0, 2.0):
+        store.add(0, [0], [(5e3,)], [Row((value,))])
+    assert store.column("approach").tolist() == [1.0]
 
 
 @pytest.mark.parametrize(
@@ -186,14 +184,20 @@ def test_a_directory_in_use_is_refused(tmp_path):
     assert tried
 
 
-def test_a_full_disk_is_said_and_the_rows_before_are_kept(tmp_path):
+def test_a_full_disk_is_said_and_the_rows_before_are_kept(tmp_path, monkeypatch):
     """SQLite reports a file that may not grow as it reports a full disk."""
-    found = nh.sweep(CASE, over={"load.load": [5e3, 6e3]}, quantities=("approach",), out=tmp_path)
-    (pages,) = found._store._rows.execute("pragma page_count").fetchone()
-    found._store._rows.execute(f"pragma max_page_count = {pages}")
+
+    def connect(*given, opened=sqlite3.connect, **options):
+        rows = opened(*given, **options)
+        rows.execute("pragma max_page_count = 8")
+        return rows
+
+    monkeypatch.setattr(sqlite3, "connect", connect)
+    store = Store(tmp_path, {}, ("load.load",), ("approach",))
+    store.add(0, range(2), [(5e3,)] * 2, [Row((1.0,))] * 2)
     with pytest.raises(nh.InputError, match=r"with space for more rows \(no space left on device\): make room"):
-        found._store.add(9, range(2, 2000), [(5e3,)] * 1998, [Row((1.0,))] * 1998)
-    assert len(found._store) == 2
+        store.add(9, range(2, 2000), [(5e3,)] * 1998, [Row((1.0,))] * 1998)
+    assert len(store) == 2
 
 
 @pytest.mark.parametrize(

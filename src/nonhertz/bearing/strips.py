@@ -147,6 +147,11 @@ class StripLaw:
         answers[:, OVERLAP] = depth
         return answers
 
+    def edges(self, row: int) -> Array:
+        """Return the edges of the strips on which a contact was solved last [mm], shape (strips + 1,)."""
+        grids = self._kept[row].grids
+        return grids.edges[0, : grids.counts[0] + 1]
+
     def _lay_few(self, strips: int) -> None:
         even = np.linspace(self._low, self._high, strips + 1)
         width = even[1] - even[0]
