@@ -10,9 +10,9 @@ from extent import extent
 
 import nonhertz as nh
 from nonhertz.bodies import whole_roller
-from nonhertz.bodies.depths.finite import _outline
+from nonhertz.bodies.depths.finite import outline_of
 from nonhertz.bodies.harmonic_elements import HarmonicElements
-from nonhertz.result.gradient import _landmarks, family_of
+from nonhertz.result.gradient import family_of, landmarks
 from nonhertz.result.measures import measure_of
 
 SEED = 20261124
@@ -48,10 +48,10 @@ def dimension(rng, roller):
 
 def counts(roller):
     """The whole numbers that follow from a shape: polynomials, and elements along and across."""
-    outline, _ = _outline(roller)
-    terms, most = whole_roller._terms(outline), whole_roller._modes(outline)
-    elements = HarmonicElements(outline, 0.3, most, whole_roller._PER_TERM * outline.half_length / terms)
-    return math.ceil(terms), elements._axial.size, elements._shares.size
+    outline, _ = outline_of(roller)
+    terms, most = whole_roller.terms_along(outline), whole_roller.modes_around(outline)
+    elements = HarmonicElements(outline, 0.3, most, whole_roller.PER_TERM * outline.half_length / terms)
+    return math.ceil(terms), elements.axial_borders.size, elements.wall_borders.size
 
 
 def pair(rng, *, at_step):
@@ -109,7 +109,7 @@ def fault(number):
         def again(value):
             changed = family(value)
             # Strips move with the ends and the corners.
-            edges = np.interp(solution.edges, _landmarks(contact), _landmarks(changed))
+            edges = np.interp(solution.edges, landmarks(contact), landmarks(changed))
             return nh.solve(changed, load=solution.load, tilt=solution.tilt, strips=edges)
 
         for relative in (2e-4, 2e-5):

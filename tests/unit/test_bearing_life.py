@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
-from nonhertz.bearing.fatigue import _Calibration
+from nonhertz.bearing.fatigue import Calibration
 from nonhertz.life.volume import section_exposure
 
 B = nh.bearing
@@ -238,11 +238,11 @@ def test_the_capacities_of_both_rings_give_one_constant_of_the_material(rollers,
     Counting Z / 2 (1 - gamma) passes at the inner ring as well would be 37 % off in the first bearing.
     """
     bearing = row(rollers, pitch, diameter)
-    inner, outer = _Calibration(bearing, B.rating(bearing), nh.life.lundberg_palmgren()).constants()
+    inner, outer = Calibration(bearing, B.rating(bearing), nh.life.lundberg_palmgren()).constants()
     assert inner == pytest.approx(outer, rel=3e-3)
     # It is that of the steel, whatever the bearing.
     first = row()
-    reference = _Calibration(first, B.rating(first), nh.life.lundberg_palmgren()).constants()[0]
+    reference = Calibration(first, B.rating(first), nh.life.lundberg_palmgren()).constants()[0]
     assert inner == pytest.approx(reference, rel=3e-3)
 
 

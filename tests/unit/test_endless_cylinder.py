@@ -31,7 +31,7 @@ def test_modes_of_short_waves_are_those_of_a_half_space(poisson):
 
 
 def test_the_difference_to_a_half_space():
-    found = math.pi * endless_cylinder._difference(np.array([0.1, 0.5, 1.0, 2.0, 4.0]), 0.3)
+    found = math.pi * endless_cylinder.difference_spectrum(np.array([0.1, 0.5, 1.0, 2.0, 4.0]), 0.3)
     np.testing.assert_allclose(found, [-2.6276, -1.0454, -0.4400, -0.0607, 0.0120], atol=6e-5)
 
 
@@ -41,7 +41,7 @@ def test_an_even_load_moves_the_surface_as_the_sum_over_modes_does():
     borders = np.concatenate([np.linspace(0.0, 2.0, 9), np.linspace(2.25, 48.0, 184)])
     half = 0.5 * np.diff(borders)[:, None]
     k, share = (borders[:-1, None] + half * (1.0 + node)).ravel(), (half * weight).ravel()
-    smooth = endless_cylinder._difference(k, 0.3) + special.k0(k) / math.pi
+    smooth = endless_cylinder.difference_spectrum(k, 0.3) + special.k0(k) / math.pi
     s = np.array([0.1, 0.5, 1.0, 3.0])[:, None]
     expected = 2.0 * (np.sin(k * s) / k) @ (share * smooth) - np.arcsinh(s[:, 0])
     np.testing.assert_allclose(endless_cylinder.displacement(s[:, 0], 0.3), expected, atol=1e-4)

@@ -30,7 +30,7 @@ def integrated(u, inner, outer, element=nh.SEMI_ELLIPTIC, poisson=0.3):
     v = (0.5 * (breaks[1:] + breaks[:-1]))[:, None] + half[:, None] * node
     return np.array([
         np.sum(density(np.array(u), v) * half[:, None] * weight)
-        for density in free_end._densities(element, free_face(poisson))
+        for density in free_end.densities(element, free_face(poisson))
     ])  # fmt: skip
 
 

@@ -13,7 +13,7 @@ from nonhertz.model.profile import Profile
 from nonhertz.solver.one import problem_of
 from nonhertz.strip import grid, overlaps
 from nonhertz.strip.influence import displacements
-from nonhertz.strip.levels import _Learning
+from nonhertz.strip.levels import Refinement
 from nonhertz.strip.problem import settle
 
 HALF = 10.0
@@ -361,7 +361,7 @@ def test_strips_that_end_within_the_contact_are_cut_off_there_and_not_at_the_bod
     problem, state = crowned_on_part(low, high, 30)
     # Overlaps are looked for within the strips only, or one beyond them would count as well.
     on_bodies, on_strips = (
-        _Learning(problem, interval, (low, high), (np.zeros(0), np.zeros(0)), problem.target[None], np.ones(1))
+        Refinement(problem, interval, (low, high), (np.zeros(0), np.zeros(0)), problem.target[None], np.ones(1))
         for interval in ((-10.0, 10.0), (low, high))
     )
     assert (grid.reaching(state, -1), grid.reaching(state, 1)) == cut
@@ -380,15 +380,15 @@ def test_the_fall_towards_an_end_is_the_distance_at_which_half_the_summit_is_lef
     edges, m = parabola(np.linspace(-2.0, 2.0, 401))
     for side in (-1, 1):
         # m = 1 - y^2 is a half at 0.7071; between centres it is interpolated.
-        np.testing.assert_allclose(grid._fall(edges, m, -1.0, 1.0, side), 1.0 - np.sqrt(0.5), rtol=0.0, atol=2e-3)
+        np.testing.assert_allclose(grid.fall(edges, m, -1.0, 1.0, side), 1.0 - np.sqrt(0.5), rtol=0.0, atol=2e-3)
 
 
 def test_near_a_place_counts_the_widest_of_three_strips_in_contact():
     edges, m = parabola(np.linspace(-2.0, 2.0, 41))
     bearing = np.flatnonzero(m > 0.0)
-    np.testing.assert_allclose(grid._near(edges, m, 1.5), np.sqrt(m[bearing[-3:]].max()), rtol=1e-12, atol=0.0)
-    np.testing.assert_allclose(grid._near(edges, m, -1.5), np.sqrt(m[bearing[:3]].max()), rtol=1e-12, atol=0.0)
-    assert grid._near(edges, np.zeros_like(m), 0.0) == 0.0
+    np.testing.assert_allclose(grid.width_near(edges, m, 1.5), np.sqrt(m[bearing[-3:]].max()), rtol=1e-12, atol=0.0)
+    np.testing.assert_allclose(grid.width_near(edges, m, -1.5), np.sqrt(m[bearing[:3]].max()), rtol=1e-12, atol=0.0)
+    assert grid.width_near(edges, np.zeros_like(m), 0.0) == 0.0
 
 
 def crowned_on_part(low, high, strips):
@@ -437,6 +437,6 @@ def test_a_summit_between_samples_is_looked_at_and_where_there_is_no_body_none_i
     depth[y > 6.0] = -np.inf
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        np.testing.assert_allclose(overlaps._summits(y, depth), [3.2], rtol=1e-12, atol=0.0)
-        assert overlaps._summits(y, depth - 2e-3).size == 0
-        assert overlaps._summits(y, np.full(21, -np.inf)).size == 0
+        np.testing.assert_allclose(overlaps.summits_of(y, depth), [3.2], rtol=1e-12, atol=0.0)
+        assert overlaps.summits_of(y, depth - 2e-3).size == 0
+        assert overlaps.summits_of(y, np.full(21, -np.inf)).size == 0

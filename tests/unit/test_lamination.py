@@ -89,7 +89,7 @@ def test_pieces_that_bear_another_load_are_not_used(monkeypatch):
     endless = cut_with(right, half_width=np.inf)
     for wrong in (one, negative, turned, endless):
         assert not lamination.bears(wrong, strips)
-        monkeypatch.setattr(lamination, "_pieces", lambda _, wrong=wrong: wrong)
+        monkeypatch.setattr(lamination, "cut_into_pieces", lambda _, wrong=wrong: wrong)
         low, high, load, _ = pieces_of(laminated(solution))
         assert load @ (high - low) == pytest.approx(4e3, rel=1e-12)
 

@@ -46,7 +46,7 @@ def test_a_case_that_diverged_wants_no_finer_grid():
     diverged = SimpleNamespace(
         rigid=np.full((1, 2), np.inf), load=np.array([1e3]), converged=np.array([False]), counts=np.array([24])
     )
-    learning = strip_levels._Learning(
+    learning = strip_levels.Refinement(
         problem, (-10.0, 10.0), (-10.0, 10.0), (np.zeros(0), np.zeros(0)), np.array([[1e3, 0.0]]), np.ones(1)
     )
     assert learning.finer_wanted([diverged, diverged], 1e-4) == 1.0

@@ -151,7 +151,7 @@ def check(r, m, rigid, separation=CROWN, gap=None):
     """Return what the last check finds wrong with a state on half-spaces under the load, and fill ``gap``."""
     strips, law = crowned(separation=separation), law_of()
     remote = remote_of(strips, law, max(m.max(), 1e-6))
-    return loop._check(strips, GIVEN, law, remote, sought_from(r, m, rigid, gap))
+    return loop.violation(strips, GIVEN, law, remote, sought_from(r, m, rigid, gap))
 
 
 def deepest(rigid):
@@ -196,7 +196,7 @@ def kept(arm, at, moment=True):
     r = np.zeros(STRIPS)
     r[at], m[at] = 0.025, 0.05
     target = K_LOAD * np.array([1.0, Y[at] + arm])
-    loop._keep_two(crowned(), Given(np.array([True, moment]), target), sought_from(r, m, np.zeros(2)))
+    loop.pair_lone_strip(crowned(), Given(np.array([True, moment]), target), sought_from(r, m, np.zeros(2)))
     assert np.array_equal(r > 0.0, m > 0.0)
     return np.flatnonzero(m).tolist()
 

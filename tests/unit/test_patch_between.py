@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.patch.between import _places, _weights, between
+from nonhertz.patch.between import between, centres_of_parts, interpolation
 from nonhertz.patch.nearness import scan
 
 PLATES = nh.Contact(nh.Plate(), nh.Plate())
@@ -42,11 +42,11 @@ def solve(gap, **given):
 @pytest.mark.parametrize("nodes", [2, 4])
 def test_interpolation_is_exact_for_polynomials(nodes):
     centres = 0.3 + 0.1 * np.arange(9)
-    places = _places(centres, 0.1)
+    places = centres_of_parts(centres, 0.1)
     assert places.size == 36
     polynomial = np.polynomial.Polynomial([0.3, -2.0, 1.5, 4.0][:nodes])
     within = (places >= centres[0]) & (places <= centres[-1])
-    found = _weights(9, nodes) @ polynomial(centres)
+    found = interpolation(9, nodes) @ polynomial(centres)
     np.testing.assert_allclose(found[within], polynomial(places)[within], rtol=1e-12, atol=0.0)
 
 

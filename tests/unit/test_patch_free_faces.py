@@ -74,7 +74,7 @@ def test_nodes_stand_for_all_cells(start):
     rows = np.array([8, 9, 13, 31, 77, 130, 299])
     for one in rows:
         for other in rows:
-            exact = end._between(x_edges, y[[one]], y[[other]])[:, 0]
+            exact = end.pairwise(x_edges, y[[one]], y[[other]])[:, 0]
             np.testing.assert_allclose(through_nodes[:, one, other], exact, rtol=3e-7)
 
 
@@ -85,7 +85,7 @@ def test_the_cells_at_the_edge_are_averaged():
     at = 0.5 * dy
 
     def along(v):
-        return float(end._between(x_edges, np.array([at]), np.array([v]))[0, 0])
+        return float(end.pairwise(x_edges, np.array([at]), np.array([v]))[0, 0])
 
     exact = integrate.quad(along, 0.0, dy, epsabs=1e-13)[0] / dy
     assert end.kernel(x_edges)[0, 0, 0] == pytest.approx(exact, rel=1e-4)

@@ -60,7 +60,7 @@ def test_by_motion_leads_where_sets_lead(by_force, target):
     assert direct.status is nh.Status.CONVERGED
     rigid = tuple(0.0 if forced else value for value, forced in zip(target, by_force, strict=True))
     nowhere = CellState(np.zeros(GRID.cells), problem.undeformed, rigid, np.inf, nh.Status.ITERATION_LIMIT)
-    by_motion = settling._by_motion(problem, nowhere, TOLERANCE)
+    by_motion = settling.settle_by_motion(problem, nowhere, TOLERANCE)
     assert by_motion.status is nh.Status.CONVERGED
     # Both meet the conditions to 1e-9 of the displacement, which pressures magnify.
     np.testing.assert_allclose(by_motion.rigid, direct.rigid, rtol=1e-6, atol=1e-9)

@@ -520,13 +520,13 @@ def test_where_the_kernel_keeps_no_such_file_the_system_is_asked(monkeypatch):
 
     monkeypatch.setattr("pathlib.Path.open", missing)
     total = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
-    assert resources._available() == total
+    assert resources.available_memory() == total
     monkeypatch.undo()
-    assert 0.0 < resources._available() <= total
+    assert 0.0 < resources.available_memory() <= total
 
 
 def test_what_does_not_fit_is_refused_before_it_is_tried(monkeypatch):
-    monkeypatch.setattr("nonhertz.patch.resources._available", lambda: 2.0**30)
+    monkeypatch.setattr("nonhertz.patch.resources.available_memory", lambda: 2.0**30)
     refuse_excess((1024, 2048), CROWNED)
     with pytest.raises(nh.InputError, match=r"must need less than the 0\.8 GiB of memory available, not 1\.9 GiB"):
         refuse_excess((4096, 4096), CROWNED)

@@ -53,7 +53,7 @@ def test_faces_alternate_towards_the_same_loads(poisson):
     for _ in range(100):
         on_top = operator @ on_side
         total, on_side = total + on_top, operator @ on_top
-    solved = quarter_space._Solved.of(poisson)  # its displacement, from the same loads
+    solved = quarter_space.EdgeSolution.of(poisson)  # its displacement, from the same loads
     place = 4.0
     kernel = np.array([_k0(abs(place - at)) + _k0(place + at) for at in y])
     raised = 2.0 * step * float(kernel @ total)
@@ -94,7 +94,7 @@ def test_the_wedge_does_not_depend_on_the_material(poisson):
 
 @pytest.mark.parametrize("poisson", MATERIALS)
 def test_what_is_kept_is_what_was_solved(poisson):
-    solved = quarter_space._Solved.of(poisson)
+    solved = quarter_space.EdgeSolution.of(poisson)
     random = np.random.default_rng(3)
     u = 10.0 ** random.uniform(-4.0, 1.0, 500)
     v = u * 10.0 ** random.uniform(-2.5, 0.0, 500)
@@ -151,13 +151,13 @@ def test_a_free_end_is_softer_than_a_mirrored_one(kappa):
 
 @pytest.mark.parametrize(("kappa", "free"), [(0.3, 0.3), (0.5, 0.5), (0.5, 0.2), (0.9, 0.9)])
 def test_powers_at_an_end_move_its_surface_by_smooth_terms_only(kappa, free):
-    from nonhertz.result.end_fit import _added_under_powers, _wedge_displacement
+    from nonhertz.result.end_fit import added_under_powers, wedge_displacement
 
     x = np.geomspace(1e-3, 0.08, 9)
 
     def rough(powers):
         """What a polynomial of x does not describe of the displacement."""
-        moved = _wedge_displacement(x[:, None], kappa, powers) - 0.5 * free * _added_under_powers(x, powers)
+        moved = wedge_displacement(x[:, None], kappa, powers) - 0.5 * free * added_under_powers(x, powers)
         smooth = np.vander(x, 6)
         return np.abs(smooth @ np.linalg.lstsq(smooth, moved, rcond=None)[0] - moved).max(axis=0)
 

@@ -9,8 +9,8 @@ import pint
 import pytest
 
 from nonhertz.errors import InputError
-from nonhertz.result.reading import _UNITS as WORDS
 from nonhertz.result.reading import INCH, POUND_FORCE, SI, US, choose_units, chosen
+from nonhertz.result.reading import US_UNITS as WORDS
 
 PINT = pint.UnitRegistry()
 SPELLED = {"um": "micrometer", "µm": "micrometer", "uin": "microinch", "µin": "microinch", "mil": "milliinch"}

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from nonhertz.patch.kernel import rectangles
-from nonhertz.subsurface.rectangles import ERROR, LADDER, Rectangles, _ellipses
+from nonhertz.subsurface.rectangles import ERROR, LADDER, Rectangles, rule_ellipses
 
 XX, YY, ZZ, YZ, XZ, XY = range(6)
 ONE = np.zeros(1)
@@ -194,7 +194,7 @@ def test_unloaded_cells_around_change_nothing(grid, points):
 
 
 def test_beyond_its_ellipse_a_rule_errs_by_what_is_allowed():
-    for points, (long, short) in zip(LADDER, _ellipses(), strict=True):
+    for points, (long, short) in zip(LADDER, rule_ellipses(), strict=True):
         # Foci at the ends of a panel of half-length 1, and rows that add exp(-n eta) / sinh(eta).
         assert long - short == pytest.approx(1.0, rel=1e-12)
         eta = np.arcsinh(np.sqrt(short))

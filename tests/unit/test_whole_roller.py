@@ -9,7 +9,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.bodies import whole_roller as module
-from nonhertz.bodies.harmonic_elements import DEGREE, HarmonicElements, _polynomials
+from nonhertz.bodies.harmonic_elements import DEGREE, HarmonicElements, nodal_polynomials
 from nonhertz.bodies.outline import Outline, with_kinks
 from nonhertz.bodies.stored import stored
 from nonhertz.bodies.whole_roller import whole_roller
@@ -21,11 +21,11 @@ def elements(half_length=1.0, poisson=0.3, bore=0.0, most=24):
 
 def compressed(body, n, loads, places):
     """How far the surface moves inwards at places, over the loads' amplitudes and K."""
-    moved = body.displaced(n, body.forces(loads)).reshape(3, body._rows, body._columns, -1)[0, -1]
+    moved = body.displaced(n, body.forces(loads)).reshape(3, body.rows, body.columns, -1)[0, -1]
     half = body.outline.symmetric
-    at, borders = np.abs(places) if half else places, body._axial
+    at, borders = np.abs(places) if half else places, body.axial_borders
     e = np.clip(np.searchsorted(borders, at) - 1, 0, borders.size - 2)
-    weights, _ = _polynomials((2.0 * at - borders[e] - borders[e + 1]) / np.diff(borders)[e])
+    weights, _ = nodal_polynomials((2.0 * at - borders[e] - borders[e + 1]) / np.diff(borders)[e])
     found = -np.einsum("pn,pnk->pk", weights, moved[e[:, None] * DEGREE + np.arange(DEGREE + 1)])
     if half:
         found[:, 1::2] *= np.sign(places)[:, None]
@@ -35,7 +35,7 @@ def compressed(body, n, loads, places):
 def uniformly(outline, poisson=0.3, load=np.ones_like):
     """The smooth part under a load over the length, at places from end to end; computed, never from disk."""
     half = outline.half_length
-    whole = module.WholeRoller.of(outline, poisson, inspect.unwrap(module._matrix)(outline, poisson))
+    whole = module.WholeRoller.of(outline, poisson, inspect.unwrap(module.response_matrix)(outline, poisson))
     edges = np.linspace(-half, half, 401)
     return whole.displacement(half * PLACES, edges) @ load(0.5 * (edges[1:] + edges[:-1]) / half)
 
@@ -95,9 +95,9 @@ def test_a_strip_moves_as_its_parts_do():
 def test_more_modes_by_elements_change_little(half_length, bore, monkeypatch):
     outline = Outline.cylinder(half_length, bore)
     found = uniformly(outline)
-    monkeypatch.setattr(module, "_MODES", 36.0)
-    monkeypatch.setattr(module, "_WALLS", 9.0)
-    monkeypatch.setattr(module, "_TERMS", 24.0)
+    monkeypatch.setattr(module, "MODES", 36.0)
+    monkeypatch.setattr(module, "WALLS", 9.0)
+    monkeypatch.setattr(module, "TERMS", 24.0)
     # The whole compression of a solid roller is about 8 in these units.
     atol = 3e-4 * (8.0 + np.abs(found).max() * (bore > 0.0))
     np.testing.assert_allclose(uniformly(outline), found, atol=atol)
@@ -227,8 +227,8 @@ def test_sums_over_modes_are_those_of_their_terms():
     n = np.arange(2.0, 400.0, 2.0)[:, None]
     images = 2.0 / math.pi * np.sum(2.0 * special.k0(n * distance), axis=0) - 1.0 / distance
     planes = 2.0 / math.pi * np.sum(np.exp(-n * distance), axis=0) - 1.0 / math.pi / distance
-    np.testing.assert_allclose(module._sum_over_images(distance), images, atol=1e-9)
-    np.testing.assert_allclose(module._sum_over_planes(distance), planes, atol=1e-9)
+    np.testing.assert_allclose(module.sum_over_images(distance), images, atol=1e-9)
+    np.testing.assert_allclose(module.sum_over_planes(distance), planes, atol=1e-9)
 
 
 def roller(**changes):

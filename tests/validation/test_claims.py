@@ -65,16 +65,16 @@ def test_a_solver_with_five_per_cent_too_much_compliance_fails(monkeypatch, name
 
 @pytest.mark.parametrize("name", ["finite-bodies", "edge-exponents", "quarter-space", "whole-roller"])
 def test_images_that_weigh_a_tenth_too_little_are_noticed(monkeypatch, name):
-    right = images._chains
-    monkeypatch.setattr(images, "_chains", lambda *args: {place: 0.9 * w for place, w in right(*args).items()})
+    right = images.chains
+    monkeypatch.setattr(images, "chains", lambda *args: {place: 0.9 * w for place, w in right(*args).items()})
     assert failed(name)
 
 
 @pytest.mark.slow
 def test_free_faces_that_add_a_tenth_too_little_on_cells_are_noticed(monkeypatch):
-    right = free_faces._terms
+    right = free_faces.face_terms
     monkeypatch.setattr(
-        free_faces, "_terms", lambda *args: ((far, 0.9 * image, 0.9 * plane) for far, image, plane in right(*args))
+        free_faces, "face_terms", lambda *args: ((far, 0.9 * image, 0.9 * plane) for far, image, plane in right(*args))
     )
     beside = "both bodies end: pressure at y = 0.25 mm over that at 8 mm, strips"
     assert {"straight: approach", "together: moment", beside} <= set(failed("free-ends"))

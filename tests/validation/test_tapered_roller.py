@@ -80,7 +80,7 @@ def test_sharp_ends_have_the_exponent_of_their_wedge(angle, alpha):
 
 def test_a_wedge_of_180_degrees_is_a_half_plane_and_one_of_90_a_quarter_plane():
     for alpha in (-0.3, 0.2, 0.4):
-        half = ends._slope_of_wedge(alpha, math.pi)
+        half = ends.slope_of_wedge(alpha, math.pi)
         assert half == pytest.approx(math.pi / math.tan(math.pi * alpha), rel=1e-9)
-        quarter = math.pi / math.sin(math.pi * alpha) * ends._wedge(alpha, 1.0, 1.0)
-        assert ends._slope_of_wedge(alpha, 0.5 * math.pi) == pytest.approx(quarter, rel=1e-9)
+        quarter = math.pi / math.sin(math.pi * alpha) * ends.wedge_slope(alpha, 1.0, 1.0)
+        assert ends.slope_of_wedge(alpha, 0.5 * math.pi) == pytest.approx(quarter, rel=1e-9)

@@ -190,7 +190,7 @@ def volume_life(
     steep = 0.0
     for row, these in zip(solution.bearing.rows, row_slices(solution.bearing), strict=True):
         seen = _Seen(solution, range(these.start, these.stop), field)
-        calibrated = _Calibration(row.bearing, rated or rating(row.bearing), chosen)
+        calibrated = Calibration(row.bearing, rated or rating(row.bearing), chosen)
         for lives, ideal in ((of_rows, False), (even, True)):
             lives.append(calibrated.lives(seen.densities(chosen, ideal=ideal), RINGS.index(turning)))
         steep = max(steep, seen.steep(chosen) if field == "sections" else 0.0)
@@ -279,7 +279,7 @@ class _Seen:
         return seen.y, seen.density(chosen), seen.damage(chosen)
 
 
-class _Calibration:
+class Calibration:
     """A row's dynamic capacities, and what a million revolutions under them do by a model."""
 
     def __init__(self, row: RollerBearing, rated: Rating, chosen: VolumeModel) -> None:

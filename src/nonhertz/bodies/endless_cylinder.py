@@ -70,7 +70,7 @@ def _table(poisson: float) -> Array:
     with np.errstate(divide="ignore", invalid="ignore"):
         tail = np.sin(last * s) / last - s * special.sici(last * s)[1]
     tail[0] = 0.0
-    found += 2.0 * last * _difference(np.array([last]), poisson) * tail[:, 0]
+    found += 2.0 * last * difference_spectrum(np.array([last]), poisson) * tail[:, 0]
     return np.asarray(found)
 
 
@@ -83,14 +83,14 @@ def _transform(k: Array, poisson: float) -> Array:
     points = chebyshev.chebpts1(_DEGREE + 1)
     for low, high in itertools.pairwise(_BANDS):
         at = 0.5 * (low + high) + 0.5 * (high - low) * points
-        values = _difference(at, poisson) + special.k0(at) / math.pi
+        values = difference_spectrum(at, poisson) + special.k0(at) / math.pi
         fit = chebyshev.chebfit(points, values, _DEGREE)
         these = (k >= low) & (k <= high)
         found[these] = chebyshev.chebval((2.0 * k[these] - low - high) / (high - low), fit)
     return found
 
 
-def _difference(k: Array, poisson: float) -> Array:
+def difference_spectrum(k: Array, poisson: float) -> Array:
     """Return D(k): the sum over modes of a cylinder less that of a half-space."""
     c = modes(k, _MODES, poisson)
     n = np.arange(2, _MODES + 1, 2)[:, None]

@@ -93,17 +93,17 @@ def edge_powers(kappa: float, free: float = 0.0) -> tuple[float, float, float]:
 
 
 def _zero_between(positive: float, negative: float, kappa: float, free: float) -> float:
-    """Return the exponent at which the slope of `_wedge` is zero, between those where it has these signs."""
+    """Return the exponent at which the slope of `wedge_slope` is zero, between those where it has these signs."""
     for _ in range(_HALVINGS):
         middle = 0.5 * (positive + negative)
-        if _wedge(middle, kappa, free) > 0.0:
+        if wedge_slope(middle, kappa, free) > 0.0:
             positive = middle
         else:
             negative = middle
     return 0.5 * (positive + negative)
 
 
-def _wedge(alpha: float, kappa: float, free: float) -> float:
+def wedge_slope(alpha: float, kappa: float, free: float) -> float:
     """Return the slope that a pressure s^-alpha leaves on the surfaces of two wedges: zero for that of an end."""
     cosine = math.cos(math.pi * alpha)
     brought = (1.0 - alpha) / math.cos(0.5 * math.pi * alpha)
@@ -128,15 +128,15 @@ def corner_weights(angle: float) -> tuple[float, float]:
     """
     if angle == 0.5 * math.pi:
         return 0.0, 0.0
-    wanted = [_slope_of_wedge(alpha, angle) - _slope_of_wedge(alpha, 0.5 * math.pi) for alpha in _FITTED]
+    wanted = [slope_of_wedge(alpha, angle) - slope_of_wedge(alpha, 0.5 * math.pi) for alpha in _FITTED]
     image = [-math.pi / math.sin(math.pi * alpha) for alpha in _FITTED]
-    extra = [_wedge(alpha, 0.0, 0.0) - _wedge(alpha, 0.0, 1.0) for alpha in _FITTED]
+    extra = [wedge_slope(alpha, 0.0, 0.0) - wedge_slope(alpha, 0.0, 1.0) for alpha in _FITTED]
     basis = np.stack([np.ones(len(_FITTED)), extra], axis=-1)
     weights = np.linalg.lstsq(basis, np.divide(wanted, image), rcond=None)[0]
     return float(weights[0]), float(weights[1])
 
 
-def _slope_of_wedge(alpha: float, angle: float) -> float:
+def slope_of_wedge(alpha: float, angle: float) -> float:
     """Return the slope over 2 K of one face of a wedge in plane strain under a pressure s^-alpha on it, at s = 1.
 
     Airy's function is s^m times cos and sin of m theta and of (2 - m) theta, m = 2 - alpha (J. R. Barber, Elasticity,

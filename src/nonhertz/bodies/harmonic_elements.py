@@ -65,12 +65,12 @@ class HarmonicElements:
         ndarray, shape (unknowns, loads)
         """
         node, weight = legendre.leggauss(_LOAD_NODES)
-        values, _ = _polynomials(node)
-        half = 0.5 * np.diff(self._axial)[:, None]
-        z = self._axial[:-1, None] + half * (1.0 + node)
+        values, _ = nodal_polynomials(node)
+        half = 0.5 * np.diff(self.axial_borders)[:, None]
+        z = self.axial_borders[:-1, None] + half * (1.0 + node)
         pressure = loads(z.ravel()).reshape(*z.shape, -1) * (half * weight)[..., None]
         slope = self.outline.slopes(z.ravel())[0].reshape(*z.shape, 1)
-        found = np.zeros((3, self._rows, self._columns, pressure.shape[-1]))
+        found = np.zeros((3, self.rows, self.columns, pressure.shape[-1]))
         for e, of_element in enumerate(pressure):
             nodes = slice(e * DEGREE, (e + 1) * DEGREE + 1)
             found[U, -1, nodes] -= values.T @ of_element
@@ -134,10 +134,10 @@ class HarmonicElements:
             The factors of cos(n theta) in the stresses rr, tt, yy and ry, and of sin(n theta) in rt and ty.
         """
         (value_s, slope_s), (value_z, slope_z) = (
-            _interpolating(self._shares, shares),
-            _interpolating(self._axial, places),
+            _interpolating(self.wall_borders, shares),
+            _interpolating(self.axial_borders, places),
         )
-        nodal = (1.0 - self.poisson) / (2.0 * np.pi) * displaced.reshape(3, self._rows, self._columns, -1)
+        nodal = (1.0 - self.poisson) / (2.0 * np.pi) * displaced.reshape(3, self.rows, self.columns, -1)
         moved, along_s, along_z = (
             np.einsum("si,cijm,pj->cspm", one, nodal, other, optimize=True)
             for one, other in ((value_s, value_z), (slope_s, value_z), (value_s, slope_z))
@@ -154,14 +154,15 @@ class HarmonicElements:
         return np.stack([mean + 2.0 * u_r, mean + 2.0 * hoop, mean + 2.0 * w_z, *shears], axis=2)
 
     @cached_property
-    def _axial(self) -> Array:
+    def axial_borders(self) -> Array:
+        """Borders of the elements along the axis [radii], shape (elements + 1,)."""
         half = borders_towards_end(self.outline.half_length, self._finest, _GROWTH, min(_LARGEST_ALONG, self.longest))
         if self.outline.symmetric:
             return with_kinks(half, tuple(each for each in self.outline.kinks if each > 0.0), self._finest)
         return with_kinks(np.concatenate([-half[:0:-1], half]), self.outline.kinks, self._finest)
 
     @cached_property
-    def _shares(self) -> Array:
+    def wall_borders(self) -> Array:
         """Borders of elements from the bore or the axis to the surface, as shares of the wall."""
         wall = self.outline.wall
         return borders_towards_end(wall, self._finest, _GROWTH, _LARGEST_ACROSS) / wall
@@ -171,30 +172,32 @@ class HarmonicElements:
         return min(_FINEST, _BY_WAVE / self.most)
 
     @property
-    def _rows(self) -> int:
-        return DEGREE * (self._shares.size - 1) + 1
+    def rows(self) -> int:
+        """Nodes through the wall."""
+        return DEGREE * (self.wall_borders.size - 1) + 1
 
     @property
-    def _columns(self) -> int:
-        return DEGREE * (self._axial.size - 1) + 1
+    def columns(self) -> int:
+        """Nodes along the axis."""
+        return DEGREE * (self.axial_borders.size - 1) + 1
 
     @cached_property
     def _stiffness(self) -> tuple[Any, Any, Any]:
         """The parts of the stiffness that are constant, linear and quadratic in n, with the same places filled."""
         from scipy import sparse
 
-        rows, columns = self._rows, self._columns
+        rows, columns = self.rows, self.columns
         local = np.arange(_NODES)
         values: tuple[list[Array], ...] = ([], [], [])
         to_row, to_column = [], []
-        for i in range(self._shares.size - 1):
-            for j in range(self._axial.size - 1):
+        for i in range(self.wall_borders.size - 1):
+            for j in range(self.axial_borders.size - 1):
                 of_component = rows * columns * np.arange(3)[:, None, None]
                 unknown = (of_component + columns * (i * DEGREE + local)[:, None] + j * DEGREE + local).ravel()
                 to_row.append(np.repeat(unknown, unknown.size))
                 to_column.append(np.tile(unknown, unknown.size))
                 for into, part in zip(
-                    values, self._element(self._shares[i : i + 2], self._axial[j : j + 2]), strict=True
+                    values, self._element(self.wall_borders[i : i + 2], self.axial_borders[j : j + 2]), strict=True
                 ):
                     into.append(part.ravel())
         places, size = (np.concatenate(to_row), np.concatenate(to_column)), 3 * rows * columns
@@ -206,7 +209,7 @@ class HarmonicElements:
     def _element(self, shares: Array, axial: Array) -> tuple[Array, Array, Array]:
         """Return the parts of the stiffness of one element, constant, linear and quadratic in n."""
         node, weight = legendre.leggauss(_NODES)
-        values, slopes = _polynomials(node)
+        values, slopes = nodal_polynomials(node)
         half_s, half_z = 0.5 * np.diff(shares)[0], 0.5 * np.diff(axial)[0]
         s, z = shares[0] + half_s * (1.0 + node), axial[0] + half_z * (1.0 + node)
         (outer, inner), (outer_slope, inner_slope) = self.outline.radii(z), self.outline.slopes(z)
@@ -249,7 +252,7 @@ class HarmonicElements:
 
     def _free(self, n: int, odd: bool | None) -> NDArray[np.int64]:
         """Return the unknowns that are not zero on the axis, in the middle by symmetry, or so that nothing drifts."""
-        held = np.zeros((3, self._rows, self._columns), dtype=bool)
+        held = np.zeros((3, self.rows, self.columns), dtype=bool)
         if not self.outline.bored:
             held[:2, 0] = True
             if n:
@@ -278,7 +281,7 @@ def _from_nodes() -> tuple[Array, Array]:
     return coefficients, np.asarray(legendre.legder(coefficients), dtype=np.float64)
 
 
-def _polynomials(places: Array) -> tuple[Array, Array]:
+def nodal_polynomials(places: Array) -> tuple[Array, Array]:
     """Return values and slopes of the polynomials through the nodes at places from -1 to 1, shape (places, nodes)."""
     values, slopes = _from_nodes()
     return legendre.legvander(places, DEGREE) @ values, legendre.legvander(places, DEGREE - 1) @ slopes
@@ -288,7 +291,7 @@ def _interpolating(borders: Array, places: Array) -> tuple[Array, Array]:
     """Return what makes values and slopes at places of nodal values, shape (places, nodes)."""
     e = np.clip(np.searchsorted(borders, places) - 1, 0, borders.size - 2)
     half = 0.5 * np.diff(borders)[e]
-    values, slopes = _polynomials((places - borders[e]) / half - 1.0)
+    values, slopes = nodal_polynomials((places - borders[e]) / half - 1.0)
     found = np.zeros((2, places.size, DEGREE * (borders.size - 1) + 1))
     rows, columns = np.arange(places.size)[:, None], e[:, None] * DEGREE + np.arange(_NODES)
     found[0, rows, columns], found[1, rows, columns] = values, slopes / half[:, None]

@@ -81,7 +81,7 @@ class Images:
         far = FarImages.of(body.length, weights, share) if body.images == SERIES and both and body.length else None
         sides = zip(body.faces, (-1, 1), body.free_faces, strict=True)
         free = [(place, side, share) for place, side, is_free in sides if is_free]
-        return cls(_chains(body, weights, share), share, far, np.array(free, dtype=float).reshape(-1, 3))
+        return cls(chains(body, weights, share), share, far, np.array(free, dtype=float).reshape(-1, 3))
 
     def with_direct(self) -> Array:
         """Return rows (sign, offset, weight) of the load itself and its images."""
@@ -93,7 +93,8 @@ def rows(terms: dict[tuple[float, float], float]) -> Array:
     return np.array([(*place, weight) for place, weight in terms.items()])
 
 
-def _chains(body: Solid, weights: tuple[float, float], share: float) -> dict[tuple[float, float], float]:
+def chains(body: Solid, weights: tuple[float, float], share: float) -> dict[tuple[float, float], float]:
+    """Return the weights of all images, by the sign and the offset [mm] of their place: sign * y + offset."""
     count = SEPARATE_LINKS if body.images == SERIES else 2 * int(body.images) - 1
     found: dict[tuple[float, float], float] = {}
     for first in (0, 1):

@@ -138,7 +138,7 @@ def free_face(poisson: float) -> FreeFace:
 @stored(__name__)
 def _weights(poisson: float) -> Array:
     """Return the weights of `FreeFace`."""
-    solved = _Solved.of(poisson)
+    solved = EdgeSolution.of(poisson)
     nodes = chebyshev.chebpts1(_DIRECTIONS)
     size = 2.0 ** np.linspace(_FIRST_SAMPLE, _LAST_SAMPLE, _SAMPLES)
     aside = np.sqrt(0.5 * (1.0 + nodes))  # of the distances, from their mean over it
@@ -159,14 +159,14 @@ def _fitted(size: Array, wanted: Array) -> Array:
 
 
 @dataclass(frozen=True)
-class _Solved:
+class EdgeSolution:
     """The function e, on the nodes of the integral equation, and in between by the polynomials of each panel."""
 
     panels: Array
     values: Array
 
     @classmethod
-    def of(cls, poisson: float) -> _Solved:
+    def of(cls, poisson: float) -> EdgeSolution:
         """Solve the integral equation."""
         panels, y, weight, brought, operator = corner_operator(poisson)
         beyond = operator @ np.linalg.solve(np.eye(y.size) - operator @ operator, brought)

@@ -50,13 +50,13 @@ Array = NDArray[np.float64]
 
 SHORTEST, LONGEST = 0.1, 10.0  # length over diameter
 # Modes that need finite elements fade out around the first, or around the second over the wall, whichever is more.
-_MODES, _WALLS = 20.0, 6.0
+MODES, WALLS = 20.0, 6.0
 _AT_ONCE = 0.1  # of a power of e: the width of the change from one to the other
 _SAMPLED = np.array([0, 2, 4, 6, 8, 12, 16, 20, 24, 32, 40, 52, 64, 80, 100, 128])  # modes to interpolate between
 _POINTS = 4  # of which each mode is interpolated
 # Polynomials along the axis, of a short roller and for each half-length; the last ones count less and less.
-_TERMS, _TERMS_PER_LENGTH, _FADING = 12.0, 6.0, 4.0
-_PER_TERM = 5.0  # half-lengths over the polynomials, of the longest element
+TERMS, _TERMS_PER_LENGTH, _FADING = 12.0, 6.0, 4.0
+PER_TERM = 5.0  # half-lengths over the polynomials, of the longest element
 _STEP, _DIGITS = 0.004, 9  # between half-lengths of which others are interpolated [radii]; their digits
 _interpolating: ContextVar[bool] = ContextVar("interpolating", default=False)
 _PANELS, _NODES = 18, 12  # halvings towards logarithms, and nodes on each panel
@@ -228,7 +228,7 @@ def whole_roller(outline: Outline, poisson: float) -> WholeRoller:
     """Return what makes a whole roller of an outline, in a radius of the surface, and a material."""
     half_length = outline.half_length
     between = _interpolating.get() and outline == Outline.cylinder(half_length)
-    matrix = _between_shapes(half_length, poisson) if between else _matrix(outline, poisson)
+    matrix = _between_shapes(half_length, poisson) if between else response_matrix(outline, poisson)
     return WholeRoller.of(outline, poisson, matrix)
 
 
@@ -250,7 +250,7 @@ def _between_shapes(half_length: float, poisson: float) -> Array:
     """Return the matrix of a solid cylinder, by a parabola through those of three lengths close to its own."""
     nearest = round(half_length / _STEP)
     lengths = [round(step * _STEP, _DIGITS) for step in range(nearest - 1, nearest + 2)]
-    found = [_matrix(Outline.cylinder(length), poisson) for length in lengths]
+    found = [response_matrix(Outline.cylinder(length), poisson) for length in lengths]
     total = np.zeros_like(found[-1])
     for length, matrix in zip(lengths, found, strict=True):
         weight = math.prod((half_length - other) / (length - other) for other in lengths if other != length)
@@ -265,16 +265,16 @@ def _step(x: Array) -> Array:
     return found
 
 
-def _terms(outline: Outline) -> float:
+def terms_along(outline: Outline) -> float:
     """Return the number of polynomials along the axis, a real number."""
     wall = outline.wall if outline.bored else 1.0
-    return _TERMS + _TERMS_PER_LENGTH * outline.half_length / math.sqrt(wall)
+    return TERMS + _TERMS_PER_LENGTH * outline.half_length / math.sqrt(wall)
 
 
-def _modes(outline: Outline) -> float:
+def modes_around(outline: Outline) -> float:
     """Return how many waves around need finite elements, a real number."""
-    x = 0.5 * math.log(_WALLS / outline.wall / _MODES)
-    return _MODES * math.exp(x + math.hypot(x, 0.5 * _AT_ONCE))
+    x = 0.5 * math.log(WALLS / outline.wall / MODES)
+    return MODES * math.exp(x + math.hypot(x, 0.5 * _AT_ONCE))
 
 
 def _sampled(most: float) -> dict[int, float]:
@@ -334,10 +334,10 @@ def _curved_table(poisson: float) -> Array:
     "nonhertz.bodies.outline",
     "nonhertz.bodies.quarter_space",
 )
-def _matrix(outline: Outline, poisson: float) -> Array:
+def response_matrix(outline: Outline, poisson: float) -> Array:
     """Return the matrix of `WholeRoller`."""
-    half_length, terms = outline.half_length, _terms(outline)
-    most = _modes(outline)
+    half_length, terms = outline.half_length, terms_along(outline)
+    most = modes_around(outline)
     modes = _sampled(most)
     order: Array = np.arange(float(math.ceil(terms)))
     fading = _step((terms - order) / _FADING)
@@ -347,7 +347,7 @@ def _matrix(outline: Outline, poisson: float) -> Array:
         found: Array = legendre.legvander(z / half_length, fading.size - 1) * norms
         return found
 
-    elements = HarmonicElements(outline, poisson, most, _PER_TERM * half_length / terms)
+    elements = HarmonicElements(outline, poisson, most, PER_TERM * half_length / terms)
     forces = elements.forces(polynomials)
     readings = elements.forces(lambda z: polynomials(z) * outline.cosines(z)[:, None])
     by_elements = np.zeros((order.size, order.size))
@@ -433,8 +433,8 @@ class _Grid:
 
         along, decay, slope = _curved_factors(poisson)
         waves = [(n, weight) for n, weight in modes.items() if n]
-        of_loads = _tabulated(lambda s: _sum_over_images(s) - sum(2.0 * w * special.k0(n * s) for n, w in waves))
-        of_planes = _tabulated(lambda s: _sum_over_planes(s) - sum(w * np.exp(-n * s) for n, w in waves))
+        of_loads = _tabulated(lambda s: sum_over_images(s) - sum(2.0 * w * special.k0(n * s) for n, w in waves))
+        of_planes = _tabulated(lambda s: sum_over_planes(s) - sum(w * np.exp(-n * s) for n, w in waves))
         curved = _tabulated(
             lambda s: (
                 along * np.exp(-s) + 0.5 * math.pi * sum(w * np.exp(-n * s) * (decay / n - slope * s) for n, w in waves)
@@ -483,7 +483,7 @@ def _points(place: float, half_length: float) -> tuple[Array, Array]:
     return np.concatenate(points).ravel(), np.concatenate(weights).ravel()
 
 
-def _sum_over_images(distance: Array) -> Array:
+def sum_over_images(distance: Array) -> Array:
     """Return the sum over even modes, but for the first, of 2 K0(n s) less their integral over n; times 2 / pi."""
     from scipy import special
 
@@ -499,7 +499,7 @@ def _sum_over_images(distance: Array) -> Array:
     return _SPACING / math.pi * found
 
 
-def _sum_over_planes(distance: Array) -> Array:
+def sum_over_planes(distance: Array) -> Array:
     """Return the same of exp(-n s)."""
     x = _SPACING * distance
     at_least = np.clip(x, 1e-3, 700.0)

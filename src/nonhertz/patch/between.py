@@ -60,9 +60,9 @@ def between(solution: PatchSolution, gap: Gap) -> Unseen:
     undeformed = gap(solution.x[:, None], solution.y[None, :])
     whole = np.isfinite(undeformed)
     known, clearance = np.where(whole, undeformed, 0.0), np.where(whole, solution.gap, 0.0)
-    cubic = [_weights(n, 4) for n in solution.cells]
-    linear = [_weights(n, 2) for n in solution.cells]
-    x, y = (_places(each, side) for each, side in ((solution.x, solution.dx), (solution.y, solution.dy)))
+    cubic = [interpolation(n, 4) for n in solution.cells]
+    linear = [interpolation(n, 2) for n in solution.cells]
+    x, y = (centres_of_parts(each, side) for each, side in ((solution.x, solution.dx), (solution.y, solution.dy)))
     # A profile that falls away where the contact ends, as a logarithmic one does, does not raise the pressure there.
     inner = ~_grown(np.pad(~solution.footprint, 1, constant_values=True))[1:-1, 1:-1]
     from scipy import sparse
@@ -99,19 +99,19 @@ def between(solution: PatchSolution, gap: Gap) -> Unseen:
     return Unseen(*deepest, highest - float(solution.pressure.max()), lifted / max(int(solution.footprint.sum()), 1))
 
 
-def _places(centres: Array, side: float) -> Array:
+def centres_of_parts(centres: Array, side: float) -> Array:
     """Return the centre of every part of the cells, ascending."""
     parts = (np.arange(PARTS) + 0.5) / PARTS - 0.5
     places: Array = (centres[:, None] + side * parts).ravel()
     return places
 
 
-def _weights(cells: int, nodes: int) -> sparse.csr_array:
+def interpolation(cells: int, nodes: int) -> sparse.csr_array:
     """Return the interpolation from cell centres to all parts by polynomials through the nearest 2 or 4.
 
     Beyond the last centre at the border, four nodes extrapolate and two keep the last value.
     """
-    place = _places(np.arange(cells, dtype=float), 1.0)
+    place = centres_of_parts(np.arange(cells, dtype=float), 1.0)
     first = np.clip(np.floor(place).astype(int) - nodes // 2 + 1, 0, cells - nodes)
     place = place if nodes > 2 else np.clip(place, 0.0, cells - 1.0)
     at = first[:, None] + np.arange(nodes)

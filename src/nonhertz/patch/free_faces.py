@@ -69,7 +69,7 @@ class FreeEnd:
         count = self.nodes.size
         row, column = np.tril_indices(count)
         found = np.empty((x_edges.size - 1, count, count))
-        found[:, row, column] = found[:, column, row] = self._between(x_edges, self.nodes[row], self.nodes[column])
+        found[:, row, column] = found[:, column, row] = self.pairwise(x_edges, self.nodes[row], self.nodes[column])
         averaged = self._averaged(x_edges)
         near = averaged.shape[-1]
         found[:, :near, :near] = 0.5 * (averaged + averaged.transpose(0, 2, 1))
@@ -81,13 +81,13 @@ class FreeEnd:
         u = self.nodes[:NEAR]
         v = np.maximum(u[:, None] + 0.5 * self.dy * point, 0.0)
         places, loads = np.broadcast_arrays(u[:, None, None], v)
-        sampled = self._between(x_edges, places.ravel(), loads.ravel()).reshape(-1, *places.shape)
+        sampled = self.pairwise(x_edges, places.ravel(), loads.ravel()).reshape(-1, *places.shape)
         return np.asarray(0.5 * sampled @ share, dtype=np.float64)
 
-    def _between(self, x_edges: Array, u: Array, v: Array) -> Array:
+    def pairwise(self, x_edges: Array, u: Array, v: Array) -> Array:
         """Return the kernel for pairs of distances from the face, shape (m, pairs)."""
         total = np.zeros((x_edges.size - 1, u.size))
-        for distance, of_image, of_plane in _terms(self.faces, u, v):
+        for distance, of_image, of_plane in face_terms(self.faces, u, v):
             x = x_edges[:, None] / distance
             total += of_image * np.diff(np.arcsinh(x), axis=0) + of_plane * np.diff(np.arctan(x), axis=0)
         return total
@@ -177,13 +177,13 @@ def at_points(faces: tuple[FreeSide, ...], x: Array, y: Array, x_force: Array, y
     total = np.zeros(squared.shape)
     for face in faces:
         u, v = (np.maximum(face.side * (face.y - each), 0.0) for each in (y, y_force))
-        for distance, of_image, of_plane in _terms((face,), *np.broadcast_arrays(u[:, None], v)):
+        for distance, of_image, of_plane in face_terms((face,), *np.broadcast_arrays(u[:, None], v)):
             away = squared + distance**2
             total += of_image / np.sqrt(away) + of_plane * distance / away
     return total
 
 
-def _terms(faces: tuple[FreeSide, ...], u: Array, v: Array) -> Iterator[tuple[Array, Array, Array]]:
+def face_terms(faces: tuple[FreeSide, ...], u: Array, v: Array) -> Iterator[tuple[Array, Array, Array]]:
     """Yield distances [mm], and the factors of 1 / r and of distance / r^2 there, r^2 = x^2 + distance^2."""
     for each in faces:
         face = free_face(each.poisson)

@@ -83,13 +83,13 @@ def refuse_excess(cells: tuple[int, int], contact: Contact) -> None:
     ------
     InputError
     """
-    needed, available = memory(cells, contact), SHARE * _available()
+    needed, available = memory(cells, contact), SHARE * available_memory()
     if needed > available:
         condition = f"need less than the {available / 2**30:.1f} GiB of memory available, not {needed / 2**30:.1f} GiB"
         raise InputError("cells", cells, condition, "give fewer cells, or a smaller region")
 
 
-def _available() -> float:
+def available_memory() -> float:
     """Return the bytes of free memory, or the machine's total where only that is known."""
     # A pseudo-file of Linux.
     with contextlib.suppress(OSError, ValueError), Path("/proc/meminfo").open(encoding="ascii") as lines:

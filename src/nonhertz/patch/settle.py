@@ -110,7 +110,7 @@ def settle(task: Task, pressure: Array, rigid: tuple[float, float], tolerance: f
     state = _ActiveSet(task, pressure, rigid).run(tolerance)
     if state.status is Status.CONVERGED or not any(task.by_force):
         return state
-    return _by_motion(task, state, tolerance)
+    return settle_by_motion(task, state, tolerance)
 
 
 class _ActiveSet:
@@ -269,7 +269,7 @@ class _ActiveSet:
         return forces
 
 
-def _by_motion(task: Task, state: CellState, tolerance: float) -> CellState:
+def settle_by_motion(task: Task, state: CellState, tolerance: float) -> CellState:
     """Find approach and tilt such that load and moment are as given, from contacts with prescribed motion.
 
     The fallback where sets cycle, as they may while one or two rows of cells carry a moment. With prescribed motion

@@ -107,19 +107,19 @@ def _wedge_pressures(edges: Array, kappa: float, free: float, powers: Array) -> 
     centre = 0.5 * (y[1:] + y[:-1])
     to_edges = _integral_of_log(y - centre[:, None]) + kappa * _integral_of_log(y + centre[:, None])
     of_strips = to_edges[:, 1:] - to_edges[:, :-1]
-    moved = _wedge_displacement(centre[:, None], kappa, powers)
+    moved = wedge_displacement(centre[:, None], kappa, powers)
     if free:
         node, share = np.polynomial.legendre.leggauss(_NODES)
         width = np.diff(y)[:, None]
         # Logarithms here are positive where displacements are negative, of loads twice as large.
         added = edge_kernel(centre[:, None, None], centre[:, None] + 0.5 * width * node) @ share
         of_strips = of_strips - 0.25 * free * added * width.T
-        moved = moved - 0.5 * free * _added_under_powers(centre, powers)
+        moved = moved - 0.5 * free * added_under_powers(centre, powers)
     pressures: Array = np.linalg.solve(of_strips, moved) * length**powers
     return pressures
 
 
-def _added_under_powers(x: Array, powers: Array) -> Array:
+def added_under_powers(x: Array, powers: Array) -> Array:
     """Return the integrals over t from 0 to 1 of t^power times what a free edge adds at x, shape (n, k)."""
     node, share = np.polynomial.legendre.leggauss(_NODES)
     panels: Array = 2.0 ** np.arange(-_PANELS, 1.0)
@@ -137,7 +137,7 @@ def _integral_of_log(x: Array) -> Array:
     return integral
 
 
-def _wedge_displacement(x: Array, kappa: float, power: Array) -> Array:
+def wedge_displacement(x: Array, kappa: float, power: Array) -> Array:
     """Return the integral over t from 0 to 1 of t^power [ln|x - t| + kappa ln(x + t)], 0 < x < 1.
 
     Integrated by parts, with m = power + 1. The principal value of t^m / (x - t) from 0 to infinity is, continued

@@ -174,7 +174,7 @@ class _Linear:
 
         Bends of the profile, such as where corners begin, stay where they are among the strips.
         """
-        old, new = _landmarks(self.solution.contact), _landmarks(contact)
+        old, new = landmarks(self.solution.contact), landmarks(contact)
         if old.size != new.size:
             old, new = old[[0, -1]], new[[0, -1]]
         if np.array_equal(old[[0, -1]], new[[0, -1]]) or not np.all(np.isfinite([old, new])):
@@ -263,7 +263,7 @@ def _linear(solution: Solution) -> _Linear:
     return _KNOWN[solution]
 
 
-def _landmarks(contact: Contact) -> Array:
+def landmarks(contact: Contact) -> Array:
     """Return the ends of what can touch and the bends of the profiles between them [mm]."""
     low, high = contact.interval
     return np.array([low, *(bend for bend in contact.bends if low < bend < high), high])

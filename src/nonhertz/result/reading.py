@@ -32,7 +32,7 @@ _FIGURES, _OF_INPUTS = 4, 6
 _ROUNDED = 3  # figures of a number with decimals that has been computed
 _LEAST_KSI: Final = 1.0  # below which a pressure is shown in psi
 
-_UNITS: Final[Mapping[str, tuple[str, float]]] = MappingProxyType(
+US_UNITS: Final[Mapping[str, tuple[str, float]]] = MappingProxyType(
     {
         "mm": ("in", 1.0 / INCH),
         "um": ("uin", 1e3 / INCH),
@@ -64,7 +64,7 @@ _SIGN = r"(?:\+-|[-+−±])?"
 _NUMBER: Final = rf"{_SIGN}(?:\d+\.?\d*|\.\d+)(?:e[-+−]?\d+)?"
 _NAMED = r"(?:\$?[xyz]\$? = |R[aqz] |length )?"
 _BETWEEN: Final = rf"(?: (?:\+-|±|to|or|:) |; |,? and {_NAMED}|, {_NAMED})"
-_LONGEST_FIRST = sorted((*_UNITS, *_SAME), key=len, reverse=True)
+_LONGEST_FIRST = sorted((*US_UNITS, *_SAME), key=len, reverse=True)
 _UNIT: Final = "|".join(re.escape(word) for word in _LONGEST_FIRST)
 # Of strength: stress times a length to a power, which figures have in mathtext.
 _STRENGTH: Final = re.compile(rf"({_NUMBER}) MPa mm(\$\^\{{|\^)([\d.]+)(\}}\$)?")
@@ -187,7 +187,7 @@ class Units:
 
 SI: Final = Units("si", "Units are mm, N, MPa and rad unless stated otherwise", {})
 US: Final = Units(
-    "us", "Units are in, lbf, ksi and rad, those of files mm, N, MPa and rad, unless stated otherwise", _UNITS
+    "us", "Units are in, lbf, ksi and rad, those of files mm, N, MPa and rad, unless stated otherwise", US_UNITS
 )
 SYSTEMS: Final[Mapping[str, Units]] = MappingProxyType({each.code: each for each in (SI, US)})
 

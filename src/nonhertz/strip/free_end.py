@@ -81,7 +81,7 @@ def _squares(element: Element, face: FreeFace) -> Array:
     octave = 2.0 ** np.arange(FIRST_OCTAVE, LAST_OCTAVE)
     edges = _places(nodes)
     values = np.empty((OCTAVES, nodes.size, OCTAVES, nodes.size, 4))
-    for kind, density in enumerate(_densities(element, face)):
+    for kind, density in enumerate(densities(element, face)):
         integral = _integral(density, _places(fine).ravel(), nodes).reshape(OCTAVES, _FINE, OCTAVES, nodes.size)
         along_u = np.einsum("nf,ofpm->onpm", slopes, integral) * (2.0 / octave)[:, None, None, None]
         along_v = density(edges[:, :, None, None], edges)
@@ -105,7 +105,7 @@ def _integral(density: Density, u: Array, nodes: Array) -> Array:
     return found
 
 
-def _densities(element: Element, face: FreeFace) -> tuple[Density, Density]:
+def densities(element: Element, face: FreeFace) -> tuple[Density, Density]:
     """Return h and c as functions of u and v."""
 
     def density(kind: int, u: Array, v: Array) -> Array:

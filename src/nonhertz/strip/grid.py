@@ -306,14 +306,14 @@ def _sizes(
     for k in range(touched):
         for end in range(2):
             place, side = contact[k, end], 2 * end - 1
-            local = _near(edges, m, place)
+            local = width_near(edges, m, place)
             floor = NARROWEST * local
             reached = place == (low if end == 0 else high) and reaches(edges, m, side)
             cut = reached and (low > terrain.low if end == 0 else high < terrain.high)
             places[used], widths[used], slow[used] = place, floor, NEAR_SHARP_ENDS * local
             if not reached or cut:
                 slow[used] = 0.0
-                widths[used] = max(floor, END_SHARE * coarseness * _fall(edges, m, contact[k, 0], contact[k, 1], side))
+                widths[used] = max(floor, END_SHARE * coarseness * fall(edges, m, contact[k, 0], contact[k, 1], side))
             if not reached:
                 marks[marked] = place
                 marked += 1
@@ -374,7 +374,7 @@ def _at_kinks(
         place = terrain.kinks[k]
         if edges[0] < place < edges[m.size] and nearly_touching(edges, m, place):
             places[used] = marks[marked] = place
-            widths[used] = max(KINK_SHARE * depth / terrain.turns[k], NARROWEST * _near(edges, m, place))
+            widths[used] = max(KINK_SHARE * depth / terrain.turns[k], NARROWEST * width_near(edges, m, place))
             used, marked = used + 1, marked + 1
     return used, marked
 
@@ -400,7 +400,7 @@ def _resolved(low: float, high: float) -> float:
 
 
 @compiled
-def _near(edges: Array, m: Array, place: float) -> float:
+def width_near(edges: Array, m: Array, place: float) -> float:
     """Return the largest half-width of the few strips in contact nearest to ``place``."""
     widest, beyond = 0.0, -1.0
     for _ in range(NEAREST):
@@ -416,7 +416,7 @@ def _near(edges: Array, m: Array, place: float) -> float:
 
 
 @compiled
-def _fall(edges: Array, m: Array, low: float, high: float, side: int) -> float:
+def fall(edges: Array, m: Array, low: float, high: float, side: int) -> float:
     """Return the distance from one end of a contact at which m is half its value at the nearest peak."""
     n, end = m.size, high if side > 0 else low
     summit, at_summit, first = 0.0, -1, -1

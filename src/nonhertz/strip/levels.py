@@ -184,7 +184,7 @@ def on_automatic_strips(
     rows, states = np.arange(len(targets)), [_located(problem, interval, finite, targets)]
     order = ORDER_COARSER if accuracy > ACCURACY else ORDER
     coarseness = np.full(rows.size, COARSENESS * (accuracy / ACCURACY) ** (1.0 / order))
-    learning, groups = _Learning(problem, interval, finite, kinks, targets, coarseness), []
+    learning, groups = Refinement(problem, interval, finite, kinks, targets, coarseness), []
     for lesson, shares in enumerate(LESSONS + REPEATS):
         if lesson >= len(LESSONS):
             finer = learning.finer_wanted(states, accuracy)
@@ -205,7 +205,7 @@ def on_automatic_strips(
 
 
 @dataclass(frozen=True)
-class _Learning:
+class Refinement:
     """Cases whose grids are learnt from coarser solutions."""
 
     problem: Problem

@@ -110,7 +110,7 @@ def newton(strips: Strips, given: Given, law: Law, sought: Sought, effort: Effor
     nearly, small_step = (ROUGHLY_NEARLY, ROUGHLY_SMALL) if rough else (NEARLY, SMALL_STEP)
     residual, remote = np.inf, remote_of(strips, law, ROOM * _widest(sought.m))
     for step in range(STEP_LIMIT):
-        _keep_two(strips, given, sought)
+        pair_lone_strip(strips, given, sought)
         active = touching(sought.m)
         if active.size == 0:
             return STAGNATED, step, residual
@@ -139,7 +139,7 @@ def newton(strips: Strips, given: Given, law: Law, sought: Sought, effort: Effor
         entered = _enter(strips, law, active, noise + LET_SETTLE * unsettled * scale, sought)
         if residual < nearly and largest < small_step and not changed and not entered:
             remote = _still_remote(strips, law, sought, remote)
-            left = _check(strips, given, law, remote, sought)
+            left = violation(strips, given, law, remote, sought)
             if left < effort.tolerance:
                 return CONVERGED, step + 1, left
     return ITERATION_LIMIT, STEP_LIMIT, residual
@@ -290,7 +290,7 @@ def _scales(strips: Strips, rigid: Array, active: Indices, half: float) -> tuple
 
 
 @compiled
-def _keep_two(strips: Strips, given: Given, sought: Sought) -> None:
+def pair_lone_strip(strips: Strips, given: Given, sought: Sought) -> None:
     """Put a neighbour in contact beside a lone strip that must carry load and moment: one strip cannot."""
     if not (given.by_force[0] and given.by_force[1]):
         return
@@ -557,7 +557,7 @@ def _own_width(required: float, width: float, table: Array) -> float:
 
 
 @compiled
-def _check(strips: Strips, given: Given, law: Law, remote: Remote, sought: Sought) -> float:
+def violation(strips: Strips, given: Given, law: Law, remote: Remote, sought: Sought) -> float:
     """Fill the gap everywhere and return the largest relative violation of contact and balance."""
     half, n = 0.5 * (strips.high[-1] - strips.low[0]), sought.m.size
     q, raised = _loads(sought), np.empty(n)

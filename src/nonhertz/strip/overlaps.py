@@ -107,7 +107,7 @@ def _reach(y: Array, overlap: Array, at: int, side: int) -> float:
     return distance * min(2.0 * float(share), 0.5)
 
 
-def _summits(y: Array, depth: Array) -> Array:
+def summits_of(y: Array, depth: Array) -> Array:
     """Return the vertices of parabolas through three neighbouring places each, where they are deeper than zero."""
     left, here, right = depth[:-2], depth[1:-1], depth[2:]
     at = np.flatnonzero((here >= left) & (here > right) & np.isfinite(left) & np.isfinite(right)) + 1
@@ -141,7 +141,7 @@ def overlapping(problem: Problem, state: States, interval: tuple[float, float]) 
         return np.zeros(0), np.zeros(0)
     y, h = problem.surveyed(*interval, SAMPLES)
     depth = state.rigid[0] + state.rigid[1] * y - h
-    summits = _summits(y, depth)
+    summits = summits_of(y, depth)
     if summits.size:
         # A bump may touch between two places where the surfaces are apart.
         h = np.concatenate([h, problem.separation(summits)])

@@ -82,7 +82,7 @@ def settle_all(
             springs(strips, asked, law, sought)
             status, steps, residual = loop(strips, asked, law, sought, shallowest, effort)
         if status != CONVERGED and patient:
-            status, steps, residual = _helped(
+            status, steps, residual = retry(
                 strips, asked, law, sought, shallowest, tolerance, (status, steps, residual)
             )
         found.status[case], found.steps[case], found.residual[case] = status, steps, residual
@@ -178,7 +178,7 @@ def too_thin(shallowest: Array, law: Law, m: Array, least: float) -> bool:
 
 
 @compiled
-def _helped(
+def retry(
     strips: Strips,
     given: Given,
     law: Law,
@@ -202,7 +202,7 @@ def _helped(
         if status == CONVERGED:
             return status, steps, residual
     if given.by_force[0]:
-        again, more, left = _raised(strips, given, law, other, shallowest)
+        again, more, left = raise_load(strips, given, law, other, shallowest)
         if again == CONVERGED:
             take(other, sought)
             return again, more, left
@@ -210,7 +210,7 @@ def _helped(
 
 
 @compiled
-def _raised(strips: Strips, given: Given, law: Law, sought: Sought, shallowest: Array) -> tuple[int, int, float]:
+def raise_load(strips: Strips, given: Given, law: Law, sought: Sought, shallowest: Array) -> tuple[int, int, float]:
     """Raise the load from a small one, in steps as large as the loop allows; return how it ended at the full load.
 
     A state that converged only at a fraction of the load is not a solution and is not marked as one.

@@ -160,7 +160,7 @@ def laminated(solution: Solution) -> Lamination:
         return Lamination(nothing, nothing, nothing, nothing, np.zeros(1, dtype=np.int64))
     strips = LoadedStrips.of(solution)
     with np.errstate(over="ignore", invalid="ignore"):  # the result is checked
-        found = _pieces(strips)
+        found = cut_into_pieces(strips)
     return found if bears(found, strips) else uncut(strips)
 
 
@@ -219,7 +219,7 @@ def _run_outs(solution: Solution, run: Integers, ends: tuple[float, float]) -> A
     return found
 
 
-def _pieces(strips: LoadedStrips) -> Lamination:
+def cut_into_pieces(strips: LoadedStrips) -> Lamination:
     """Return the strips and their pieces."""
     strip, begin, end = _divided(strips)
     load, square = _means(strips, strip, begin, end)

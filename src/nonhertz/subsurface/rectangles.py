@@ -40,8 +40,8 @@ Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 LADDER = (3, 4, 5, 6, 8, 10, 12, 16)
-# Of the largest pressure, see `_ellipses`. Summed cell by cell, the worst distribution of the pressure gives an error
-# in stress five times as large.
+# Of the largest pressure, see `rule_ellipses`. Summed cell by cell, the worst distribution of the pressure gives an
+# error in stress five times as large.
 ERROR = 1e-7
 # A panel of fewer columns is no cheaper than Love's corners.
 SMALLEST_PANEL = 6
@@ -178,7 +178,7 @@ def _panels(x_edges: Array, y_edges: Array, pressure: Array) -> Panels:
         edges = (x_edges[first : end + 1] - middle[panel]) / half[panel]
         lagrange = np.hstack([_lagrange_integrals(edges, n) for n in LADDER])
         weights[panel] = bearing.T @ (half[panel] * lagrange)
-    return Panels(x_edges, y_edges, pressure, columns, rows, middle, half, first_node, nodes, weights, _ellipses())
+    return Panels(x_edges, y_edges, pressure, columns, rows, middle, half, first_node, nodes, weights, rule_ellipses())
 
 
 def _halvings(count: int) -> Iterator[tuple[int, int]]:
@@ -201,7 +201,7 @@ def _lagrange_integrals(edges: Array, n: int) -> Array:
     return integrals
 
 
-def _ellipses() -> Array:
+def rule_ellipses() -> Array:
     """Return the squared half-axes of the ellipse of every rule.
 
     A row at a distance h from a panel of half-length 1 adds a stress error proportional to exp(-n eta) / h^2, so all

@@ -58,7 +58,7 @@ class Finite(Depth):
             raise InputError("depth", self.word, "only be used for a body with two free side faces", remedy)
         if body.images != 1:
             raise InputError("images", body.images, "be 1 where depth = 'finite', which has them all", "leave it out")
-        outline, radius = _outline(body)
+        outline, radius = outline_of(body)
         slenderness = outline.half_length
         if not SHORTEST <= slenderness <= LONGEST:
             condition = f"only be used for a length of {SHORTEST:g} to {LONGEST:g} diameters, not {slenderness:.3g}"
@@ -72,16 +72,16 @@ class Finite(Depth):
 
     def corner_angles(self, body: Solid) -> tuple[float, float]:
         """Return those of side faces that are square to the axis, of a surface that may not be along it."""
-        return _outline(body)[0].corner_angles if callable(body.diameter) else super().corner_angles(body)
+        return outline_of(body)[0].corner_angles if callable(body.diameter) else super().corner_angles(body)
 
     def below(self, body: Solid, shape: Shape) -> Callable[[Array], Array]:
         """Return the diameter, or the wall: half-widths must be small compared with it."""
-        outline, radius = _outline(body)
+        outline, radius = outline_of(body)
         return partial(_everywhere, radius * (outline.wall if outline.bored else 2.0))
 
     def reference(self, body: Solid, shape: Shape, images: Images) -> AxisOfRoller:
         """Return by how much less the surface moves than that of a flat body with free ends."""
-        outline, radius = _outline(body)
+        outline, radius = outline_of(body)
         whole = whole_roller(outline, body.material.poisson)
         return AxisOfRoller(self.below(body, shape), whole, radius, _middle(body), images.share)
 
@@ -102,7 +102,7 @@ def bending_of(body: Solid) -> tuple[WallModes, float, float] | None:
     """
     if body.bore is None:
         return None
-    outline, radius = _outline(body)
+    outline, radius = outline_of(body)
     if outline.kinks or min(outline.inner) <= 0.0:
         return None
     return wall_modes(outline, body.material.poisson), radius, _middle(body)
@@ -112,7 +112,7 @@ def _middle(body: Solid) -> float:
     return 0.5 * (body.faces[0] + body.faces[1])
 
 
-def _outline(body: Solid) -> tuple[Outline, float]:
+def outline_of(body: Solid) -> tuple[Outline, float]:
     """Return the outline of a roller, and the radius of its surface in the middle [mm], which is its unit."""
     assert body.length is not None
     half, middle = 0.5 * body.length, _middle(body)
