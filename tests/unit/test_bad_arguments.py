@@ -626,8 +626,8 @@ ENTRIES: dict[str, Entry] = {
         smoothing=(0.0, "not negative"),
         bore=(0.0, "not negative"),
         material=(STEEL, "thing"),
-        expansion=(12e-6, "number"),
-        density=(7.85e-9, "positive"),
+        expansion=(12e-6, "number?"),
+        density=(7.85e-9, "positive?"),
         temperature=(20.0, "number"),
     ),
     "bearing.Housing": entry(
@@ -637,7 +637,7 @@ ENTRIES: dict[str, Entry] = {
         smoothing=(0.0, "not negative"),
         outside_diameter=(90.0, "endless"),
         material=(STEEL, "thing"),
-        expansion=(12e-6, "number"),
+        expansion=(12e-6, "number?"),
         temperature=(20.0, "number"),
     ),
     "bearing.axial_expansion": entry(
@@ -645,7 +645,7 @@ ENTRIES: dict[str, Entry] = {
         bearing=(bearing.paired(ROW, "X", 20.0), "thing"),
         inner_temperature=(60.0, "number"),
         outer_temperature=(45.0, "number"),
-        ring_expansion=(12.5e-6, "number"),
+        ring_expansion=(12.5e-6, "number?"),
     ),
     "bearing.operating_clearance": entry(
         bearing.operating_clearance,
@@ -654,9 +654,9 @@ ENTRIES: dict[str, Entry] = {
         housing=(bearing.Housing(diameter=62.0), "thing"),
         **dict.fromkeys(("inner_temperature", "roller_temperature", "outer_temperature"), (50.0, "number")),
         speed=(1e3, "not negative"),
-        ring_expansion=(12e-6, "number"),
-        roller_expansion=(12e-6, "number"),
-        ring_density=(7.85e-9, "positive"),
+        ring_expansion=(12e-6, "number?"),
+        roller_expansion=(12e-6, "number?"),
+        ring_density=(7.85e-9, "positive?"),
     ),
     "bearing.OperatingClearance.axial": entry(
         bearing.operating_clearance(

@@ -168,7 +168,10 @@ def raceway_by_finite_elements(radii, materials, strains, interference, speed):
 def test_a_warm_and_turning_fit_is_that_of_least_energy():
     hot, fast = {"expansion": 11e-6, "temperature": 70.0}, 20000.0
     fitted = found(
-        shaft=on_shaft(0.02, bore=12.0, material=IRON, **hot), inner_temperature=80.0, ring_expansion=12e-6, speed=fast
+        shaft=on_shaft(0.02, bore=12.0, material=IRON, density=7.85e-9, **hot),
+        inner_temperature=80.0,
+        ring_expansion=12e-6,
+        speed=fast,
     )
     assert fitted.inner.pressure > 1.0
     strains = 11e-6 * 50.0, 12e-6 * 60.0
@@ -348,3 +351,23 @@ def test_warm_inner_rings_move_the_rows_of_a_pair_apart(arrangement, given):
     )
     said = {remark: value for _, value, remark in summary_rows(apart, apart.solve("slices"))}
     assert float(said["given by temperatures between rows"].split()[0]) == pytest.approx(given)
+
+
+def test_parts_of_other_materials_are_not_taken_for_steel():
+    aluminium = nh.MATERIALS["aluminium"]
+    light = nh.bearing.Housing(diameter=62.0, outside_diameter=90.0, material=aluminium)
+    seats = {"shaft": on_shaft(0.0), "housing": light}
+    assert found(**seats).temperatures == 0.0
+    warm = dataclasses.replace(light, temperature=70.0)
+    with pytest.raises(
+        nh.InputError, match=r"housing\.expansion = None must be given for a part of 70000 MPa, .* at 70 degC"
+    ):
+        found(**seats | {"housing": warm})
+    # The density of the library is that of the material.
+    hollow = {"interference": -0.01, "bore": 12.0, "material": aluminium}
+    known, given = (
+        found(**seats | {"shaft": on_shaft(**hollow, **more)}, speed=2e4) for more in ({}, {"density": 2.7e-9})
+    )
+    assert known == given
+    with pytest.raises(nh.InputError, match=r"shaft\.density = None must be given for a turning part of 90000 MPa"):
+        found(**seats | {"shaft": on_shaft(0.0, material=nh.Material(9e4, 0.3))}, speed=2e4)

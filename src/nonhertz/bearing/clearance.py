@@ -16,6 +16,7 @@ the rings are neglected, and so is how far they slip. The clearance is
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from nonhertz.bearing.bearings import (
@@ -29,16 +30,17 @@ from nonhertz.bearing.thick_rings import ThickRing
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, not_negative, positive
 from nonhertz.model.material import STEEL, Material
+from nonhertz.model.materials import STEEL_DENSITY, density_of
 from nonhertz.result.brief import plain_text
-from nonhertz.result.numerals import digits
+from nonhertz.result.numerals import digits, given
 
 REFERENCE = 20.0  # degC, at which dimensions are given
 EXPANSION = 12.5e-6  # 1/K, bearing steel (IKO, needle roller bearing catalogue, formula 29)
 COLDEST, HOTTEST = -273.15, 1000.0  # degC
 MOST_EXPANSION = 1e-3  # 1/K
 MOST_INTERFERENCE = 0.01  # of the diameter: ten times what elastic steel bears
-_DENSITY = 7.85e-9  # t/mm^3, of steel
 _PER_MINUTE = math.pi / 30.0
+_IN_TONNES = "give it in t/mm^3, 7.85e-9 for steel"
 _IN_MM = "give it on the diameter in mm: 20 um are 0.02"
 
 
@@ -50,7 +52,7 @@ class _Seat:
     interference: float = 0.0
     smoothing: float = 0.0
     material: Material = STEEL
-    expansion: float = EXPANSION
+    expansion: float | None = None
     temperature: float = REFERENCE
 
     def __post_init__(self) -> None:
@@ -62,7 +64,8 @@ class _Seat:
         not_negative("smoothing", self.smoothing, _IN_MM)
         if not isinstance(self.material, Material):
             raise InputError("material", self.material, "be a Material", "make one with nonhertz.Material")
-        _check_expansion("expansion", self.expansion)
+        if self.expansion is not None:
+            _check_expansion("expansion", self.expansion)
         _check_temperature("temperature", self.temperature)
 
     @property
@@ -90,10 +93,10 @@ class Shaft(_Seat):
         Of a hollow shaft [mm]; 0: solid.
     material : Material
         Of the shaft.
-    expansion : float
-        Its thermal expansion [1/K].
-    density : float
-        Its density [t/mm^3].
+    expansion : float, optional
+        Its thermal expansion [1/K]; left out: that of bearing steel, if it is of steel.
+    density : float, optional
+        Its density [t/mm^3]; left out: that of its material, if it is of steel or of the library.
     temperature : float
         [degC].
 
@@ -104,11 +107,12 @@ class Shaft(_Seat):
     """
 
     bore: float = 0.0
-    density: float = _DENSITY
+    density: float | None = None
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        positive("density", self.density, "give it in t/mm^3, 7.85e-9 for steel")
+        if self.density is not None:
+            positive("density", self.density, _IN_TONNES)
         not_negative("bore", self.bore, "give that of a hollow shaft in mm, 0 for a solid one")
         if self.bore >= self.diameter:
             condition = f"be less than the diameter of the shaft of {self.diameter:g} mm"
@@ -156,6 +160,29 @@ def _check_expansion(name: str, value: float) -> None:
     finite(name, value, remedy)
     if abs(value) > MOST_EXPANSION:
         raise InputError(name, value, f"not exceed {MOST_EXPANSION:g} per kelvin", remedy)
+
+
+def _strain(name: str, expansion: float | None, material: Material, temperature: float) -> float:
+    """Return the thermal strain of a part."""
+    if expansion is not None:
+        _check_expansion(name, expansion)
+    elif temperature == REFERENCE or density_of(material) == STEEL_DENSITY:
+        expansion = EXPANSION
+    else:
+        condition = (
+            f"be given for a part of {given(material.modulus)} MPa, which is not steel, at {given(temperature)} degC"
+        )
+        raise InputError(name, None, condition, "give it in 1/K, 23e-6 for aluminium")
+    return expansion * (temperature - REFERENCE)
+
+
+def _density(name: str, density: float | None, material: Material, speed: float) -> float:
+    """Return the density of a turning part [t/mm^3]; 0 where it does not matter."""
+    found = density_of(material) if density is None else density
+    if found is None and speed > 0.0:
+        condition = f"be given for a turning part of {given(material.modulus)} MPa, which is not steel"
+        raise InputError(name, None, condition, _IN_TONNES)
+    return found or 0.0
 
 
 def _check_temperature(name: str, value: float) -> None:
@@ -285,9 +312,9 @@ def operating_clearance(
     roller_temperature: float = REFERENCE,
     outer_temperature: float = REFERENCE,
     speed: float = 0.0,
-    ring_expansion: float = EXPANSION,
-    roller_expansion: float = EXPANSION,
-    ring_density: float = _DENSITY,
+    ring_expansion: float | None = None,
+    roller_expansion: float | None = None,
+    ring_density: float | None = None,
 ) -> OperatingClearance:
     """Return the clearance of a bearing in operation, from fits, temperatures and speed.
 
@@ -302,10 +329,10 @@ def operating_clearance(
         Of the bearing's parts [degC].
     speed : float
         Of inner ring and shaft [1/min]; outer ring and housing are at rest.
-    ring_expansion, roller_expansion : float
-        Thermal expansion of rings and rollers [1/K].
-    ring_density : float
-        Of the inner ring [t/mm^3].
+    ring_expansion, roller_expansion : float, optional
+        Thermal expansion of rings and rollers [1/K], as for a `Shaft`.
+    ring_density : float, optional
+        Of the inner ring [t/mm^3], as for a `Shaft`.
 
     Returns
     -------
@@ -315,7 +342,8 @@ def operating_clearance(
     Raises
     ------
     InputError
-        If an argument is out of range, or a seat does not fit the rings.
+        If an argument is out of range, a seat does not fit the rings, or a warm part's expansion or a turning part's
+        density is neither given nor known.
 
     Notes
     -----
@@ -345,16 +373,29 @@ def operating_clearance(
     temperatures = {"inner": inner_temperature, "roller": roller_temperature, "outer": outer_temperature}
     for name, value in temperatures.items():
         _check_temperature(f"{name}_temperature", value)
-    _check_expansion("ring_expansion", ring_expansion)
-    _check_expansion("roller_expansion", roller_expansion)
     not_negative("speed", speed, "give that of the inner ring in 1/min")
-    positive("ring_density", ring_density, "give it in t/mm^3, 7.85e-9 for steel")
-    fits = _fits(bearing, shaft, housing, ring_density)
-    warm = (
-        _Grown(shaft.expansion * (shaft.temperature - REFERENCE), ring_expansion * (inner_temperature - REFERENCE)),
-        _Grown(ring_expansion * (outer_temperature - REFERENCE), housing.expansion * (housing.temperature - REFERENCE)),
+    if ring_density is not None:
+        positive("ring_density", ring_density, _IN_TONNES)
+    turning_densities = [
+        _density(name, density, part.material, speed)
+        for name, density, part in (
+            ("shaft.density", shaft.density, shaft),
+            ("ring_density", ring_density, bearing.inner),
+        )
+    ]
+    fits = _fits(bearing, shaft, housing, turning_densities)
+    on_shaft, inner, outer, in_housing, of_rollers = (
+        _strain(name, expansion, part.material, temperature)
+        for name, expansion, part, temperature in (
+            ("shaft.expansion", shaft.expansion, shaft, shaft.temperature),
+            ("ring_expansion", ring_expansion, bearing.inner, inner_temperature),
+            ("ring_expansion", ring_expansion, bearing.outer, outer_temperature),
+            ("housing.expansion", housing.expansion, housing, housing.temperature),
+            ("roller_expansion", roller_expansion, bearing.roller, roller_temperature),
+        )
     )
-    rollers = 2.0 * bearing.roller_diameter / math.cos(angle) * roller_expansion * (roller_temperature - REFERENCE)
+    warm = _Grown(on_shaft, inner), _Grown(outer, in_housing)
+    rollers = 2.0 * bearing.roller_diameter / math.cos(angle) * of_rollers
     turning = speed * _PER_MINUTE
     mounted = [fit.raceway() for fit in fits]
     warmed = [fit.raceway(by) for fit, by in zip(fits, warm, strict=True)]
@@ -375,7 +416,7 @@ def axial_expansion(
     *,
     inner_temperature: float = REFERENCE,
     outer_temperature: float = REFERENCE,
-    ring_expansion: float = EXPANSION,
+    ring_expansion: float | None = None,
 ) -> float:
     """Return by how much temperatures widen the axial clearance of rows of rollers, by the distance between them.
 
@@ -412,10 +453,11 @@ def axial_expansion(
         raise InputError("bearing", bearing, "be a Paired", "make one with nonhertz.bearing.paired")
     _check_temperature("inner_temperature", inner_temperature)
     _check_temperature("outer_temperature", outer_temperature)
-    _check_expansion("ring_expansion", ring_expansion)
     # Where the inner ring moves towards the side to which a row holds it, away from its rollers.
     apart = sum((row.bears_axially[1] - row.bears_axially[0]) * row.x for row in bearing.rows)
-    return ring_expansion * (inner_temperature - outer_temperature) * apart
+    row = bearing.bearings[0]
+    inner = _strain("ring_expansion", ring_expansion, row.inner.material, inner_temperature)
+    return (inner - _strain("ring_expansion", ring_expansion, row.outer.material, outer_temperature)) * apart
 
 
 @dataclass(frozen=True)
@@ -496,18 +538,18 @@ class _Joint:
         return math.sqrt(overlap / self.parting) / _PER_MINUTE if self.on_shaft and self.parting > 0.0 else math.inf
 
 
-def _fits(bearing: RollerBearing, shaft: Shaft, housing: Housing, density: float) -> tuple[_Joint, _Joint]:
+def _fits(bearing: RollerBearing, shaft: Shaft, housing: Housing, densities: Sequence[float]) -> tuple[_Joint, _Joint]:
     inner, outer = (0.5 * abs(float(ring.diameter)) for ring in (bearing.inner, bearing.outer))  # type: ignore[arg-type]
     seat, bore = 0.5 * shaft.diameter, 0.5 * housing.diameter
     on_shaft = _Joint(
-        ThickRing(0.5 * shaft.bore, seat, shaft.material, shaft.density),
-        ThickRing(seat, inner, bearing.inner.material, density),
+        ThickRing(0.5 * shaft.bore, seat, shaft.material, densities[0]),
+        ThickRing(seat, inner, bearing.inner.material, densities[1]),
         shaft.effective_interference,
         True,
     )
     in_housing = _Joint(
-        ThickRing(outer, bore, bearing.outer.material, density),
-        ThickRing(bore, 0.5 * housing.outside_diameter, housing.material, density),
+        ThickRing(outer, bore, bearing.outer.material, 0.0),
+        ThickRing(bore, 0.5 * housing.outside_diameter, housing.material, 0.0),
         housing.effective_interference,
         False,
     )

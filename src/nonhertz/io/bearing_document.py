@@ -33,7 +33,7 @@ from nonhertz.bearing.bearings import (
     TaperedRollerBearing,
     paired,
 )
-from nonhertz.bearing.clearance import EXPANSION, REFERENCE, Housing, Shaft, operating_clearance
+from nonhertz.bearing.clearance import REFERENCE, Housing, Shaft, operating_clearance
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.lubrication import CLEANLINESS, LEAST_RATIO, reference_viscosity
 from nonhertz.bearing.ribs import DESIGNS, Rib
@@ -441,7 +441,9 @@ class SeatTable(Table):
     material: Annotated[Material, PlainValidator(read_material, json_schema_input_type=Word | MaterialTable)] = Field(
         default=STEEL, description="name of a material, or a table of modulus, poisson and what it bears"
     )
-    expansion: Number = Field(default=EXPANSION, description="thermal expansion [1/K], a plain number")
+    expansion: Number | None = Field(
+        default=None, description="thermal expansion [1/K], a plain number; of steel if left out"
+    )
     temperature: Number = Field(default=REFERENCE, description="temperature [degrees Celsius], a plain number")
 
     made_as: ClassVar[type[Shaft | Housing]]
@@ -467,7 +469,9 @@ class ShaftTable(SeatTable):
     made_as = Shaft
 
     bore: Length = Field(default=0.0, description="of a hollow shaft [mm]; 0: solid")
-    density: Density = Field(default=Shaft.density, description="density of the shaft [t/mm^3]")
+    density: Density | None = Field(
+        default=None, description="density of the shaft [t/mm^3]; of its material if left out"
+    )
 
 
 class HousingTable(SeatTable):
@@ -490,11 +494,13 @@ class FitTable(Table):
     )
     roller_temperature: Number = Field(default=REFERENCE, description="the same of the rollers")
     outer_temperature: Number = Field(default=REFERENCE, description="the same of the outer ring")
-    ring_expansion: Number = Field(
-        default=EXPANSION, description="thermal expansion of the rings [1/K], a plain number"
+    ring_expansion: Number | None = Field(
+        default=None, description="thermal expansion of the rings [1/K], a plain number; of steel if left out"
     )
-    roller_expansion: Number = Field(default=EXPANSION, description="the same of the rollers")
-    ring_density: Density = Field(default=Shaft.density, description="density of the inner ring [t/mm^3]")
+    roller_expansion: Number | None = Field(default=None, description="the same of the rollers")
+    ring_density: Density | None = Field(
+        default=None, description="density of the inner ring [t/mm^3]; of its material if left out"
+    )
 
     @field_validator(
         "inner_temperature", "roller_temperature", "outer_temperature", "ring_expansion", "roller_expansion",
@@ -648,7 +654,7 @@ def fit_mistake(error: InputError) -> Mistake:
         left = f"{1e3 * error.value:.4g} um" if isinstance(error.value, float) else error.value
         condition = f"leave a clearance that can be, but {left} must {error.condition}"
         return Mistake((), InputError("", None, condition, "check interferences and temperatures"), absent=True)
-    return Mistake(tuple(error.field.split(".")), error)
+    return Mistake(tuple(error.field.split(".")), error, absent=error.value is None)
 
 
 def _contact_mistakes(bearing: RollerBearing | Paired) -> list[Mistake]:
