@@ -3,7 +3,7 @@
 PYTHON ?= python3
 PYTHONS ?= python3.11 python3.12 python3.13
 ORDERS ?= 1 2 3 4 5
-MUTANTS ?= --count 200
+MUTANTS ?=
 SPHINX ?=
 ENGINE ?= chromium
 VENV := .venv
@@ -42,7 +42,8 @@ dist dist-tests: $(READY)
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --group dist
 	$(BIN)/python tests/distributions.py $(PYTHONS) $(if $(filter dist-tests,$@),--tests)
 
-# Whether the tests notice small mistakes in the sources; survivors are listed in out/mutants. Takes hours on two cores.
+# Whether the tests notice small mistakes in the sources; survivors are listed in out/mutants. Takes many hours on two
+# cores, of some rooms less: make mutants MUTANTS="--rooms measured io".
 mutants: $(READY)
 	$(BIN)/python tests/mutation/run.py $(MUTANTS) --out out/mutants
 

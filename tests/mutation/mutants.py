@@ -33,6 +33,7 @@ OPERATIONS = {
     ast.MatMult: None,
 }
 CALLS = {"min": "max", "max": "min", "minimum": "maximum", "maximum": "minimum", "any": "all", "all": "any"}
+COMPILING = ("compiled", "entry")
 DROPPED_CALLS = {"abs", "sqrt", "cumsum", "sort", "copy"}
 
 
@@ -108,7 +109,7 @@ class _Finder(ast.NodeVisitor):
         self._compiled = False
         tree = ast.parse(text)
         # A constant of the module may be compiled into any function.
-        self._module_compiled = "@compiled" in text
+        self._module_compiled = any(f"@{each}" in text for each in COMPILING)
         self.visit(tree)
 
     def _offset(self, line: int, column: int) -> int:
@@ -135,7 +136,7 @@ class _Finder(ast.NodeVisitor):
 
     def _visit_body(self, node: ast.FunctionDef | ast.ClassDef) -> None:
         outer = self._compiled
-        self._compiled = outer or any(ast.unparse(each) == "compiled" for each in node.decorator_list)
+        self._compiled = outer or any(ast.unparse(each) in COMPILING for each in node.decorator_list)
         self._within.append(node.name)
         defaults = [*node.args.defaults, *filter(None, node.args.kw_defaults)] if _is_function(node) else []
         for each in (*defaults, *node.body):

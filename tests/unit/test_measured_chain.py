@@ -156,6 +156,9 @@ def test_roughness_is_that_of_a_wave():
     assert found.sections == 9
     assert found.main_band[0] < 0.03 < found.main_band[1]
     assert_allclose(math.hypot(*(band[2] for band in found.bands)), found.rq, rtol=5e-3)
+    # Octaves, the shortest open towards zero.
+    edges = [high for _, high, _ in found.bands]
+    assert_allclose(edges, edges[-1] * 0.5 ** np.arange(len(edges))[::-1], rtol=1e-12)
 
 
 @pytest.mark.parametrize(

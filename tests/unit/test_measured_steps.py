@@ -165,6 +165,18 @@ def test_trim_keeps_a_length_about_the_middle():
     assert state.numbers["removed"] == len(roller()) - len(state.points)
 
 
+def test_trim_says_how_much_is_cut_off_at_either_end():
+    y = np.linspace(-4.0, 5.0, 91)
+    assert Trim(6.0).apply(Points(y, 0.0 * y)).words == "Kept from -3 to 3 mm; cut off 1 and 2 mm."
+
+
+def test_gaps_beyond_the_points_that_are_kept_are_none_of_them():
+    y = np.concatenate([np.linspace(0.0, 2.0, 21), np.linspace(3.0, 9.0, 61)])
+    points = Points(y, 0.0 * y, ((2.0, 3.0),))
+    assert points.kept(y > 1.0).gaps == ((2.0, 3.0),)
+    assert points.kept(y > 4.0).gaps == points.kept(y < 1.5).gaps == ()
+
+
 def test_trim_refuses_a_length_that_was_not_measured():
     with pytest.raises(InputError, match=r"trim = 14.0 must lie within the points, which go from -6 to 6 mm"):
         Trim(14.0).apply(roller())
@@ -208,6 +220,25 @@ def test_heights_that_were_rounded_off_are_no_outliers():
     state = Outliers().apply(Points(trace.y, rounded))
     assert state.removed is not None
     assert_array_equal(state.removed[0], trace.y[[3000]])
+
+
+@pytest.mark.parametrize(("cutoff", "count"), [(0.5, 401), (6.0, 400)])
+def test_the_gaussian_filter_is_the_line_that_fits_best_around_each_point(cutoff, count):
+    """Point by point, as ISO 16610-28 has it; one lies alone, where a line is carried on from afar if at all."""
+    random = np.random.default_rng(5)
+    y = np.sort(np.append(random.uniform(0.0, 6.0, 400), 7.0))
+    height = random.normal(0.0, 1e-3, y.size)
+    points = Points(y, height, ((y[-2], 7.0),))
+    form = np.polynomial.Polynomial.fit(y, height, 2, w=np.sqrt(np.maximum(points.weights, 1e-12)))(y)
+    expected = []
+    for place in y:
+        share = np.maximum(points.weights, 1e-12) * np.exp(-math.pi * ((y - place) / (ALPHA * cutoff)) ** 2)
+        share[np.abs(y - place) > cutoff] = 0.0
+        terms = np.stack([np.ones_like(y), y - place])
+        normal = (share * terms) @ terms.T + np.diag([0.0, 1e-12 * share.sum()])
+        expected.append(np.linalg.solve(normal, (share * terms) @ (height - form))[0])
+    # Steps of a 64th of the cutoff, and a kernel that ends where it has fallen to 7e-7.
+    assert_allclose(gaussian(points, cutoff)[:count], (form + expected)[:count], atol=5e-6)
 
 
 @pytest.mark.parametrize("wavelength", [0.1, 0.25])
