@@ -111,3 +111,10 @@ def test_the_relief_of_a_fit_is_what_was_fitted():
     found = fit(points, "two-radius", tilt=True)
     relief = points.height.max() - points.height
     assert_allclose(found.relief(points.y), relief, atol=4.0 * found.largest + 1e-9)
+
+
+def test_the_standard_error_of_a_height_is_that_of_a_mean():
+    """Of heights that alternate, so that neighbours are not alike: s / sqrt(n), with s over n - 1."""
+    y = np.linspace(-5.0, 5.0, 8)
+    found = fit(Points(y, 1e-3 * (-1.0) ** np.arange(8)), "straight", shift=False)
+    assert found.standard_errors["offset"] == pytest.approx(1e-3 / np.sqrt(7.0), rel=1e-6)
