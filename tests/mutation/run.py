@@ -19,7 +19,6 @@ import argparse
 import contextlib
 import json
 import os
-import resource
 import shutil
 import signal
 import subprocess
@@ -273,9 +272,11 @@ class Campaign:
             process = subprocess.Popen(
                 command, cwd=folder, env=environment, stdout=output, stderr=subprocess.STDOUT, start_new_session=True
             )
-            # Of processor time, so that on a busy machine no mutant counts as one that hangs.
-            resource.prlimit(process.pid, resource.RLIMIT_CPU, (int(limit) + 1, int(limit) + 1))
             try:
+                if sys.platform == "linux":  # of processor time: on a busy machine no mutant counts as one that hangs
+                    import resource
+
+                    resource.prlimit(process.pid, resource.RLIMIT_CPU, (int(limit) + 1, int(limit) + 1))
                 code = process.wait(SLOWED * limit)
                 return None if code in (-signal.SIGXCPU, -signal.SIGKILL) else code
             except subprocess.TimeoutExpired:

@@ -4,6 +4,7 @@ import ast
 
 import pytest
 from mutants import chosen, mutants
+from run import GROUPS, SOURCES, explanations
 
 SOURCE = '''
 """Words: 3 < 4."""
@@ -83,3 +84,11 @@ def test_the_choice_of_one_seed_is_always_the_same(found):
     fewer = [each for each in found if each in some or each.function == "read"]
     assert set(some) <= set(chosen(fewer, len(fewer), seed=1))
     assert chosen(some, 3, seed=1) == [each for each in some if each in chosen(found, 3, seed=1)]
+
+
+@pytest.mark.slow
+def test_what_is_explained_is_there():
+    """A function that has another name, or is gone, takes its explanations along."""
+    paths = {path for group in GROUPS.values() for pattern in group.sources for path in SOURCES.glob(pattern)}
+    there = {each.key for path in paths for each in mutants(path, path.relative_to(SOURCES).as_posix())}
+    assert explanations().keys() - there == set()
