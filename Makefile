@@ -10,7 +10,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo test test-slow test-orders test-versions dist dist-tests mutants campaign campaign-all machine-code browser verify lint docs bench docs-numbers clean
+.PHONY: demo test test-slow test-orders test-versions dist dist-tests mutants campaign campaign-all browser verify lint docs bench docs-numbers clean
 
 demo: $(READY)
 	$(BIN)/nonhertz solve examples/cylindrical-roller-bearing.toml --out out/demo
@@ -20,7 +20,7 @@ demo: $(READY)
 test test-slow campaign: export OMP_NUM_THREADS = 1
 
 test: $(READY)
-	$(BIN)/python -m pytest -n auto -m "not slow and not campaign and not browser and not machine_code"
+	$(BIN)/python -m pytest -n auto -m "not slow and not campaign and not browser"
 
 # The tests that take seconds each, which `make test` leaves out.
 test-slow: $(READY)
@@ -53,10 +53,6 @@ campaign: $(READY)
 # Many hours of one core: the campaigns whole, 100,000 contacts with mirror images, scaled twins and batches among them.
 campaign-all: $(READY)
 	NONHERTZ_CAMPAIGN_CASES=all $(BIN)/python -m pytest -m campaign -s tests
-
-# Machine code on disk in some twenty situations, each of which compiles the solver: about half an hour of one core.
-machine-code: $(READY)
-	$(BIN)/python -m pytest -m machine_code -s tests
 
 # The page in a real browser: Chromium or Chrome, with ENGINE=firefox Firefox, which must be installed. Screenshots go to
 # out/screenshots.

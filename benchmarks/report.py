@@ -199,7 +199,7 @@ def timed(module: ModuleType, name: str) -> Iterator[Stopwatch]:
 def split(solve: cases.Solve, runs: int = SPLIT_RUNS) -> dict[str, float]:
     """Return the share of each part in the time of a solve, from the fastest of many runs."""
     solve()
-    compiled = (problem, "settle_all"), (levels, "lay_all"), (depth, "_at_depth"), (acceptance, "_first_unmet_of")
+    compiled = (problem, "settle_all"), (levels, "lay_all"), (depth, "_at_depth"), (acceptance, "first_unmet")
     with ExitStack() as stack:
         watches = {name: stack.enter_context(timed(module, name)) for module, name in compiled}
         rows = []

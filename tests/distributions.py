@@ -162,7 +162,7 @@ def run_tests(environment: Environment, sdist: Path) -> None:
         archive.extractall(environment.folder, filter="data")
     sources = environment.folder / sdist.name.removesuffix(".tar.gz")
     environment.install("web", groups=sources / "pyproject.toml")
-    words = ["-m", "pytest", "-q", "-m", "not slow and not campaign and not browser and not machine_code"]
+    words = ["-m", "pytest", "-q", "-m", "not slow and not campaign and not browser"]
     variables = {"PYTEST_ADDOPTS": "-n auto"} | clean()
     # The package that is installed, not the sources beside the tests.
     command = [environment.python, *words, "--pyargs", "nonhertz", "tests"]

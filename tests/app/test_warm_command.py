@@ -1,22 +1,31 @@
-"""`nonhertz warm`; that nothing is compiled after it is among the tests of machine code."""
+"""`nonhertz warm`: it compiles everything, and says where that is kept."""
+
+from pathlib import Path
 
 import pytest
 
 from nonhertz.cli import main, warm
-from nonhertz.compiled import notices
+from nonhertz.compiled import cache, files
 
 
 @pytest.mark.slow
-def test_it_runs_every_part_and_names_the_folder(capsys):
+def test_after_every_part_no_command_compiles_anything(capsys, monkeypatch):
     assert main(["warm"]) == 0
     *parts, kept = capsys.readouterr().out.splitlines()
     assert [line.partition(":")[0] for line in parts] == list(warm.PARTS)
     assert kept.startswith("machine code: ")
     assert "machine-code" in kept
+    written, case = [], str(Path(__file__).parents[2] / "examples" / "crowned-roller.toml")
+    monkeypatch.setattr(cache, "write", lambda name, key, content: written.append(name))
+    for words in (["solve", case], ["stress", case], ["life", case], ["compare", case, "--cells", "32", "64"]):
+        main(words)
+    assert written == []
 
 
-def test_the_exit_code_says_that_nothing_can_be_kept(caplog, monkeypatch):
-    monkeypatch.setattr(warm, "PARTS", {"strips": lambda: notices.warn_unkept("/nowhere (read-only)")})
-    monkeypatch.setattr(notices, "_said", set())
+def test_the_exit_code_says_that_nothing_can_be_kept(tmp_path, caplog, monkeypatch):
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "file"))
+    monkeypatch.setattr(warm, "PARTS", {})
+    files.log_once.cache_clear()
     assert main(["warm"]) == 1
-    assert "nothing can be written in /nowhere (read-only)" in caplog.text
+    assert f"nothing can be written in {tmp_path / 'file' / 'nonhertz'} (Not a directory)" in caplog.text

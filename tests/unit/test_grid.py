@@ -364,7 +364,7 @@ def test_strips_that_end_within_the_contact_are_cut_off_there_and_not_at_the_bod
         Refinement(problem, interval, (low, high), (np.zeros(0), np.zeros(0)), problem.target[None], np.ones(1))
         for interval in ((-10.0, 10.0), (low, high))
     )
-    assert (grid.reaching(state, -1), grid.reaching(state, 1)) == cut
+    assert tuple(grid.reaching(state.row(), side).item() for side in (-1, 1)) == cut
     assert on_bodies.incomplete(state.row()).tolist() == [True]
     # Where the bodies end too, nothing is cut off.
     assert on_strips.incomplete(state.row()).tolist() == [False]

@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 
 from nonhertz.bearing.laws import ANSWER, OVERLAP, answered
 from nonhertz.compiled import compiled
-from nonhertz.compiled.entries import entry
 from nonhertz.life.lamina import STIFFENING
 
 Array = NDArray[np.float64]
@@ -220,7 +219,7 @@ class Found(NamedTuple):
         return Found(*parts)
 
 
-@entry
+@compiled
 def balance_all(
     parts: Parts, work: Work, given: Given, target: Array, start: Array, motion: Array, found: Found
 ) -> None:
@@ -234,7 +233,7 @@ def balance_all(
         keep(work, found, k)
 
 
-@entry
+@compiled
 def begin(parts: Parts, work: Work, ring: Array, motion: Array) -> None:
     """Begin the search for a state at motions of ring and rollers; where these are NaN, as equal springs would go."""
     work.ring[:] = ring
@@ -248,7 +247,7 @@ def begin(parts: Parts, work: Work, ring: Array, motion: Array) -> None:
     _ask_all(parts, work)
 
 
-@entry
+@compiled
 def keep(work: Work, found: Found, k: int) -> None:
     """Write down a state."""
     found.ring[k], found.force[k], found.stiffness[k] = work.ring, work.force, work.stiffness
@@ -257,7 +256,7 @@ def keep(work: Work, found: Found, k: int) -> None:
     found.borne[k] = work.answer
 
 
-@entry
+@compiled
 def ask_tables(parts: Parts, work: Work) -> None:
     """Let all tables answer that are asked."""
     for j in range(work.asked.size):
@@ -267,7 +266,7 @@ def ask_tables(parts: Parts, work: Work) -> None:
                     answered(parts.book, parts.law[j, c], work.pose[j, c, 0], work.pose[j, c, 1], work.answer[j, c])
 
 
-@entry
+@compiled
 def go_on(parts: Parts, work: Work, given: Given, target: Array) -> bool:
     """Take the answers, and move to where contacts are to be asked next.
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import hashlib
 import io
 import sys
@@ -13,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.compiled.folders import UnwritableError, read, write
+from nonhertz.compiled.files import read, write
 
 Array = NDArray[np.float64]
 
@@ -40,7 +39,8 @@ def stored(*modules: str) -> Callable[[Callable[..., Array]], Callable[..., Arra
         @wraps(make)
         def found(*arguments: Hashable) -> Array:
             key = repr((make.__module__, make.__qualname__, arguments, np.__version__, _texts(modules))).encode()
-            name = f"{make.__module__}.{make.__qualname__}-{hashlib.sha256(key).hexdigest()[:32]}"
+            # Of thousands of shapes no more than 4,096 are kept on disk.
+            name = f"{make.__module__}.{make.__qualname__}-{hashlib.sha256(key).hexdigest()[:3]}"
             content = read(name, key)
             if content is not None:
                 array: Array = np.load(io.BytesIO(content), allow_pickle=False)
@@ -48,9 +48,7 @@ def stored(*modules: str) -> Callable[[Callable[..., Array]], Callable[..., Arra
                 array = make(*arguments)
                 file = io.BytesIO()
                 np.save(file, array, allow_pickle=False)
-                # Where nothing can be written it takes its time again, which `nonhertz.compiled` has told of.
-                with contextlib.suppress(UnwritableError):
-                    write(name, key, file.getvalue())
+                write(name, key, file.getvalue())
             array.flags.writeable = False
             return array
 

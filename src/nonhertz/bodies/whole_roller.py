@@ -44,7 +44,7 @@ from nonhertz.bodies.harmonic_elements import HarmonicElements, radial
 from nonhertz.bodies.outline import Outline
 from nonhertz.bodies.quarter_space import FreeFace, free_face
 from nonhertz.bodies.stored import stored
-from nonhertz.compiled import compiled, entry
+from nonhertz.compiled import compiled
 
 Array = NDArray[np.float64]
 
@@ -124,16 +124,16 @@ class WholeRoller:
         shape = (*y.shape, edges.shape[-1] - 1)
         places, ends = (np.ascontiguousarray(each).reshape(-1, each.shape[-1]) for each in (y, edges))
         at_places, of_strips = map(self.outline.girths, (places, 0.5 * (ends[:, 1:] + ends[:, :-1])))
-        found, half_length = np.empty((len(places), *shape[-2:])), self.outline.half_length
-        _displaced(places, ends, half_length, self.matrix, found)
+        half_length = self.outline.half_length
+        found = _displaced(places, ends, half_length, self.matrix)
         _add_curved(places, ends, half_length, at_places, of_strips, self.curved, self.logarithm, self.own, found)
         return found.reshape(shape)
 
 
-@entry
-def _displaced(y: Array, edges: Array, half_length: float, matrix: Array, out: Array) -> None:
-    """Fill in the displacement of each place by a unit load between neighbouring edges, from Legendre polynomials."""
-    count = matrix.shape[0]
+@compiled
+def _displaced(y: Array, edges: Array, half_length: float, matrix: Array) -> Array:
+    """Return the displacement of each place by a unit load between neighbouring edges, from Legendre polynomials."""
+    out, count = np.empty((y.shape[0], y.shape[1], edges.shape[1] - 1)), matrix.shape[0]
     of_edges = np.empty((edges.shape[1], count))
     values = np.empty(count + 1)
     at, moved = np.empty(count), np.empty(count)
@@ -162,9 +162,10 @@ def _displaced(y: Array, edges: Array, half_length: float, matrix: Array, out: A
                 if e > 0:
                     out[row, i, e - 1] = total - before
                 before = total
+    return out
 
 
-@entry
+@compiled
 def _add_curved(
     y: Array, edges: Array, half_length: float, at_places: Array, of_strips: Array, curved: Array, logarithm: float,
     own: float, out: Array,

@@ -8,6 +8,7 @@ from __future__ import annotations
 import contextlib
 import contextvars
 import itertools
+import os
 import re
 import sys
 import warnings
@@ -936,8 +937,7 @@ def warm() -> int:
     """
     from nonhertz.cli.verify import Progress
     from nonhertz.cli.warm import PARTS, warm_up
-    from nonhertz.compiled.folders import held
-    from nonhertz.compiled.notices import is_unkept
+    from nonhertz.compiled.files import folders, read, write
 
     progress = Progress(len(PARTS))
     try:
@@ -946,10 +946,12 @@ def warm() -> int:
         progress.wipe()
     for name, taken in seconds.items():
         print(f"{name}: {taken:.1f} s")
-    for folder, size in held():
-        print(f"machine code: {size / 1e6:.1f} MB in {folder}")
-    # A warning has said where nothing could be written, and what to do.
-    return NOT_KEPT if is_unkept() else FINE
+    for folder in filter(Path.is_dir, folders()):
+        print(f"machine code: {sum(each.stat().st_size for each in folder.iterdir()) / 1e6:.1f} MB in {folder}")
+    # Where nothing can be written a warning says so, and what to do.
+    now = os.urandom(8)
+    write("warm", b"", now)
+    return FINE if read("warm", b"") == now else NOT_KEPT
 
 
 @app.command

@@ -14,6 +14,7 @@ import numpy as np
 import scipy.io
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.compiled import numba_for_us
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import broadcast, numbers, whole
 from nonhertz.maps import files
@@ -163,6 +164,7 @@ class ContactMap(ReadOnly):
     @cached_property
     def tables(self) -> Tables:
         """What compiled code needs: an argument of `nonhertz.maps.pressed`, `loaded` and `pressures`."""
+        numba_for_us()  # who asks for these may be about to compile a function that calls ours
         made = tables(self.numbers, self._borders, self.mean_approach, self.others)
         return Tables(*map(read_only, made))
 

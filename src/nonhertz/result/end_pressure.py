@@ -21,7 +21,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.result.end_fit import FIT_REACH, fitted_strength
 from nonhertz.result.ends import corner_ends
 from nonhertz.result.solution import EdgeKind, EdgePressure
-from nonhertz.strip.grid import contact_of, reaching
+from nonhertz.strip.grid import contact_of, reaches, reaching
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import States
 
@@ -150,7 +150,7 @@ def _freed(problem: Problem, place: float, side: int, reach: float) -> tuple[flo
 def _edge_pressure(contact: Contact, problem: Problem, state: States, side: int) -> EdgePressure:
     at = -1 if side > 0 else 0
     place, width = float(state.edges[at]), float(state.width[at])
-    if not reaching(state, side) or not pressed(problem, state.edges, state.rigid, side):
+    if not reaches(state.edges, state.m, side) or not pressed(problem, state.edges, state.rigid, side):
         touched = contact_of(state)
         y = touched[at][(side + 1) // 2] if touched else place
         words = "the contact ends before both bodies do"

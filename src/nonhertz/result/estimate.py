@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies.depths.finite import AxisOfRoller
-from nonhertz.compiled import entry
+from nonhertz.compiled import compiled
 from nonhertz.result.checks import WIDER_THAN_LONG
 from nonhertz.result.end_pressure import SHARP_END_ERROR, left_at_sharp_ends, sharp_end_error
 from nonhertz.result.maximum import distance_beyond, largest_pressure
@@ -153,7 +153,7 @@ def _reach(levels: Levels) -> Array:
     A summit stands out no further than by twice what halving the strips has just raised it by.
     """
     state = levels.finest
-    reach: Array = cusps(state.pressure)
+    reach: Array = cusps(state.pressure[None])[0]
     if len(levels.states) > 1:
         coarse = levels.states[1]
         at = np.clip(np.searchsorted(coarse.edges, state.y) - 1, 0, coarse.pressure.size - 1)
@@ -197,13 +197,12 @@ def _largest(hertz_ratio: float, singular: Array, state: States) -> float:
 
 def wider_than_long(problem: Problem, states: States) -> Flags:
     """Return which contacts are wider than their longest piece is long."""
-    found = np.zeros(states.status.size, dtype=bool)
-    _find_wide(states, problem.element.hertz_ratio, found)
-    return found
+    return _wide(states, problem.element.hertz_ratio)
 
 
-@entry
-def _find_wide(states: States, hertz_ratio: float, found: Flags) -> None:
+@compiled
+def _wide(states: States, hertz_ratio: float) -> Flags:
+    found = np.empty(states.status.size, np.bool_)
     for case in range(found.size):
         row, widest, longest = 0 if states.edges.shape[0] == 1 else case, 0.0, 0.0
         n = states.counts[row]
@@ -213,6 +212,7 @@ def _find_wide(states: States, hertz_ratio: float, found: Flags) -> None:
         for k in range(contact.shape[0]):
             longest = max(longest, contact[k, 1] - contact[k, 0])
         found[case] = widest > WIDER_THAN_LONG * longest
+    return found
 
 
 def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array) -> Flags:

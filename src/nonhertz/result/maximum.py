@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.compiled import compiled, entry
+from nonhertz.compiled import compiled
 
 if TYPE_CHECKING:
     from nonhertz.result.protocol import Solved
@@ -86,18 +86,19 @@ def counted(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[
     First those of the strips, then those between each and the next.
     """
     n = pressure.shape[-1]
-    rows = [np.ascontiguousarray(values, dtype=float).reshape(-1, n) for values in (y, pressure, half_width)]
+    # Copies: arrays that are read only would be compiled for again.
+    rows = [np.array(values, dtype=float, order="C").reshape(-1, n) for values in (y, pressure, half_width)]
     cases = rows[1].shape[0]
-    of_cases = np.ascontiguousarray(np.broadcast_to(np.atleast_2d(ends), (cases, ends.shape[-1])), dtype=float)
-    places, values = np.zeros((cases, 2 * n - 1)), np.zeros((cases, 2 * n - 1))
-    _count(rows[0], rows[1], rows[2], of_cases, places, values)
+    of_cases = np.array(np.broadcast_to(np.atleast_2d(ends), (cases, ends.shape[-1])), dtype=float, order="C")
+    places, values = _counted(rows[0], rows[1], rows[2], of_cases)
     shape = (*pressure.shape[:-1], 2 * n - 1)
     return places.reshape(shape), values.reshape(shape)
 
 
-@entry
-def _count(y: Array, pressure: Array, half_width: Array, ends: Array, places: Array, values: Array) -> None:
+@compiled
+def _counted(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[Array, Array]:
     n = pressure.shape[1]
+    places, values = np.zeros((len(pressure), 2 * n - 1)), np.zeros((len(pressure), 2 * n - 1))
     for case in range(pressure.shape[0]):
         row = case if y.shape[0] > 1 else 0
         any_counts, farthest, most = False, -1, -1.0
@@ -117,6 +118,7 @@ def _count(y: Array, pressure: Array, half_width: Array, ends: Array, places: Ar
         # A contact too short for any place to count: the one farthest from the ends does.
         if not any_counts and farthest >= 0:
             values[case, farthest] = pressure[case, farthest]
+    return places, values
 
 
 @compiled

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonhertz.compiled import compiled, entry
+from nonhertz.compiled import compiled
 from nonhertz.strip.element import POWERS, POWERS_AT, evaluate
 from nonhertz.strip.free_end import AWAY, far_terms, far_whole
 from nonhertz.strip.influence import added_by_face
@@ -52,9 +52,8 @@ def shortfall(
     """
     y, compliance = 0.5 * (edges[1:] + edges[:-1]), problem.compliance
     grids, given = problem.grids(*row_of(edges)), Given(problem.prescribed, problem.target)
-    values, answer = np.empty(1), Answer(compliance * line_load, half_width, gap, motion)
-    condition, at = divmod(_first_unmet_of(grids, given, problem.law, answer, values), edges.size)
-    found = float(values[0])
+    answer = Answer(compliance * line_load, half_width, gap, motion)
+    condition, found, at = first_unmet(strips_of(grids, 0), given, problem.law, answer)
     if condition == MET:
         return None
     if condition in {FIRST, SECOND}:
@@ -78,10 +77,8 @@ def shortfall(
 
 def met_by(problem: Problem, states: States, targets: Array) -> Flags:
     """Return which of many states meet everything; ``targets`` as `Problem.target`, shape (cases, 2)."""
-    met = np.zeros(len(targets), dtype=bool)
     grids, given = problem.grids(states.counts, states.edges), Given(problem.prescribed, np.ascontiguousarray(targets))
-    met_by_all(grids, given, problem.law, states, met)
-    return met
+    return _met_by(grids, given, problem.law, states)
 
 
 class Answer(NamedTuple):
@@ -93,9 +90,9 @@ class Answer(NamedTuple):
     motion: Array
 
 
-@entry
-def met_by_all(grids: Grids, given: Given, law: Law, states: States, met: Flags) -> None:
-    """Fill in which of many states meet everything; ``given`` has a row of targets for each, as in `settle_all`."""
+@compiled
+def _met_by(grids: Grids, given: Given, law: Law, states: States) -> Flags:
+    met = np.empty(states.status.size, np.bool_)
     for case in range(met.size):
         strips = strips_of(grids, 0 if grids.counts.size == 1 else case)
         n = strips.y.size
@@ -106,13 +103,7 @@ def met_by_all(grids: Grids, given: Given, law: Law, states: States, met: Flags)
         condition, _, _ = first_unmet(strips, Given(given.by_force, given.target[case]), law, answer)
         reach = max(abs(strips.low[0]), abs(strips.high[-1]))
         met[case] = condition == MET and steady(states.stiffness[case], reach)
-
-
-@entry
-def _first_unmet_of(grids: Grids, given: Given, law: Law, answer: Answer, found: Array) -> int:
-    """Return the condition times the number of edges, plus the strip, and fill in the value found."""
-    condition, found[0], at = first_unmet(strips_of(grids, 0), given, law, answer)
-    return condition * (answer.q.size + 1) + at
+    return met
 
 
 @compiled
@@ -143,18 +134,14 @@ def first_unmet(strips: Strips, given: Given, law: Law, answer: Answer) -> tuple
     return MET, 0.0, 0
 
 
+@compiled
 def steadily(states: States) -> Flags:
     """Return in which of many cases the bodies resist being pressed together and being tilted."""
-    found = np.empty(states.status.size, dtype=bool)
-    _find_steady(states, found)
-    return found
-
-
-@entry
-def _find_steady(states: States, found: Flags) -> None:
+    found = np.empty(states.status.size, np.bool_)
     for case in range(found.size):
         edges = states.edges[0 if states.edges.shape[0] == 1 else case]
         found[case] = steady(states.stiffness[case], max(abs(edges[0]), abs(edges[-1])))
+    return found
 
 
 @compiled

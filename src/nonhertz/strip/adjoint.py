@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonhertz.compiled import entry
+from nonhertz.compiled import compiled
 from nonhertz.strip.influence import coefficients, remote_of
 from nonhertz.strip.newton import touching
 from nonhertz.strip.records import Array, Grids, Indices, Law
@@ -96,15 +96,14 @@ def linearised(grids: Grids, r: Array, m: Array, law: Law) -> Linearised:
     law : Law
         How strips act.
     """
-    active = np.flatnonzero(m > 0.0)
-    blocks = np.empty((4, active.size, active.size))
-    _fill(grids, m, law, blocks)
+    active, blocks = _linearised(grids, m, law)
     y, width = grids.y[0, active], np.diff(grids.edges[0])[active]
     return Linearised(active, blocks, r[active], m[active], y, width)
 
 
-@entry
-def _fill(grids: Grids, m: Array, law: Law, blocks: Array) -> None:
-    strips = strips_of(grids, 0)
-    active = touching(m)
+@compiled
+def _linearised(grids: Grids, m: Array, law: Law) -> tuple[Indices, Array]:
+    strips, active = strips_of(grids, 0), touching(m)
+    blocks = np.empty((4, active.size, active.size))
     coefficients(strips, m, active, law, remote_of(strips, law, m.max()), blocks)
+    return active, blocks

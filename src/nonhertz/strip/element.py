@@ -26,7 +26,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.compiled import compiled, entry
+from nonhertz.compiled import compiled
 
 Array = NDArray[np.float64]
 
@@ -97,8 +97,7 @@ class Element:
         The relative error is below 1e-12 for |t| from 1e-8 to 1e8.
         """
         t = np.asarray(t, dtype=float)
-        values = np.empty((t.size, 4))
-        _evaluate_all(np.ascontiguousarray(t).ravel(), self.table, values)
+        values = _evaluate_all(np.ascontiguousarray(t).ravel(), self.table)
         return tuple(values[:, k].reshape(t.shape) for k in range(4))  # type: ignore[return-value]
 
     @cached_property
@@ -240,10 +239,12 @@ def evaluate_displacement(t: float, table: Array) -> float:
     return a if t >= 0.0 else -a
 
 
-@entry
-def _evaluate_all(t: Array, table: Array, values: Array) -> None:
+@compiled
+def _evaluate_all(t: Array, table: Array) -> Array:
+    values = np.empty((t.size, 4))
     for i in range(t.size):
         values[i, 0], values[i, 1], values[i, 2], values[i, 3] = evaluate(t[i], table)
+    return values
 
 
 def _semi_elliptic_closed_forms(t: Array) -> tuple[Array, Array, Array]:

@@ -329,9 +329,8 @@ def far_terms(u: Array, v: float, table: Array, first: int, terms: Array, work: 
         begin = end = n
         while begin > 0 and u[begin - 1] < v:
             begin -= 1
-    _far_polynomials(x, w, 0, begin, 1.0, first + FAR_AT, table, terms)
-    _far_polynomials(x, w, begin, end, -1.0, first + BEYOND_AT, table, terms)
-    _far_polynomials(x, w, end, n, 1.0, first + FAR_AT, table, terms)
+    for low, high, sign, at in ((0, begin, 1.0, FAR_AT), (begin, end, -1.0, BEYOND_AT), (end, n, 1.0, FAR_AT)):
+        _far_polynomials(x, w, low, high, sign, first + at, table, terms)
     if begin < end:
         grown = table[first + WHOLE_AT + POWERS + 1] * math.log(v)
         for i in range(begin, end):

@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonhertz.compiled import compiled, entry
+from nonhertz.compiled import compiled
 from nonhertz.strip.records import Array, Flags, Indices, States
 
 # At a coarseness of 1, tuned on random contacts of all profiles; docs/explain/grid.md has the figures.
@@ -118,20 +118,15 @@ def uniform(low: float, high: float, count: int) -> Array:
     return np.linspace(low, high, count + 1)
 
 
+@compiled
 def reaching(states: States, side: int) -> Flags:
-    """Return whether the contact extends to the outer edge of the strips on that side, for one case or many."""
-    rows = states if states.r.ndim > 1 else states.row()
-    found = np.zeros(len(rows.r), dtype=bool)
-    _find_reaching(rows, side, found)
-    return found if states.r.ndim > 1 else found[0]
-
-
-@entry
-def _find_reaching(states: States, side: int, found: Flags) -> None:
+    """Return which of many contacts extend to the outer edge of their strips on that side."""
+    found = np.empty(states.status.size, np.bool_)
     for case in range(found.size):
         row = 0 if states.edges.shape[0] == 1 else case
         n = states.counts[row]
         found[case] = reaches(states.edges[row, : n + 1], states.m[case, :n], side)
+    return found
 
 
 def kinks_of(
@@ -172,31 +167,12 @@ def _turn(separation: Callable[[Array], Array], places: Array, step: float) -> A
 
 def contact_of(state: States) -> tuple[tuple[float, float], ...]:
     """Return the intervals in contact of one case [mm]."""
-    return tuple(map(tuple, intervals_of(state).tolist()))
-
-
-def intervals_of(state: States) -> Array:
-    """Return the two ends of every interval in contact of one case [mm], shape (k, 2)."""
-    return intervals_on(state.edges, state.m)
-
-
-def intervals_on(edges: Array, m: Array) -> Array:
-    """Return the same for strips between ``edges`` with any multiple of a^2."""
-    found = np.empty((m.size, 2))
-    return found[: _find_intervals(edges, m, found)]
-
-
-@entry
-def _find_intervals(edges: Array, m: Array, found: Array) -> int:
-    contact = intervals(edges, m)
-    for k in range(contact.shape[0]):
-        found[k, 0], found[k, 1] = contact[k, 0], contact[k, 1]
-    return int(contact.shape[0])
+    return tuple(map(tuple, intervals(state.edges, state.m).tolist()))
 
 
 @compiled
 def intervals(edges: Array, m: Array) -> Array:
-    """Return the two ends of every interval in contact, where m, continued linearly, vanishes; shape (k, 2)."""
+    """Return the two ends of every interval in contact [mm], where m, continued linearly, vanishes; shape (k, 2)."""
     n = m.size
     found = np.empty((n, 2))
     count, first = 0, -1
@@ -224,9 +200,9 @@ def _end(edges: Array, m: Array, at: int, other: int, side: int) -> float:
     return float(side * min(side * (y + side * run), side * limit))
 
 
-@entry
-def lay_all(states: States, terrain: Terrain, extras: Array, fineness: Fineness, count: Indices, edges: Array) -> None:
-    """Lay the strips that coarser solutions call for.
+@compiled
+def lay_all(states: States, terrain: Terrain, extras: Array, fineness: Fineness) -> tuple[Indices, Array]:
+    """Return the strips that coarser solutions call for.
 
     Parameters
     ----------
@@ -238,25 +214,29 @@ def lay_all(states: States, terrain: Terrain, extras: Array, fineness: Fineness,
         Further places that need strips and the widths wanted there [mm], nan for none.
     fineness : Fineness
         How fine the grids are to be.
+
+    Returns
+    -------
     count : ndarray of int, shape (cases,)
-        Result: numbers of strips; zero for a state that has not converged.
+        Numbers of strips.
     edges : ndarray, shape (cases, n)
-        Result: edges [mm], padded with the last one.
+        Edges [mm], padded with the last one.
     """
-    shared = states.edges.shape[0] == 1
+    room = 4 * states.m.shape[1] + 64
+    for each in fineness.coarseness:
+        room = max(room, 4 * states.m.shape[1] + 64 + int(2 * fineness.limit / min(each, 1.0)))
+    count, edges = np.empty(states.status.size, np.int64), np.empty((states.status.size, room))
     for case in range(count.size):
-        count[case] = 0
-        row = 0 if shared else case
+        row = 0 if states.edges.shape[0] == 1 else case
         n = states.counts[row]
-        if states.status[case] != 0:
-            continue
         found = _laid(
             states.edges[row, : n + 1], states.m[case, :n], states.rigid[case], terrain, case, extras[case], fineness
         )
-        used = min(found.size, edges.shape[1])
+        used = min(found.size, room)
         count[case] = used - 1
-        for i in range(edges.shape[1]):
+        for i in range(room):
             edges[case, i] = found[min(i, used - 1)]
+    return count, edges
 
 
 @compiled

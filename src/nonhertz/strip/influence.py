@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonhertz.bodies.influence import Influence
-from nonhertz.compiled import compiled, entry
+from nonhertz.compiled import compiled
 from nonhertz.strip.element import POWERS, POWERS_AT, REMOTE, Element, evaluate, evaluate_displacement
 from nonhertz.strip.free_end import AWAY, TABLE_SIZE, Four, far_terms, far_whole, free_end, free_end_table
 from nonhertz.strip.records import Array, Flags, Indices, Law, Strips
@@ -81,8 +81,8 @@ def remote_of(strips: Strips, law: Law, widest: float) -> Remote:
                 distance[i] = left - y[i]
             for i in range(after, n):
                 distance[i] = y[i] - right
-            _add_far(powers[j], 0, before, distance, width, weight, widest, work)
-            _add_far(powers[j], after, n, distance, width, weight, widest, work)
+            for begin, end in ((0, before), (after, n)):
+                _add_far(powers[j], begin, end, distance, width, weight, widest, work)
     for k in range(law.faces.shape[0]):
         at = terms.shape[0] + k
         _add_beyond_face(strips, law.faces[k], law.face_tables, widest, powers, first[at], beyond[at])
@@ -327,20 +327,18 @@ def law_of(influence: Influence, element: Element) -> Law:
 def displacements(influence: Influence, y: Array, edges: Array, r: Array, m: Array, element: Element) -> Array:
     """Return the displacement per unit of compliance at several places ``y``, relative to the points at depth."""
     at_depth: Array = influence.at_depth(y, edges) @ (r * m)
-    raised = np.empty(y.size)
-    _on_the_surface(y, edges[:-1], edges[1:], r, m, law_of(influence, element), raised)
-    return raised - at_depth
+    return _on_the_surface(y, edges, r, m, law_of(influence, element)) - at_depth
 
 
-@entry
-def _on_the_surface(places: Array, low: Array, high: Array, r: Array, m: Array, law: Law, result: Array) -> None:
-    for i in range(places.size):
-        result[i] = 0.0
+@compiled
+def _on_the_surface(places: Array, edges: Array, r: Array, m: Array, law: Law) -> Array:
+    result = np.zeros(places.size)
     for j in range(m.size):
         if m[j] > 0.0:
             inverse, q = 1.0 / math.sqrt(m[j]), r[j] * m[j]
             for i in range(places.size):
-                result[i] += q * seen(places[i], low[j], high[j], inverse, law)
+                result[i] += q * seen(places[i], edges[j], edges[j + 1], inverse, law)
+    return result
 
 
 @compiled

@@ -18,7 +18,7 @@ from itertools import product
 
 import numpy as np
 
-from nonhertz.compiled import compiled, entry
+from nonhertz.compiled import compiled
 from nonhertz.errors import InputError
 from nonhertz.strip.acceptance import steadily
 from nonhertz.strip.feasible import (
@@ -29,7 +29,7 @@ from nonhertz.strip.feasible import (
     refuse_infeasible,
     refuse_no_contact,
 )
-from nonhertz.strip.grid import Fineness, Terrain, intervals_of, lay_all, reaching, turns_at, uniform
+from nonhertz.strip.grid import Fineness, Terrain, intervals, lay_all, reaching, turns_at, uniform
 from nonhertz.strip.newton import ROUGH_TOLERANCE, TOLERANCE
 from nonhertz.strip.overlaps import SAMPLES, overlaps, suspects
 from nonhertz.strip.problem import Problem, padded_rows, row_of, settled, sprung
@@ -247,9 +247,7 @@ class Refinement:
         for fewer in FEWER_STRIPS:
             laid = states.only(left)
             fineness = Fineness(self.coarseness[left], fewer * share, STRIP_LIMIT)
-            room = int(2 * STRIP_LIMIT / min(float(self.coarseness.min()), 1.0)) + 4 * states.m.shape[1] + 64
-            count, edges = np.zeros(left.size, dtype=np.int64), np.empty((left.size, room))
-            lay_all(laid, terrain.only(left), extras[left], fineness, count, edges)
+            count, edges = lay_all(laid, terrain.only(left), extras[left], fineness)
             tried = settled(
                 self.problem, count, np.ascontiguousarray(edges[:, : count.max() + 1]), self.targets[left],
                 near.only(left), tolerance=TOLERANCE if share == 1.0 else ROUGH_TOLERANCE,
@@ -305,6 +303,7 @@ class Refinement:
         return extras
 
 
+@compiled
 def _peaks(states: States, kinks: Array, accuracy: float) -> Array:
     """Return where the largest pressure is too pointed for its strips, and widths, shape (cases, 3, 2).
 
@@ -313,12 +312,6 @@ def _peaks(states: States, kinks: Array, accuracy: float) -> Array:
     mirror each other.
     """
     found = np.full((states.status.size, 3, 2), np.nan)
-    _find_peaks(states, kinks, accuracy, found)
-    return found
-
-
-@entry
-def _find_peaks(states: States, kinks: Array, accuracy: float, found: Array) -> None:
     for case in range(found.shape[0]):
         row = 0 if states.edges.shape[0] == 1 else case
         n, edges = states.counts[row], states.edges[row]
@@ -343,6 +336,7 @@ def _find_peaks(states: States, kinks: Array, accuracy: float, found: Array) -> 
                         wanted = np.nan  # there it has no limit
                 if not math.isnan(wanted):
                     found[case, 0, side], found[case, 1, side], found[case, 2, side] = place, wanted, wide
+    return found
 
 
 @compiled
@@ -355,20 +349,15 @@ def _wanted_at_peak(edges: Array, pressure: Array, at: int, accuracy: float) -> 
     return float(width * max(math.sqrt(POINTED * accuracy / sagitta), LEAST_AT_PEAK))
 
 
+@compiled
 def cusps(pressure: Array) -> Array:
-    """Return how high summits may reach that are narrower than their strips, zero for all others; shape (..., n)."""
-    rows = np.ascontiguousarray(pressure).reshape(-1, pressure.shape[-1])
-    found = np.zeros(rows.shape)
-    _find_cusps(rows, found)
-    return found.reshape(pressure.shape)
-
-
-@entry
-def _find_cusps(pressure: Array, found: Array) -> None:
+    """Return how high summits may reach that are narrower than their strips, zero for all others; shape (cases, n)."""
+    found = np.zeros(pressure.shape)
     for case in range(pressure.shape[0]):
         for i in range(1, pressure.shape[1] - 1):
             if _is_cusp(pressure[case], i) and _is_summit(pressure[case], i):
                 found[case, i] = pressure[case, i] * (1.0 + CUSP * _sagitta(pressure[case], i))
+    return found
 
 
 @compiled
@@ -425,7 +414,7 @@ def _located(problem: Problem, interval: Interval, finite: Interval, targets: Ar
 
 def _narrower(state: States, interval: Interval) -> Interval | None:
     """Return where to look again for a contact that fills little of its strips or is cut off; None if it need not."""
-    contact = intervals_of(state)
+    contact = intervals(state.edges, state.m)
     first, last = float(contact[0, 0]), float(contact[-1, 1])
     low, high = float(state.edges[0]), float(state.edges[-1])
     cut = (state.m[0] > 0.0 and low > interval[0]) or (state.m[-1] > 0.0 and high < interval[1])

@@ -10,8 +10,8 @@ import math
 
 import numpy as np
 
-from nonhertz.compiled import compiled, entry
-from nonhertz.strip.grid import intervals, intervals_of
+from nonhertz.compiled import compiled
+from nonhertz.strip.grid import intervals
 from nonhertz.strip.influence import displacements
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import CONVERGED, Array, Flags, States
@@ -38,19 +38,18 @@ def suspects(problem: Problem, states: States, interval: tuple[float, float]) ->
     Away from a contact the displacement falls, so that another one needs a summit of the undeformed overlap, or the
     end of the bodies.
     """
-    y, h = problem.surveyed(*interval, SAMPLES)
-    found = np.zeros(states.status.size, dtype=bool)
-    _find_suspects(states, y, h, found)
-    return found
+    return _suspected(states, *problem.surveyed(*interval, SAMPLES))
 
 
-@entry
-def _find_suspects(states: States, y: Array, h: Array, found: Flags) -> None:
+@compiled
+def _suspected(states: States, y: Array, h: Array) -> Flags:
+    found = np.empty(states.status.size, np.bool_)
     for case in range(found.size):
         row = 0 if states.edges.shape[0] == 1 else case
         n = states.counts[row]
         contact = intervals(states.edges[row, : n + 1], states.m[case, :n])
         found[case] = states.status[case] == CONVERGED and _has_summit_apart(contact, states.rigid[case], y, h)
+    return found
 
 
 @compiled
@@ -135,7 +134,7 @@ def overlapping(problem: Problem, state: States, interval: tuple[float, float]) 
         Places [mm], ascending, and depths [mm]: zero in contact and beside it, negative where the undeformed surfaces
         are apart.
     """
-    contact = intervals_of(state)
+    contact = intervals(state.edges, state.m)
     margin = BESIDE * (contact[:, 1:] - contact[:, :1])
     if len(contact) == 1 and contact[0, 0] - margin[0] <= interval[0] and contact[0, 1] + margin[0] >= interval[1]:
         return np.zeros(0), np.zeros(0)

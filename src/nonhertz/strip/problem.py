@@ -9,7 +9,6 @@ from functools import cached_property
 import numpy as np
 
 from nonhertz.bodies.influence import Influence
-from nonhertz.compiled import entry
 from nonhertz.strip.element import Element
 from nonhertz.strip.influence import law_of
 from nonhertz.strip.newton import TOLERANCE
@@ -187,11 +186,7 @@ def sprung(problem: Problem, edges: Array) -> States:
     count, rows = row_of(edges)
     found = States.unsolved(count, rows, 1)
     # Springs do not move one another: thousands of them stand here without a matrix of all by all.
-    _sprung(problem.grids(count, rows, at_rest=True), Given(problem.prescribed, problem.target), problem.law, found)
+    strips, sought = strips_of(problem.grids(count, rows, at_rest=True), 0), sought_of(found, 0, edges.size - 1)
+    springs(strips, Given(problem.prescribed, problem.target), problem.law, sought)
     found.status[0] = ITERATION_LIMIT
     return found.one(0)
-
-
-@entry
-def _sprung(grids: Grids, given: Given, law: Law, found: States) -> None:
-    springs(strips_of(grids, 0), given, law, sought_of(found, 0, grids.counts[0]))

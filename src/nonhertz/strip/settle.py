@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from nonhertz.compiled import compiled, entry
+from nonhertz.compiled import compiled
 from nonhertz.strip.influence import Remote, remote_of
 from nonhertz.strip.newton import ROOM, TOLERANCE, followed, newton
 from nonhertz.strip.records import CONVERGED, STAGNATED, Array, Effort, Given, Grids, Law, Sought, States, Strips
@@ -26,7 +26,7 @@ HOPELESS, BEYOND_HELP, SCARCELY = 0.7, 2.0, 4.0
 RISES = 40
 
 
-@entry
+@compiled
 def settle_all(
     grids: Grids, given: Given, law: Law, near: States, found: States, tolerance: float, patient: bool
 ) -> None:
@@ -88,7 +88,7 @@ def settle_all(
         found.status[case], found.steps[case], found.residual[case] = status, steps, residual
 
 
-@entry
+@compiled
 def follow(grids: Grids, given: Given, law: Law, remote: Remote, widest: Array, found: States, answer: Array) -> bool:
     """Let a solved case follow another approach and tilt on its strips; return whether it did, else it is unchanged.
 

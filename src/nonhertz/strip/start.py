@@ -161,8 +161,8 @@ def prolong(near_y: Array, near: Sought, strips: Strips, given: Given, sought: S
     the line, so that strips of the other grid are in or out of contact according to where it really ends.
     """
     extended = near.m.copy()
-    _continue_past_ends(near_y, near.m, 1, extended)
-    _continue_past_ends(near_y, near.m, -1, extended)
+    for side in (1, -1):
+        _continue_past_ends(near_y, near.m, side, extended)
     bearing = touching(near.m)
     any_touches = False
     left, left_bearing = 0, 0

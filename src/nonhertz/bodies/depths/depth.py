@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies.quarter_space import free_face
-from nonhertz.compiled import compiled, entry
+from nonhertz.compiled import compiled
 
 if TYPE_CHECKING:
     from nonhertz.bodies.images import Images
@@ -135,9 +135,8 @@ class PointsAtDepth:
         """Return the displacement at depth under ``y`` per unit of K q of each strip, shape (..., places, strips)."""
         shape = (*y.shape, edges.shape[-1] - 1)
         places, ends = (np.ascontiguousarray(each).reshape(-1, each.shape[-1]) for each in (y, edges))
-        found = np.empty((len(places), *shape[-2:]))
         depth = self.below(places.ravel()).reshape(places.shape)
-        _at_depth(places, depth, ends, self.poisson_factor, self.terms, found)
+        found = _at_depth(places, depth, ends, self.poisson_factor, self.terms)
         if self.faces.size:
             _at_depth_by_faces(places, depth, ends, self.poisson_factor, self.faces, self.over_image, found)
         if self.far is not None:
@@ -145,9 +144,10 @@ class PointsAtDepth:
         return found.reshape(shape)
 
 
-@entry
-def _at_depth(y: Array, depth: Array, edges: Array, poisson_factor: float, terms: Array, out: Array) -> None:
-    """Fill in the displacement at depth under each place by a unit line load between neighbouring edges."""
+@compiled
+def _at_depth(y: Array, depth: Array, edges: Array, poisson_factor: float, terms: Array) -> Array:
+    """Return the displacement at depth under each place by a unit line load between neighbouring edges."""
+    out = np.empty((y.shape[0], y.shape[1], edges.shape[1] - 1))
     for row in range(y.shape[0]):
         widest = 0.0
         for e in range(1, edges.shape[1]):
@@ -157,9 +157,10 @@ def _at_depth(y: Array, depth: Array, edges: Array, poisson_factor: float, terms
                 _by_quadrature(y[row, i], depth[row, i], edges[row], poisson_factor, terms, out[row, i])
             else:
                 _by_closed_form(y[row, i], depth[row, i], edges[row], poisson_factor, terms, out[row, i])
+    return out
 
 
-@entry
+@compiled
 def _at_depth_by_faces(
     y: Array, depth: Array, edges: Array, poisson_factor: float, faces: Array, over_image: Array, out: Array
 ) -> None:
