@@ -25,7 +25,7 @@ def interpret(monkeypatch, **replaced):
 
     Machine code calls machine code: what is replaced is met only by those that the interpreter runs.
     """
-    for name in ("loop", "retry", "raise_load", "settle_all"):
+    for name in ("loop", "settle_all"):
         function = getattr(settle, name)
         monkeypatch.setattr(settle, name, getattr(function, "py_func", function))  # plain where nothing is compiled
     monkeypatch.setattr(problem, "settle_all", settle.settle_all)

@@ -11,7 +11,7 @@ from nonhertz.strip import settle
 from nonhertz.strip.influence import blank_remote
 from nonhertz.strip.newton import TOLERANCE
 from nonhertz.strip.problem import row_of
-from nonhertz.strip.records import CONVERGED, STAGNATED, Given, States
+from nonhertz.strip.records import CONVERGED, STAGNATED, Effort, Given, States
 
 STRIPS = row_of(np.linspace(-10.0, 10.0, 22))
 
@@ -27,7 +27,8 @@ def raised(problem):
     grids, found = problem.grids(*STRIPS), States.unsolved(*STRIPS, 1)
     sought = settle.sought_of(found, 0, found.m.shape[1])
     given = Given(problem.prescribed, problem.target)
-    status, *_ = settle.raise_load(settle.strips_of(grids, 0), given, problem.law, sought, grids.shallowest[0])
+    effort = Effort(TOLERANCE, 1.0, True)
+    status, *_ = settle.loop(settle.strips_of(grids, 0), given, problem.law, sought, grids.shallowest[0], effort, True)
     return status, found.one(0)
 
 
@@ -40,14 +41,14 @@ def test_a_load_that_is_raised_arrives(problem):
 
 def test_before_a_rise_is_given_up_it_has_been_cut_to_a_thousandth_of_the_load(problem, monkeypatch):
     """Beyond three tenths of the load nothing converges."""
-    tried, loop = [], settle.loop
+    tried, newton = [], settle.newton
 
     def failing(strips, given, *others):
         share = float(given.target[0] / problem.target[0])
         tried.append(share)
-        return loop(strips, given, *others) if share <= 0.3 else (STAGNATED, 1, np.inf)
+        return newton(strips, given, *others) if share <= 0.3 else (STAGNATED, 1, np.inf)
 
-    interpret(monkeypatch, loop=failing)
+    interpret(monkeypatch, newton=failing)
     status, _ = raised(problem)
     assert status == STAGNATED
     beyond = min(share for share in tried if share > 0.3)

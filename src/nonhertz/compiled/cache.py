@@ -37,7 +37,7 @@ class Cache(CompileResultCacheImpl):
         if content is not None:
             return CompileResultCacheImpl.rebuild(self, target, pickle.loads(content))
         if hasattr(sys, "ps1") or (sys.stderr is not None and sys.stderr.isatty()):  # in a notebook or at a terminal
-            log_once("The first solve on a machine compiles the solver for half a minute, and for a whole bearing one.")
+            log_once("The first solve on a machine compiles the solver: a minute, or two for a whole bearing.")
         return None
 
     def save_overload(self, signature: Any, result: Any) -> None:

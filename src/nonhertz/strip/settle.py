@@ -24,6 +24,8 @@ LEAST_RISE = 1e-3  # of the load: a smaller increment is not attempted
 # thin body.
 HOPELESS, BEYOND_HELP, SCARCELY = 0.7, 2.0, 4.0
 RISES = 40
+# Starts, in the order in which they are tried.
+BEFORE, NEAR, SPRINGS, TOGETHER, SHORTENED, RAISED, STARTS = range(7)
 
 
 @compiled
@@ -49,43 +51,101 @@ def settle_all(
     patient : bool
         Whether to try hard.
     """
-    shared, final = grids.counts.size == 1, tolerance == TOLERANCE
     for case in range(given.target.shape[0]):
-        strips = strips_of(grids, 0 if shared else case)
-        asked = Given(given.by_force, given.target[case])
-        n = strips.y.size
-        sought = sought_of(found, case, n)
+        row = 0 if grids.counts.size == 1 else case
+        strips, shallowest = strips_of(grids, row), grids.shallowest[row]
+        asked, n = Given(given.by_force, given.target[case]), strips.y.size
         if not within_reach(strips, asked):
             continue
-        shallowest = grids.shallowest[0 if shared else case]
-        effort = Effort(tolerance, 1.0, True)
+        sought, trial = sought_of(found, case, n), blank_sought(n)
         status, steps, residual = STAGNATED, 0, np.inf
-        before = case - 1
-        # On the way to a grid of its own a case depends on no other.
-        if shared and final and case > 0 and found.status[before] == CONVERGED:
-            half = 0.5 * (strips.high[-1] - strips.low[0])
-            previous = sought_of(found, before, n)
-            if nearby(asked, given.target[before], previous.rigid[0], half):
-                take(previous, sought)
-                for k in range(2):
-                    sought.rigid[k] = previous.rigid[k] if asked.by_force[k] else asked.target[k]
-                status, steps, residual = loop(strips, asked, law, sought, shallowest, effort)
-        if status != CONVERGED and near.status.size > 0 and near.status[case] == CONVERGED:
-            row = 0 if near.edges.shape[0] == 1 else case
-            count = near.counts[row]
-            near_y = np.empty(count)
-            for i in range(count):
-                near_y[i] = 0.5 * (near.edges[row, i + 1] + near.edges[row, i])
-            if prolong(near_y, sought_of(near, case, count), strips, asked, sought):
-                status, steps, residual = loop(strips, asked, law, sought, shallowest, effort)
-        if status != CONVERGED:
-            springs(strips, asked, law, sought)
-            status, steps, residual = loop(strips, asked, law, sought, shallowest, effort)
-        if status != CONVERGED and patient:
-            status, steps, residual = retry(
-                strips, asked, law, sought, shallowest, tolerance, (status, steps, residual)
+        for start in range(STARTS if patient else TOGETHER):
+            if start == BEFORE:
+                # On the way to a grid of its own a case depends on no other.
+                possible = grids.counts.size == 1 and tolerance == TOLERANCE and case > 0
+                possible = possible and _from_before(strips, given, found, case, trial)
+            elif start == NEAR:
+                possible = near.status.size > 0 and near.status[case] == CONVERGED
+                possible = possible and _from_near(strips, asked, near, case, trial)
+            else:
+                springs(strips, asked, law, trial)
+                possible = start < SHORTENED or not too_thin(shallowest, law, trial.m, BEYOND_HELP)
+                possible = possible and (start < RAISED or asked.by_force[0])
+            if not possible:
+                continue
+            effort = Effort(
+                tolerance if start < RAISED else TOLERANCE, 0.5 if start == SHORTENED else 1.0, start != TOGETHER
             )
+            # In this one place alone: wherever else the loop was called, it would be compiled again.
+            again, more, left = loop(strips, asked, law, trial, shallowest, effort, start == RAISED)
+            if start <= SPRINGS or again == CONVERGED or left < residual:
+                take(trial, sought)
+                status, steps, residual = again, more, left
+            if status == CONVERGED:
+                break
         found.status[case], found.steps[case], found.residual[case] = status, steps, residual
+
+
+@compiled
+def _from_before(strips: Strips, given: Given, found: States, case: int, sought: Sought) -> bool:
+    """Begin where the case before ended; return whether it is similar enough."""
+    before, asked = case - 1, Given(given.by_force, given.target[case])
+    previous = sought_of(found, before, strips.y.size)
+    half = 0.5 * (strips.high[-1] - strips.low[0])
+    if found.status[before] != CONVERGED or not nearby(asked, given.target[before], previous.rigid[0], half):
+        return False
+    take(previous, sought)
+    for k in range(2):
+        sought.rigid[k] = previous.rigid[k] if asked.by_force[k] else asked.target[k]
+    return True
+
+
+@compiled
+def _from_near(strips: Strips, asked: Given, near: States, case: int, sought: Sought) -> bool:
+    """Begin with the solution on other strips; return whether any strip is in contact."""
+    row = 0 if near.edges.shape[0] == 1 else case
+    count = near.counts[row]
+    y = np.empty(count)
+    for i in range(count):
+        y[i] = 0.5 * (near.edges[row, i + 1] + near.edges[row, i])
+    return prolong(y, sought_of(near, case, count), strips, asked, sought)
+
+
+@compiled
+def loop(
+    strips: Strips, given: Given, law: Law, sought: Sought, shallowest: Array, effort: Effort, raised: bool
+) -> tuple[int, int, float]:
+    """Run the Newton loop from where ``sought`` stands, unless a body is thinner there than its contact is wide.
+
+    If the load is to be ``raised``, it runs from springs under a small one, and on in steps as large as it allows. A
+    state that converged only at a share of the load is not a solution and is not marked as one.
+    """
+    reached, share, steps = 0.0, 0.01 if raised else 1.0, 0
+    last, asked = blank_sought(sought.m.size), Given(given.by_force, np.empty(2))
+    for _ in range(RISES if raised else 1):
+        for k in range(2):
+            asked.target[k] = share * given.target[k] if given.by_force[k] else given.target[k]
+        if reached > 0.0:
+            take(last, sought)
+        elif raised:
+            springs(strips, asked, law, sought)
+        for i in range(sought.m.size):
+            sought.gap[i] = 0.0
+        for i in range(4):
+            sought.stiffness[i // 2, i % 2] = 0.0
+        status, steps, residual = STAGNATED, 0, np.inf
+        if not too_thin(shallowest, law, sought.m, HOPELESS):
+            status, steps, residual = newton(strips, asked, law, sought, effort)
+        if not raised or (status == CONVERGED and share == 1.0):
+            return status, steps, residual
+        if share - reached < LEAST_RISE:
+            break
+        if status == CONVERGED:
+            take(sought, last)
+            reached, share = share, min(1.0, 2.0 * share)
+        else:
+            share = 0.5 * (reached + share)
+    return STAGNATED, steps, np.inf
 
 
 @compiled
@@ -151,20 +211,6 @@ def _foresee(strips: Strips, given: Given, sought: Sought) -> None:
 
 
 @compiled
-def loop(
-    strips: Strips, given: Given, law: Law, sought: Sought, shallowest: Array, effort: Effort
-) -> tuple[int, int, float]:
-    """Run the Newton loop from where ``sought`` stands, unless a body is thinner there than its contact is wide."""
-    for i in range(sought.m.size):
-        sought.gap[i] = 0.0
-    for i in range(4):
-        sought.stiffness[i // 2, i % 2] = 0.0
-    if too_thin(shallowest, law, sought.m, HOPELESS):
-        return STAGNATED, 0, np.inf
-    return newton(strips, given, law, sought, effort)
-
-
-@compiled
 def too_thin(shallowest: Array, law: Law, m: Array, least: float) -> bool:
     """Return whether a body is less than ``least`` half-widths deep.
 
@@ -175,67 +221,6 @@ def too_thin(shallowest: Array, law: Law, m: Array, least: float) -> bool:
     for i in range(m.size):
         thin = thin or shallowest[i] < least * law.hertz_ratio * math.sqrt(m[i])
     return thin
-
-
-@compiled
-def retry(
-    strips: Strips,
-    given: Given,
-    law: Law,
-    sought: Sought,
-    shallowest: Array,
-    tolerance: float,
-    ended: tuple[int, int, float],
-) -> tuple[int, int, float]:
-    """Try harder at a case that did not converge; leave the best state that was reached."""
-    status, steps, residual = ended
-    other = blank_sought(sought.m.size)
-    for attempt in range(2):
-        springs(strips, given, law, other)
-        if attempt == 1 and too_thin(shallowest, law, other.m, BEYOND_HELP):
-            return status, steps, residual
-        effort = Effort(tolerance, 1.0, False) if attempt == 0 else Effort(tolerance, 0.5, True)
-        again, more, left = loop(strips, given, law, other, shallowest, effort)
-        if again == CONVERGED or left < residual:
-            take(other, sought)
-            status, steps, residual = again, more, left
-        if status == CONVERGED:
-            return status, steps, residual
-    if given.by_force[0]:
-        again, more, left = raise_load(strips, given, law, other, shallowest)
-        if again == CONVERGED:
-            take(other, sought)
-            return again, more, left
-    return status, steps, residual
-
-
-@compiled
-def raise_load(strips: Strips, given: Given, law: Law, sought: Sought, shallowest: Array) -> tuple[int, int, float]:
-    """Raise the load from a small one, in steps as large as the loop allows; return how it ended at the full load.
-
-    A state that converged only at a fraction of the load is not a solution and is not marked as one.
-    """
-    reached, share, steps = 0.0, 0.01, 0
-    last, target = blank_sought(sought.m.size), np.empty(2)
-    for _ in range(RISES):
-        for k in range(2):
-            target[k] = share * given.target[k] if given.by_force[k] else given.target[k]
-        asked = Given(given.by_force, target)
-        if reached > 0.0:
-            take(last, sought)
-        else:
-            springs(strips, asked, law, sought)
-        status, steps, residual = loop(strips, asked, law, sought, shallowest, Effort(TOLERANCE, 1.0, True))
-        if status == CONVERGED and share == 1.0:
-            return status, steps, residual
-        if share - reached < LEAST_RISE:
-            break
-        if status == CONVERGED:
-            take(sought, last)
-            reached, share = share, min(1.0, 2.0 * share)
-        else:
-            share = 0.5 * (reached + share)
-    return STAGNATED, steps, np.inf
 
 
 @compiled

@@ -30,7 +30,7 @@ export async function watchProgram(tell, place = "status") {
       return;
     }
     if (asked === USUAL)
-      tell("The solver is being compiled, which takes half a minute the first time. The result will appear by itself.");
+      tell("The solver is being compiled, which takes about a minute the first time. The result will appear by itself.");
     await new Promise((done) => window.setTimeout(done, AGAIN));
   }
 }
