@@ -43,7 +43,7 @@ ENOUGH, NOISE = 0.9, 0.02  # of those that ran, where no share is recorded; and 
 # Of a test and of all of a group together, with compilation switched off and with it.
 LONGEST_TEST = {True: 1.0, False: 10.0}  # s
 LONGEST_ROUND = {True: 25.0, False: 60.0}  # s
-SLOWED = 10.0  # by other programs: waited for so many times as long as the processor is needed
+SLOWED = 4.0  # by other programs: waited for so many times as long as the processor is needed
 FINDING_OUT = 300.0  # s, for the tests of a group on the sources as they are
 COMPILING = 240.0  # s, added to the time of the tests before a compiled mutant is taken to hang
 
