@@ -37,6 +37,8 @@ HEAD = ("claims", "compared with", "tolerance", "largest difference")
 def filled(page: str, sections: Sequence[Section]) -> str:
     """Return a page with the numbers of its claims."""
     checks = [check for section in sections for check in section.checks]
+    if begins := re.search(r"^<!-- (off|found) .*", page, re.MULTILINE):
+        raise ValueError(f"Markdown takes a line that begins with a comment for HTML: {begins[0]}")
 
     def number(place: re.Match[str]) -> str:
         of = place["of"].split(",")
