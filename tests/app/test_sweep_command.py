@@ -138,7 +138,7 @@ def changed(file: Path) -> int:
 def test_killed_at_random_moments_no_row_is_lost_or_doubled(folder):
     subprocess.run(command("--out", "whole"), check=True, stdout=subprocess.DEVNULL, timeout=300)
     store, seed, there = folder / "killed" / "rows.sqlite3", random.Random(5), [0]
-    for kill in range(20):
+    for kill in range(12):
         running = subprocess.Popen(command("--out", "killed", "--workers", "1"), stdout=subprocess.DEVNULL)
         # Some while it starts, the others at any moment after some more portions; while it runs, the rows are locked.
         written, awaited = {changed(store)}, 0 if kill % 5 == 4 else seed.randrange(2, 6)
