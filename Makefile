@@ -48,7 +48,7 @@ mutants: $(READY)
 	$(BIN)/python tests/mutation/run.py $(MUTANTS) --out out/mutants
 
 campaign: $(READY)
-	$(BIN)/python -m pytest -n auto -rP -m campaign tests
+	$(BIN)/python -m pytest -n auto --dist loadgroup -rP -m campaign tests
 
 # Many hours of one core: the campaigns whole, 100,000 contacts with mirror images, scaled twins and batches among them.
 campaign-all: $(READY)
