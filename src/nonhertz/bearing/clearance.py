@@ -16,7 +16,6 @@ the rings are neglected, and so is how far they slip. The clearance is
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from nonhertz.bearing.bearings import (
@@ -178,7 +177,10 @@ def _strain(name: str, expansion: float | None, material: Material, temperature:
 
 def _density(name: str, density: float | None, material: Material, speed: float) -> float:
     """Return the density of a turning part [t/mm^3]; 0 where it does not matter."""
-    found = density_of(material) if density is None else density
+    if density is not None:
+        positive(name, density, _IN_TONNES)
+        return density
+    found = density_of(material)
     if found is None and speed > 0.0:
         condition = f"be given for a turning part of {given(material.modulus)} MPa, which is not steel"
         raise InputError(name, None, condition, _IN_TONNES)
@@ -374,16 +376,9 @@ def operating_clearance(
     for name, value in temperatures.items():
         _check_temperature(f"{name}_temperature", value)
     not_negative("speed", speed, "give that of the inner ring in 1/min")
-    if ring_density is not None:
-        positive("ring_density", ring_density, _IN_TONNES)
-    turning_densities = [
-        _density(name, density, part.material, speed)
-        for name, density, part in (
-            ("shaft.density", shaft.density, shaft),
-            ("ring_density", ring_density, bearing.inner),
-        )
-    ]
-    fits = _fits(bearing, shaft, housing, turning_densities)
+    of_shaft = _density("shaft.density", shaft.density, shaft.material, speed)
+    of_ring = _density("ring_density", ring_density, bearing.inner.material, speed)
+    fits = _fits(bearing, shaft, housing, (of_shaft, of_ring))
     on_shaft, inner, outer, in_housing, of_rollers = (
         _strain(name, expansion, part.material, temperature)
         for name, expansion, part, temperature in (
@@ -538,7 +533,9 @@ class _Joint:
         return math.sqrt(overlap / self.parting) / _PER_MINUTE if self.on_shaft and self.parting > 0.0 else math.inf
 
 
-def _fits(bearing: RollerBearing, shaft: Shaft, housing: Housing, densities: Sequence[float]) -> tuple[_Joint, _Joint]:
+def _fits(
+    bearing: RollerBearing, shaft: Shaft, housing: Housing, densities: tuple[float, float]
+) -> tuple[_Joint, _Joint]:
     inner, outer = (0.5 * abs(float(ring.diameter)) for ring in (bearing.inner, bearing.outer))  # type: ignore[arg-type]
     seat, bore = 0.5 * shaft.diameter, 0.5 * housing.diameter
     on_shaft = _Joint(
