@@ -30,7 +30,7 @@ from nonhertz.bearing.section import raceway_motion, ring_motion
 from nonhertz.bearing.strips import StripLaw
 from nonhertz.verify import known_bearings as known
 from nonhertz.verify.bearing_sums import sums_in_space
-from nonhertz.verify.claim import Claim, series, solved
+from nonhertz.verify.claim import Claim, Evidence, series, solved
 
 Array = NDArray[np.float64]
 Method = Literal["strips", "slices"]
@@ -56,7 +56,7 @@ def claims() -> Iterator[Claim]:
     for exponent, *_ in known.SPREADS:
         yield from _of_many(exponent)
     for case in known.LAMINA_CASES:
-        yield from laminae(case)
+        yield from _laminae(case)
     yield Claim(
         "L10", _STANDARD, known.LAMINA_BASIC_LIFE, lambda: _lamina_life(known.LAMINA_CASES[-1], "standard").basic, 0.06,
         "million", absolute=True,
@@ -64,13 +64,20 @@ def claims() -> Iterator[Claim]:
     yield from _loads()
     yield from _ratings()
     for kappa, row in known.LIFE_FACTORS.items():
-        yield from _factors(kappa, row)
+        yield from series(
+            [f"a_ISO at kappa = {kappa:g} and e_C C_u / P = {limit:g}" for limit in known.LIMITS],
+            "five public programs", row, functools.partial(_life_factors, kappa), 5.1e-4, absolute=True,
+            why="all their digits",
+        )  # fmt: skip
     yield from _lives()
-    yield from by_hand()
+    yield from _by_hand()
     for method in METHODS:
-        yield from in_space(method)
+        yield from _in_space(method)
     for method in METHODS:
-        yield derivatives(method)
+        yield Claim(
+            f"HR30306J, {method}: largest error of K_ij, over the root of K_ii K_jj", "differences of forces", 0.0,
+            functools.partial(_derivative_off, method), 1e-6, absolute=True,
+        )  # fmt: skip
 
 
 # Very many rollers, between two rings without clearance
@@ -118,28 +125,27 @@ def _lamina_life(case: known.LaminaCase, edge_stress: Literal["none", "standard"
     return assess(_lamina_solution(case), edge_stress=edge_stress)
 
 
-def laminae(case: known.LaminaCase) -> Iterator[Claim]:
+def _laminae(case: known.LaminaCase) -> Iterator[Claim]:
     """Yield the numbers of one line of the example."""
-    name = case.name
+    of = Evidence(case.name, _STANDARD, functools.partial(_lamina_solution, case))
     if case.displacement is not None:
         digit = 6e-6 if case.displacement < 10.0 else 6e-5
-        yield Claim(
-            f"{name}: displacement", _STANDARD, case.displacement,
-            lambda: 1e3 * float(_lamina_solution(case).displacement[1]), digit, "um", absolute=True,
+        yield of.claim(
+            "displacement", lambda found: 1e3 * found.displacement[1], digit, "um", expected=case.displacement,
+            absolute=True,
         )  # fmt: skip
-    rollers = range(len(case.loads))
     yield from series(
-        [f"{name}: load of roller {number}" for number in rollers], _STANDARD, case.loads,
-        lambda: list(_lamina_solution(case).load[:, 0]), 0.006, "N", absolute=True,
+        [f"{of.name}: load of roller {number}" for number in range(len(case.loads))], _STANDARD, case.loads,
+        lambda: of.found().load[:, 0], 0.006, "N", absolute=True,
     )  # fmt: skip
     digit = 0.6 if case.life > 1e4 else 0.06
-    yield Claim(
-        f"{name}: L10r, f = 1", _STANDARD, case.life, lambda: _lamina_life(case, "none").reference, digit, "million",
+    yield of.claim(
+        "L10r, f = 1", lambda _: _lamina_life(case, "none").reference, digit, "million", expected=case.life,
         absolute=True,
     )  # fmt: skip
-    yield Claim(
-        f"{name}: L10r, edge function", _STANDARD, case.edged_life, lambda: _lamina_life(case, "standard").reference,
-        8e-5, "million", why="three of them are up to 6e-5 off, in the fifth digit: known, and not explained",
+    yield of.claim(
+        "L10r, edge function", lambda _: _lamina_life(case, "standard").reference, 8e-5, "million",
+        expected=case.edged_life, why="three of them are up to 6e-5 off, in the fifth digit: known, and not explained",
     )  # fmt: skip
 
 
@@ -164,24 +170,22 @@ def tapered_life(method: Method, edge_stress: Literal["none", "standard"]) -> Be
 
 
 def _loads() -> Iterator[Claim]:
-    def of(method: Method) -> Iterator[Claim]:
+    for method in ("slices", "strips"):
+        of = Evidence(f"HR30306J, {method}", _MASTA, functools.partial(tapered, method))
         for number, load in enumerate(known.MASTA.loads):
             # Of an idle roller there is no relative difference.
-            yield Claim(
-                f"HR30306J, {method}: load at {360.0 / 14 * number:.1f} degrees", _MASTA, load,
-                functools.partial(_outer_load, method, number), WITHIN[method] if load else 1.0, "N", absolute=not load,
+            yield of.claim(
+                f"load at {360.0 / 14 * number:.1f} degrees", functools.partial(_outer_load, number=number),
+                WITHIN[method] if load else 1.0, "N", expected=load, absolute=not load,
             )  # fmt: skip
-
-    yield from of("slices")
-    yield from of("strips")
     yield Claim(
         "HR30306J, slices: radial displacement", _RECOMPUTED, known.SLICES_DISPLACEMENT,
         lambda: 1e3 * float(tapered("slices").displacement[1]), 6e-3, "um", absolute=True,
     )  # fmt: skip
 
 
-def _outer_load(method: Method, number: int) -> float:
-    return float(tapered(method).load[number, 1])
+def _outer_load(solution: BearingSolution, number: int) -> float:
+    return float(solution.load[number, 1])
 
 
 def _ratings() -> Iterator[Claim]:
@@ -208,13 +212,8 @@ def _ratings() -> Iterator[Claim]:
     )  # fmt: skip
 
 
-def _factors(kappa: float, row: tuple[float, ...]) -> Iterator[Claim]:
-    quantities = [f"a_ISO at kappa = {kappa:g} and e_C C_u / P = {limit:g}" for limit in known.LIMITS]
-    source, why = "five public programs", "all their digits"
-    yield from series(
-        quantities, source, row, lambda: [life_factor(kappa, limit) for limit in known.LIMITS], 5.1e-4, absolute=True,
-        why=why,
-    )  # fmt: skip
+def _life_factors(kappa: float) -> list[float]:
+    return [life_factor(kappa, limit) for limit in known.LIMITS]
 
 
 def _lives() -> Iterator[Claim]:
@@ -222,30 +221,24 @@ def _lives() -> Iterator[Claim]:
 
     How MASTA sums up the laminae is not stated, and the difference is left open.
     """
-
-    def plain() -> float:
-        return tapered_life("slices", "none").reference
-
-    def edged() -> float:
-        return tapered_life("slices", "standard").reference
-
-    def factor() -> float:
-        return tapered_life("slices", "standard").life_factor or math.nan
-
-    own, program, million = "HR30306J, slices", "the program that quotes it", "million"
-    life, edged_life, factored = f"{own}: L10r, f = 1", f"{own}: L10r, edge function", f"{own}: a_ISO, edge function"
-    yield Claim(life, _RECOMPUTED, known.SLICES_LIFE, plain, 6e-3, million, absolute=True)
-    yield Claim(edged_life, _RECOMPUTED, known.SLICES_EDGED_LIFE, edged, 6e-3, million, absolute=True)
-    yield Claim(factored, _RECOMPUTED, known.SLICES_FACTOR, factor, 6e-3, absolute=True)
-    yield Claim(life, _MASTA, known.MASTA.life, plain, None, million)
-    yield Claim(edged_life, _MASTA, known.MASTA.life, edged, None, million)
-    yield Claim(
-        "HR30306J, strips: L10r, edge function", _MASTA, known.MASTA.life,
-        lambda: tapered_life("strips", "standard").reference, None, million,
-    )  # fmt: skip
-    yield Claim(edged_life, program, known.PROGRAM_LIFE, edged, None, million)
-    yield Claim(factored, _MASTA, known.MASTA.life_factor, factor, None)
-    yield Claim(factored, program, known.PROGRAM_FACTOR, factor, None)
+    plain, edged = (functools.partial(tapered_life, "slices", edges) for edges in ("none", "standard"))
+    by_strips = functools.partial(tapered_life, "strips", "standard")
+    life, factor, program = ("reference", "million"), ("life_factor", ""), "the program that quotes it"
+    for method, found, edges, (measure, unit), source, expected in (
+        ("slices", plain, "L10r, f = 1", life, _RECOMPUTED, known.SLICES_LIFE),
+        ("slices", edged, "L10r, edge function", life, _RECOMPUTED, known.SLICES_EDGED_LIFE),
+        ("slices", edged, "a_ISO, edge function", factor, _RECOMPUTED, known.SLICES_FACTOR),
+        ("slices", plain, "L10r, f = 1", life, _MASTA, known.MASTA.life),
+        ("slices", edged, "L10r, edge function", life, _MASTA, known.MASTA.life),
+        ("strips", by_strips, "L10r, edge function", life, _MASTA, known.MASTA.life),
+        ("slices", edged, "L10r, edge function", life, program, known.PROGRAM_LIFE),
+        ("slices", edged, "a_ISO, edge function", factor, _MASTA, known.MASTA.life_factor),
+        ("slices", edged, "a_ISO, edge function", factor, program, known.PROGRAM_FACTOR),
+    ):
+        recomputed = source is _RECOMPUTED
+        yield Evidence(f"HR30306J, {method}", source, found).claim(
+            edges, measure, 6e-3 if recomputed else None, unit, expected=expected, absolute=recomputed
+        )
 
 
 # NU 206 by contacts solved one at a time
@@ -263,23 +256,22 @@ def nu206_by_hand() -> tuple[float, Array]:
     return known.by_hand(known.nu206(), known.NU206_LOAD, known.NU206_TILT)
 
 
-def by_hand() -> Iterator[Claim]:
+def _by_hand() -> Iterator[Claim]:
     """Yield the displacement and the loads of the NU 206; the fourth roller is idle."""
-    source = "single contacts"
-    yield Claim(
-        "NU 206: displacement", source, lambda: 1e3 * nu206_by_hand()[0],
-        lambda: 1e3 * float(nu206("strips").displacement[1]), 1e-4, "um",
+    of = Evidence("NU 206", "single contacts", lambda: nu206("strips"))
+    yield of.claim(
+        "displacement", lambda found: 1e3 * found.displacement[1], 1e-4, "um",
+        expected=lambda: 1e3 * nu206_by_hand()[0],
     )  # fmt: skip
-    names = [f"NU 206: load at {360.0 / 13 * number:.1f} degrees" for number in range(4)]
-
-    def expected() -> list[float]:
-        return list(nu206_by_hand()[1])
-
-    def found() -> list[float]:
-        return list(nu206("strips").load[:, 0])
-
-    yield from series(names[:3], source, expected, found, 1e-4, "N")
-    yield Claim(names[3], source, lambda: expected()[3], lambda: found()[3], 0.1, "N", absolute=True)
+    idle = 3
+    yield from series(
+        [f"NU 206: load at {360.0 / 13 * number:.1f} degrees" for number in range(idle)], of.source,
+        lambda: nu206_by_hand()[1], lambda: of.found().load[:, 0], 1e-4, "N",
+    )  # fmt: skip
+    yield of.claim(
+        f"load at {360.0 / 13 * idle:.1f} degrees", lambda found: found.load[idle, 0], 0.1, "N",
+        expected=lambda: nu206_by_hand()[1][idle], absolute=True,
+    )  # fmt: skip
 
 
 # Forces in space, and their derivatives
@@ -291,36 +283,19 @@ def _pair(method: Method) -> BearingSolution:
     return solve(pair, axial=float(FORCE[0]), radial=FORCE[1:3], moment=FORCE[3:], speed=SPEED, method=method)
 
 
-def in_space(method: Method) -> Iterator[Claim]:
+def _in_space(method: Method) -> Iterator[Claim]:
     """Yield that the forces on two HR30306J are in balance, and have a potential."""
-
-    def found() -> list[float]:
-        sums, stiffness = sums_in_space(_pair(method)), _pair(method).stiffness
-        off = float(np.max(np.abs(sums.off(FORCE))))
-        return [sums.rollers_left, off, _largest(stiffness - stiffness.T, stiffness)]
-
-    quantities = [
-        "what is left of a roller's balance, over all loads",
-        "what the ring bears beside what is given, over all loads",
-        "largest K_ij - K_ji, over the root of K_ii K_jj",
-    ]
-    sources = ["sum of vectors", "sum of vectors", "forces with a potential"]
-    names = [f"two HR30306J, {method}: {quantity}" for quantity in quantities]
-    yield from series(names, sources, (0.0,) * 3, found, (1e-8, 1e-8, 1e-4), absolute=True)
-
-
-def derivatives(method: Method) -> Claim:
-    """Return that the stiffness of a row is the difference quotient of its forces."""
-
-    def off() -> float:
-        row = known.hr30306j()
-        found = solve(row, axial=float(ROW[0]), radial=ROW[1:3], tilt=ROW[3:], speed=SPEED, method=method)
-        held = _of_kept_strips(found) if method == "strips" else functools.partial(_of_slices, row)
-        return _derivative_off(held, found.displacement)
-
-    return Claim(
-        f"HR30306J, {method}: largest error of K_ij, over the root of K_ii K_jj", "differences of forces", 0.0, off,
-        1e-6, absolute=True,
+    of = Evidence(f"two HR30306J, {method}", "sum of vectors", lambda: sums_in_space(_pair(method)))
+    yield of.claim(
+        "what is left of a roller's balance, over all loads", "rollers_left", 1e-8, expected=0.0, absolute=True
+    )
+    yield of.claim(
+        "what the ring bears beside what is given, over all loads", lambda sums: np.max(np.abs(sums.off(FORCE))), 1e-8,
+        expected=0.0, absolute=True,
+    )  # fmt: skip
+    yield Evidence(of.name, "forces with a potential", lambda: _pair(method).stiffness).claim(
+        "largest K_ij - K_ji, over the root of K_ii K_jj", lambda K: _largest(K - K.T, K), 1e-4, expected=0.0,
+        absolute=True,
     )  # fmt: skip
 
 
@@ -330,9 +305,12 @@ def _largest(difference: Array, stiffness: Array) -> float:
     return float(np.max(np.abs(difference) / np.outer(size, size)))
 
 
-def _derivative_off(held: Callable[[Array], tuple[Array, Array]], ring: Array) -> float:
-    """Return the largest difference of the stiffness at a motion of the ring from the forces' difference quotient."""
-    lever = 2.0 / known.hr30306j().pitch
+def _derivative_off(method: Method) -> float:
+    """Return the largest difference of a row's stiffness and the difference quotient of its forces."""
+    row = known.hr30306j()
+    found = solve(row, axial=float(ROW[0]), radial=ROW[1:3], tilt=ROW[3:], speed=SPEED, method=method)
+    held = _of_kept_strips(found) if method == "strips" else functools.partial(_of_slices, row)
+    ring, lever = found.displacement, 2.0 / row.pitch
     steps = STEP * np.diag([1.0, 1.0, 1.0, lever, lever])
     stiffness = held(ring)[1]
     quotients = [(held(ring + step)[0] - held(ring - step)[0]) / (2.0 * np.sum(step)) for step in steps]

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import functools
 import math
+import operator
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, ParamSpec, TypeVar, cast
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from nonhertz.result.solution import Solution
 
 Value = float | Callable[[], float]
+Values = Sequence[float] | NDArray[np.float64]
 P = ParamSpec("P")
 T = TypeVar("T")
 
@@ -114,6 +116,46 @@ class Check:
 
 
 @dataclass(frozen=True)
+class Evidence:
+    """What several claims are about: a result, and its counterpart by another way if numbers are read from both.
+
+    Attributes
+    ----------
+    name : str
+        Words before each quantity.
+    source : str
+        That of its claims, unless they have their own.
+    found, expected : callable
+        Return the result and its counterpart. Without one each claim says what it expects.
+    """
+
+    name: str
+    source: str
+    found: Callable[[], Any]
+    expected: Callable[[], Any] | None = None
+
+    def claim(
+        self,
+        quantity: str,
+        measure: str | Callable[[Any], float],
+        tolerance: Value | None,
+        unit: str = "",
+        *,
+        expected: Value | None = None,
+        source: str = "",
+        absolute: bool = False,
+        why: str = "",
+    ) -> Claim:
+        """Return a claim about an attribute of the result, or about what a function finds in it."""
+        of = operator.attrgetter(measure) if isinstance(measure, str) else measure
+        counterpart = self.expected
+        by = expected if counterpart is None or expected is not None else lambda: of(counterpart())
+        assert by is not None, "evidence without a counterpart has claims that say what they expect"
+        words = f"{self.name}: {quantity}"
+        return Claim(words, source or self.source, by, lambda: of(self.found()), tolerance, unit, absolute, why)
+
+
+@dataclass(frozen=True)
 class Section:
     """The checks of a topic: its name, its title and the claims with their numbers."""
 
@@ -125,8 +167,8 @@ class Section:
 def series(
     quantities: Sequence[str],
     source: str | Sequence[str],
-    expected: Sequence[float] | Callable[[], Sequence[float]],
-    found: Callable[[], Sequence[float]],
+    expected: Values | Callable[[], Values],
+    found: Callable[[], Values],
     tolerance: float | Sequence[float | None] | None,
     unit: str | Sequence[str] = "",
     *,
@@ -135,7 +177,7 @@ def series(
 ) -> Iterator[Claim]:
     """Yield a claim for each of several numbers that are found together; sequences have an entry for each."""
 
-    def entry(values: Sequence[float] | Callable[[], Sequence[float]], place: int) -> Callable[[], float]:
+    def entry(values: Values | Callable[[], Values], place: int) -> Callable[[], float]:
         return lambda: float((values() if callable(values) else values)[place])
 
     for place, quantity in enumerate(quantities):
@@ -156,9 +198,9 @@ def named(section: str, claims: Iterable[Claim]) -> tuple[Claim, ...]:
     return tuple(found)
 
 
-def middle(solution: Solution, quantity: str) -> float:
-    """Return a quantity of the strip in the middle of a contact."""
-    return float(getattr(solution, quantity)[int(np.argmin(np.abs(solution.y)))])
+def in_middle(quantity: str) -> Callable[[Solution], float]:
+    """Return what reads a quantity of the strip in the middle of a contact."""
+    return lambda solution: float(getattr(solution, quantity)[int(np.argmin(np.abs(solution.y)))])
 
 
 def pressures(solution: Solution | PatchSolution, y: Sequence[float] | NDArray[np.float64]) -> list[float]:

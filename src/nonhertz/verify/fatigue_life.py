@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,7 @@ from nonhertz.model.profile import iso_logarithmic
 from nonhertz.patch import solve as solve_patch
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
-from nonhertz.verify.claim import Claim, solved
+from nonhertz.verify.claim import Claim, Evidence, solved
 from nonhertz.verify.subsurface_stress import mcewen
 
 Array = NDArray[np.float64]
@@ -29,7 +30,6 @@ DIAMETER, LENGTH, LOAD_ON_LINE = 10.0, 10.0, 10e3  # mm, N
 NARROW = 0.05  # mm: width of the outer two of three strips; a line contact is uniform along y and needs no more
 RING_DIAMETER, LOAD, TILT, CELLS = 80.0, 20e3, 0.5e-3, (192, 64)
 ROLLERS = 14
-_STANDARD = "ISO 281 and ISO/TS 16281, by public programs"
 _LIVES = (50000.0, 6500.0, 1000.0)  # h
 _HOURS = (40.0 / 60.0, 15.0 / 60.0, 5.0 / 60.0)  # of every load in a cycle of one hour
 BY_NAME: dict[str, Model] = {name: make() for name, make in MODELS.items()}
@@ -76,21 +76,26 @@ def claims() -> Iterator[Claim]:
     """Yield the claims."""
     for name in BY_NAME:
         yield from _exponents(name)
-    yield from of_line()
-    yield from of_standard()
-    for name in BY_NAME:
-        yield _on_grid(name)
-    for name in ("lundberg-palmgren", "iso-16281"):
-        yield _miner(name)
-
-
-def of_line() -> Iterator[Claim]:
-    """Yield the ideal integrals and lives of a line contact."""
     for model in BY_NAME.values():
         if isinstance(model, VolumeModel) and model.fatigue_limit == 0.0:
             yield _integral(model)
     for name in BY_NAME:
-        yield _ideal(name)
+        yield Evidence(name, "the ideal pressure", lives).claim(
+            "relative life of a line contact", _relative(name), 1e-3, expected=1.0
+        )
+    yield from _of_standard()
+    on_strips, on_grid = (functools.partial(tilted_lives, method) for method in ("strips", "cells"))
+    for name in BY_NAME:
+        of = Evidence(f"tilted roller, {name}", "plane grid", on_strips, on_grid)
+        yield of.claim("relative life", _relative(name), 5e-3)
+    by_hand = 1.0 / sum(hours / life for hours, life in zip(_HOURS, _LIVES, strict=True))
+    for name in ("lundberg-palmgren", "iso-16281"):
+        found = functools.partial(_under_three_loads, name)
+        yield Claim(f"{name}: life under three loads", "Palmgren & Miner, by hand", by_hand, found, 1e-4, "h")
+
+
+def _relative(name: str) -> Callable[[dict[str, Life]], float]:
+    return lambda found: found[name].relative
 
 
 def _exponents(name: str) -> Iterator[Claim]:
@@ -158,13 +163,7 @@ def _over(x: Array, z: Array, stress: str) -> Array:
     return np.asarray(np.maximum(vertex, values.max(axis=1)))
 
 
-def _ideal(name: str) -> Claim:
-    return Claim(
-        f"{name}: relative life of a line contact", "the ideal pressure", 1.0, lambda: lives()[name].relative, 1e-3
-    )
-
-
-def of_standard() -> Iterator[Claim]:
+def _of_standard() -> Iterator[Claim]:
     """Yield figures of the standards, in as many digits as are published."""
     inner, outer = (Raceway(10.0, 9.6, 65.0, inner) for inner in (True, False))
 
@@ -180,18 +179,28 @@ def of_standard() -> Iterator[Claim]:
         # Slices deform by the tilt times y: each as one contact deforms whose total load is that of the slice.
         return tilt * float(np.ptp(y) / np.ptp((slices.load * y.size) ** 0.9 / 20.0**0.8))
 
-    iso = "ISO/TS 16281"
-    yield Claim("ISO 281: b_m f_c", _STANDARD, 97.126, factor, 1e-5)
-    yield Claim("ISO 281: C_r", _STANDARD, 48416.8, lambda: inner.load_rating(ROLLERS), 1e-6, "N")
-    yield Claim(f"{iso}: Q_ci", _STANDARD, 11449.57, lambda: inner.capacity(ROLLERS), 1e-6, "N")
-    yield Claim(f"{iso}: Q_ce", _STANDARD, 17271.62, lambda: outer.capacity(ROLLERS), 1e-6, "N")
-    first = f"{iso}: edge stress of the first of 30 laminae"
-    yield Claim(first, _STANDARD, 2.3283, lambda: float(edge_function(30)[0]), 3e-5)
-    yield Claim(f"{iso}: edge stress of the second", _STANDARD, 1.1266, lambda: float(edge_function(30)[1]), 5e-5)
-    # Of one contact: delta = 3.9707e-5 mm Q^0.9 / L^0.8.
-    yield Claim(f"{iso}: yielding of one contact over Q^0.9 / L^0.8", _STANDARD, 3.9707e-5, yielding, 2e-5)
+    for quantity, expected, found, within, unit in (
+        ("ISO 281: b_m f_c", 97.126, factor, 1e-5, ""),
+        ("ISO 281: C_r", 48416.8, lambda: inner.load_rating(ROLLERS), 1e-6, "N"),
+        ("ISO/TS 16281: Q_ci", 11449.57, lambda: inner.capacity(ROLLERS), 1e-6, "N"),
+        ("ISO/TS 16281: Q_ce", 17271.62, lambda: outer.capacity(ROLLERS), 1e-6, "N"),
+        ("ISO/TS 16281: edge stress of the first of 30 laminae", 2.3283, lambda: edge_function(30)[0], 3e-5, ""),
+        ("ISO/TS 16281: edge stress of the second", 1.1266, lambda: edge_function(30)[1], 5e-5, ""),
+        # Of one contact: delta = 3.9707e-5 mm Q^0.9 / L^0.8.
+        ("ISO/TS 16281: yielding of one contact over Q^0.9 / L^0.8", 3.9707e-5, yielding, 2e-5, ""),
+    ):
+        yield Claim(quantity, "ISO 281 and ISO/TS 16281, by public programs", expected, found, within, unit)
     for name, ring, sign in (("inner", 55.0, -1.0), ("outer", -75.0, 1.0)):
         yield _constant(name, ring, sign)
+
+
+def _constant(name: str, ring: float, sign: float) -> Claim:
+    """Return that laminae loaded by their pressures are those of the standard with its constant 271."""
+    return Claim(
+        f"{name} ring, E = 210000: f q of the lamina that differs most", "ISO/TS 16281, Eqs. (58), (59)",
+        lambda: _most_different(ring, sign)[0], lambda: _most_different(ring, sign)[1], 5e-4, "N",
+        why="271 has three digits: with this modulus it is 271.03",
+    )  # fmt: skip
 
 
 @solved
@@ -208,30 +217,9 @@ def _most_different(ring: float, sign: float) -> tuple[float, float]:
     return float(expected[worst]), float(found.factor[worst] * found.load[worst])
 
 
-def _constant(name: str, ring: float, sign: float) -> Claim:
-    """Return that laminae loaded by their pressures are those of the standard with its constant 271."""
-    return Claim(
-        f"{name} ring, E = 210000: f q of the lamina that differs most", "ISO/TS 16281, Eqs. (58), (59)",
-        lambda: _most_different(ring, sign)[0], lambda: _most_different(ring, sign)[1], 5e-4, "N",
-        why="271 has three digits: with this modulus it is 271.03",
-    )  # fmt: skip
-
-
-def _on_grid(name: str) -> Claim:
-    return Claim(
-        f"tilted roller, {name}: relative life", "plane grid", lambda: tilted_lives("cells")[name].relative,
-        lambda: tilted_lives("strips")[name].relative, 5e-3,
-    )  # fmt: skip
-
-
-def _miner(name: str) -> Claim:
-    """Return the life under three loads, of which each alone would give a life of its own."""
-
-    def lived() -> float:
-        solutions = [line(LOAD_ON_LINE * (_LIVES[0] / life) ** 0.25) for life in _LIVES]
-        (longest,) = assess(solutions[0], name, body="b")
-        (mixed,) = assess(list(zip(solutions, _HOURS, strict=True)), name, body="b")
-        return _LIVES[0] * mixed.over(longest)
-
-    by_hand = 1.0 / sum(hours / life for hours, life in zip(_HOURS, _LIVES, strict=True))
-    return Claim(f"{name}: life under three loads", "Palmgren & Miner, by hand", by_hand, lived, 1e-4, "h")
+def _under_three_loads(name: str) -> float:
+    """Return the life [h] under three loads, of which each alone would give a life of its own."""
+    solutions = [line(LOAD_ON_LINE * (_LIVES[0] / life) ** 0.25) for life in _LIVES]
+    (longest,) = assess(solutions[0], name, body="b")
+    (mixed,) = assess(list(zip(solutions, _HOURS, strict=True)), name, body="b")
+    return _LIVES[0] * mixed.over(longest)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
 from typing import Any
 
@@ -15,7 +16,7 @@ from nonhertz.model.profile import crown
 from nonhertz.result.solution import EdgeKind, Solution
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
-from nonhertz.verify.claim import Claim, solved
+from nonhertz.verify.claim import Claim, Evidence, solved
 
 TITLE = "Side faces and depth: limits"
 STEEL = Material(206000.0, 0.3)
@@ -44,19 +45,44 @@ def claims() -> Iterator[Claim]:
     for element in (SEMI_ELLIPTIC, PARABOLIC):
         for grid, strips in (("41 strips", 41), ("automatic strips", None)):
             for images, words in ((1, "one image per face"), ("series", "all images")):
-                yield _uniform(f"coincident ends, {element.name}, {grid}, {words}", element, strips, images)
+                of = Evidence(
+                    f"coincident ends, {element.name}, {grid}, {words}", "Hertz's line contact",
+                    functools.partial(pair, element, strips, images=images),
+                )  # fmt: skip
+                hertz = line().max_pressure
+                yield of.claim("pressure at the worst strip", _worst_pressure, 1e-3, "MPa", expected=hertz)
     yield Claim(
         "coincident ends, all images: approach", "plane strain",
         2.0 * plane_strain_cylinder_compression(line(), diameter=DIAMETER, material=STEEL),
         lambda: pair(images="series").approach, 1e-5, "mm",
     )  # fmt: skip
-    for number, approach in SECOND_PROGRAM.items():
-        yield _as_elsewhere(number, approach)
+    for images, approach in SECOND_PROGRAM.items():
+        of = Evidence(
+            f"coincident ends, parabolic, 41 strips, {images} images per face", "a second program",
+            functools.partial(pair, PARABOLIC, 41, images=images),
+        )  # fmt: skip
+        yield of.claim(
+            "approach", lambda found: 1e3 * found.approach, 0.6e-4, "um", expected=approach, absolute=True,
+            why="its last digit",
+        )  # fmt: skip
     yield Claim(
         "faces of a roller a thousand times stiffer than the plate: approach", "share of the compliance",
         lambda: _stiff("none").approach, lambda: _stiff("mirror").approach, 1e-3, "mm",
     )  # fmt: skip
-    yield from _too_heavy()
+    # Image weights of more than kappa = 1, which have no solution, are lowered, with warnings.
+    of = Evidence(
+        "kappa 1.6 at both ends", "that of weight 1", lambda: pair(side_faces="calibrated"),
+        lambda: pair(side_faces="mirror"),
+    )  # fmt: skip
+    yield of.claim(
+        "warnings", lambda found: sum("weights were lowered" in sentence for sentence in found.warnings), 0.0,
+        expected=2.0, source="one for each end",
+    )  # fmt: skip
+    yield of.claim(
+        "ends reported as finite", lambda found: sum(edge.kind is EdgeKind.FINITE for edge in found.edge_pressure), 0.0,
+        expected=2.0, source="kappa lowered to 1",
+    )  # fmt: skip
+    yield of.claim("end pressure", lambda found: found.edge_pressure[1].pressure, 1e-9, "MPa")
 
 
 @solved
@@ -66,63 +92,25 @@ def _crowned(**extent: Any) -> Solution:
 
 
 def _far_away(name: str, **extent: Any) -> Iterator[Claim]:
-    def near() -> Solution:
-        return _crowned(length=None, side_faces="none", depth="none")
+    near = functools.partial(_crowned, length=None, side_faces="none", depth="none")
 
-    def far() -> Solution:
-        return _crowned(**extent)
-
-    def change() -> float:
+    def change(far: Solution) -> float:
         highest = near().max_pressure
-        return float(np.max(np.abs(far().centre_pressure / highest - near().centre_pressure / highest)))
+        return float(np.max(np.abs(far.centre_pressure / highest - near().centre_pressure / highest)))
 
-    source = "nothing changes"
-    yield Claim(f"{name}: approach", source, lambda: near().approach, lambda: far().approach, 1e-6, "mm")
-    yield Claim(f"{name}: largest change of pressure, of the maximum", source, 0.0, change, 1e-6, absolute=True)
-    yield Claim(
-        f"{name}: stiffness", source, lambda: near().stiffness[0, 0], lambda: far().stiffness[0, 0], 1e-6, "N/mm"
-    )
+    of = Evidence(name, "nothing changes", functools.partial(_crowned, **extent), near)
+    yield of.claim("approach", "approach", 1e-6, "mm")
+    yield of.claim("largest change of pressure, of the maximum", change, 1e-6, expected=0.0, absolute=True)
+    yield of.claim("stiffness", lambda found: found.stiffness[0, 0], 1e-6, "N/mm")
 
 
-def _uniform(case: str, element: Element, strips: int | None, images: int | str) -> Claim:
+def _worst_pressure(solution: Solution) -> float:
+    """Return the pressure that differs most from Hertz's, were it higher."""
     hertz = line().max_pressure
-
-    def worst() -> float:
-        off = np.abs(pair(element, strips, images=images).centre_pressure / hertz - 1.0)
-        return hertz * (1.0 + float(np.max(off)))
-
-    return Claim(f"{case}: pressure at the worst strip", "Hertz's line contact", hertz, worst, 1e-3, "MPa")
-
-
-def _as_elsewhere(images: int, approach: float) -> Claim:
-    return Claim(
-        f"coincident ends, parabolic, 41 strips, {images} images per face: approach", "a second program", approach,
-        lambda: 1e3 * pair(PARABOLIC, 41, images=images).approach, 0.6e-4, "um", absolute=True, why="its last digit",
-    )  # fmt: skip
+    return hertz * (1.0 + float(np.max(np.abs(solution.centre_pressure / hertz - 1.0))))
 
 
 def _stiff(faces: str) -> Solution:
     stiff = Material(1e3 * STEEL.modulus, STEEL.poisson)
     roller = Roller(diameter=20.0, length=20.0, material=stiff, side_faces=faces, depth="none")
     return solve(Contact(roller, Plate(material=STEEL)), load=20000.0)
-
-
-def _too_heavy() -> Iterator[Claim]:
-    """Yield that image weights of more than kappa = 1, which have no solution, are lowered, with warnings."""
-
-    def heavy() -> Solution:
-        return pair(side_faces="calibrated")
-
-    case = "kappa 1.6 at both ends"
-    yield Claim(
-        f"{case}: warnings", "one for each end", 2.0,
-        lambda: sum("weights were lowered" in sentence for sentence in heavy().warnings), 0.0,
-    )  # fmt: skip
-    yield Claim(
-        f"{case}: ends reported as finite", "kappa lowered to 1", 2.0,
-        lambda: sum(edge.kind is EdgeKind.FINITE for edge in heavy().edge_pressure), 0.0,
-    )  # fmt: skip
-    yield Claim(
-        f"{case}: end pressure", "that of weight 1", lambda: pair(side_faces="mirror").edge_pressure[1].pressure,
-        lambda: heavy().edge_pressure[1].pressure, 1e-9, "MPa",
-    )  # fmt: skip

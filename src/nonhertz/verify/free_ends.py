@@ -7,7 +7,9 @@ The three-dimensional solutions are of two half-spaces, iterated until both face
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import functools
+import operator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,7 +23,7 @@ from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.solver import solve as solve_patch
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
-from nonhertz.verify.claim import Claim, pressures, series, solved
+from nonhertz.verify.claim import Claim, Evidence, pressures, series, solved
 from nonhertz.verify.quarter_space import EXACT_BOTH, EXACT_ROLLER
 
 TITLE = "Free ends: strips against a plane grid"
@@ -89,75 +91,57 @@ def claims() -> Iterator[Claim]:
     """Yield the claims."""
     for case in CASES:
         yield from _of_case(case)
-    yield Claim(
-        "straight, plane grid: pressure in the middle", _ITERATED, MIDDLE,
-        lambda: pressures(on_grid(STRAIGHT), [0.0])[0], 1e-3, "MPa",
-    )  # fmt: skip
-    yield Claim("straight, tilted, plane grid: moment", _ITERATED, MOMENT, lambda: on_grid(TILTED).moment, 5e-3, "N mm")
+    straight, tilted = (functools.partial(on_grid, case) for case in (STRAIGHT, TILTED))
+    of = Evidence("straight, plane grid", _ITERATED, straight)
+    yield of.claim("pressure in the middle", _in_middle, 1e-3, "MPa", expected=MIDDLE)
+    yield Evidence("straight, tilted, plane grid", _ITERATED, tilted).claim(
+        "moment", "moment", 5e-3, "N mm", expected=MOMENT
+    )
     yield from series(
-        [f"straight, plane grid: pressure {place:g} half-widths from the end" for place in PLACES], _ITERATED,
-        PRESSURES, lambda: pressures(on_grid(STRAIGHT), HALF - half_width(STRAIGHT) * np.array(PLACES)), TOLERANCES,
-        "MPa",
+        [f"{of.name}: pressure {place:g} half-widths from the end" for place in PLACES], _ITERATED,
+        PRESSURES, lambda: pressures(straight(), HALF - half_width(STRAIGHT) * np.array(PLACES)), TOLERANCES, "MPa",
     )  # fmt: skip
-    for both in (True, False):
-        yield from _beside_a_face(both)
+    for both, name in ((True, "both bodies end"), (False, "one body ends")):
+        strips, grid = functools.partial(_ratios, both), functools.partial(_ratios, both, on_grid)
+        for place, y in enumerate(PLACES):
+            ratio, at = f"pressure at y = {y:g} mm over that at {FAR:g} mm", operator.itemgetter(place)
+            exact = BESIDE[both][place]
+            yield Evidence(name, _ITERATED, grid).claim(f"{ratio}, plane grid", at, 1.5e-2, expected=exact)
+            yield Evidence(name, _GRID, strips, grid).claim(f"{ratio}, strips", at, 5e-3)
+
+
+def _in_middle(solution: Solution | PatchSolution) -> float:
+    return pressures(solution, [0.0])[0]
 
 
 def _of_case(case: Case) -> Iterator[Claim]:
-    name = case.name
+    of = Evidence(case.name, _GRID, functools.partial(by_strips, case), functools.partial(on_grid, case))
 
-    def towards_end() -> list[float]:
-        return list(by_strips(case).contact_y[-1][1] - half_width(case) * np.array(PLACES))
+    def towards_end(solution: Solution | PatchSolution) -> list[float]:
+        end = by_strips(case).contact_y[-1][1]
+        return pressures(solution, end - half_width(case) * np.array(PLACES))
 
-    def claim(what: str, quantity: str, tolerance: float, unit: str) -> Claim:
-        return Claim(
-            f"{name}: {what}", _GRID, lambda: float(getattr(on_grid(case), quantity)),
-            lambda: float(getattr(by_strips(case), quantity)), tolerance, unit,
-        )  # fmt: skip
-
-    yield claim("approach", "approach", 1e-4, "mm")
-    yield Claim(
-        f"{name}: pressure in the middle", _GRID, lambda: pressures(on_grid(case), [0.0])[0],
-        lambda: pressures(by_strips(case), [0.0])[0], 2e-4, "MPa",
-    )  # fmt: skip
+    yield of.claim("approach", "approach", 1e-4, "mm")
+    yield of.claim("pressure in the middle", _in_middle, 2e-4, "MPa")
     # Beside a sharp end it is found a half-width from it, between two rows.
-    yield claim("greatest pressure", "max_pressure", 2e-3, "MPa")
+    yield of.claim("greatest pressure", "max_pressure", 2e-3, "MPa")
     if "tilt" in case.given:
-        yield claim("moment", "moment", 1e-3, "N mm")
+        yield of.claim("moment", "moment", 1e-3, "N mm")
     tolerances = [None if case.runs_out and place < 0.5 else TOLERANCES[i] for i, place in enumerate(PLACES)]
     yield from series(
-        [f"{name}: pressure {place:g} half-widths from the end of the contact" for place in PLACES], _GRID,
-        lambda: pressures(on_grid(case), towards_end()), lambda: pressures(by_strips(case), towards_end()), tolerances,
-        "MPa",
+        [f"{case.name}: pressure {place:g} half-widths from the end of the contact" for place in PLACES], _GRID,
+        lambda: towards_end(on_grid(case)), lambda: towards_end(by_strips(case)), tolerances, "MPa",
     )  # fmt: skip
 
 
 @solved
-def _ratios(both: bool) -> tuple[list[float], list[float]]:
-    """Return p(y) / p(8) at PLACES of strips and plane grid, for bodies on y > 0 of which one or both end there."""
+def _ratios(both: bool, solved_by: Callable[[Case], Solution | PatchSolution] = by_strips) -> list[float]:
+    """Return p(y) / p(8) at PLACES for bodies on y > 0 of which one or both end there."""
+    placed: dict[str, Any] = {"length": 40.0, "position": 20.0, "side_faces": ("free", "none")}
     material = Material(182000.0, 0.3)
     profile = partial_crown(radius=2500.0, straight=26.0).shifted(-20.0)
-    roller = Body(
-        diameter=200.0, length=40.0, position=20.0, material=material, profile=profile, side_faces=("free", "none")
-    )
-    flat = Body(length=40.0, position=20.0, material=material, side_faces=("free", "none"))
-    contact = Contact(roller, flat if both else Body(material=material))
-    case = Case("beside a face", contact, {"load": 785.4 * 14.0})
-    strips, grid = (np.array(pressures(each, [*PLACES, FAR])) for each in (by_strips(case), on_grid(case)))
-    return list(strips[:-1] / strips[-1]), list(grid[:-1] / grid[-1])
-
-
-def _beside_a_face(both: bool) -> Iterator[Claim]:
-    name = "both bodies end" if both else "one body ends"
-
-    def at(place: int) -> Iterator[Claim]:
-        quantity = f"{name}: pressure at y = {PLACES[place]:g} mm over that at {FAR:g} mm"
-
-        def by_grid() -> float:
-            return _ratios(both)[1][place]
-
-        yield Claim(f"{quantity}, plane grid", _ITERATED, BESIDE[both][place], by_grid, 1.5e-2)
-        yield Claim(f"{quantity}, strips", _GRID, by_grid, lambda: _ratios(both)[0][place], 5e-3)
-
-    for place in range(len(PLACES)):
-        yield from at(place)
+    roller = Body(diameter=200.0, material=material, profile=profile, **placed)
+    flat = Body(material=material, **placed) if both else Body(material=material)
+    case = Case("beside a face", Contact(roller, flat), {"load": 785.4 * 14.0})
+    pressure = np.array(pressures(solved_by(case), [*PLACES, FAR]))
+    return list(pressure[:-1] / pressure[-1])

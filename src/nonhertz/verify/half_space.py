@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -11,7 +12,7 @@ from nonhertz.model.material import STEEL
 from nonhertz.model.profile import Profile, crown, straight
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
-from nonhertz.verify.claim import Claim, middle, pressures, series, solved
+from nonhertz.verify.claim import Claim, Evidence, in_middle, pressures, series, solved
 
 TITLE = "Rollers on half-spaces"
 SOURCE = "uniform rectangles, extrapolated"
@@ -72,30 +73,22 @@ def claims() -> Iterator[Claim]:
 
 
 def _of_case(reference: Reference) -> Iterator[Claim]:
-    name, tolerance, places = reference.name, reference.tolerance, [place for place, _ in reference.inwards]
-
-    def strips() -> Solution:
-        return on_strips(reference)
-
-    yield Claim(f"{name}: approach", SOURCE, reference.approach, lambda: strips().approach, tolerance, "mm")
-    yield Claim(
-        f"{name}: centre pressure", SOURCE, reference.pressure, lambda: middle(strips(), "centre_pressure"), tolerance,
-        "MPa",
-    )  # fmt: skip
-    yield Claim(
-        f"{name}: centre half-width", SOURCE, reference.half_width, lambda: middle(strips(), "half_width"), tolerance,
-        "mm",
-    )  # fmt: skip
+    tolerance, places = reference.tolerance, [place for place, _ in reference.inwards]
+    of = Evidence(reference.name, SOURCE, functools.partial(on_strips, reference))
+    pressure, half_width = in_middle("centre_pressure"), in_middle("half_width")
+    yield of.claim("approach", "approach", tolerance, "mm", expected=reference.approach)
+    yield of.claim("centre pressure", pressure, tolerance, "MPa", expected=reference.pressure)
+    yield of.claim("centre half-width", half_width, tolerance, "mm", expected=reference.half_width)
     if reference.moment is not None:
-        yield Claim(f"{name}: moment", SOURCE, reference.moment, lambda: strips().moment, 3e-4, "N mm")
+        yield of.claim("moment", "moment", 3e-4, "N mm", expected=reference.moment)
     yield from series(
-        [f"{name}: pressure at y = {place:g} mm" for place in places], SOURCE,
-        [pressure for _, pressure in reference.inwards], lambda: pressures(strips(), places),
+        [f"{of.name}: pressure at y = {place:g} mm" for place in places], SOURCE,
+        [pressure for _, pressure in reference.inwards], lambda: pressures(of.found(), places),
         [1e-2 if place <= JUDGED_TO else None for place in places], "MPa",
     )  # fmt: skip
     if reference.strength is not None:
-        yield Claim(
-            f"{name}: K at the end", SOURCE, reference.strength,
-            lambda: strips().edge_pressure[1].strength or float("nan"), 3e-3, "MPa mm^0.5",
+        yield of.claim(
+            "K at the end", lambda found: found.edge_pressure[1].strength, 3e-3, "MPa mm^0.5",
+            expected=reference.strength,
             why="that of the references changes by 0.15 % with the way it is extrapolated",
         )  # fmt: skip

@@ -6,9 +6,10 @@ with, formulas for steel that know neither diameters nor profiles nor thickness,
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any
 
 from nonhertz.hertz import line_contact, plane_strain_cylinder_compression
 from nonhertz.model.body import Ring, Roller
@@ -17,7 +18,7 @@ from nonhertz.model.profile import Profile, iso_logarithmic, partial_crown, stra
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
-from nonhertz.verify.claim import Claim, middle, solved
+from nonhertz.verify.claim import Claim, Evidence, in_middle, solved
 from nonhertz.verify.profiled_roller import ARC, DIAMETER, LENGTH, LOAD, RING_DIAMETER, RING_WIDTH, STEEL, STRAIGHT
 
 TITLE = "Load and compression (paper, Figs. 8 and 9)"
@@ -36,23 +37,12 @@ class Pair:
     ring_width: float
     loads: tuple[float, float, float]
 
-    def contact(
-        self,
-        depth: str,
-        profile: Profile | None = None,
-        ring_width: float | None = None,
-        images: int | Literal["series"] = 1,
-    ) -> Contact:
-        """Return the pair with faces mirrored and one depth on both bodies."""
-        roller = Roller(
-            diameter=self.diameter, length=self.length, profile=profile or self.profile, material=STEEL, depth=depth,
-            side_faces="mirror", images=images,
-        )  # fmt: skip
-        width = self.ring_width if ring_width is None else ring_width
-        ring = Ring(
-            diameter=self.ring_diameter, length=width, material=STEEL, depth=depth, side_faces="mirror", images=images
-        )
-        return Contact(roller, ring)
+    def contact(self, depth: str, images: int | str = 1, **changed: Any) -> Contact:
+        """Return the pair with faces mirrored and one depth on both bodies, or with another profile or ring width."""
+        both: dict[str, Any] = {"material": STEEL, "depth": depth, "side_faces": "mirror", "images": images}
+        profile, width = changed.get("profile", self.profile), changed.get("ring_width", self.ring_width)
+        roller = Roller(diameter=self.diameter, length=self.length, profile=profile, **both)
+        return Contact(roller, Ring(diameter=self.ring_diameter, length=width, **both))
 
     def palmgren(self, load: float) -> float:
         """Return Palmgren's compression of one contact [mm]."""
@@ -97,45 +87,48 @@ def claims() -> Iterator[Claim]:
         yield from _in_plane_strain(NEEDLE, load)
 
 
+def _ordered(pair: Pair, load: float) -> int:
+    none, plane, diameter = (on_strips(pair, load, depth).approach for depth in DEPTHS)
+    return (none > diameter) + (diameter > plane)
+
+
 def _by_formulas(pair: Pair, load: float) -> Iterator[Claim]:
-    case = f"{pair.name}, {1e-3 * load:g} kN"
-
-    def ordered() -> float:
-        none, plane, diameter = (1e3 * on_strips(pair, load, depth).approach for depth in DEPTHS)
-        return float(none > diameter) + float(diameter > plane)
-
-    def compression() -> float:
-        return 1e3 * on_strips(pair, load, "plane-strain").approach
-
-    def exponent() -> float:
-        solution = on_strips(pair, load, "plane-strain")
-        return float(solution.stiffness[0, 0]) * solution.approach / solution.load
-
-    quantity = f"{case}: compression, depth of plane strain"
-    yield Claim(
-        f"{case}: depths in the order none > one diameter > plane strain", "the nearer the stiffer", 2.0, ordered, 0.0
+    of = Evidence(
+        f"{pair.name}, {1e-3 * load:g} kN", "the nearer the stiffer",
+        functools.partial(on_strips, pair, load, "plane-strain"),
+    )  # fmt: skip
+    yield of.claim(
+        "depths in the order none > one diameter > plane strain", lambda _: _ordered(pair, load), 0.0, expected=2.0
     )
-    yield Claim(quantity, "Palmgren", 1e3 * pair.palmgren(load), compression, None, "um")
-    yield Claim(quantity, "ISO/TS 16281, half", 1e3 * pair.iso(load), compression, None, "um")
-    yield Claim(f"{case}: exponent of load over compression", "10/9 of both formulas", 10.0 / 9.0, exponent, None)
+    for source, formula in (("Palmgren", pair.palmgren), ("ISO/TS 16281, half", pair.iso)):
+        yield of.claim(
+            "compression, depth of plane strain", lambda found: 1e3 * found.approach, None, "um",
+            expected=1e3 * formula(load), source=source,
+        )  # fmt: skip
+    yield of.claim(
+        "exponent of load over compression", lambda found: found.stiffness[0, 0] * found.approach / found.load, None,
+        expected=10.0 / 9.0, source="10/9 of both formulas",
+    )  # fmt: skip
 
 
 def _in_plane_strain(pair: Pair, load: float) -> Iterator[Claim]:
     case, source = f"{pair.name}, {1e-3 * load:g} kN", "Johnson 1985, Eq. (5.57), both cylinders"
 
-    def cut_out(images: int | Literal["series"], words: str, tolerance: float) -> Claim:
-        return Claim(
-            f"{case}, straight, on a cylinder of its length, {words}: compression", source,
-            1e3 * pair.plane_strain(load),
-            lambda: 1e3 * solve(pair.contact("plane-strain", straight(), pair.length, images), load=load).approach,
-            tolerance, "um", why="one image per face leaves the other face's image uncancelled; the series leaves 1e-7",
-        )  # fmt: skip
+    def cut_out(images: int | str) -> Solution:
+        contact = pair.contact("plane-strain", images, profile=straight(), ring_width=pair.length)
+        return solve(contact, load=load)
 
     def uniform() -> float:
-        return 1e3 * pair.plane_strain(middle(on_strips(pair, load, "plane-strain"), "line_load") * pair.length)
+        return 1e3 * pair.plane_strain(in_middle("line_load")(on_strips(pair, load, "plane-strain")) * pair.length)
 
-    yield cut_out(1, "one image per face", 5e-3)
-    yield cut_out("series", "all images", 1e-5)
+    for images, words, tolerance in ((1, "one image per face", 5e-3), ("series", "all images", 1e-5)):
+        of = Evidence(
+            f"{case}, straight, on a cylinder of its length, {words}", source, functools.partial(cut_out, images)
+        )
+        yield of.claim(
+            "compression", lambda found: 1e3 * found.approach, tolerance, "um", expected=1e3 * pair.plane_strain(load),
+            why="one image per face leaves the other face's image uncancelled; the series leaves 1e-7",
+        )  # fmt: skip
     yield Claim(
         f"{case}, as in the table: compression", f"{source}, line load of the middle", uniform,
         lambda: 1e3 * on_strips(pair, load, "plane-strain").approach, 2.5e-2, "um",

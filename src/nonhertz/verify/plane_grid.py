@@ -5,6 +5,7 @@ The grid has in common with the strips only the bodies and what their faces and 
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -17,13 +18,12 @@ from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import STEEL
 from nonhertz.model.profile import crown, iso_logarithmic
-from nonhertz.verify.claim import Claim, Value, solved
+from nonhertz.verify.claim import Claim, Evidence, Value, solved
 
 TITLE = "Strips against a plane grid"
 _HALF_SPACE: dict[str, Any] = {"side_faces": "none", "depth": "none"}
 _MIRRORED: dict[str, Any] = {"side_faces": "mirror"}
 _LOGARITHMIC = iso_logarithmic(diameter=15.0, length=16.0)
-_SOURCE = "plane grid"
 _STRAIGHT = 0.02741221026671631  # mm, approach: that of `nonhertz.verify.half_space`
 
 
@@ -87,34 +87,25 @@ def compared(case: Case) -> Comparison:
 def claims() -> Iterator[Claim]:
     """Yield the claims."""
     hertz = point_contact(load=1000.0, radius_x=10.0, radius_y=100.0, compliance=2.0 * STEEL.compliance)
+    ellipse = Evidence("ellipse, plane grid", "Hertz", lambda: compared(ELLIPSE).patch, lambda: hertz)
     why = "the circle of the crown instead of Hertz's parabola adds 3e-5"
-    yield Claim(
-        "ellipse, plane grid: approach", "Hertz", hertz.approach, lambda: compared(ELLIPSE).patch.approach, 2e-4, "mm",
-        why=why,
-    )  # fmt: skip
-    yield Claim(
-        "ellipse, plane grid: greatest pressure", "Hertz", hertz.max_pressure,
-        lambda: compared(ELLIPSE).patch.max_pressure, 2e-4, "MPa", why=why,
-    )  # fmt: skip
+    yield ellipse.claim("approach", "approach", 2e-4, "mm", why=why)
+    yield ellipse.claim("greatest pressure", "max_pressure", 2e-4, "MPa", why=why)
     yield Claim(
         "straight, plane grid: approach", "uniform rectangles, extrapolated", _STRAIGHT,
         lambda: compared(STRAIGHT).patch.approach, 1e-3, "mm",
     )  # fmt: skip
     for case in CASES:
-        yield from of_case(case)
+        yield from _of_case(case)
 
 
-def of_case(case: Case) -> Iterator[Claim]:
-    """Yield the claims of one case."""
+def _of_case(case: Case) -> Iterator[Claim]:
+    of = Evidence(case.name, "plane grid", functools.partial(compared, case))
 
-    def claim(
-        name: str, what: str, tolerance: Value, unit: str, why: str = "", *, of: str = "semi_elliptic",
-        absolute: bool = False,
-    ) -> Claim:  # fmt: skip
-        words = f"{case.name}{', parabolic' if of == 'parabolic' else ''}: {what}"
-        return Claim(
-            words, _SOURCE, lambda: compared(case).quantity(name).patch,
-            lambda: float(getattr(compared(case).quantity(name), of)), tolerance, unit, absolute, why,
+    def claim(name: str, what: str, tolerance: Value, unit: str, why: str = "", *, absolute: bool = False) -> Claim:
+        return of.claim(
+            what, lambda found: found.quantity(name).semi_elliptic, tolerance, unit,
+            expected=lambda: of.found().quantity(name).patch, absolute=absolute, why=why,
         )  # fmt: skip
 
     # The methods' own accuracy targets; up to sharp ends strips are held to 1e-3, and the grid's error falls in
@@ -123,8 +114,11 @@ def of_case(case: Case) -> Iterator[Claim]:
     yield claim("approach", "approach", tolerance, "mm")
     yield claim("pressure at", "pressure in the middle", tolerance, "MPa")
     yield claim("half-width at", "half-width in the middle", 1e-2, "mm", "half a cell, of about 50 in the half-width")
-    why = "its bias in an ellipse 4.5 times as long as wide, the widest contact here"
-    yield claim("approach", "approach", 1.6e-2, "mm", why, of="parabolic")
+    yield Claim(
+        f"{case.name}, parabolic: approach", of.source, lambda: of.found().quantity("approach").patch,
+        lambda: of.found().quantity("approach").parabolic, 1.6e-2, "mm",
+        why="its bias in an ellipse 4.5 times as long as wide, the widest contact here",
+    )  # fmt: skip
     if "tilt" in case.given:
         why = "a difference of large moments: several times the error of either side"
         yield claim("moment", "moment", 1e-3, "N mm", why)
@@ -132,14 +126,15 @@ def of_case(case: Case) -> Iterator[Claim]:
         yield claim("tilt", "tilt", 1e-3, "rad")
     for end in ("contact from", "contact to"):
         why = "a cell is either in contact or not"
-        yield claim(end, end, lambda: compared(case).patch.dy, "mm", why, absolute=True)
-    yield Claim(
-        f"{case.name}: largest difference of pressure farther than a half-width from the ends", _SOURCE, 0.0,
-        lambda: inner(compared(case)), 1e-2, absolute=True,
+        yield claim(end, end, lambda: of.found().patch.dy, "mm", why, absolute=True)
+    yield of.claim(
+        "largest difference of pressure farther than a half-width from the ends", inner, 1e-2, expected=0.0,
+        absolute=True,
     )  # fmt: skip
-    yield Claim(
-        f"{case.name}: stretches that differ by over 1 % and by more than their reasons", "the solutions", 0.0,
-        lambda: sum(not stretch.explained for stretch in compared(case).stretches), 0.0, absolute=True,
+    yield of.claim(
+        "stretches that differ by over 1 % and by more than their reasons",
+        lambda found: sum(not stretch.explained for stretch in found.stretches), 0.0, expected=0.0,
+        source="the solutions", absolute=True,
     )  # fmt: skip
 
 

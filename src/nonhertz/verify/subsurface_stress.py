@@ -8,7 +8,10 @@ and obeys the laws that every field obeys.
 
 from __future__ import annotations
 
+import functools
 import math
+import operator
+import types
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
@@ -29,7 +32,7 @@ from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.subsurface import Extremes, Field, extremes, passage, stress
 from nonhertz.subsurface.field import SIGMA_Z, TAU_XY, TAU_XZ, TAU_YZ
-from nonhertz.verify.claim import Claim, Value, series, solved
+from nonhertz.verify.claim import Claim, Evidence, Value, series, solved
 
 Array = NDArray[np.float64]
 Loaded = Solution | PatchSolution
@@ -67,27 +70,47 @@ STEP = 0.02  # half-widths: step of finite differences
 _INTEGRAL = "integrals of the semi-ellipsoid's potential, after Thomas & Hoersch 1930"
 _LUNDBERG = "Lundberg & Palmgren 1947"
 _LANDMARK = "closed form below Hertz's pressure"
-_LOVE = "Love's rectangles summed one by one"
+# Regions of the comparison with Love's rectangles.
+_COMPARED = (
+    "farther than a half-width from the ends",
+    f"everywhere {LEVELS[1]:g} half-widths deep and deeper",
+    # Strips as wide as the point is deep show individually.
+    f"{LEVELS[0]:g} half-widths deep within a half-width of the ends",
+    "everywhere, finer strips",
+)
 LINE_LENGTH, LINE_STRIPS = 10.0, 5  # mm; uniform along y, so that more strips would resolve nothing
 
 
 def claims() -> Iterator[Claim]:
     """Yield the claims."""
-    yield from plane_strain()
-    yield from _landmarks("line", LINE, lambda: line(0.3).hertz, lambda: line(0.3).extremes)
+    # McEwen's closed form is met all over two cross-sections.
+    for place, y in (("in the middle", 0.0), ("near the face", 0.49 * LINE_LENGTH)):
+        yield Claim(
+            f"line: largest difference of any stress {place}, over p0", "McEwen's closed form, plane strain", 0.0,
+            functools.partial(_off_mcewen, y), 1e-5, absolute=True,
+            why="images sixteen or more away are replaced by line loads: 1e-6 of p0",
+        )  # fmt: skip
+    yield from _landmarks("line", LINE, _below_line)
     x = "line: how far from the middle that is, over b"
     yield Claim(
         x, _LANDMARK, _ORTHOGONAL_X, lambda: line(0.3).extremes.orthogonal_shear.x / line(0.3).hertz.half_width, _DEPTH
     )
     for poisson, known in _VON_MISES.items():
-        yield from _of_poisson(poisson, known)
-    yield from on_circle()
-    yield from on_cells()
+        found = functools.partial(_below_line, poisson=poisson)
+        yield from _landmarks(f"line, nu {poisson:g}", {"von_mises": known}, found)
+    yield from _landmarks("circle", CIRCLE, _below_ellipse)
+    why = "a cell is 1/35 of the radius: the edge of the contact is a staircase, which shows in the depth"
+    yield from _landmarks("circle, plane grid", CIRCLE, _below_circle_on_cells, why=why)
     for ratio in RATIOS:
         yield from _ellipse(ratio)
     for body, name in zip(BODIES, ("roller", "ring"), strict=True):
-        yield from _beside_love(body, name)
-    yield from balance(lambda: tilted().automatic)
+        for what, words in enumerate(("any stress", "von Mises")):
+            yield from series(
+                [f"tilted {name}: difference of {words} {place}, of the largest at the depth" for place in _COMPARED],
+                "Love's rectangles summed one by one", (0.0,) * 4, functools.partial(_off_love, body, what),
+                (ALLOWED, ALLOWED, None, ALLOWED), absolute=True,
+            )  # fmt: skip
+    yield from _balance()
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,44 +162,43 @@ def circle_on_cells() -> PatchSolution:
 def _landmarks(
     name: str,
     known: Landmarks,
-    hertz: Callable[[], LineContact | PointContact],
-    found: Callable[[], Extremes],
-    sources: dict[str, str] | None = None,
+    found: Callable[[str], tuple[float, float]],
+    sources: Mapping[str, str] = types.MappingProxyType({}),
+    why: str = _WHY_DEPTH,
 ) -> Iterator[Claim]:
-    def of(quantity: str) -> Iterator[Claim]:
-        value, depth = known[quantity]
-        source = _LANDMARK if sources is None else sources[quantity]
-        yield Claim(
-            f"{name}: largest {NAMES[quantity]} over p0", source, value,
-            lambda: getattr(found(), quantity).max / hertz().max_pressure, _VALUE, absolute=True,
-        )  # fmt: skip
-        yield Claim(
-            f"{name}: its depth over b", source, depth, lambda: getattr(found(), quantity).z / hertz().half_width,
-            _DEPTH, absolute=True, why=_WHY_DEPTH,
-        )  # fmt: skip
-
-    for quantity in known:
-        yield from of(quantity)
+    """Yield the largest stresses over p0 and their depths over b."""
+    for quantity, (value, depth) in known.items():
+        of = Evidence(name, sources.get(quantity, _LANDMARK), functools.partial(found, quantity))
+        largest = f"largest {NAMES[quantity]} over p0"
+        yield of.claim(largest, operator.itemgetter(0), _VALUE, expected=value, absolute=True)
+        yield of.claim("its depth over b", operator.itemgetter(1), _DEPTH, expected=depth, absolute=True, why=why)
 
 
-def plane_strain() -> Iterator[Claim]:
-    """Yield that McEwen's closed form is met all over two cross-sections."""
+def _below_line(quantity: str, poisson: float = 0.3) -> tuple[float, float]:
+    top, hertz = getattr(line(poisson).extremes, quantity), line(poisson).hertz
+    return top.max / hertz.max_pressure, top.z / hertz.half_width
 
-    def off(y: float) -> Callable[[], float]:
-        def found() -> float:
-            b, p0 = line(0.3).hertz.half_width, line(0.3).hertz.max_pressure
-            across, deep = b * np.linspace(-3.0, 3.0, 41), b * np.geomspace(0.01, 5.0, 21)
-            x, z = np.meshgrid(across, deep, indexing="ij")
-            expected = mcewen(x / b, z / b, 0.3)
-            return float(np.max(np.abs(stress(line(0.3).solution, x, y, z).stress / p0 - expected)))
 
-        return found
+def _below_ellipse(quantity: str, ratio: float = 1.0) -> tuple[float, float]:
+    top, hertz = getattr(on_strips_extremes(ratio), quantity), point(ratio)[1]
+    return top.max / hertz.max_pressure, top.z / hertz.half_width
 
-    for place, y in (("in the middle", 0.0), ("near the face", 0.49 * LINE_LENGTH)):
-        yield Claim(
-            f"line: largest difference of any stress {place}, over p0", "McEwen's closed form, plane strain", 0.0,
-            off(y), 1e-5, absolute=True, why="images sixteen or more away are replaced by line loads: 1e-6 of p0",
-        )  # fmt: skip
+
+def _below_circle_on_cells(quantity: str) -> tuple[float, float]:
+    a, p0 = point(1.0)[1].half_width, point(1.0)[1].max_pressure
+    depth = np.linspace(0.25, 0.6, 71)
+    if quantity == "orthogonal_shear":
+        depth = depth[10:31]
+        return vertex(depth, passage(circle_on_cells(), 0.0, a * depth).orthogonal_shear / p0)
+    on_axis = stress(circle_on_cells(), 0.0, 0.0, a * depth)
+    return vertex(depth, (on_axis.von_mises if quantity == "von_mises" else on_axis.max_shear) / p0)
+
+
+def _off_mcewen(y: float) -> float:
+    b, p0 = line(0.3).hertz.half_width, line(0.3).hertz.max_pressure
+    x, z = np.meshgrid(b * np.linspace(-3.0, 3.0, 41), b * np.geomspace(0.01, 5.0, 21), indexing="ij")
+    expected = mcewen(x / b, z / b, 0.3)
+    return float(np.max(np.abs(stress(line(0.3).solution, x, y, z).stress / p0 - expected)))
 
 
 def mcewen(x: Array, z: Array, poisson: float) -> Array:
@@ -190,46 +212,6 @@ def mcewen(x: Array, z: Array, poisson: float) -> Array:
     shear = -n * (m**2 - z**2) / (m**2 + n**2)
     none = np.zeros_like(x)
     return np.stack([across, poisson * (across + below), below, none, shear, none], axis=-1)
-
-
-def _of_poisson(poisson: float, known: tuple[float, float]) -> Iterator[Claim]:
-    landmarks: Landmarks = {"von_mises": known}
-    yield from _landmarks(
-        f"line, nu {poisson:g}", landmarks, lambda: line(poisson).hertz, lambda: line(poisson).extremes
-    )
-
-
-def on_circle() -> Iterator[Claim]:
-    """Yield the landmarks of the circle on strips."""
-    yield from _landmarks("circle", CIRCLE, lambda: point(1.0)[1], lambda: on_strips_extremes(1.0))
-
-
-def on_cells() -> Iterator[Claim]:
-    """Yield the landmarks of the circle on the plane grid."""
-
-    def top(name: str) -> tuple[float, float]:
-        a, p0 = point(1.0)[1].half_width, point(1.0)[1].max_pressure
-        depth = np.linspace(0.25, 0.6, 71)
-        if name == "orthogonal_shear":
-            depth = depth[10:31]
-            return vertex(depth, passage(circle_on_cells(), 0.0, a * depth).orthogonal_shear / p0)
-        on_axis = stress(circle_on_cells(), 0.0, 0.0, a * depth)
-        return vertex(depth, (on_axis.von_mises if name == "von_mises" else on_axis.max_shear) / p0)
-
-    def of(name: str) -> Iterator[Claim]:
-        value, where = CIRCLE[name]
-        why = "a cell is 1/35 of the radius: the edge of the contact is a staircase, which shows in the depth"
-        yield Claim(
-            f"circle, plane grid: largest {NAMES[name]} over p0", _LANDMARK, value, lambda: top(name)[0], _VALUE,
-            absolute=True,
-        )  # fmt: skip
-        yield Claim(
-            "circle, plane grid: its depth over b", _LANDMARK, where, lambda: top(name)[1], _DEPTH, absolute=True,
-            why=why,
-        )  # fmt: skip
-
-    for name in CIRCLE:
-        yield from of(name)
 
 
 def vertex(places: Array, values: Array) -> tuple[float, float]:
@@ -258,7 +240,7 @@ def _ellipse(ratio: float) -> Iterator[Claim]:
         "von_mises": deepest(von_mises_on_axis), "shear": deepest(shear_on_axis), "orthogonal_shear": lundberg(ratio)
     }  # fmt: skip
     sources = {"von_mises": _INTEGRAL, "shear": _INTEGRAL, "orthogonal_shear": _LUNDBERG}
-    yield from _landmarks(name, landmarks, lambda: point(ratio)[1], lambda: on_strips_extremes(ratio), sources)
+    yield from _landmarks(name, landmarks, functools.partial(_below_ellipse, ratio=ratio), sources)
 
 
 @solved
@@ -334,13 +316,20 @@ class Tilted:
 
 
 @solved
-def tilted() -> Tilted:
-    """Return the tilted roller."""
+def tilted_on_strips() -> Solution:
+    """Return the tilted roller on automatic strips."""
     profile = iso_logarithmic(diameter=20.0, length=LENGTH)
     roller = Roller(diameter=20.0, length=LENGTH, material=STEEL, profile=profile, side_faces="mirror")
-    contact = Contact(roller, Ring(diameter=RING_DIAMETER, material=STEEL))
-    automatic = solve(contact, load=LOAD, tilt=TILT)
-    refined = solve(contact, load=LOAD, tilt=TILT, strips=_finer(automatic))
+    return solve(Contact(roller, Ring(diameter=RING_DIAMETER, material=STEEL)), load=LOAD, tilt=TILT)
+
+
+@solved
+def tilted() -> Tilted:
+    """Return the tilted roller."""
+    automatic = tilted_on_strips()
+    contact, edges = automatic.contact, automatic.edges
+    finer = np.interp(np.arange(PIECES * (edges.size - 1) + 1) / PIECES, np.arange(edges.size), edges)
+    refined = solve(contact, load=LOAD, tilt=TILT, strips=finer)
     grid = solve_patch(contact, load=LOAD, tilt=TILT, cells=CELLS)
     half_width = float(automatic.half_width.max())
     ((low, high),) = automatic.contact_y
@@ -409,52 +398,33 @@ def _directly(grid: PatchSolution, points: Array) -> dict[str, Array]:
     return {"a": (alone + images).reshape(shape), "b": alone.reshape(shape)}
 
 
-def _finer(solution: Solution) -> Array:
-    """Return the edges of the strips with each strip cut into pieces."""
-    edges = solution.edges
-    return np.interp(np.arange(PIECES * (edges.size - 1) + 1) / PIECES, np.arange(edges.size), edges)
+def _off_love(body: BodyName, what: int) -> list[float]:
+    """Return the largest differences in the regions of _COMPARED: of any stress (0), or of von Mises (1)."""
+    automatic, refined = (differences(body, finer)[what] for finer in (False, True))
+    near = tilted().near_the_ends
+    return [float(np.max(each)) for each in (automatic[:, ~near], automatic[1:], automatic[0, near], refined)]
 
 
-def _beside_love(body: BodyName, name: str) -> Iterator[Claim]:
-    def off(what: int) -> list[float]:
-        automatic, refined = (differences(body, finer)[what] for finer in (False, True))
-        near = tilted().near_the_ends
-        return [float(np.max(each)) for each in (automatic[:, ~near], automatic[1:], automatic[0, near], refined)]
-
-    places = (
-        "farther than a half-width from the ends",
-        f"everywhere {LEVELS[1]:g} half-widths deep and deeper",
-        # Strips as wide as the point is deep show individually.
-        f"{LEVELS[0]:g} half-widths deep within a half-width of the ends",
-        "everywhere, finer strips",
-    )
-
-    def of(what: int, words: str) -> Iterator[Claim]:
-        quantities = [f"tilted {name}: difference of {words} {place}, of the largest at the depth" for place in places]
-        tolerances = (ALLOWED, ALLOWED, None, ALLOWED)
-        yield from series(quantities, _LOVE, (0.0,) * 4, lambda: off(what), tolerances, absolute=True)
-
-    yield from of(0, "any stress")
-    yield from of(1, "von Mises")
-
-
-def balance(solution: Callable[[], Solution]) -> Iterator[Claim]:
+def _balance() -> Iterator[Claim]:
     """Yield that the field is in equilibrium, and that the surface is loaded by the pressure alone."""
-    name = "tilted roller, surface farther than a half-width from the ends"
-    yield Claim(
-        "tilted roller: largest sum of derivatives that should balance, of the largest derivative", "equilibrium", 0.0,
-        lambda: _unbalanced(solution()), 2e-3, absolute=True,
+    yield Evidence("tilted roller", "equilibrium", tilted_on_strips).claim(
+        "largest sum of derivatives that should balance, of the largest derivative", _unbalanced, 2e-3, expected=0.0,
+        absolute=True,
         why="fourth-order differences leave (step / depth)^4; where a distant strip starts to count as a whole, a jump "
         "of 1e-5 of the pressure adds as much to the derivative",
     )  # fmt: skip
-    yield Claim(
-        f"{name}: largest difference of sigma_z and the pressure, over the largest pressure", "the solution", 0.0,
-        lambda: _on_surface(solution())[0], 5e-3, absolute=True,
+    surface = Evidence(
+        "tilted roller, surface farther than a half-width from the ends", "the solution",
+        lambda: _on_surface(tilted_on_strips()),
+    )  # fmt: skip
+    yield surface.claim(
+        "largest difference of sigma_z and the pressure, over the largest pressure", operator.itemgetter(0), 5e-3,
+        expected=0.0, absolute=True,
         why="between the centres of strips the pressure is interpolated, and the load of all of them kept",
     )  # fmt: skip
-    yield Claim(
-        f"{name}: largest shear stress over the largest pressure", "no friction", 0.0,
-        lambda: _on_surface(solution())[1], 1e-9, absolute=True,
+    yield surface.claim(
+        "largest shear stress over the largest pressure", operator.itemgetter(1), 1e-9, expected=0.0,
+        source="no friction", absolute=True,
     )  # fmt: skip
 
 
