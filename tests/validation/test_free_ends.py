@@ -1,10 +1,10 @@
-"""Exactly free side faces against solutions of two half-spaces iterated, in three dimensions."""
+"""Exactly free side faces against solutions of two half-spaces iterated, in three dimensions; and their laws."""
 
 import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.verify import free_ends, quarter_space, whole_roller
+from nonhertz.verify import free_ends, quarter_space
 from nonhertz.verify.claim import pressures
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
@@ -12,14 +12,15 @@ pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 MODULUS_OF_CONTACT = 1e5
 
 
-def beside_a_face(*, both, poisson=0.3):
+def beside_a_face(*, both, poisson=0.3, **more):
     """Two cylinders that end, or one on another that goes on, in contact from y = 0 to some 14 mm."""
     material = nh.Material(2.0 * MODULUS_OF_CONTACT * (1.0 - poisson**2), poisson)
     profile = nh.profile.partial_crown(radius=2500.0, straight=26.0).shifted(-20.0)
     ends = {"length": 40.0, "position": 20.0, "side_faces": ("free", "none")}
     one = nh.Roller(diameter=400.0, material=material, depth="none", profile=profile, **ends)
     other = nh.Roller(diameter=400.0, material=material, depth="none", **ends)
-    return nh.Contact(one, other if both else nh.Ring(diameter=400.0, material=material))
+    contact = nh.Contact(one, other if both else nh.Ring(diameter=400.0, material=material))
+    return nh.solve(contact, load=785.4 * 14.0, **more)
 
 
 @pytest.mark.parametrize(
@@ -27,8 +28,7 @@ def beside_a_face(*, both, poisson=0.3):
     [(True, quarter_space.EXACT_BOTH, (0.01, 0.005)), (False, quarter_space.EXACT_ROLLER, (0.04, 0.015))],
 )
 def test_the_pressure_towards_free_ends(both, expected, within):
-    solution = nh.solve(beside_a_face(both=both), load=785.4 * 14.0, accuracy=1e-5)
-    pressure = np.interp([*quarter_space.PLACES, 8.0], solution.y, solution.centre_pressure)
+    pressure = np.array(pressures(beside_a_face(both=both, accuracy=1e-5), [*quarter_space.PLACES, 8.0]))
     off = np.abs(pressure[:-1] / pressure[-1] / expected - 1.0)
     np.testing.assert_array_less(off, [*within, 0.005, 0.005, 0.005, 0.005])
 
@@ -37,39 +37,47 @@ def test_coincident_ends_press_the_less_the_more_they_bulge():
     # The end is in plane stress, the middle in plane strain: their ratio is about 1 - nu^2.
     at_end = []
     for poisson in (0.0, 0.3, 0.45):
-        solution = nh.solve(beside_a_face(both=True, poisson=poisson), load=785.4 * 14.0)
+        solution = beside_a_face(both=True, poisson=poisson)
         assert solution.edge_pressure[0].kind is nh.EdgeKind.FINITE
-        at_end.append(
-            float(np.interp(0.1, solution.y, solution.centre_pressure)) / solution.centre_pressure[-40:].max()
-        )
+        at_end.append(pressures(solution, [0.1])[0] / solution.centre_pressure[-40:].max())
     assert at_end[0] > at_end[1] > at_end[2]
 
 
-def straight(side_faces):
-    steel = nh.Material(206000.0, 0.3)
-    roller = nh.Roller(diameter=20.0, length=20.0, material=steel, side_faces=side_faces, depth="none")
-    return nh.Contact(roller, nh.Ring(diameter=80.0, material=steel))
-
-
-def test_straight_rollers_on_a_long_ring():
-    solution, tilted = free_ends.by_strips(free_ends.STRAIGHT), free_ends.by_strips(free_ends.TILTED)
+# On cells within what the claims of `nonhertz verify` allow, and closer.
+@pytest.mark.parametrize(
+    ("solved", "middle", "nearest", "towards_end"),
+    [(free_ends.by_strips, 1e-3, 0, 5e-3), pytest.param(free_ends.on_grid, 3e-4, 1, 3e-3, marks=pytest.mark.slow)],
+)
+def test_straight_rollers_on_a_long_ring(solved, middle, nearest, towards_end):
+    solution = solved(free_ends.STRAIGHT)
     half_width = float(np.interp(0.0, solution.y, solution.half_width))
-    assert pressures(solution, [0.0])[0] == pytest.approx(free_ends.MIDDLE, rel=0.001)
-    places = 10.0 - half_width * np.array(free_ends.PLACES)
-    np.testing.assert_allclose(pressures(solution, places), free_ends.PRESSURES, rtol=0.005)
-    # The other solution ends 1 to 2 % short: its bodies are cut off.
-    assert solution.approach == pytest.approx(0.03469 * 1.015, rel=0.01)
-    assert tilted.moment == pytest.approx(free_ends.MOMENT, rel=0.003)
+    assert pressures(solution, [0.0])[0] == pytest.approx(free_ends.MIDDLE, rel=middle)
+    places = 10.0 - half_width * np.array(free_ends.PLACES[nearest:])
+    np.testing.assert_allclose(pressures(solution, places), free_ends.PRESSURES[nearest:], rtol=towards_end)
+    if solved is free_ends.by_strips:
+        # The other solution ends 1 to 2 % short: its bodies are cut off.
+        assert solution.approach == pytest.approx(0.03469 * 1.015, rel=0.01)
+        assert solved(free_ends.TILTED).moment == pytest.approx(free_ends.MOMENT, rel=0.003)
 
 
-def test_free_ends_are_softer_than_mirrored_and_stiffer_than_nothing():
-    free, mirror, calibrated = (nh.solve(straight(faces), load=20e3) for faces in ("free", "mirror", "calibrated"))
+def straight(side_faces="free", by=1.0):
+    steel = nh.Material(206000.0, 0.3)
+    roller = nh.Roller(diameter=20.0 * by, length=20.0 * by, material=steel, side_faces=side_faces, depth="none")
+    return nh.Contact(roller, nh.Ring(diameter=80.0 * by, material=steel))
+
+
+def test_free_ends_are_softer_than_mirrored_and_stiffer_than_nothing_on_one_side_or_both():
+    faces = ("mirror", "calibrated", "free", ("free", "mirror"))
+    mirror, calibrated, free, one_sided = (nh.solve(straight(each), load=20e3) for each in faces)
     assert mirror.approach < calibrated.approach < free.approach
+    assert mirror.approach < one_sided.approach < free.approach
     assert free.moment == pytest.approx(0.0, abs=1.0)
+    assert one_sided.edge_pressure[0].exponent == free.edge_pressure[0].exponent
+    assert one_sided.edge_pressure[1].exponent == mirror.edge_pressure[1].exponent
 
 
 def test_strength_and_exponent_describe_the_pressure_near_a_free_end():
-    solution = nh.solve(straight("free"), load=20e3, accuracy=1e-5)
+    solution = nh.solve(straight(), load=20e3, accuracy=1e-5)
     edge = solution.edge_pressure[1]
     distance = 10.0 - solution.y[::-1]
     near = (distance < 0.5 * solution.half_width[-1]) & (np.arange(distance.size) > 0)
@@ -77,49 +85,20 @@ def test_strength_and_exponent_describe_the_pressure_near_a_free_end():
     assert edge.exponent == pytest.approx(0.22599, abs=1e-5)
 
 
-def test_a_face_of_one_side_only():
-    one_sided = nh.solve(straight(("free", "mirror")), load=20e3)
-    both, neither = (nh.solve(straight(faces), load=20e3) for faces in ("free", "mirror"))
-    assert neither.approach < one_sided.approach < both.approach
-    assert one_sided.edge_pressure[0].exponent == both.edge_pressure[0].exponent
-    assert one_sided.edge_pressure[1].exponent == neither.edge_pressure[1].exponent
-
-
-def test_contacts_mirrored_along_and_scaled_agree():
-    tilted, mirrored = (nh.solve(straight("free"), load=20e3, tilt=sign * 0.3e-3) for sign in (1.0, -1.0))
+def test_contacts_mirrored_along_scaled_and_solved_together_agree():
+    tilted, mirrored = (nh.solve(straight(), load=20e3, tilt=sign * 0.3e-3) for sign in (1.0, -1.0))
     assert mirrored.moment == pytest.approx(-tilted.moment, rel=1e-9)
-    steel = nh.Material(206000.0, 0.3)
-    roller = nh.Roller(diameter=40.0, length=40.0, material=steel, side_faces="free", depth="none")
-    twice = nh.solve(nh.Contact(roller, nh.Ring(diameter=160.0, material=steel)), load=80e3, tilt=0.3e-3)
+    twice = nh.solve(straight(by=2.0), load=80e3, tilt=0.3e-3)
     assert twice.approach == pytest.approx(2.0 * tilted.approach, rel=1e-7)
     assert twice.moment == pytest.approx(8.0 * tilted.moment, rel=1e-7)
-
-
-def test_many_at_once_are_those_one_by_one():
-    loads = [5e3, 20e3, 40e3]
-    many = nh.solve_many(straight("free"), load=loads, tilt=1e-4)
-    one_by_one = [nh.solve(straight("free"), load=load, tilt=1e-4) for load in loads]
-    np.testing.assert_allclose(many.approach, [each.approach for each in one_by_one], rtol=1e-12)
+    many = nh.solve_many(straight(), load=[5e3, 20e3, 40e3], tilt=0.3e-3)
+    assert many.approach[1] == pytest.approx(tilted.approach, rel=1e-12)
 
 
 def test_the_stiffness_is_the_derivative_of_load_and_moment():
     approach, step = 0.03, 1e-6
-    solution = nh.solve(straight("free"), approach=approach, tilt=2e-4)
+    solution = nh.solve(straight(), approach=approach, tilt=2e-4)
     more, less = (
-        nh.solve(straight("free"), approach=approach + by, tilt=2e-4, strips=solution.edges) for by in (step, -step)
+        nh.solve(straight(), approach=approach + by, tilt=2e-4, strips=solution.edges) for by in (step, -step)
     )
     assert solution.stiffness[0, 0] == pytest.approx((more.load - less.load) / (2.0 * step), rel=1e-6)
-
-
-@pytest.mark.parametrize(
-    ("load", "errors"),
-    [
-        (whole_roller.UNIFORM, {0.0: -0.0089, 9.5: 0.0351, 10.0: 0.0502}),
-        (whole_roller.PLANE, {0.0: -0.0006, 10.0: 0.0855}),
-    ],
-)
-def test_a_whole_roller_with_a_depth_is_as_far_off_as_documented(load, errors):
-    (model,) = (each for each in whole_roller.MODELS if each.name == "free ends, plane-strain depth")
-    found = whole_roller.moved(model.roller(load.poisson), load, np.array(list(errors)))
-    expected = np.interp(list(errors), load.y, load.moved)
-    np.testing.assert_allclose(found / expected - 1.0, list(errors.values()), rtol=0.0, atol=0.002)

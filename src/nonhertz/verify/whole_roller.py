@@ -111,7 +111,7 @@ def moved(roller: Roller, load: Load, places: Array) -> Array:
     """Return w / (K q) at places y [mm]."""
     middle = 0.5 * (_EDGES[1:] + _EDGES[:-1])
     along = middle / END if load.tilting else np.ones_like(middle)
-    return _displaced(roller, places, _EDGES, along, load.half_width)
+    return displaced(roller, places, _EDGES, along, load.half_width)
 
 
 @solved
@@ -180,10 +180,10 @@ def _hollow() -> float:
         depth="finite",
     )  # fmt: skip
     edges = np.linspace(-0.5 * _HOLLOW_LENGTH, 0.5 * _HOLLOW_LENGTH, 121)
-    return float(_displaced(roller, np.zeros(1), edges, np.ones(120), _HOLLOW_WIDTH)[0])
+    return float(displaced(roller, np.zeros(1), edges, np.ones(120), _HOLLOW_WIDTH)[0])
 
 
-def _displaced(roller: Roller, places: Array, edges: Array, load: Array, half_width: float) -> Array:
+def displaced(roller: Roller, places: Array, edges: Array, load: Array, half_width: float) -> Array:
     """Return w / K under a line load: that of roller and plate together, less the plate's.
 
     Shares in the compliance of the contact are halves, as both are of one material.
