@@ -11,31 +11,17 @@ import nonhertz as nh
 from nonhertz.verify.hertz_ellipse import Parabola, errors
 
 STEEL = nh.Material(modulus=207000, poisson=0.3)
-# Rx 10, Ry 100, 1000 N, steel: from Johnson 1985, Eqs. (4.25)-(4.28), with mpmath in 30 digits.
-LITERAL = {
-    "half_width": 0.26197489937219,
-    "half_length": 1.17874225447462,
-    "max_pressure": 1546.18997154843,
-    "approach": 0.0103787089074731,
-}
 
 
 def hertz(*, radius_y=100.0, load=1000.0):
     return nh.hertz.point_contact(radius_x=10.0, radius_y=radius_y, load=load, compliance=2.0 * STEEL.compliance)
 
 
-def solved(exact, **arguments):
+def solved(exact, **prescribed):
     """Solve the same contact on strips."""
     profile = Parabola(exact.radius_y)
     body = nh.Body(diameter=2.0 * exact.radius_x, profile=profile, material=STEEL, side_faces="none")
-    grid = {"accuracy": 1e-5} if "strips" not in arguments else {}
-    return nh.solve(nh.Contact(body, nh.Plate(material=STEEL)), **({"load": exact.load} | grid | arguments))
-
-
-def test_closed_form_has_the_literal_numbers():
-    exact = hertz()
-    for name, value in LITERAL.items():
-        np.testing.assert_allclose(getattr(exact, name), value, rtol=1e-12, atol=0.0, err_msg=name)
+    return nh.solve(nh.Contact(body, nh.Plate(material=STEEL)), accuracy=1e-5, **({"load": exact.load} | prescribed))
 
 
 @pytest.mark.parametrize("radius_y", [15.0, 30.0, 100.0, 1e3, 1e4, 1e5])
@@ -45,34 +31,23 @@ def test_automatic_grid_for_any_ellipticity_and_load(radius_y, load):
     np.testing.assert_allclose(errors(solved(exact), exact), 0.0, rtol=0.0, atol=5e-5)
 
 
-# In the middle the figure for the greatest pressure holds everywhere; strips near the end see it by their width.
-@pytest.mark.parametrize(("reach", "rtol"), [(0.7, 3e-4), (0.9, 3e-3)])
 @pytest.mark.parametrize("radius_y", [30.0, 1e3])
-def test_pressure_and_half_width_along_the_line(radius_y, reach, rtol):
+def test_along_the_line_and_at_its_ends(radius_y):
     exact = hertz(radius_y=radius_y)
     solution = solved(exact)
-    inside = np.abs(solution.y) < reach * exact.half_length
-    y = solution.y[inside]
-    np.testing.assert_allclose(solution.centre_pressure[inside], exact.pressure(y), rtol=rtol, atol=0.0)
-    np.testing.assert_allclose(solution.half_width[inside], exact.half_width_at(y), rtol=rtol, atol=0.0)
-    np.testing.assert_allclose(solution.line_load[inside], exact.line_load_at(y), rtol=2.0 * rtol, atol=0.0)
-
-
-@pytest.mark.parametrize("radius_y", [30.0, 1e3])
-def test_line_load_up_to_the_ends(radius_y):
-    exact = hertz(radius_y=radius_y)
-    solution = solved(exact)
+    # In the middle the figure for the greatest pressure holds everywhere; strips near the end see it by their width.
+    for reach, rtol in ((0.7, 3e-4), (0.9, 3e-3)):
+        inside = np.abs(solution.y) < reach * exact.half_length
+        y = solution.y[inside]
+        np.testing.assert_allclose(solution.centre_pressure[inside], exact.pressure(y), rtol=rtol, atol=0.0)
+        np.testing.assert_allclose(solution.half_width[inside], exact.half_width_at(y), rtol=rtol, atol=0.0)
+        np.testing.assert_allclose(solution.line_load[inside], exact.line_load_at(y), rtol=2.0 * rtol, atol=0.0)
     # The strip that holds the end has the mean load over its width, a few thousandths off.
     off = np.abs(solution.line_load - exact.line_load_at(solution.y))
     assert np.max(off) < 0.01 * exact.line_load_at(0.0)
-
-
-@pytest.mark.parametrize("radius_y", [30.0, 1e3])
-def test_ends_of_the_contact(radius_y):
-    exact = hertz(radius_y=radius_y)
-    ((low, high),) = solved(exact).contact_y
     # To a strip at the end, 1 % of the half-length.
-    np.testing.assert_allclose([low, high], [-exact.half_length, exact.half_length], rtol=0.01, atol=0.0)
+    ends = [[-exact.half_length, exact.half_length]]
+    np.testing.assert_allclose(solution.contact_y, ends, rtol=0.01, atol=0.0)
 
 
 @pytest.mark.parametrize("slope", [-2e-3, 5e-4])

@@ -57,7 +57,6 @@ QUANTITIES: dict[str, tuple[str, Callable[..., Any]]] = {
 }
 TILTED_MAX_PRESSURE = 2932.827  # MPa, by the second program at the larger tilt
 _STRIPS = 41
-_HALF_DIGIT = 0.501  # a half, and a little for binary rounding
 
 
 def contact(profile: Profile | None = None, depth: str = "plane-strain") -> Contact:
@@ -153,6 +152,11 @@ def _tilted() -> Iterator[Claim]:
     yield of.claim("moment", "moment", 1e-6, "N mm", expected=lambda: -mirrored().moment, source=f"{of.source}, turned")
 
 
+def half_digit(printed: str) -> float:
+    """Return half of the last digit of a printed number, and a little for binary rounding."""
+    return 0.501 * 10.0 ** -len(printed.partition(".")[2])
+
+
 def _by_second_program(tilt: float) -> Iterator[Claim]:
     source = "a second implementation, complete model"
     of = Evidence(f"ISO profile, {1e3 * tilt:g} mrad", source, functools.partial(_elsewhere, tilt))
@@ -160,8 +164,8 @@ def _by_second_program(tilt: float) -> Iterator[Claim]:
         unit, measure = QUANTITIES[name]
         place = "" if strip is None else f" at y = {(strip - _STRIPS // 2) * LENGTH / _STRIPS:.4f} mm"
         yield of.claim(
-            name + place, functools.partial(measure, i=strip), _HALF_DIGIT * 10.0 ** -len(printed.partition(".")[2]),
-            unit, expected=float(printed), absolute=True,
+            name + place, functools.partial(measure, i=strip), half_digit(printed), unit, expected=float(printed),
+            absolute=True,
         )  # fmt: skip
     if tilt:
         yield of.claim(
