@@ -15,25 +15,14 @@ _AXIS = np.array([1.0, 0.0, 0.0])
 
 @dataclass(frozen=True, eq=False)
 class SpaceSums:
-    """What forces add up to.
+    """What forces add up to: those of the rollers and ribs on the inner ring, about the origin."""
 
-    Attributes
-    ----------
-    loads : float
-        All of them without their directions [N].
-    reach : float
-        How far from the middle of the bearing they act [mm].
-    force, moment : ndarray, shape (3,)
-        Of the rollers and ribs on the inner ring, about the origin [N, N mm].
-    rollers_left : float
-        What is left of the balance of the roller that is farthest from it, over all loads: of its forces, or of its
-        moments over its length.
-    """
-
-    loads: float
-    reach: float
-    force: Array
-    moment: Array
+    loads: float  # N, all of them without their directions
+    reach: float  # mm, how far from the middle of the bearing they act
+    force: Array  # N, shape (3,)
+    moment: Array  # N mm, shape (3,)
+    # What is left of the balance of the roller that is farthest from it, over all loads: of its forces, or of its
+    # moments over its length.
     rollers_left: float
 
     def off(self, force: Array) -> Array:

@@ -27,29 +27,24 @@ REPEATS = 11
 
 def claims() -> Iterator[Claim]:
     """Yield the claims: of times, which differ by tens of per cent, so that they are shown and not judged."""
-    contact = _contact()
-
-    def assembly() -> float:
-        return _exponent([functools.partial(_assemble, contact, _solve(contact, count)) for count in COUNTS])
-
-    def whole() -> float:
-        return _exponent([functools.partial(_solve, contact, count) for count in COUNTS])
-
-    quantity = "exponent of time over strips"
-    yield Claim(f"setting up the coefficients: {quantity}", "paper, section 8", 2.0, assembly, None, absolute=True)
-    yield Claim(f"whole solve: {quantity}", "between 2 and 3", 2.5, whole, None, absolute=True)
-
-
-def _contact() -> Contact:
     profile = iso_logarithmic(diameter=15.0, length=16.0)
-    return Contact(
+    contact = Contact(
         Roller(diameter=15.0, length=16.0, profile=profile, side_faces="mirror"),
         Ring(diameter=60.0, length=24.0, side_faces="mirror", depth="plane-strain"),
     )
 
+    def solved(count: int) -> Solution:
+        return solve(contact, load=20000.0, tilt=0.5e-3, strips=count)
 
-def _solve(contact: Contact, count: int) -> Solution:
-    return solve(contact, load=20000.0, tilt=0.5e-3, strips=count)
+    def assembly() -> float:
+        return _exponent([functools.partial(_assemble, contact, solved(count)) for count in COUNTS])
+
+    def whole() -> float:
+        return _exponent([functools.partial(solved, count) for count in COUNTS])
+
+    quantity = "exponent of time over strips"
+    yield Claim(f"setting up the coefficients: {quantity}", "paper, section 8", 2.0, assembly, None, absolute=True)
+    yield Claim(f"whole solve: {quantity}", "between 2 and 3", 2.5, whole, None, absolute=True)
 
 
 def _assemble(contact: Contact, solution: Solution) -> None:

@@ -38,31 +38,15 @@ def zone_integral(power: float, *, weighted: bool) -> float:
 
 @dataclass(frozen=True)
 class LaminaCase:
-    """A line of the example of ISO/TS 16281: Z = 14, D = 10, pitch 65, L = 9.6 mm, 41 slices; found independently.
+    """A line of the example of ISO/TS 16281: Z = 14, D = 10, pitch 65, L = 9.6 mm, 41 slices; found independently."""
 
-    Attributes
-    ----------
-    clearance : float
-        [mm].
-    profiled : bool
-        Whether the rollers have the profile of the standard, or are straight.
-    tilt : float
-        [rad].
-    displacement : float or None
-        Of the inner ring [um]; None if it is not known.
-    loads : tuple of float
-        Of the first rollers [N].
-    life, edged_life : float
-        L10r without and with the standard's function of the edge stress [10^6 revolutions].
-    """
-
-    clearance: float
-    profiled: bool
-    tilt: float
-    displacement: float | None
-    loads: tuple[float, ...]
-    life: float
-    edged_life: float
+    clearance: float  # mm
+    profiled: bool  # with the profile of the standard, or straight
+    tilt: float  # rad
+    displacement: float | None  # um, of the inner ring; None if it is not known
+    loads: tuple[float, ...]  # N, of the first rollers
+    life: float  # 10^6 revolutions, L10r without the standard's function of the edge stress
+    edged_life: float  # and with it
 
     @property
     def name(self) -> str:
@@ -75,12 +59,9 @@ class LaminaCase:
         """The bearing."""
         profile = StandardLogarithm() if self.profiled else straight()
         return CylindricalRollerBearing(
-            roller=Roller(diameter=10.0, length=9.6, profile=profile),
-            inner=Ring(diameter=55.0),
-            outer=Ring(diameter=-75.0),
-            rollers=14,
-            clearance=self.clearance,
-        )
+            roller=Roller(diameter=10.0, length=9.6, profile=profile), inner=Ring(diameter=55.0),
+            outer=Ring(diameter=-75.0), rollers=14, clearance=self.clearance,
+        )  # fmt: skip
 
 
 class StandardLogarithm(Profile):
@@ -113,34 +94,18 @@ LIFE_FACTORS = {
 
 @dataclass(frozen=True)
 class Masta:
-    """NSK HR30306J under 30 kN radial and 9 kN axial load, as MASTA solved it and a public program quotes it.
+    """NSK HR30306J under 30 kN radial and 9 kN axial load, as MASTA solved it and a public program quotes it."""
 
-    Attributes
-    ----------
-    radial, axial : float
-        Loads [N].
-    dynamic, static : float
-        C and C_0 of the catalogue [N].
-    laminae : int
-        Number of slices.
-    speed, viscosity : float
-        Of the inner ring [1/min], and of the oil [mm^2/s].
-    loads : tuple of float
-        Of the first six rollers [N].
-    life, life_factor : float
-        L10r [10^6 revolutions] and a_ISO.
-    """
-
-    radial: float = 30e3
+    radial: float = 30e3  # N
     axial: float = 9e3
-    dynamic: float = 59.5e3
+    dynamic: float = 59.5e3  # N: C and C_0 of the catalogue
     static: float = 60e3
     laminae: int = 40
-    speed: float = 1500.0
-    viscosity: float = 55.23
-    loads: tuple[float, ...] = (8487.0, 7757.0, 5773.0, 3175.0, 949.0, 0.0)
-    life: float = 19.43
-    life_factor: float = 1.154
+    speed: float = 1500.0  # 1/min, of the inner ring
+    viscosity: float = 55.23  # mm^2/s, of the oil
+    loads: tuple[float, ...] = (8487.0, 7757.0, 5773.0, 3175.0, 949.0, 0.0)  # N, of the first rollers
+    life: float = 19.43  # 10^6 revolutions, L10r
+    life_factor: float = 1.154  # a_ISO
 
 
 MASTA = Masta()
@@ -173,19 +138,13 @@ def hr30306j() -> TaperedRollerBearing:
     steel, angle, mean, pitch, length = Material(210e3, 0.3), math.radians(11.859), 10.53019, 51.56, 11.65
     across = mean / math.cos(angle)
     roller, inner, outer = (Polynomial(_RELIEFS[name]) for name in ("roller", "inner", "outer"))
+    taper = TabulatedDiameter((-0.5 * length, 0.5 * length), (10.9371, 10.123273))
     return TaperedRollerBearing(
-        roller=Roller(
-            diameter=TabulatedDiameter((-0.5 * length, 0.5 * length), (10.9371, 10.123273)),
-            length=length,
-            profile=roller,
-            material=steel,
-        ),
+        roller=Roller(diameter=taper, length=length, profile=roller, material=steel),
         inner=Ring(diameter=pitch - across, profile=inner, material=steel),
         outer=Ring(diameter=-(pitch + across), profile=outer, material=steel),
-        rollers=14,
-        pitch_diameter=pitch,
-        contact_angle=angle,
-    )
+        rollers=14, pitch_diameter=pitch, contact_angle=angle,
+    )  # fmt: skip
 
 
 NU206_LOAD, NU206_TILT = 20e3, 1e-3  # N, rad
@@ -194,15 +153,12 @@ _SPRING = 250e3  # N/mm
 
 def nu206() -> CylindricalRollerBearing:
     """Return an NU 206 with the profile of ISO/TS 16281."""
+    profile = iso_logarithmic(diameter=9.0, length=8.8)
     return CylindricalRollerBearing(
-        roller=Roller(
-            diameter=9.0, length=10.0, effective_length=8.8, profile=iso_logarithmic(diameter=9.0, length=8.8)
-        ),
-        inner=Ring(diameter=37.5, length=16.0, depth=3.75),
-        outer=Ring(diameter=-55.5, length=16.0, depth=3.25),
-        rollers=13,
-        clearance=0.0184,
-    )
+        roller=Roller(diameter=9.0, length=10.0, effective_length=8.8, profile=profile),
+        inner=Ring(diameter=37.5, length=16.0, depth=3.75), outer=Ring(diameter=-55.5, length=16.0, depth=3.25),
+        rollers=13, clearance=0.0184,
+    )  # fmt: skip
 
 
 def by_hand(bearing: CylindricalRollerBearing, load: float, tilt: float) -> tuple[float, Array]:

@@ -10,7 +10,6 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any
 
 from nonhertz import __version__
 from nonhertz.io.folder import write_files
@@ -51,15 +50,25 @@ def row(check: Check) -> tuple[str, ...]:
         _number(check.expected),
         _number(check.computed),
         f"{difference} abs" if claim.absolute else difference,
-        "" if check.tolerance is None else _trimmed(_power(check.tolerance, 2)),
+        "" if check.tolerance is None else re.sub(r"\.?0+(?=e)", "", _power(check.tolerance, 2)),
         check.verdict,
     )
 
 
 def as_json(found: Iterable[Section]) -> str:
     """Return all checks as one JSON list, one check per line; non-finite numbers are null."""
-    objects = (_as_object(section, check) for section in found for check in section.checks)
-    return "[\n" + ",\n".join(f"  {json.dumps(entry, allow_nan=False)}" for entry in objects) + "\n]"
+    lines = []
+    for section in found:
+        for check in section.checks:
+            claim = check.claim
+            entry = {
+                "section": section.name, "title": section.title, "id": claim.id, "claim": _quantity(check),
+                "source": claim.source, "expected": plain(check.expected), "computed": plain(check.computed),
+                "difference": plain(check.difference), "tolerance": plain(check.tolerance), "why": claim.why,
+                "unit": claim.unit, "absolute": claim.absolute, "verdict": check.verdict,
+            }  # fmt: skip
+            lines.append(f"  {json.dumps(entry, allow_nan=False)}")
+    return "[\n" + ",\n".join(lines) + "\n]"
 
 
 def as_markdown(found: Sequence[Section], command: str) -> str:
@@ -100,24 +109,6 @@ def _quantity(check: Check) -> str:
     return f"{check.claim.quantity} (not found: {check.error})" if check.error else check.claim.quantity
 
 
-def _as_object(section: Section, check: Check) -> dict[str, Any]:
-    return {
-        "section": section.name,
-        "title": section.title,
-        "id": check.claim.id,
-        "claim": _quantity(check),
-        "source": check.claim.source,
-        "expected": plain(check.expected),
-        "computed": plain(check.computed),
-        "difference": plain(check.difference),
-        "tolerance": plain(check.tolerance),
-        "why": check.claim.why,
-        "unit": check.claim.unit,
-        "absolute": check.claim.absolute,
-        "verdict": check.verdict,
-    }
-
-
 def _escaped(text: str) -> str:
     r"""Return a text on one line, with Markdown's special characters escaped.
 
@@ -149,10 +140,6 @@ def _power(value: float, decimals: int = 1) -> str:
     ('3.1e-6', '-1.0e-2', '1.25e-2', '0')
     """
     return "0" if value == 0.0 else _short_exponent(f"{value:.{decimals}e}")
-
-
-def _trimmed(power: str) -> str:
-    return re.sub(r"\.?0+(?=e)", "", power)
 
 
 def _short_exponent(text: str) -> str:
