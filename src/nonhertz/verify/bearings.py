@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import functools
 import math
+import operator
 from collections.abc import Callable, Iterator
 from typing import Literal
 
@@ -223,8 +224,9 @@ def _lives() -> Iterator[Claim]:
     """
     plain, edged = (functools.partial(tapered_life, "slices", edges) for edges in ("none", "standard"))
     by_strips = functools.partial(tapered_life, "strips", "standard")
-    life, factor, program = ("reference", "million"), ("life_factor", ""), "the program that quotes it"
-    for method, found, edges, (measure, unit), source, expected in (
+    program, life = "the program that quotes it", (operator.attrgetter("reference"), "million")
+    factor = (lambda found: found.life_factor or math.nan, "")
+    for method, found, quantity, (measure, unit), source, expected in (
         ("slices", plain, "L10r, f = 1", life, _RECOMPUTED, known.SLICES_LIFE),
         ("slices", edged, "L10r, edge function", life, _RECOMPUTED, known.SLICES_EDGED_LIFE),
         ("slices", edged, "a_ISO, edge function", factor, _RECOMPUTED, known.SLICES_FACTOR),
@@ -237,7 +239,7 @@ def _lives() -> Iterator[Claim]:
     ):
         recomputed = source is _RECOMPUTED
         yield Evidence(f"HR30306J, {method}", source, found).claim(
-            edges, measure, 6e-3 if recomputed else None, unit, expected=expected, absolute=recomputed
+            quantity, measure, 6e-3 if recomputed else None, unit, expected=expected, absolute=recomputed
         )
 
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 import functools
 import math
 import operator
-import types
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
@@ -163,12 +162,12 @@ def _landmarks(
     name: str,
     known: Landmarks,
     found: Callable[[str], tuple[float, float]],
-    sources: Mapping[str, str] = types.MappingProxyType({}),
+    sources: Mapping[str, str] | None = None,
     why: str = _WHY_DEPTH,
 ) -> Iterator[Claim]:
     """Yield the largest stresses over p0 and their depths over b."""
     for quantity, (value, depth) in known.items():
-        of = Evidence(name, sources.get(quantity, _LANDMARK), functools.partial(found, quantity))
+        of = Evidence(name, (sources or {}).get(quantity, _LANDMARK), functools.partial(found, quantity))
         largest = f"largest {NAMES[quantity]} over p0"
         yield of.claim(largest, operator.itemgetter(0), _VALUE, expected=value, absolute=True)
         yield of.claim("its depth over b", operator.itemgetter(1), _DEPTH, expected=depth, absolute=True, why=why)
