@@ -21,17 +21,14 @@ from nonhertz.subsurface import passage, stress
 from nonhertz.subsurface.field import von_mises_of
 from nonhertz.verify import (
     bearings,
-    edge_exponents,
+    bodies,
     fatigue_life,
     free_ends,
     half_space,
-    hertz_ellipse,
+    hertz,
     known_bearings,
-    load_compression,
+    paper_rollers,
     plane_grid,
-    plane_strain,
-    profiled_roller,
-    quarter_space,
     subsurface_stress,
     whole_roller,
 )
@@ -42,17 +39,17 @@ LOOKS = ((FIRST, "-"), (SECOND, "--"), (INK, ":"), (FAINT_INK, "-."))
 
 def draw_hertz_ellipse(figure: Figure) -> None:
     """Pressure and half-width along an ellipse, after Fig. 3 of the paper."""
-    exact = hertz_ellipse.hertz()
+    exact = hertz.ellipse()
     upper, lower = figure.subplots(2, 2, sharex=True, height_ratios=(3.0, 1.3))
     y = exact.half_length * np.sin(np.linspace(-0.5 * np.pi, 0.5 * np.pi, 301))
     for axes, along in zip(upper, (exact.pressure(y), exact.half_width_at(y)), strict=True):
         axes.plot(y, along, color=INK, linewidth=0.9, label="Hertz")
     for element, colour, mark in ((SEMI_ELLIPTIC, FIRST, "o"), (PARABOLIC, SECOND, "x")):
-        solution = hertz_ellipse.on_strips(exact, element, hertz_ellipse.REACH, hertz_ellipse.EQUAL_STRIPS)
+        solution = hertz.on_strips(exact, element, hertz.REACH, hertz.EQUAL_STRIPS)
         look = {"color": colour, "mfc": "none"}
         for axes, values in zip(upper, (solution.centre_pressure, solution.half_width), strict=True):
             axes.plot(solution.y, values, mark, markersize=3.5, label=element.name, **look)
-        places, *off = hertz_ellipse.off(solution, exact)
+        places, *off = hertz.off(solution, exact)
         for axes, difference in zip(lower, off, strict=True):
             axes.plot(places, 100.0 * difference, mark, markersize=3.0, **look)
     upper[0].set(ylabel="pressure $p_0$ (MPa)", ylim=(0.0, 1750.0))
@@ -85,7 +82,7 @@ def draw_plane_strain(figure: Figure) -> None:
     for element, (colour, _), marker in zip((SEMI_ELLIPTIC, PARABOLIC), LOOKS, "os", strict=False):
         closed = [plane_strain_depth(element, float(nu)) for nu in poisson]
         axes.plot(poisson, closed, color=colour, label=f"{element.name}, closed form")
-        dots = [(nu, plane_strain.depth_found(element, 1.0, 10.0, nu)) for nu in (0.0, 0.15, 0.3, 0.45)]
+        dots = [(nu, bodies.depth_found(element, 1.0, 10.0, nu)) for nu in (0.0, 0.15, 0.3, 0.45)]
         axes.plot(*zip(*dots, strict=True), marker, color=colour, mfc="none", label=f"{element.name}, found")
     axes.axhline(1.0, color=FAINT_INK, linestyle="--", label="paper: D")
     axes.axhline(0.75, color=FAINT_INK, linestyle=":", label="de Mul and van Engelenburg: 3/4 D")
@@ -97,7 +94,7 @@ def draw_edge_exponents(figure: Figure) -> None:
     """Pressure towards sharp ends, with the slopes of the formula."""
     axes = figure.add_subplot()
     colours = mpl.colormaps[COLOUR_MAP]
-    for end in sorted((edge_exponents.end(*case) for case in edge_exponents.CASES), key=lambda end: end.kappa):
+    for end in sorted((half_space.end(*case) for case in half_space.CASES), key=lambda end: end.kappa):
         shown = (np.arange(end.distance.size) >= 2) & (end.distance < 3.0)
         over = float(np.exp(np.interp(np.log(0.5), np.log(end.distance), np.log(end.pressure))))
         label = f"$\\kappa$ = {end.kappa:.2f}, $\\alpha$ = {end.expected:.3f}"
@@ -111,15 +108,15 @@ def draw_edge_exponents(figure: Figure) -> None:
 
 def draw_quarter_space(figure: Figure) -> None:
     """Pressure towards ends with images, and towards exact free ends."""
-    axes, far = figure.add_subplot(), quarter_space.FAR
+    axes, far = figure.add_subplot(), free_ends.FAR
     looks = ((FIRST, "-"), (SECOND, "-"), (SECOND, "--"), (FAINT_INK, ":"))
-    for (name, (weights, _)), (colour, dashes) in zip(quarter_space.MIRRORED.items(), looks, strict=True):
-        solution = quarter_space.with_weights(*weights)
+    for (name, (weights, _)), (colour, dashes) in zip(free_ends.MIRRORED.items(), looks, strict=True):
+        solution = free_ends.with_weights(*weights)
         over = float(np.interp(far, solution.y, solution.centre_pressure))
         axes.plot(solution.y, solution.centre_pressure / over, color=colour, linestyle=dashes, label=name)
-    places = quarter_space.PLACES
-    axes.plot(places, quarter_space.EXACT_ROLLER, "o", color=INK, mfc="none", label="roller ends: exact")
-    axes.plot(places, quarter_space.EXACT_BOTH, "s", color=INK, mfc="none", label="both bodies end: exact")
+    places = free_ends.DISTANCES
+    axes.plot(places, free_ends.EXACT_ROLLER, "o", color=INK, mfc="none", label="roller ends: exact")
+    axes.plot(places, free_ends.EXACT_BOTH, "s", color=INK, mfc="none", label="both bodies end: exact")
     axes.set(
         xscale="log", xlim=(0.05, 10.0), ylim=(0.4, 2.6), xlabel="distance from the end (mm)", ylabel="p / p(8 mm)"
     )
@@ -144,16 +141,16 @@ def draw_whole_roller(figure: Figure) -> None:
 def draw_footprint(figure: Figure) -> None:
     """Footprint of the stand-in roller, in true proportions and stretched across."""
     upper, lower = figure.subplots(2, 1, height_ratios=(1.0, 3.2))
-    footprint(profiled_roller.stand_in(), upper, colour_bar=False)
-    footprint(profiled_roller.stand_in(), lower, stretch=6.0)
+    footprint(paper_rollers.stand_in(), upper, colour_bar=False)
+    footprint(paper_rollers.stand_in(), lower, stretch=6.0)
     upper.set_xlabel("")
 
 
 def draw_profiled_pressure(figure: Figure) -> None:
     """Pressure and half-width of the stand-in roller, on the scales of the paper's Fig. 7."""
-    axes, tilt = figure.add_subplot(), profiled_roller.TILT
+    axes, tilt = figure.add_subplot(), paper_rollers.TILT
     for of, width, words in ((0.0, 1.5, ""), (tilt, 0.7, f", {1e3 * tilt:g} mrad")):
-        one = profiled_roller.stand_in(SEMI_ELLIPTIC, of)
+        one = paper_rollers.stand_in(SEMI_ELLIPTIC, of)
         pressure, half_width = 1e-3 * one.centre_pressure, 10.0 * one.half_width
         axes.plot(one.y, pressure, "-", color=FIRST, linewidth=width, label=f"pressure (GPa){words}")
         axes.plot(one.y, half_width, "--", color=SECOND, linewidth=width, label=f"half-width (mm/10){words}")
@@ -161,18 +158,18 @@ def draw_profiled_pressure(figure: Figure) -> None:
     axes.legend(loc="lower center", ncols=2, fontsize=SMALL_SIZE)
 
 
-def draw_load_compression(pair: load_compression.Pair, figure: Figure) -> None:
+def draw_load_compression(pair: paper_rollers.Pair, figure: Figure) -> None:
     """Load against compression of a pair, with three depths and by the formulas of practice."""
     axes = figure.add_subplot()
     # Equal steps of the square root: the curves bend most at small loads.
     loads = pair.loads[-1] * np.linspace(0.05, 1.0, 12) ** 2
 
     def compression(depth: str, **more: object) -> list[float]:
-        return [1e3 * load_compression.on_strips(pair, float(load), depth, **more).approach for load in loads]
+        return [1e3 * paper_rollers.on_strips(pair, float(load), depth, **more).approach for load in loads]
 
     names = ("no depth", "depth of plane strain", "depth of one diameter")
     looks = ((FAINT_INK, "-."), (FIRST, "-"), (SECOND, "--"))
-    for depth, name, (colour, dashes) in zip(load_compression.DEPTHS, names, looks, strict=True):
+    for depth, name, (colour, dashes) in zip(paper_rollers.DEPTHS, names, looks, strict=True):
         axes.plot([0.0, *compression(depth)], [0.0, *(1e-3 * loads)], color=colour, linestyle=dashes, label=name)
     paper = compression("diameter", element=PARABOLIC)
     label = "paper: parabolas, one diameter"
@@ -223,14 +220,14 @@ def draw_depth(figure: Figure) -> None:
     line = subsurface_stress.line(0.3)
     circle = subsurface_stress.point_on_strips(1.0), subsurface_stress.point(1.0)[1], subsurface_stress.CIRCLE
     cases = {"line": (line.solution, line.hertz, subsurface_stress.LINE), "circle": circle}
-    for axes, (case, (solution, hertz, known)) in zip(panels, cases.items(), strict=True):
-        z = hertz.half_width * depth
+    for axes, (case, (solution, exact, known)) in zip(panels, cases.items(), strict=True):
+        z = exact.half_width * depth
         on_axis, over = stress(solution, 0.0, 0.0, z), passage(solution, 0.0, z[1:])
         curves = {"von_mises": on_axis.von_mises, "shear": on_axis.max_shear}
         curves["orthogonal_shear"] = np.append(0.0, over.orthogonal_shear)
         for (name, values), (colour, dashes) in zip(curves.items(), LOOKS, strict=False):
             label = subsurface_stress.NAMES[name]
-            axes.plot(depth, values / hertz.max_pressure, color=colour, linestyle=dashes, label=label)
+            axes.plot(depth, values / exact.max_pressure, color=colour, linestyle=dashes, label=label)
             value, where = known[name]
             axes.plot(where, value, "o", color=colour, mfc="none")
         axes.set_title(case, loc="left", fontsize=SMALL_SIZE)
@@ -320,12 +317,12 @@ def draw_known(axes: Axes, degrees: Array, loads: Array, label: str) -> None:
 
 def draw_roller(figure: Figure) -> None:
     """Load against compression of the roller."""
-    draw_load_compression(load_compression.ROLLER, figure)
+    draw_load_compression(paper_rollers.ROLLER, figure)
 
 
 def draw_needle(figure: Figure) -> None:
     """Load against compression of the needle."""
-    draw_load_compression(load_compression.NEEDLE, figure)
+    draw_load_compression(paper_rollers.NEEDLE, figure)
 
 
 #: How each figure is drawn, and its height [inch], by the name of its file.

@@ -26,7 +26,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def let_it_fail(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let the section half-space be one claim, which fails."""
     monkeypatch.setattr(
-        nonhertz.verify.half_space, "claims", lambda: [Claim("two", "counting", 3.0, lambda: 2.0, 1e-6)]
+        nonhertz.verify.half_space, "rollers", lambda: [Claim("two", "counting", 3.0, lambda: 2.0, 1e-6)]
     )
 
 
@@ -90,7 +90,7 @@ def test_an_unknown_section_is_answered_with_the_known_ones(capsys: pytest.Captu
 def test_a_file_in_the_place_of_the_directory_is_refused_before_anything_runs(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(nonhertz.verify.half_space, "claims", lambda: pytest.fail("it ran"))
+    monkeypatch.setattr(nonhertz.verify.half_space, "rollers", lambda: pytest.fail("it ran"))
     Path("page").write_text("mine", encoding="utf-8")
     assert main(["verify", "--only", "half-space", "--out", "page"]) == 2
     printed = capsys.readouterr()
@@ -107,7 +107,7 @@ def test_a_directory_that_cannot_be_written_is_refused_before_anything_runs(
     def refuse(*_: object, **__: object) -> str:
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
 
-    monkeypatch.setattr(nonhertz.verify.half_space, "claims", lambda: pytest.fail("it ran"))
+    monkeypatch.setattr(nonhertz.verify.half_space, "rollers", lambda: pytest.fail("it ran"))
     # Whoever runs the tests may be allowed everything.
     monkeypatch.setattr("tempfile.mkdtemp", refuse)
     Path("file").write_text("mine", encoding="utf-8")
@@ -126,7 +126,7 @@ def test_a_directory_is_tried_without_a_trace(monkeypatch: pytest.MonkeyPatch) -
         seen.append(sorted(str(path) for path in Path().rglob("*")))
         raise RuntimeError("the computer broke")
 
-    monkeypatch.setattr(nonhertz.verify.half_space, "claims", claims)
+    monkeypatch.setattr(nonhertz.verify.half_space, "rollers", claims)
     Path("old").mkdir()
     Path("old/notes.txt").write_text("mine", encoding="utf-8")
     for out in ("old", "new/page"):

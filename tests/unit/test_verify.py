@@ -1,8 +1,8 @@
 """Claims, their verdicts, and the tables that are made of them."""
 
-import importlib
 import json
 import math
+import pkgutil
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +10,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz import verify
+from nonhertz.verify import half_space
 from nonhertz.verify.claim import Claim, Section, forget, named, series, solved
 from nonhertz.verify.page import COLUMNS, as_json, as_markdown, row, summary, tally, write_page
 
@@ -152,21 +153,22 @@ def test_sections_come_in_reading_order_and_unknown_ones_are_refused():
 def test_each_section_is_announced_before_it_runs(monkeypatch):
     events = []
     claim = Claim("a number", "a law", 2.0, lambda: events.append("runs") or 2.0, 0.0)
-    monkeypatch.setattr(importlib.import_module(verify.CATALOGUE["half-space"]), "claims", lambda: [claim])
+    monkeypatch.setattr(half_space, "rollers", lambda: [claim])
     (section,) = verify.sections(["half-space"], events.append)
     assert (section.name, section.title, len(section.checks)) == ("half-space", "Rollers on half-spaces", 1)
     assert events == ["half-space", "runs"]
 
 
 def test_the_catalogue_lists_every_section():
-    modules = {f"nonhertz.verify.{path.stem}" for path in Path(verify.__file__).parent.glob("*.py")}
-    apart = {f"nonhertz.verify.{name}" for name in ("__init__", "bearing_sums", "claim", "known_bearings", "page")}
-    assert set(verify.CATALOGUE.values()) == modules - apart
-    for name, module in verify.CATALOGUE.items():
-        assert module.startswith(f"nonhertz.verify.{name.replace('-', '_')}")
+    modules = {path.stem for path in Path(verify.__file__).parent.glob("*.py")}
+    apart = {"__init__", "bearing_sums", "claim", "known_bearings", "page"}
+    assert {place.partition(":")[0] for place, _ in verify.CATALOGUE.values()} == modules - apart
 
 
 def test_claims_are_data_until_their_numbers_are_asked_for(monkeypatch):
+    for place, _ in verify.CATALOGUE.values():
+        # Imported before, so that no module keeps what is put in place of the solver's function.
+        pkgutil.resolve_name(f"nonhertz.verify.{place}")
     monkeypatch.setattr(nh.solver.one, "problem_of", lambda *_: pytest.fail("something was solved"))
     claims = [claim for name in verify.CATALOGUE for claim in verify.claims(name)]
     assert len(claims) == len({claim.id for claim in claims}) == 659

@@ -14,10 +14,10 @@ from nonhertz.solver.one import problem_of
 from nonhertz.strip.influence import coefficients, remote_of
 from nonhertz.strip.problem import row_of
 from nonhertz.strip.settle import strips_of
-from nonhertz.verify import finite_bodies, profiled_roller
+from nonhertz.verify import bodies, paper_rollers
 from nonhertz.verify.claim import pressures
-from nonhertz.verify.profiled_roller import half_digit
-from nonhertz.verify.quarter_space import EXACT_ROLLER, FAR, PLACES, with_weights
+from nonhertz.verify.free_ends import DISTANCES, EXACT_ROLLER, FAR, with_weights
+from nonhertz.verify.paper_rollers import half_digit
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 
@@ -27,19 +27,19 @@ HALF_SPACE = {"side_faces": "none", "depth": "none"}
 
 @pytest.mark.parametrize(("images", "approach"), [(1, "25.463"), (40, "25.336")])
 def test_approach_of_two_rollers_with_a_depth_of_one_diameter(images, approach):
-    found = 1e3 * finite_bodies.pair(nh.PARABOLIC, 41, images=images, depth="diameter").approach
+    found = 1e3 * bodies.pair(nh.PARABOLIC, 41, images=images, depth="diameter").approach
     assert found == pytest.approx(float(approach), rel=0.0, abs=half_digit(approach))
 
 
 @pytest.mark.parametrize("images", [1, 2, 4, 10, 40, "series"])
 def test_pressure_of_two_rollers_is_uniform(images):
     # To 1e-4, as in the second implementation; more images leave less.
-    pressure = finite_bodies.pair(nh.PARABOLIC, 41, images=images).centre_pressure
+    pressure = bodies.pair(nh.PARABOLIC, 41, images=images).centre_pressure
     np.testing.assert_allclose(pressure, np.mean(pressure), rtol=1e-4, atol=0.0)
 
 
 def test_the_greatest_pressure_of_a_tilted_roller_on_a_ring_is_where_it_was():
-    contact = profiled_roller.contact(nh.profile.iso_logarithmic(diameter=15, length=16), "diameter")
+    contact = paper_rollers.contact(nh.profile.iso_logarithmic(diameter=15, length=16), "diameter")
     solution = nh.solve(contact, load=20e3, tilt=5e-4, element=nh.PARABOLIC, strips=41)
     assert solution.max_pressure_y == pytest.approx(3.9024, abs=half_digit("3.9024"))
 
@@ -79,7 +79,7 @@ def test_single_coefficients(body, yi, displacement, by_c, flattening, flattenin
 def test_the_calibrated_weight_is_near_the_free_face():
     # The weight was fitted to bring pressures within 2 % from a quarter of the half-width inwards.
     def off(weight):
-        pressure = np.array(pressures(with_weights(weight, 0.0), [*PLACES[1:], FAR]))
+        pressure = np.array(pressures(with_weights(weight, 0.0), [*DISTANCES[1:], FAR]))
         return np.abs(pressure[:-1] / pressure[-1] / EXACT_ROLLER[1:] - 1.0)
 
     assert np.all(off("calibrated") < 0.02)

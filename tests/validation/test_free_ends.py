@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.verify import free_ends, quarter_space
+from nonhertz.verify import free_ends
 from nonhertz.verify.claim import pressures
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
@@ -25,10 +25,10 @@ def beside_a_face(*, both, poisson=0.3, **more):
 
 @pytest.mark.parametrize(
     ("both", "expected", "within"),
-    [(True, quarter_space.EXACT_BOTH, (0.01, 0.005)), (False, quarter_space.EXACT_ROLLER, (0.04, 0.015))],
+    [(True, free_ends.EXACT_BOTH, (0.01, 0.005)), (False, free_ends.EXACT_ROLLER, (0.04, 0.015))],
 )
 def test_the_pressure_towards_free_ends(both, expected, within):
-    pressure = np.array(pressures(beside_a_face(both=both, accuracy=1e-5), [*quarter_space.PLACES, 8.0]))
+    pressure = np.array(pressures(beside_a_face(both=both, accuracy=1e-5), [*free_ends.DISTANCES, 8.0]))
     off = np.abs(pressure[:-1] / pressure[-1] / expected - 1.0)
     np.testing.assert_array_less(off, [*within, 0.005, 0.005, 0.005, 0.005])
 

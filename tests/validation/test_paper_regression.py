@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.verify.profiled_roller import QUANTITIES, half_digit
+from nonhertz.verify.paper_rollers import QUANTITIES, half_digit
 
 pytestmark = pytest.mark.filterwarnings("ignore:The maximum pressure is uncertain")  # of 41 equal strips
 

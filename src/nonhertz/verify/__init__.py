@@ -1,35 +1,35 @@
 """Whether the numbers are right: claims about them, by publications, exact solutions and other methods.
 
-Each topic is a module with a ``TITLE`` and a function ``claims``. `sections` computes the numbers of the claims, and
-`nonhertz.verify.page` makes tables of them; what is compared and how well is told in docs/validation.
+Each page of docs/validation, which says what is compared and how well, has a module with a function for each section,
+which yields its claims. `sections` computes their numbers, and `nonhertz.verify.page` makes tables of them.
 """
 
 from __future__ import annotations
 
-import importlib
+import pkgutil
 from collections.abc import Callable, Iterable, Iterator
 
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.verify.claim import Claim, Section, forget, named
 
-#: Name and module of every section, in reading order.
+#: Module and function of the claims of every section, and its title, in reading order.
 CATALOGUE = {
-    "hertz-ellipse": "nonhertz.verify.hertz_ellipse",
-    "line-limits": "nonhertz.verify.line_limits",
-    "half-space": "nonhertz.verify.half_space",
-    "plane-strain": "nonhertz.verify.plane_strain",
-    "finite-bodies": "nonhertz.verify.finite_bodies",
-    "edge-exponents": "nonhertz.verify.edge_exponents",
-    "quarter-space": "nonhertz.verify.quarter_space",
-    "whole-roller": "nonhertz.verify.whole_roller",
-    "profiled-roller": "nonhertz.verify.profiled_roller",
-    "load-compression": "nonhertz.verify.load_compression",
-    "plane-grid": "nonhertz.verify.plane_grid",
-    "free-ends": "nonhertz.verify.free_ends",
-    "subsurface": "nonhertz.verify.subsurface_stress",
-    "fatigue-life": "nonhertz.verify.fatigue_life",
-    "bearings": "nonhertz.verify.bearings",
-    "cost": "nonhertz.verify.cost",
+    "hertz-ellipse": ("hertz:ellipses", "Elliptical contacts: Hertz (paper, Fig. 3)"),
+    "line-limits": ("hertz:lines", "Line contact: limits of both elements (paper, Eqs. 59, 61, 62)"),
+    "half-space": ("half_space:rollers", "Rollers on half-spaces"),
+    "plane-strain": ("bodies:plane_strain", "Plane strain: how deep a cylinder is (paper, section 6)"),
+    "finite-bodies": ("bodies:limits", "Side faces and depth: limits"),
+    "edge-exponents": ("half_space:exponents", "Sharp ends: the exponent of the singularity"),
+    "quarter-space": ("free_ends:mirrored", "Free ends: what mirroring leaves"),
+    "whole-roller": ("whole_roller:claims", "The whole roller: models of ends and depth side by side"),
+    "profiled-roller": ("paper_rollers:profiled", "A profiled roller on an inner ring (paper, Figs. 6 and 7)"),
+    "load-compression": ("paper_rollers:compression", "Load and compression (paper, Figs. 8 and 9)"),
+    "plane-grid": ("plane_grid:claims", "Strips against a plane grid"),
+    "free-ends": ("free_ends:free", "Free ends: strips against a plane grid"),
+    "subsurface": ("subsurface_stress:claims", "Stress below the surface"),
+    "fatigue-life": ("fatigue_life:claims", "Fatigue life"),
+    "bearings": ("bearings:claims", "Whole bearings"),
+    "cost": ("cost:claims", "Cost (paper, section 8)"),
 }
 
 
@@ -55,7 +55,8 @@ def chosen(only: Iterable[str] = ()) -> tuple[str, ...]:
 
 def claims(name: str) -> tuple[Claim, ...]:
     """Return the claims of a section by its name; nothing is solved yet."""
-    return named(name, importlib.import_module(CATALOGUE[name]).claims())
+    # Imported late, so that running one section does not load the others.
+    return named(name, pkgutil.resolve_name(f"nonhertz.verify.{CATALOGUE[name][0]}")())
 
 
 def sections(only: Iterable[str] = (), announce: Callable[[str], object] | None = None) -> Iterator[Section]:
@@ -76,10 +77,8 @@ def sections(only: Iterable[str] = (), announce: Callable[[str], object] | None 
     for name in chosen(only):
         if announce is not None:
             announce(name)
-        # Imported late, so that running one section does not load the others.
-        title = importlib.import_module(CATALOGUE[name]).TITLE
         forget()
         with without_accuracy_warnings():
             checks = tuple(claim.check() for claim in claims(name))
         forget()
-        yield Section(name, title, checks)
+        yield Section(name, CATALOGUE[name][1], checks)

@@ -36,7 +36,6 @@ from nonhertz.verify.claim import Claim, Evidence, series, solved
 Array = NDArray[np.float64]
 Method = Literal["strips", "slices"]
 
-TITLE = "Whole bearings"
 METHODS: tuple[Method, Method] = ("strips", "slices")
 # Enough rollers that their sums are the integrals to 1e-4, and the angle of their contacts [rad].
 MANY, ANGLE = 360, 0.3

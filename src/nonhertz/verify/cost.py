@@ -20,7 +20,6 @@ from nonhertz.strip.influence import coefficients, law_of, remote_of
 from nonhertz.strip.records import Strips
 from nonhertz.verify.claim import Claim
 
-TITLE = "Cost (paper, section 8)"
 COUNTS = (100, 200, 400)
 REPEATS = 11
 

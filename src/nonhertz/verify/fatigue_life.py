@@ -24,7 +24,6 @@ from nonhertz.verify.subsurface_stress import mcewen
 
 Array = NDArray[np.float64]
 
-TITLE = "Fatigue life"
 STEEL = Material(206000.0, 0.3)
 DIAMETER, LENGTH, LOAD_ON_LINE = 10.0, 10.0, 10e3  # mm, N
 NARROW = 0.05  # mm: width of the outer two of three strips; a line contact is uniform along y and needs no more

@@ -1,8 +1,8 @@
-"""Free ends: strips against a plane grid, and both against three-dimensional solutions of the quarter-space.
+"""Free ends: what mirroring leaves, and strips against a plane grid; both beside three-dimensional solutions.
 
-With ``side_faces = "free"`` both take from the solved quarter-space what one wave across adds. From there each goes its
-own way: strips integrate it along their length for a semi-elliptic pressure across, cells have a matrix between rows.
-The three-dimensional solutions are of two half-spaces, iterated until both faces are free.
+These are of two half-spaces, iterated until both faces are free, after Hetenyi. With ``side_faces = "free"`` strips and
+plane grid take from the solved quarter-space what one wave across adds. From there each goes its own way: strips
+integrate it along their length for a semi-elliptic pressure across, cells have a matrix between rows.
 """
 
 from __future__ import annotations
@@ -18,18 +18,74 @@ import numpy as np
 from nonhertz.model.body import Body, Ring, Roller
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
-from nonhertz.model.profile import Profile, iso_logarithmic, partial_crown
+from nonhertz.model.profile import Profile, iso_logarithmic, partial_crown, straight, tabulated
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.solver import solve as solve_patch
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.verify.claim import Claim, Evidence, pressures, series, solved
-from nonhertz.verify.quarter_space import EXACT_BOTH, EXACT_ROLLER
 
-TITLE = "Free ends: strips against a plane grid"
+# What mirroring leaves: bodies on y > 0 with a combined radius of 100 mm, separation 0 up to y = 13 mm and
+# (y - 13)^2 / 5000 beyond; the half-width is about 0.85 mm. Compared are p(0, y) / p(0, 8).
+
+LENGTH, FLAT = 60.0, 13.0  # mm: length of the bodies, where the run-out begins
+DISTANCES, FAR = (0.1, 0.25, 0.5, 1.0, 2.0, 5.0), 8.0  # mm
+MIRRORED_TOLERANCES = (None, 0.03, 0.015, 0.007, 0.007, 0.007)
+
+# p(0, y) / p(0, 8) at DISTANCES from three-dimensional solutions: with exact free ends of both bodies or of the roller,
+# and mirrored, by what ends with which weights of the images of both bodies.
+EXACT_BOTH = (0.657, 0.753, 0.828, 0.885, 0.925, 0.972)
+EXACT_ROLLER = (1.193, 1.091, 1.035, 1.011, 0.998, 0.992)
+MIRRORED = {
+    "both bodies end, weight 1": ((1.0, 1.0), (0.984, 0.984, 0.984, 0.984, 0.985, 0.990)),
+    "roller ends, weight 1": ((1.0, 0.0), (1.534, 1.272, 1.134, 1.068, 1.030, 1.001)),
+    "roller ends, weight 1.7": ((1.7, 0.0), (1.125, 1.061, 1.026, 1.008, 0.998, 0.993)),
+    "half-space": ((0.0, 0.0), (2.405, 1.681, 1.324, 1.166, 1.080, 1.013)),
+}
+
+
+@solved
+def with_weights(of_roller: float, of_flat: float) -> Solution:
+    """Return the case with image weights of both bodies."""
+    middle = 0.5 * LENGTH
+    placed: dict[str, Any] = {"length": LENGTH, "position": middle, "material": Material(182000.0, 0.3)}
+    y = np.linspace(FLAT, 33.0, 400)
+    profile = tabulated(y=[0.0 - middle, *(y - middle)], relief=[0.0, *((y - FLAT) ** 2 / 5000.0)])
+    roller = Body(diameter=200.0, profile=profile, side_faces=(of_roller, "none"), **placed)
+    return solve(Contact(roller, Body(side_faces=(of_flat, "none"), **placed)), load=785.4 * 14.0)
+
+
+def mirrored() -> Iterator[Claim]:
+    """Yield the claims about mirrored ends."""
+    for name, (weights, expected) in MIRRORED.items():
+        yield from _mirrored(name, weights, "three-dimensional solution, mirrored", expected, MIRRORED_TOLERANCES)
+    name, source = "roller ends, weight 1.6 (calibrated)", "three-dimensional solution, free end"
+    yield from _mirrored(name, (1.6, 0.0), source, EXACT_ROLLER, (None,) * len(DISTANCES))
+
+
+def _mirrored(
+    name: str,
+    weights: tuple[float, float],
+    source: str,
+    expected: tuple[float, ...],
+    tolerances: tuple[float | None, ...],
+) -> Iterator[Claim]:
+    quantities = [f"{name}: pressure at y = {place:g} mm over that at {FAR:g} mm" for place in DISTANCES]
+    why = "across the last quarter of a half-width the pressure is no semi-ellipse"
+    found = functools.partial(_mirrored_ratios, *weights)
+    yield from series(quantities, source, expected, found, tolerances, why=why)
+
+
+def _mirrored_ratios(of_roller: float, of_flat: float) -> list[float]:
+    *near, far = pressures(with_weights(of_roller, of_flat), [*DISTANCES, FAR])
+    return [pressure / far for pressure in near]
+
+
+# Strips against the plane grid
+
 CELLS = (64, 1024)
 HALF = 10.0  # mm: of the rollers' length
-PLACES, FAR = (0.1, 0.25, 0.5, 1.0, 2.0), 8.0  # half-widths from the end, mm
+PLACES = (0.1, 0.25, 0.5, 1.0, 2.0)  # half-widths from the end, or mm
 # Closer to a sharp end cells and strips bear different means of a pressure without a limit.
 TOLERANCES = (None, 1e-2, 5e-3, 5e-3, 5e-3)
 _GRID, _ITERATED = "plane grid", "two half-spaces iterated"
@@ -51,11 +107,10 @@ class Case:
 
 def roller_on(ring_ends: bool, *, depth: str = "none", profile: Profile | None = None) -> Contact:
     """Return the roller, on a ring that ends with it or goes on."""
-    free = {"material": Material(206000.0, 0.3), "side_faces": "free"}
-    shape = {} if profile is None else {"profile": profile}
-    roller = Roller(diameter=20.0, length=2.0 * HALF, depth=depth, **free, **shape)  # type: ignore[arg-type]
-    ring = {"length": 2.0 * HALF, **free} if ring_ends else {"material": free["material"]}
-    return Contact(roller, Ring(diameter=80.0, **ring))  # type: ignore[arg-type]
+    steel = Material(206000.0, 0.3)
+    ends: dict[str, Any] = {"length": 2.0 * HALF, "side_faces": "free"}
+    roller = Roller(diameter=20.0, material=steel, depth=depth, profile=profile or straight(), **ends)
+    return Contact(roller, Ring(diameter=80.0, material=steel, **(ends if ring_ends else {})))
 
 
 _LOGARITHM = iso_logarithmic(diameter=20.0, length=2.0 * HALF)
@@ -87,19 +142,17 @@ def half_width(case: Case) -> float:
     return float(np.interp(0.0, on_grid(case).y, on_grid(case).half_width))
 
 
-def claims() -> Iterator[Claim]:
-    """Yield the claims."""
+def free() -> Iterator[Claim]:
+    """Yield the claims about free ends."""
     for case in CASES:
         yield from _of_case(case)
-    straight, tilted = (functools.partial(on_grid, case) for case in (STRAIGHT, TILTED))
-    of = Evidence("straight, plane grid", _ITERATED, straight)
+    of = Evidence("straight, plane grid", _ITERATED, lambda: on_grid(STRAIGHT))
     yield of.claim("pressure in the middle", _in_middle, 1e-3, "MPa", expected=MIDDLE)
-    yield Evidence("straight, tilted, plane grid", _ITERATED, tilted).claim(
-        "moment", "moment", 5e-3, "N mm", expected=MOMENT
-    )
+    tilted = Evidence("straight, tilted, plane grid", _ITERATED, lambda: on_grid(TILTED))
+    yield tilted.claim("moment", "moment", 5e-3, "N mm", expected=MOMENT)
     yield from series(
         [f"{of.name}: pressure {place:g} half-widths from the end" for place in PLACES], _ITERATED,
-        PRESSURES, lambda: pressures(straight(), HALF - half_width(STRAIGHT) * np.array(PLACES)), TOLERANCES, "MPa",
+        PRESSURES, lambda: pressures(of.found(), HALF - half_width(STRAIGHT) * np.array(PLACES)), TOLERANCES, "MPa",
     )  # fmt: skip
     for both, name in ((True, "both bodies end"), (False, "one body ends")):
         strips, grid = functools.partial(_ratios, both), functools.partial(_ratios, both, on_grid)

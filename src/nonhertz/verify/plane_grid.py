@@ -20,7 +20,6 @@ from nonhertz.model.material import STEEL
 from nonhertz.model.profile import crown, iso_logarithmic
 from nonhertz.verify.claim import Claim, Evidence, Value, solved
 
-TITLE = "Strips against a plane grid"
 _HALF_SPACE: dict[str, Any] = {"side_faces": "none", "depth": "none"}
 _MIRRORED: dict[str, Any] = {"side_faces": "mirror"}
 _LOGARITHMIC = iso_logarithmic(diameter=15.0, length=16.0)

@@ -38,7 +38,6 @@ Loaded = Solution | PatchSolution
 Landmarks = Mapping[str, tuple[Value, Value]]
 Normal = tuple[float, float, float]
 
-TITLE = "Stress below the surface"
 MODULUS = 206000.0
 STEEL = Material(MODULUS, 0.3)
 NAMES = {"von_mises": "von Mises", "shear": "maximum shear", "orthogonal_shear": "orthogonal shear"}

@@ -27,7 +27,6 @@ from nonhertz.verify.claim import Claim, Evidence, series, solved
 
 Array = NDArray[np.float64]
 
-TITLE = "The whole roller: models of ends and depth side by side"
 DIAMETER, LENGTH, MODULUS = 20.0, 20.0, 206000.0  # mm, mm, MPa
 END = 0.5 * LENGTH
 

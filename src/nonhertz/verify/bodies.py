@@ -1,4 +1,4 @@
-"""Side faces and depth in their limits, and against a second program."""
+"""Side faces and depth in their limits and against a second program, and how deep a long cylinder is."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from scipy.optimize import brentq
 
+from nonhertz.bodies.depths.plane_strain import plane_strain_depth
 from nonhertz.hertz import LineContact, line_contact, plane_strain_cylinder_compression
 from nonhertz.model.body import Body, Plate, Roller
 from nonhertz.model.contact import Contact
@@ -18,8 +20,8 @@ from nonhertz.solver.one import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 from nonhertz.verify.claim import Claim, Evidence, solved
 
-TITLE = "Side faces and depth: limits"
-STEEL = Material(206000.0, 0.3)
+MODULUS = 206000.0
+STEEL = Material(MODULUS, 0.3)
 DIAMETER, LOAD = 10.0, 10000.0  # of the coincident pair, with a length of one diameter
 FAR = 1e7  # mm
 # Approach [um] of the pair with the parabola, by number of images, from an independently written program.
@@ -38,8 +40,8 @@ def pair(element: Element = SEMI_ELLIPTIC, strips: int | None = None, **rules: A
     return solve(Contact(roller, roller), load=LOAD, element=element, strips=strips)
 
 
-def claims() -> Iterator[Claim]:
-    """Yield the claims."""
+def limits() -> Iterator[Claim]:
+    """Yield the claims about side faces and depth."""
     yield from _far_away("faces far away", length=FAR, side_faces="mirror", depth="none")
     yield from _far_away("depth far away", length=None, side_faces="none", depth=FAR)
     for element in (SEMI_ELLIPTIC, PARABOLIC):
@@ -114,3 +116,58 @@ def _stiff(faces: str) -> Solution:
     stiff = Material(1e3 * STEEL.modulus, STEEL.poisson)
     roller = Roller(diameter=20.0, length=20.0, material=stiff, side_faces=faces, depth="none")
     return solve(Contact(roller, Plate(material=STEEL)), load=20000.0)
+
+
+# The depth at which a long cylinder is compressed as in plane strain (paper, section 6): found without any formula for
+# it, and set beside the closed forms.
+
+LENGTH = 100.0  # diameters
+STRIPS = 11
+JOHNSON = "Johnson 1985, Eq. (5.57): q K (2 ln(4R/b) - 1)"
+# Diameter [mm] and load per length [N/mm].
+SIZES = ((1.0, 10.0), (10.0, 1e3), (100.0, 1e5), (10.0, 1e4))
+
+
+def compression(diameter: float, line_load: float, poisson: float) -> float:
+    """Return the approach of two equal cylinders in plane strain [mm]."""
+    material = Material(MODULUS, poisson)
+    line = line_contact(line_load=line_load, radius=0.25 * diameter, compliance=2.0 * material.compliance)
+    return 2.0 * plane_strain_cylinder_compression(line, diameter=diameter, material=material)
+
+
+def approach(element: Element, diameter: float, line_load: float, poisson: float, depth: float | str) -> float:
+    """Return the approach on strips, measured against a depth [mm]."""
+    length, material = LENGTH * diameter, Material(MODULUS, poisson)
+    roller = Roller(diameter=diameter, length=length, material=material, side_faces="mirror", depth=depth)
+    return solve(Contact(roller, roller), load=line_load * length, element=element, strips=STRIPS).approach
+
+
+def depth_found(element: Element, diameter: float, line_load: float, poisson: float) -> float:
+    """Return the depth at which the approach is that of plane strain [mm]."""
+    exact = compression(diameter, line_load, poisson)
+
+    def off(ratio: float) -> float:
+        return approach(element, diameter, line_load, poisson, ratio * diameter) - exact
+
+    return float(brentq(off, 0.2, 5.0, xtol=1e-7)) * diameter
+
+
+def plane_strain() -> Iterator[Claim]:
+    """Yield the claims about long cylinders."""
+    for element in (SEMI_ELLIPTIC, PARABOLIC):
+        for poisson in (0.0, 0.15, 0.3, 0.45):
+            for diameter, line_load in SIZES:
+                yield from _of_size(element, diameter, line_load, poisson)
+
+
+def _of_size(element: Element, diameter: float, line_load: float, poisson: float) -> Iterator[Claim]:
+    case = f"{element.name}, nu {poisson:g}, D {diameter:g} mm, {line_load:g} N/mm"
+    given = (element, diameter, line_load, poisson)
+    yield Claim(
+        f"approach with the default depth: {case}", JOHNSON, compression(*given[1:]),
+        lambda: approach(*given, "plane-strain"), 1e-3, "mm",
+    )  # fmt: skip
+    yield Claim(
+        f"depth over diameter: {case}", "closed form above", lambda: plane_strain_depth(element, poisson),
+        lambda: depth_found(*given) / diameter, 1e-3,
+    )  # fmt: skip

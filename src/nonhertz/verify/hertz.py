@@ -1,28 +1,32 @@
-"""Elliptical contacts: both elements against Hertz (paper, Fig. 3), and the parabola's bias by a second program."""
+"""Contacts with closed forms: ellipses and lines, by both elements.
+
+Ellipses are set against Hertz (paper, Fig. 3), and the parabola's bias against a second program; lines against the
+limits of both elements, Eqs. (59), (61) and (62) of the paper.
+"""
 
 from __future__ import annotations
 
 import functools
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.hertz import PointContact, point_contact
-from nonhertz.model.body import Body, Plate
+from nonhertz.hertz import LineContact, PointContact, line_contact, point_contact
+from nonhertz.model.body import Body, Plate, Roller
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import Material
 from nonhertz.model.profile import Profile
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
-from nonhertz.verify.claim import Claim, pressures, series, solved
+from nonhertz.verify.claim import Claim, Evidence, in_middle, pressures, series, solved
 
 Array = NDArray[np.float64]
-
-TITLE = "Elliptical contacts: Hertz (paper, Fig. 3)"
 STEEL = Material(206000.0, 0.3)
+ELEMENTS = (SEMI_ELLIPTIC, PARABOLIC)
 RADIUS_X, RADIUS_Y, LOAD = 10.0, 100.0, 1000.0
 EQUAL_STRIPS, REACH = 41, 1.3  # the latter: half the length of the body, in half-lengths of the contact
 INSIDE = 0.9  # of the half-length: strips at the end carry a mean over their width
@@ -55,7 +59,7 @@ class Parabola(Profile):
         return np.asarray(np.asarray(y, dtype=float) ** 2 / (2.0 * self.radius))
 
 
-def hertz(radius_y: float = RADIUS_Y, load: float = LOAD) -> PointContact:
+def ellipse(radius_y: float = RADIUS_Y, load: float = LOAD) -> PointContact:
     """Return the exact solution."""
     return point_contact(radius_x=RADIUS_X, radius_y=radius_y, load=load, compliance=2.0 * STEEL.compliance)
 
@@ -90,9 +94,9 @@ def off(solution: Solution, exact: PointContact) -> tuple[Array, Array, Array]:
     return y, pressure, (solution.half_width[inside] - exact.half_width_at(y)) / exact.half_width
 
 
-def claims() -> Iterator[Claim]:
-    """Yield the claims."""
-    for element in (SEMI_ELLIPTIC, PARABOLIC):
+def ellipses() -> Iterator[Claim]:
+    """Yield the claims about elliptical contacts."""
+    for element in ELEMENTS:
         yield from _against_hertz(element, EQUAL_STRIPS, f"{EQUAL_STRIPS} equal strips", 2e-4, 3e-3)
         yield from _against_hertz(element, None, "automatic grid", 5e-5, 5e-4)
     for ellipticity, radius_y, expected in SECOND_ERRORS:
@@ -110,7 +114,7 @@ def claims() -> Iterator[Claim]:
 def _against_hertz(
     element: Element, strips: int | None, grid: str, within: float, along_within: float
 ) -> Iterator[Claim]:
-    exact, biased = hertz(), element is PARABOLIC
+    exact, biased = ellipse(), element is PARABOLIC
     targets = [exact.max_pressure, exact.half_width, exact.approach]
     sources, case, why = ["Hertz"] * 3, f"{element.name}, {grid}", ""
     if biased:
@@ -130,11 +134,94 @@ def _against_hertz(
 
 
 def _second_errors(radius_y: float) -> Array:
-    exact = hertz(radius_y, SECOND_LOAD)
+    exact = ellipse(radius_y, SECOND_LOAD)
     return 100.0 * errors(on_strips(exact, PARABOLIC, SECOND_REACH, EQUAL_STRIPS), exact)
 
 
 def _shape() -> Array:
-    exact = hertz(365.4, SECOND_LOAD)
+    exact = ellipse(365.4, SECOND_LOAD)
     solution = on_strips(exact, PARABOLIC, SECOND_REACH, EQUAL_STRIPS)
     return np.array(pressures(solution, np.array(list(SHAPE)) * exact.half_length)) / exact.max_pressure
+
+
+# Lines
+
+LINE_DIAMETER, LINE_LOAD = 20.0, 1000.0  # mm, N/mm
+LINE_LENGTH = 4000.0  # mm, some ten thousand half-widths
+TWICE = 2.0 * STEEL.compliance
+VERY_LONG, LONG = 1e4, 100.0  # half a strip's length, in its half-widths
+PRESSURE_FACTOR = 4.0 * math.sqrt(6.0) / (3.0 * math.pi)
+_SHORT = "a strip from -t to t lacks 1/t^2 of its line factor"
+
+
+def lines() -> Iterator[Claim]:
+    """Yield the claims about line contacts."""
+    c = 0.3
+    yield Claim(
+        f"curvature coefficient of a parabolic strip with c = {c:g} mm, two steel bodies", "paper, Eq. (59)",
+        8.0 * (1.0 - STEEL.poisson) * c / (math.pi * STEEL.shear_modulus),
+        lambda: TWICE * (4.0 / 3.0) * c * line_factor(PARABOLIC), 1e-8, "mm^3/N", why=_SHORT,
+    )  # fmt: skip
+    for element, source in ((SEMI_ELLIPTIC, "Hertz"), (PARABOLIC, "paper, Eqs. (32), (59)")):
+        found = functools.partial(line_factor, element)
+        yield Claim(f"{element.name}: a^2/(K q rho)", source, element.line_factor, found, 1e-8, why=_SHORT)
+    for element in ELEMENTS:
+        yield Claim(
+            f"{element.name}: what a^2/(K q rho) is short of its limit at t = {LONG:g}, times t^2",
+            "leading term of the series for large t", 1.0, functools.partial(_short_of_limit, element), 1e-4,
+        )  # fmt: skip
+    yield Claim(
+        "displacement of the semi-ellipse less that of the parabola of equal load, over 2 q K",
+        "1/2 + ln 2 + ln(3/2)/2 - 4/3", 0.5 + math.log(2.0) + 0.5 * math.log(1.5) - 4.0 / 3.0,
+        lambda: 0.5 * (2.0 * float(SEMI_ELLIPTIC.functions(VERY_LONG)[0])
+                       - 2.0 * float(PARABOLIC.functions(VERY_LONG * PARABOLIC.hertz_ratio)[0])),
+        1e-7,
+    )  # fmt: skip
+    for element in ELEMENTS:
+        for grid, strips in (("one strip", 1), ("41 strips", 41), ("automatic grid", None)):
+            yield from _of_lines(element, grid, strips)
+
+
+def line_factor(element: Element, t: float = VERY_LONG) -> float:
+    """Return a^2 / (K q rho) of a single strip from -t to t half-widths."""
+    return 2.0 * float(element.functions(t)[2])
+
+
+def _short_of_limit(element: Element) -> float:
+    return LONG**2 * (element.line_factor - line_factor(element, LONG))
+
+
+@solved
+def _long(element: Element, strips: int | None) -> Solution:
+    roller = Roller(diameter=LINE_DIAMETER, length=LINE_LENGTH, material=STEEL, side_faces="none", depth="none")
+    contact = Contact(roller, Plate(material=STEEL))
+    return solve(contact, load=LINE_LOAD * LINE_LENGTH, element=element, strips=strips)
+
+
+def _of_lines(element: Element, grid: str, strips: int | None) -> Iterator[Claim]:
+    solution = functools.partial(_long, element, strips)
+    of = Evidence(f"{element.name}, {grid}", "Hertz's line contact", solution)
+    half_width, pressure, c, line_load = map(
+        in_middle, ("half_width", "centre_pressure", "element_half_width", "line_load")
+    )
+
+    def by_load() -> LineContact:
+        # The sharp ends attract load; what is left in the middle decides.
+        return line_contact(line_load=line_load(solution()), radius=0.5 * LINE_DIAMETER, compliance=TWICE)
+
+    def by_summit() -> float:
+        a = c(solution())
+        return PRESSURE_FACTOR * (0.75 * line_load(solution()) / a**3) * a**2
+
+    yield of.claim("half-width b", half_width, 1e-7, "mm", expected=lambda: by_load().half_width)
+    yield of.claim("pressure p0", pressure, 1e-7, "MPa", expected=lambda: by_load().max_pressure)
+    if element is PARABOLIC and strips == 1:
+        yield of.claim(
+            "c", c, 1e-7, "mm", source="sqrt(6 K q rho), from Eq. (59)",
+            expected=lambda: math.sqrt(6.0 * TWICE * line_load(solution()) * 0.5 * LINE_DIAMETER),
+        )  # fmt: skip
+        by_c = math.sqrt(2.0 / 3.0)
+        yield of.claim(
+            "b of c", half_width, 1e-12, "mm", expected=lambda: by_c * c(solution()), source="paper, Eq. (61)"
+        )
+        yield of.claim("p0 of s and c", pressure, 1e-12, "MPa", expected=by_summit, source="paper, Eq. (62)")
