@@ -1,6 +1,7 @@
 """Laws that hold for every solution: similarity, symmetry, contact conditions, balance, consistency.
 
-Half of the drawn bodies are half-spaces, half are finite: faces mirrored or not, on one side or both, thick or not.
+Half of the drawn bodies are half-spaces, half are finite: faces free, mirrored or neither, on one side or both, thick
+or not.
 """
 
 from __future__ import annotations
@@ -115,11 +116,12 @@ def number(low, high):
 
 
 profiles = st.builds(Drawn, number(0.0, 0.04), number(0.0, 2e-3), number(0.0, 6.3), number(-2e-3, 2e-3))
-faces = st.sampled_from(["none", "mirror", "calibrated", 0.6])
+IMAGES = ["none", "mirror", "calibrated", 0.6]
 
 
-def presses_with(images, ring_lengths):
+def presses_with(images, ring_lengths, side_faces):
     """Half of them between half-spaces, half between finite bodies."""
+    faces = st.sampled_from(side_faces)
     finite = st.builds(
         Extent,
         st.tuples(faces, faces),
@@ -140,7 +142,7 @@ def presses_with(images, ring_lengths):
     )
 
 
-presses = presses_with([1, 3, "series"], [None, LENGTH, 24.0])
+presses = presses_with([1, 3, "series"], [None, LENGTH, 24.0], [*IMAGES, "free"])
 
 
 def assert_same(found, expected, scale=None):
@@ -285,7 +287,7 @@ def influence(press, y, low, high, a):
 
 # No coincident ends, where weights may have to be lowered, and no series.
 @lawful
-@given(presses_with([1, 2, 3], [None, 24.0]))
+@given(presses_with([1, 2, 3], [None, 24.0], IMAGES))
 def test_contact_is_closed_and_the_rest_is_open(press):
     solution = press.solved()
     touching = solution.line_load > 0.0

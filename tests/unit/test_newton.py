@@ -253,7 +253,11 @@ SHAPES = {
     "shifted": ({"profile": nh.profile.crown(4000, centre=2.0), "position": 1.0}, 0.012, -1e-4),
     "two intervals": ({"profile": nh.profile.crown(-4000)}, 0.004, 1e-4),
 }
-BODIES = {"half-space": {"side_faces": "none", "depth": "none"}, "finite": {"side_faces": "calibrated", "images": 3}}
+BODIES = {
+    "half-space": {"side_faces": "none", "depth": "none"},
+    "finite": {"side_faces": "calibrated", "images": 3},
+    "free faces": {"side_faces": "free", "depth": "none"},
+}
 CASES = {
     f"{name}, {kind}": (contact(**shape, **body), approach, tilt)
     for name, (shape, approach, tilt) in SHAPES.items()
