@@ -57,6 +57,13 @@ class Mutant:
         Which of several with the same words in the same function.
     compiled : bool
         Whether machine code changes by it.
+    last : int
+        Line on which the expression ends.
+    statement : int
+        Line on which the statement begins.
+    names : tuple of str
+        What runs when it does, where its own lines say nothing of that: a compiled function, whose lines no tracer
+        sees, a class, a constant; empty in other functions.
     """
 
     path: str
@@ -67,6 +74,9 @@ class Mutant:
     before: str
     after: str
     compiled: bool
+    last: int
+    statement: int
+    names: tuple[str, ...]
     ordinal: int = 1
 
     @property
@@ -76,8 +86,10 @@ class Mutant:
         return f"{self.path} {self.function or '-'}: {self.before} -> {self.after}{numbered}"
 
     def applied(self, text: str) -> str:
-        """Return the text of the file with the mistake in it."""
-        return text[: self.start] + self.after + text[self.end :]
+        """Return the text of the file with the mistake in it; all other lines keep their numbers."""
+        lost = "\n" * text.count("\n", self.start, self.end)
+        after = f"{self.after[:-1]}{lost})" if lost and self.after.endswith(")") else self.after + lost
+        return text[: self.start] + after + text[self.end :]
 
 
 def mutants(path: Path, name: str) -> list[Mutant]:
@@ -98,6 +110,13 @@ def chosen(of_group: list[Mutant], count: int, seed: int) -> list[Mutant]:
     return sorted(ranked[:count], key=lambda each: (each.path, each.start, each.after))
 
 
+def assigned(statement: ast.AST) -> tuple[str, ...]:
+    """Return the names that a statement gives values."""
+    return tuple(
+        each.id for each in ast.walk(statement) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)
+    )
+
+
 class _Finder(ast.NodeVisitor):
     def __init__(self, text: str, name: str) -> None:
         self.text, self.name = text, name
@@ -106,7 +125,8 @@ class _Finder(ast.NodeVisitor):
         for line in text.splitlines(keepends=True):
             self._lines.append(self._lines[-1] + len(line))
         self._within: list[str] = []
-        self._compiled = False
+        self._compiled = self._runs = False
+        self._statement: ast.stmt = ast.Pass(lineno=0)
         tree = ast.parse(text)
         # A constant of the module may be compiled into any function.
         self._module_compiled = any(f"@{each}" in text for each in COMPILING)
@@ -125,24 +145,42 @@ class _Finder(ast.NodeVisitor):
         if before == after:
             return
         compiled = self._compiled if self._within else self._module_compiled
+        last = node.end_lineno or node.lineno
         self.found.append(
-            Mutant(self.name, ".".join(self._within), node.lineno, start, end, before, after, compiled)
+            Mutant(
+                self.name, ".".join(self._within), node.lineno, start, end, before, after, compiled,
+                last, self._statement.lineno, () if self._runs and not compiled else self._known_as(),
+            )
         )  # fmt: skip
+
+    def _known_as(self) -> tuple[str, ...]:
+        """Return the names by which others use what is being read."""
+        return (self._within[-1],) if self._within else assigned(self._statement)
 
     def _replace(self, node: ast.expr, changed: ast.expr) -> None:
         self._add(node, f"({ast.unparse(changed)})")
 
     # Where to look
 
+    def visit(self, node: ast.AST) -> None:
+        """Remember the statement."""
+        outer = self._statement
+        self._statement = node if isinstance(node, ast.stmt) else outer
+        super().visit(node)
+        self._statement = outer
+
     def _visit_body(self, node: ast.FunctionDef | ast.ClassDef) -> None:
-        outer = self._compiled
+        outer, ran = self._compiled, self._runs
         self._compiled = outer or any(ast.unparse(each) in COMPILING for each in node.decorator_list)
         self._within.append(node.name)
         defaults = [*node.args.defaults, *filter(None, node.args.kw_defaults)] if _is_function(node) else []
-        for each in (*defaults, *node.body):
+        for each in defaults:
+            self.visit(each)
+        self._runs = _is_function(node)
+        for each in node.body:
             self.visit(each)
         self._within.pop()
-        self._compiled = outer
+        self._compiled, self._runs = outer, ran
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
         self._visit_body(node)
@@ -162,6 +200,11 @@ class _Finder(ast.NodeVisitor):
 
     def visit_JoinedStr(self, node: ast.JoinedStr) -> None:
         """Pass over text."""
+
+    def visit_keyword(self, node: ast.keyword) -> None:
+        """Pass over what makes sure that there are as many of both, where there are."""
+        if node.arg != "strict":
+            self.visit(node.value)
 
     # Expressions
 
@@ -206,6 +249,8 @@ class _Finder(ast.NodeVisitor):
     # Statements
 
     def visit_If(self, node: ast.If) -> None:
+        if ast.unparse(node.test) == "TYPE_CHECKING":
+            return
         self._replace(node.test, ast.UnaryOp(ast.Not(), node.test))
         self.generic_visit(node)
 

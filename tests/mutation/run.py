@@ -2,13 +2,14 @@
 
     python tests/mutation/run.py --rooms bearing measured --count 60 --out out/mutants
 
-Needs NumPy, SciPy, Numba, pytest, hypothesis and mpmath; tests that need more are left out. Each mutant is one change
-of one module. Mutants of compiled functions first meet the fast tests with compilation switched off, which spares them
-half a minute in the compiler; what that does not catch is compiled, from a copy of the sources, and meets all tests of
-its room, as does any other mutant. The mutants and their order depend on the sources and the seed alone.
+First the tests run once, and it is written down which of them runs which line; files of tests that have not changed
+since are spared that the next time. Then each mutant, which is one change of one module, meets tests that run its line,
+one of each test function first, then others of their files, a few seconds in all; where none runs it, it survives at
+once. A line of a compiled function is not seen, nor one that runs at the import: it counts as run where Python's code
+uses what it belongs to. The mutants and their order depend on the sources and the seed alone.
 
 In the folder given by ``--out`` are, afterwards, ``mutants.jsonl`` with a line for each mutant, ``survivors.md`` and
-the tests that were run. A survivor that means the same as the original, or hardly anything else, is explained in
+which tests run which lines. A survivor that means the same as the original, or hardly anything else, is explained in
 ``explained.toml`` beside this file, under its key. The exit status is 1 where of a room a smaller share was caught or
 is explained than ``shares.toml`` says, or less than nine in ten where it says nothing.
 """
@@ -16,137 +17,132 @@ is explained than ``shares.toml`` says, or less than nine in ten where it says n
 from __future__ import annotations
 
 import argparse
+import ast
 import contextlib
+import functools
+import hashlib
 import json
+import multiprocessing
 import os
 import shutil
 import signal
-import subprocess
 import sys
 import tempfile
 import time
 import tomllib
-from collections import Counter
+from collections import Counter, defaultdict
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from mutants import Mutant, chosen, mutants
-from selection import CHOSEN, LONGEST, WRITTEN
+import selection
+from mutants import COMPILING, Mutant, assigned, chosen, mutants
 from sitecustomize import FILE, MODULE, TEXT
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 SOURCES = ROOT / "src" / "nonhertz"
 ENOUGH, NOISE = 0.9, 0.02  # of those that ran, where no share is recorded; and below one that is
-# Of a test and of all of a group together, with compilation switched off and with it.
-LONGEST_TEST = {True: 1.0, False: 10.0}  # s
-LONGEST_ROUND = {True: 25.0, False: 60.0}  # s
-SLOWED = 4.0  # by other programs: waited for so many times as long as the processor is needed
-FINDING_OUT = 300.0  # s, for the tests of a group on the sources as they are
-COMPILING = 240.0  # s, added to the time of the tests before a compiled mutant is taken to hang
+LONGEST_TEST, LONGEST_ROUND = 6.0, 12.0  # s, of one test and of all that a mutant meets
+FINDING_OUT = 30.0, 900.0  # s, for a test and a file of them on the sources as they are
+SLOWED = 6.0  # by other programs: waited for so many times as long as the processor is needed
+COMPILING_TIME = 240.0  # s, added to the time of the tests before a compiled mutant is taken to hang
+LOADED = ("numpy", "scipy.linalg", "scipy.optimize", "scipy.special", "numba", "pydantic", "pint", "matplotlib.figure")
+
+ROOMS = "strip bodies subsurface life solver result patch maps measured bearing study io".split()  # noqa: SIM905
+# Where tests are; those of page, report and figures are left out.
+TESTS = "unit", "property", "convergence", "validation", "app", "golden"
+ELSEWHERE = ("web", "report", "plot", "docs", "gallery", "examples", "verify", "serve", "streams", "machine_code")
 
 
-@dataclass(frozen=True)
-class Group:
-    """Sources of a room, and the tests that should notice."""
+class Survey:
+    """Which tests run a line."""
 
-    sources: tuple[str, ...]
-    tests: tuple[str, ...]
+    def __init__(self, out: Path) -> None:
+        import coverage
 
+        data = [coverage.CoverageData(str(each)) for each in sorted(out.glob("*.lines"))]
+        for each in data:
+            each.read()
+        self._data = data
+        self.seconds: dict[str, float] = {}
+        for path in out.glob("*.json"):
+            seconds = json.loads(path.read_text(encoding="utf-8"))["seconds"]
+            self.seconds |= {test: each for test, each in seconds.items() if each <= LONGEST_TEST}
+        self._users: dict[str, set[tuple[str, int, str]]] = defaultdict(set)
+        for file in sorted(SOURCES.rglob("*.py")):
+            for name, line, user in users(ast.parse(file.read_text(encoding="utf-8"))):
+                self._users[name].add((file.relative_to(SOURCES).as_posix(), line, user))
+        self._using: dict[str, set[str]] = defaultdict(set)  # by themselves
+        functions = {test.partition("[")[0] for test in self.seconds}
+        for file in {function.partition("::")[0] for function in functions}:
+            for node in ast.parse((ROOT / file).read_text(encoding="utf-8")).body:
+                function = f"{file}::{getattr(node, 'name', '')}"
+                those = {function} if function in functions else {each for each in functions if each.startswith(file)}
+                for name, _, _ in users(node):
+                    self._using[name] |= those
 
-def of(folder: str, names: str) -> tuple[str, ...]:
-    """Return files of tests."""
-    return tuple(f"{folder}/test_{name}.py" for name in names.split())
+    @functools.cache  # noqa: B019
+    def tests(self, path: str) -> dict[int, set[str]]:
+        """Return which tests run each line of a file."""
+        found = defaultdict(set)
+        for each in self._data:
+            for line, names in each.contexts_by_lineno(str(SOURCES / path)).items():
+                found[line] |= self.seconds.keys() & set(names)
+        return found
 
-
-GROUPS = {
-    "strip": Group(
-        ("strip/*.py",),
-        (
-            *of("unit", "element influence linear newton settle start levels grid many edge solve_input acceptance"),
-            *of("property", "solution_properties"),
-            *of("convergence", "error_estimate orders"),
-            *of("validation", "reference_half_space paper_regression"),
-        ),
-    ),
-    "bodies": Group(
-        ("bodies/*.py", "bodies/*/*.py"),
-        (
-            *of("unit", "side_faces_and_depth newton influence edge subsurface"),
-            *of("property", "solution_properties"),
-            *of("validation", "finite_bodies"),
-        ),
-    ),
-    "subsurface": Group(
-        ("subsurface/*.py",),
-        (*of("unit", "subsurface* lamination life"), *of("property", "stress_*")),
-    ),
-    "life": Group(("life/*.py",), (*of("unit", "life*"), *of("validation", "life_published claims"))),
-    "solver": Group(
-        ("solver/*.py",),
-        (*of("unit", "many portions solutions_file solve_input data levels"), *of("golden", "golden")),
-    ),
-    "result": Group(
-        ("result/*.py",),
-        (
-            *of("unit", "acceptance brief corner data edge free_end gradient many penetration reading solve_input"),
-            *of("unit", "nomenclature quarter_space"),
-            *of("app", "nodes_command"),
-            *of("property", "solution_properties"),
-            *of("convergence", "error_estimate"),
-            *of("golden", "golden"),
-        ),
-    ),
-    "patch": Group(
-        ("patch/*.py",),
-        (*of("unit", "patch_*"), *of("property", "patch_properties"), *of("convergence", "patch_orders")),
-    ),
-    "maps": Group(("maps/*.py",), (*of("unit", "maps"), *of("app", "map_command"), *of("golden", "golden"))),
-    "measured": Group(
-        ("measured/*.py",),
-        (*of("unit", "measured_*"), *of("property", "measured_properties"), *of("app", "profile_command")),
-    ),
-    "bearing": Group(
-        ("bearing/*.py",), (*of("unit", "bearing_*"), *of("validation", "bearing"), *of("golden", "golden"))
-    ),
-    "study": Group(
-        ("study/*.py",),
-        (
-            *of("unit", "sweep tolerance design planfile"),
-            *of("app", "sweep_command tolerance_command design_command"),
-            *of("golden", "golden"),
-        ),
-    ),
-    "io": Group(
-        ("io/*.py", "io/*/*.py"),
-        (
-            *of(
-                "unit", "casefile bearingfile planfile traces units written bounds drafts paths spreads profile_tables"
-            ),
-            *of("unit", "material measured_table title_block"),
-            *of("app", "bearing_command compare_command life_command nodes_command profile_command stress_command"),
-            *of("app", "bad_input schemas several_cases set_option workbooks"),
-            *of("property", "units_read"),
-            *of("golden", "golden"),
-        ),
-    ),
-}
+    def of(self, mutant: Mutant) -> list[str]:
+        """Return the tests that a mutant meets, file by file."""
+        places, tests = {(mutant.path, line) for line in range(mutant.statement, mutant.last + 1)}, set()
+        if mutant.names:
+            places, names = set(), [*mutant.names]
+            for name in names:
+                for path, line, user in self._users[name]:
+                    places |= set() if user else {(path, line)}
+                    names += [user] if user and user not in names else []
+            using = set().union(*(self._using[name] for name in names))
+            tests |= {test for test in self.seconds if test.partition("[")[0] in using}
+        tests |= {test for path, line in places for test in self.tests(path)[line]}
+        files = {test.partition("::")[0] for test in tests}
+        # After them others of their files, which may share what was made on that line.
+        beside = {test for test in self.seconds if test.partition("::")[0] in files} - tests
+        of_function = Counter()
+        ranked = []
+        for test in sorted(tests | beside, key=lambda each: (each in beside, self.seconds[each], each)):
+            function = test.partition("-" if "/golden/" in test else "[")[0]  # a command's tests differ as functions do
+            ranked.append((test in beside, of_function[function], self.seconds[test], test))
+            of_function[function] += 1
+        total, of_file = 0.0, defaultdict(list)
+        for *_, seconds, test in sorted(ranked):
+            total += seconds
+            if total > LONGEST_ROUND and of_file:
+                break
+            of_file[test.partition("::")[0]].append(test)
+        # The quickest file first, and its fixtures made once.
+        return [
+            test
+            for file in sorted(of_file, key=lambda file: sum(self.seconds[test] for test in of_file[file]))
+            for test in of_file[file]
+        ]
 
 
-@dataclass
-class Round:
-    """Tests of one group that pass on the sources as they are, and how they are run."""
-
-    tests: Path
-    seconds: float
-    interpreted: bool
-
-    @property
-    def limit(self) -> float:
-        """Seconds after which a mutant is taken to hang."""
-        return 15.0 + 3.0 * self.seconds + (0.0 if self.interpreted else COMPILING)
+def users(tree: ast.AST, user: str = "", compiled: bool = False) -> Iterator[tuple[str, int, str]]:
+    """Yield names that are used, their lines, and what uses them, if that has to be used in turn to be run."""
+    for node in ast.iter_child_nodes(tree):
+        within, machine = user, compiled
+        if isinstance(node, ast.FunctionDef) and not compiled:
+            machine = any(ast.unparse(each) in COMPILING for each in node.decorator_list)
+            within = node.name if machine else ""
+        elif isinstance(node, ast.ClassDef):
+            within = node.name
+        elif isinstance(node, ast.Assign | ast.AnnAssign) and isinstance(tree, ast.Module):
+            within = next(iter(assigned(node)), "")
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
+            yield node.id, node.lineno, user
+        elif isinstance(node, ast.Attribute):
+            yield node.attr, node.lineno, user
+        yield from users(node, within, machine)
 
 
 class Campaign:
@@ -167,158 +163,123 @@ class Campaign:
         self.end = time.monotonic() + seconds
         self.scratch = Path(tempfile.mkdtemp(prefix="mutants-"))
         self.explained = explanations()
-        self.rounds: dict[tuple[str, bool], Round] = {}
+        # Each uses one core, the workers share the machine. Numba is set as by the package, since it is loaded before.
+        os.environ |= dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), "1")
+        os.environ["NUMBA_SLP_VECTORIZE"] = "1"
+        self.processes = multiprocessing.get_context("forkserver")
+        self.processes.set_forkserver_preload(["pytest", *LOADED])
 
-    def prepare(self, mutants: list[tuple[str, Mutant]]) -> None:
-        """Find which tests of their rooms pass on the sources as they are, and how long they take."""
-        wanted = sorted(
-            {(room, False) for room, _ in mutants} | {(room, True) for room, each in mutants if each.compiled}
-        )
+    def survey(self, named: tuple[str, ...]) -> Survey:
+        """Find which tests pass on the sources as they are, how long they take, and through which lines they go."""
+        folder = self.out / "survey"
+        folder.mkdir(exist_ok=True)
+        files = [
+            file
+            for kind in TESTS
+            for file in sorted((ROOT / "tests" / kind).glob("test_*.py"))
+            if not file.stem.removeprefix("test_").startswith(ELSEWHERE) and file.stem[5:].startswith(named)
+        ]
+        sources = hashlib.sha256(b"".join(file.read_bytes() for file in sorted(SOURCES.rglob("*.py")))).hexdigest()
         with ThreadPoolExecutor(self.workers) as pool:
-            for key, found in zip(wanted, pool.map(lambda key: self._round(*key), wanted), strict=True):
-                self.rounds[key] = found
+            for done in as_completed([pool.submit(self._surveyed, file, sources) for file in files]):
+                print(done.result(), end="", flush=True)
+        return Survey(folder)
 
-    def _round(self, name: str, interpreted: bool) -> Round:
-        label = f"{name}-{'interpreted' if interpreted else 'compiled'}"
-        folder = self.scratch / label
-        folder.mkdir()
-        files = sorted({str(path) for pattern in GROUPS[name].tests for path in (ROOT / "tests").glob(pattern)})
-        if interpreted:  # solves take seconds then: hundreds of them would use up the time and leave no fast test
-            files = [file for file in files if Path(file).parent.name == "unit"]
-        written = self.out / f"{label}.jsonl"
-        written.unlink(missing_ok=True)
-        names = {WRITTEN: str(written)} | ({LONGEST: str(LONGEST_TEST[True])} if interpreted else {})
-        self._pytest(folder, interpreted, files, names, ["--continue-on-collection-errors"], FINDING_OUT)
+    def _surveyed(self, file: Path, sources: str) -> str:
+        stem = self.out / "survey" / f"{file.parent.name}-{file.stem}"
+        state = sources + hashlib.sha256(file.read_bytes()).hexdigest()
+        known, data, written = (stem.with_suffix(each) for each in (".json", ".lines", ".jsonl"))
+        if known.exists() and json.loads(known.read_text(encoding="utf-8"))["state"] == state:
+            return ""
+        for each in (known, data, written):
+            each.unlink(missing_ok=True)
+        begun = time.monotonic()
+        names = {selection.WRITTEN: str(written), selection.LINES: str(data), selection.LONGEST: str(FINDING_OUT[0])}
+        self._pytest(names, FINDING_OUT[1], ["-m", "not campaign", str(file)])
         ended = lines(written)
         failed = {each["test"] for each in ended if each["outcome"] != "passed"}
-        passed = {each["test"]: each["seconds"] for each in ended if each["test"] not in failed}
-        passed = fastest(passed, interpreted)
-        of_file = Counter()
-        for test, seconds in passed.items():
-            of_file[test.partition("::")[0]] += seconds
-        # The quickest file first, and its fixtures made once.
-        order = sorted(
-            passed, key=lambda test: (of_file[test.partition("::")[0]], test.partition("::")[0], passed[test])
-        )
-        tests = self.out / f"{label}.json"
-        tests.write_text(json.dumps(order, indent=1), encoding="utf-8")
-        total = sum(passed.values())
-        print(f"{label}: {len(passed)} tests in {total:.0f} s; {len(failed)} left out", flush=True)
-        if not passed:
-            raise SystemExit(f"No test of {label} passes on the sources as they are.")
-        return Round(tests, total, interpreted)
+        seconds = {each["test"]: each["seconds"] for each in ended if each["test"] not in failed}
+        known.write_text(json.dumps({"state": state, "seconds": seconds}), encoding="utf-8")
+        told = f"{len(seconds)} tests in {sum(seconds.values()):.0f} s; {len(failed)} left out"
+        return f"{stem.name}: {told} ({time.monotonic() - begun:.0f} s)\n"
 
-    def fate(self, group: str, mutant: Mutant) -> dict[str, Any]:
+    def fate(self, room: str, mutant: Mutant, tests: list[str]) -> dict[str, Any]:
         """Return what became of a mutant."""
         begun = time.monotonic()
-        found: dict[str, Any] = {"key": mutant.key, "group": group, "line": mutant.line, "compiled": mutant.compiled}
-        status, by = "survived", ""
-        for interpreted in (True, False) if mutant.compiled else (False,):
-            if time.monotonic() >= self.end:
-                status = "not run"
-                break
-            status, by = self._tried(self.rounds[group, interpreted], mutant)
-            if status != "survived":
-                break
-        if status == "survived" and mutant.key in self.explained:
+        if mutant.key in self.explained:
             status, by = "explained", self.explained[mutant.key]
-        return found | {"status": status, "by": by, "seconds": round(time.monotonic() - begun, 1)}
+        elif not tests:
+            status, by = "survived", "no test runs this line"
+        elif begun >= self.end:
+            status, by = "not run", ""
+        else:
+            status, by = self._tried(mutant, tests)
+        return {
+            "key": mutant.key, "room": room, "line": mutant.line, "compiled": mutant.compiled, "status": status,
+            "by": by, "seconds": round(time.monotonic() - begun, 1),
+        }  # fmt: skip
 
-    def _tried(self, of: Round, mutant: Mutant) -> tuple[str, str]:
-        folder = Path(tempfile.mkdtemp(dir=self.scratch))
-        try:
+    def _tried(self, mutant: Mutant, tests: list[str]) -> tuple[str, str]:
+        with tempfile.TemporaryDirectory(dir=self.scratch, ignore_cleanup_errors=True) as name:
+            folder = Path(name)
             original, written = SOURCES / mutant.path, folder / "results.jsonl"
-            text = mutant.applied(original.read_text(encoding="utf-8"))
-            names = {CHOSEN: str(of.tests), WRITTEN: str(written)}
-            if mutant.compiled and not of.interpreted:
-                whole = folder / "src" / "nonhertz"
-                shutil.copytree(SOURCES, whole, ignore=shutil.ignore_patterns("__pycache__", "static"))
-                (whole / mutant.path).write_text(text, encoding="utf-8")
-            else:
-                (folder / "changed.py").write_text(text, encoding="utf-8")
-                name = ".".join(("nonhertz", *Path(mutant.path).with_suffix("").parts)).removesuffix(".__init__")
-                names |= {MODULE: name, FILE: str(original), TEXT: str(folder / "changed.py")}
-            tests = json.loads(of.tests.read_text(encoding="utf-8"))
-            files = sorted({str(ROOT / test.partition("::")[0]) for test in tests})
-            code = self._pytest(folder, of.interpreted, files, names, ["--exitfirst"], of.limit)
-            if code is None:
-                return "caught", f"time-out of {of.limit:.0f} s"
+            (folder / "changed.py").write_text(mutant.applied(original.read_text(encoding="utf-8")), encoding="utf-8")
+            (folder / "tests.json").write_text(json.dumps(tests), encoding="utf-8")
+            module = ".".join(("nonhertz", *Path(mutant.path).with_suffix("").parts)).removesuffix(".__init__")
+            names = {
+                MODULE: module, FILE: str(original), TEXT: str(folder / "changed.py"),
+                selection.WRITTEN: str(written), selection.CHOSEN: str(folder / "tests.json"),
+            }  # fmt: skip
+            if mutant.compiled:  # What is compiled of it must not take the place of other machine code.
+                names["NUMBA_CACHE_DIR"] = str(folder / "cache")
+                with contextlib.suppress(FileNotFoundError):
+                    code = SOURCES / "__pycache__" / "machine-code"
+                    shutil.copytree(code, folder / "cache" / "nonhertz", copy_function=os.link)
+            limit = 20.0 + 4.0 * LONGEST_ROUND + (COMPILING_TIME if mutant.compiled else 0.0)
+            files = dict.fromkeys(str(ROOT / test.partition("::")[0]) for test in tests)
+            code = self._pytest(names, limit, ["--exitfirst", *files])
             if code == 0:
-                return "survived", ""
+                return "survived", f"{len(tests)} tests"
             failed = [each["test"] for each in lines(written) if each["outcome"] == "failed"]
-            return "caught", failed[0] if failed else "the import"
+            return "caught", failed[0] if failed else f"time-out of {limit:.0f} s" if code is None else "the import"
+
+    def _pytest(self, names: dict[str, str], limit: float, arguments: list[str]) -> int | None:
+        """Return the exit status of the tests, None past the limit of seconds."""
+        options = ["-c", str(ROOT / "pyproject.toml"), "--rootdir", str(ROOT), "-o", "addopts=", "--hypothesis-seed=0"]
+        options += ["-p", "no:cacheprovider", "-p", "no:xdist", "-q", "--tb=no", "--no-header", *arguments]
+        folder = Path(tempfile.mkdtemp(dir=self.scratch))
+        process = self.processes.Process(target=selection.run, args=(folder, SOURCES, names, limit, options))
+        process.start()
+        try:
+            process.join(SLOWED * limit)
+            return None if process.exitcode in (None, -signal.SIGXCPU, -signal.SIGKILL) else process.exitcode
         finally:
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(process.pid or 0, signal.SIGKILL)  # and all that it has started
+            process.join()
             shutil.rmtree(folder, ignore_errors=True)
 
-    def _pytest(
-        self, folder: Path, interpreted: bool, files: list[str], names: dict[str, str], options: list[str], limit: float
-    ) -> int | None:
-        """Return the exit status of the tests with the sources in ``folder``, None past the limit."""
-        environment = os.environ | names | {
-            "PYTHONPATH": os.pathsep.join([str(folder / "src"), str(SOURCES.parent), str(HERE)]),
-            "NUMBA_DISABLE_JIT": "1" if interpreted else "0",
-            # Each uses one core; the workers share the machine.
-            **dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS"), "1"),
-        }  # fmt: skip
-        command = [
-            sys.executable, "-m", "pytest", "-p", "selection", "-c", str(ROOT / "pyproject.toml"),
-            "--rootdir", str(ROOT), "--hypothesis-seed=0", "-q", "--tb=no", "--no-header", *options, *files,
-        ]  # fmt: skip
-        if interpreted:
-            # Compiled code divides by zero without a word, as the array library does not.
-            command += ["-W", "ignore::RuntimeWarning"]
-        # Hypothesis keeps its examples where it is started.
-        with (folder / "output.txt").open("w") as output:
-            process = subprocess.Popen(
-                command, cwd=folder, env=environment, stdout=output, stderr=subprocess.STDOUT, start_new_session=True
-            )
-            try:
-                if sys.platform == "linux":  # of processor time: on a busy machine no mutant counts as one that hangs
-                    import resource
-
-                    resource.prlimit(process.pid, resource.RLIMIT_CPU, (int(limit) + 1, int(limit) + 1))
-                code = process.wait(SLOWED * limit)
-                return None if code in (-signal.SIGXCPU, -signal.SIGKILL) else code
-            except subprocess.TimeoutExpired:
-                return None
-            finally:
-                with_its_children_ended(process)
-
-    def run(self, wanted: list[tuple[str, Mutant]]) -> list[dict[str, Any]]:
+    def run(
+        self, wanted: list[tuple[str, Mutant]], before: list[dict[str, Any]], survey: Survey
+    ) -> list[dict[str, Any]]:
         """Return what became of all mutants, written down one by one."""
-        found = []
+        found = list(before)
         with ThreadPoolExecutor(self.workers) as pool, (self.out / "mutants.jsonl").open("w", encoding="utf-8") as file:
-            under_way = [pool.submit(self.fate, *pair) for pair in wanted]
+            file.writelines(json.dumps(each, ensure_ascii=False) + "\n" for each in before)
+            quickest_first = sorted(wanted, key=lambda pair: pair[1].compiled)
+            under_way = [pool.submit(self.fate, room, each, survey.of(each)) for room, each in quickest_first]
             for number, done in enumerate(as_completed(under_way), start=1):
                 fate = done.result()
                 file.write(json.dumps(fate, ensure_ascii=False) + "\n")
                 file.flush()
                 print(f"{number}/{len(wanted)} {fate['status']:9s} {fate['seconds']:6.1f} s  {fate['key']}", flush=True)
                 found.append(fate)
-        return sorted(found, key=lambda fate: (list(GROUPS).index(fate["group"]), fate["key"]))
-
-
-def with_its_children_ended(process: subprocess.Popen[bytes]) -> None:
-    """End a process and all that it has started."""
-    with contextlib.suppress(ProcessLookupError):
-        os.killpg(process.pid, signal.SIGKILL)
-    process.wait()
+        return sorted(found, key=lambda fate: (ROOMS.index(fate["room"]), fate["key"]))
 
 
 def lines(path: Path) -> list[dict[str, Any]]:
-    """Return what the plugin wrote down."""
+    """Return what was written down, line by line."""
     return [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()] if path.exists() else []
-
-
-def fastest(seconds: dict[str, float], interpreted: bool) -> dict[str, float]:
-    """Return the tests that are quick enough, as many as fit into a round."""
-    kept, total = {}, 0.0
-    for test in sorted(seconds, key=lambda each: seconds[each]):
-        total += seconds[test]
-        if seconds[test] > LONGEST_TEST[interpreted] or total > LONGEST_ROUND[interpreted]:
-            break
-        kept[test] = seconds[test]
-    return kept
 
 
 def explanations() -> dict[str, str]:
@@ -327,22 +288,18 @@ def explanations() -> dict[str, str]:
     return {key: reason for reason_of in table.values() for key, reason in reason_of.items()}
 
 
-def plan(rooms: list[str], count: int, seed: int) -> list[tuple[str, Mutant]]:
-    """Return so many mutants of each room in their order, each with its room."""
-    found = []
-    for name in rooms:
-        paths = sorted(path for pattern in GROUPS[name].sources for path in SOURCES.glob(pattern))
-        everything = [each for path in paths for each in mutants(path, path.relative_to(SOURCES).as_posix())]
-        found += [(name, each) for each in chosen(everything, count, seed)]
-    return found
+def everything(room: str) -> list[Mutant]:
+    """Return all mutants of a room."""
+    paths = sorted((SOURCES / room).rglob("*.py"))
+    return [each for path in paths for each in mutants(path, path.relative_to(SOURCES).as_posix())]
 
 
 def summary(found: list[dict[str, Any]]) -> tuple[str, bool]:
     """Return a page of what became of the mutants, and whether in every room enough were caught or are explained."""
     recorded = tomllib.loads((HERE / "shares.toml").read_text(encoding="utf-8"))
     page, enough = [], True
-    for room in dict.fromkeys(each["group"] for each in found):
-        count = Counter(each["status"] for each in found if each["group"] == room)
+    for room in dict.fromkeys(each["room"] for each in found):
+        count = Counter(each["status"] for each in found if each["room"] == room)
         ran, caught = count.total() - count["not run"], count["caught"] + count["explained"]
         before = recorded.get(room)
         least = before["caught"] / before["sampled"] - NOISE if before else ENOUGH
@@ -351,7 +308,7 @@ def summary(found: list[dict[str, Any]]) -> tuple[str, bool]:
         told = f"{room}: {caught} of {ran} caught or explained, {caught / max(ran, 1):.1%}"
         page.append(f"{told}, less than the {least:.1%} that it has to be" if lower else told)
     page += [""] + [
-        f"- {each['status']}, line {each['line']}: `{each['key']}`"
+        f"- {each['status']}, line {each['line']}, {each['by']}: `{each['key']}`"
         for each in found
         if each["status"] in ("survived", "not run")
     ]
@@ -361,24 +318,28 @@ def summary(found: list[dict[str, Any]]) -> tuple[str, bool]:
 def main() -> int:
     """Run the mutants that are asked for."""
     parser = argparse.ArgumentParser(description="Put small mistakes into the sources and see whether tests notice.")
-    parser.add_argument("--rooms", nargs="+", default=list(GROUPS), choices=GROUPS, help="all of them by default")
+    parser.add_argument("--rooms", nargs="+", default=ROOMS, choices=ROOMS, help="all of them by default")
     parser.add_argument("--count", type=int, default=60, help="mutants in each room")
     parser.add_argument("--seed", type=int, default=1, help="of the choice")
-    parser.add_argument("--only", default="", help="run those alone whose key contains this")
+    parser.add_argument("--again", action="store_true", help="run those alone that survived the last time")
+    parser.add_argument("--tests", nargs="+", default=[""], help="how names of files of tests begin; all by default")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1, help="mutants at a time")
     parser.add_argument("--seconds", type=float, default=36_000.0, help="after which no more is begun")
     parser.add_argument("--out", type=Path, default=Path("out/mutants"), help="folder for what is found")
     parser.add_argument("--list", action="store_true", help="print the list and run nothing")
     asked = parser.parse_args()
-    wanted = [pair for pair in plan(asked.rooms, asked.count, asked.seed) if asked.only in pair[1].key]
+    wanted = [(room, each) for room in asked.rooms for each in chosen(everything(room), asked.count, asked.seed)]
     if asked.list:
         print("\n".join(mutant.key for _, mutant in wanted))
         return 0
     asked.out.mkdir(parents=True, exist_ok=True)
+    before = lines(asked.out / "mutants.jsonl") if asked.again else []
+    before = [each for each in before if each["status"] in ("caught", "explained")]
+    done = {each["key"] for each in before}
     campaign = Campaign(asked.out.resolve(), asked.workers, asked.seconds)
     try:
-        campaign.prepare(wanted)
-        page, enough = summary(campaign.run(wanted))
+        survey = campaign.survey(tuple(asked.tests))
+        page, enough = summary(campaign.run([pair for pair in wanted if pair[1].key not in done], before, survey))
     finally:
         shutil.rmtree(campaign.scratch, ignore_errors=True)
     (asked.out / "survivors.md").write_text(page, encoding="utf-8")

@@ -4,7 +4,7 @@ import ast
 
 import pytest
 from mutants import chosen, mutants
-from run import GROUPS, SOURCES, explanations
+from run import ROOMS, everything, explanations, users
 
 SOURCE = '''
 """Words: 3 < 4."""
@@ -54,6 +54,7 @@ def test_each_changes_one_thing_and_is_python(found):
         assert ast.dump(ast.parse(changed)) != ast.dump(ast.parse(SOURCE))
         assert changed.startswith(SOURCE[: mutant.start])
         assert changed.endswith(SOURCE[mutant.end :])
+        assert changed.count("\n") == SOURCE.count("\n")
 
 
 def test_mistakes_of_all_kinds_are_among_them(found):
@@ -76,6 +77,15 @@ def test_it_is_known_what_is_compiled(found):
     assert {each.function for each in found if not each.compiled} == {"read"}
 
 
+def test_it_is_known_what_runs_when_the_lines_are_not_seen(found):
+    named = {(each.function, each.before): each.names for each in found}
+    assert named["", "1e-3"] == ("LEAST",)
+    assert named["solved", "x < y"] == ("solved",)
+    assert named["read", "abs(3)"] == ()
+    used = set(users(ast.parse(SOURCE)))
+    assert {("LEAST", 10, "solved"), ("text", 17, "")} <= used
+
+
 def test_the_choice_of_one_seed_is_always_the_same(found):
     some = chosen(found, 5, seed=1)
     assert some == chosen(found[::-1], 5, seed=1)
@@ -89,6 +99,6 @@ def test_the_choice_of_one_seed_is_always_the_same(found):
 @pytest.mark.slow
 def test_what_is_explained_is_there():
     """A function that has another name, or is gone, takes its explanations along."""
-    paths = {path for group in GROUPS.values() for pattern in group.sources for path in SOURCES.glob(pattern)}
-    there = {each.key for path in paths for each in mutants(path, path.relative_to(SOURCES).as_posix())}
+
+    there = {each.key for room in ROOMS for each in everything(room)}
     assert explanations().keys() - there == set()
