@@ -5,6 +5,7 @@ PYTHONS ?= python3.11 python3.12 python3.13
 ORDERS ?= 1 2 3 4 5
 MUTANTS ?=
 SPHINX ?=
+WORKERS ?= auto
 ENGINE ?= chromium
 VENV := .venv
 BIN := $(VENV)/bin
@@ -16,11 +17,12 @@ demo: $(READY)
 	$(BIN)/nonhertz solve examples/cylindrical-roller-bearing.toml --out out/demo
 	@echo "Figures, table and result are in out/demo; open out/demo/pressure.svg first."
 
-# Workers share the cores: linear algebra has one thread in each.
+# Workers share the cores: linear algebra has one thread in each. A file is one worker's: what its tests share is solved
+# once.
 test test-slow campaign: export OMP_NUM_THREADS = 1
 
 test: $(READY)
-	$(BIN)/python -m pytest -n auto -m "not slow and not campaign and not browser"
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile -m "not slow and not campaign and not browser"
 
 # The tests that take seconds each, which `make test` leaves out.
 test-slow: $(READY)
