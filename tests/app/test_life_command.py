@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import functools
 import html
 import json
 import re
@@ -339,13 +338,18 @@ dents = 10
 def test_a_dent_that_is_rolled_over_is_in_table_files_and_report(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    coarsely = functools.partial(nonhertz.life.overrolled, cell=0.035, station=0.25, reach=1.0)
-    monkeypatch.setattr(nonhertz.show.analysis, "overrolled", coarsely)
     monkeypatch.chdir(tmp_path)
     Path("dent.toml").write_text(DENTED, encoding="utf-8")
+    dent, contact = nh.patch.Dent(depth=0.002, diameter=0.3, shoulder=0.0005), read_case("dent.toml").contact
+    coarse = nonhertz.life.overrolled(solved("dent.toml"), dent, cell=0.035, station=0.25, reach=1.0)
+
+    def overrolled(solution: nh.Solution, asked: nh.patch.Dent, body: str = "b", **_: object) -> object:
+        assert (solution.contact, solution.load, asked, body) == (contact, pytest.approx(300.0), dent, "b")
+        return coarse
+
+    monkeypatch.setattr(nonhertz.show.analysis, "overrolled", overrolled)
     assert main(["life", "dent.toml", "--out", "out"]) == 0
-    dent = nh.patch.Dent(depth=0.002, diameter=0.3, shoulder=0.0005)
-    life = coarsely(solved("dent.toml"), dent).relative_life(nonhertz.life.zaretsky(), dents=10)
+    life = coarse.relative_life(nonhertz.life.zaretsky(), dents=10)
     sentence = f"10 dents in the raceway of body b leave this part of its life: {digits(life, 4)} (zaretsky)."
     assert sentence in capsys.readouterr().out
     assert {each.name for each in Path("out").iterdir()} == FILES | {"life-dent.svg", "life-dent.png"}
