@@ -137,8 +137,9 @@ def test_a_limit_that_nothing_meets_is_told_with_how_much_is_missing():
 
 @pytest.mark.slow
 def test_no_point_of_a_front_is_better_than_another_in_both():
-    found = front(CASE, first=LOADS[:1], second=LOADS[1:], vary=RADIUS, points=4, starts=1, workers=1)
-    assert 3 <= len(found.first) <= 4
+    case = replace(CASE, solver={"strips": 31})
+    found = front(case, first=LOADS[:1], second=LOADS[1:], vary=RADIUS, points=3, starts=1, workers=1)
+    assert len(found.first) == 3
     assert np.all(np.diff(found.first) <= 1e-3 * found.first[0])
     assert np.all(np.diff(found.second) >= -1e-3 * found.second[0])
     assert found.first[0] > found.first[-1]
