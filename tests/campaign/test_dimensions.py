@@ -16,8 +16,8 @@ from nonhertz.result.gradient import family_of, landmarks
 from nonhertz.result.measures import measure_of
 
 SEED = 20261124
-PAIRS, SOME_PAIRS = 100, 10
-GRADIENTS, SOME_GRADIENTS = 200, 8
+PAIRS, SOME_PAIRS = 100, 6
+GRADIENTS, SOME_GRADIENTS = 200, 4
 APART = 1e-7  # mm
 POINTS = ((-2, 1 / 12), (-1, -2 / 3), (1, 2 / 3), (2, -1 / 12))
 ROUND = (0.5, 0.75, 1.0, 1.2, 1.5, 2.0)  # lengths over diameters

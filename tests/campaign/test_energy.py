@@ -16,7 +16,7 @@ from test_bearings import KINDS, random_bearing
 
 import nonhertz as nh
 
-CASES, SOME, LAMINAE = 400, 40, 41
+CASES, SOME, LAMINAE = 400, 20, 41
 LOADS = 1e-6  # of the largest
 POWER = 10.0 / 9.0
 X = np.array([1.0, 0.0, 0.0])

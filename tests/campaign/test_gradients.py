@@ -10,7 +10,7 @@ import nonhertz as nh
 from nonhertz.result.gradient import family_of
 from nonhertz.result.measures import measure_of
 
-CASES, SOME = 300, 40
+CASES, SOME = 300, 20
 SEED = 20261123
 CLOSE = 1e-6  # relative to the number itself, for a parameter that changes by itself
 POINTS = ((-2, 1 / 12), (-1, -2 / 3), (1, 2 / 3), (2, -1 / 12))
