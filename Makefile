@@ -26,7 +26,7 @@ test: $(READY)
 
 # The tests that take seconds each, which `make test` leaves out.
 test-slow: $(READY)
-	$(BIN)/python -m pytest -n auto -m slow
+	$(BIN)/python -m pytest -n auto --dist loadgroup -m slow
 
 # The same tests in other orders, one for each number.
 test-orders: $(READY)

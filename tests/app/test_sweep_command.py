@@ -111,6 +111,9 @@ def test_a_plan_that_has_changed_is_refused(folder, capsys):
     assert "over.load.load was [5000.0, 6000.0], is [5000.0, 7000.0]" in capsys.readouterr().err
 
 
+together = pytest.mark.xdist_group("sweep")  # by one worker, that what is whole is swept once
+
+
 def command(*words: str) -> list[str]:
     over = ["--over", "load.load=1kN:30kN:40", "load.tilt=-1mrad:1mrad:41", "--quantities", "approach", "max_pressure"]
     return [sys.executable, "-m", "nonhertz", "sweep", "roller.toml", *over, *words]
@@ -134,9 +137,18 @@ def changed(file: Path) -> int:
     return file.stat().st_mtime_ns if file.exists() else 0
 
 
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory) -> bytes:
+    """Give the rows of a sweep that nothing disturbs."""
+    folder = tmp_path_factory.mktemp("whole")
+    (folder / "roller.toml").write_text(CASE, encoding="utf-8")
+    subprocess.run(command("--out", "whole"), check=True, stdout=subprocess.DEVNULL, timeout=300, cwd=folder)
+    return (folder / "whole" / "rows.csv").read_bytes()
+
+
 @pytest.mark.slow
-def test_killed_at_random_moments_no_row_is_lost_or_doubled(folder):
-    subprocess.run(command("--out", "whole"), check=True, stdout=subprocess.DEVNULL, timeout=300)
+@together
+def test_killed_at_random_moments_no_row_is_lost_or_doubled(folder, whole):
     store, seed, there = folder / "killed" / "rows.sqlite3", random.Random(5), [0]
     for kill in range(12):
         running = subprocess.Popen(command("--out", "killed", "--workers", "1"), stdout=subprocess.DEVNULL)
@@ -153,24 +165,15 @@ def test_killed_at_random_moments_no_row_is_lost_or_doubled(folder):
     assert there == sorted(there)
     assert len({count for count in there if 0 < count < 1640}) > 5
     subprocess.run(command("--out", "killed"), check=True, stdout=subprocess.DEVNULL, timeout=300)
-    assert (folder / "killed" / "rows.csv").read_bytes() == (folder / "whole" / "rows.csv").read_bytes()
+    assert (folder / "killed" / "rows.csv").read_bytes() == whole
 
 
 @pytest.fixture
 def cluster() -> Iterator[tuple[str, list[subprocess.Popen[bytes]]]]:
     """Give the address of a scheduler and two workers, in processes of their own."""
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "env": os.environ | {"OMP_NUM_THREADS": "1"}}
-    words = [
-        sys.executable,
-        "-m",
-        "distributed.cli.dask_scheduler",
-        "--port",
-        "0",
-        "--host",
-        "127.0.0.1",
-        "--no-dashboard",
-    ]
-    scheduler = subprocess.Popen(words, **quiet)
+    words = ["distributed.cli.dask_scheduler", "--port", "0", "--host", "127.0.0.1", "--no-dashboard"]
+    scheduler = subprocess.Popen([sys.executable, "-m", *words], **quiet)
     assert scheduler.stderr is not None
     for line in scheduler.stderr:
         if b"Scheduler at:" in line:
@@ -192,9 +195,9 @@ def worker(address: str) -> subprocess.Popen[bytes]:
 
 
 @pytest.mark.slow
-def test_on_a_cluster_a_worker_may_be_killed_and_another_added(folder, cluster):
+@together
+def test_on_a_cluster_a_worker_may_be_killed_and_another_added(folder, cluster, whole):
     address, workers = cluster
-    subprocess.run(command("--out", "whole"), check=True, stdout=subprocess.DEVNULL, timeout=300)
     running = subprocess.Popen(command("--out", "spread", "--scheduler", address), stdout=subprocess.DEVNULL)
     until = time.monotonic() + 120.0
     while not rows_in(folder / "spread" / "rows.sqlite3") and not (folder / "spread" / "rows.csv").exists():
@@ -205,7 +208,7 @@ def test_on_a_cluster_a_worker_may_be_killed_and_another_added(folder, cluster):
     workers[0].kill()
     workers.append(worker(address))
     assert running.wait(timeout=300) == 0
-    assert (folder / "spread" / "rows.csv").read_bytes() == (folder / "whole" / "rows.csv").read_bytes()
+    assert (folder / "spread" / "rows.csv").read_bytes() == whole
 
 
 @pytest.mark.slow
