@@ -1,20 +1,16 @@
 """Stress in hollow rollers, whose walls bend, against finite elements and a curved beam."""
 
-from __future__ import annotations
-
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from hollow_roller_elements import POINTS, solutions
 
 import nonhertz as nh
 from nonhertz.strength import assess
 from nonhertz.subsurface import extremes, stress
 
 DATA = Path(__file__).parent / "data"
-sys.path.insert(0, str(DATA))
-from hollow_roller_elements import POINTS, solutions  # noqa: E402
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 
