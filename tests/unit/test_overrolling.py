@@ -15,7 +15,10 @@ from nonhertz.errors import InputError
 from nonhertz.life import VolumeModel, exposure, lundberg_palmgren, model, overrolled, weibull, zaretsky
 
 # Coarse cells say what they miss; how far the results depend on them is tested here.
-pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.errors.AccuracyWarning")
+pytestmark = [
+    pytest.mark.filterwarnings("ignore::nonhertz.errors.AccuracyWarning"),
+    pytest.mark.xdist_group("overrolling"),  # by one worker, that what they share is solved once
+]
 
 DENT = nh.patch.Dent(y=0.0, depth=0.002, diameter=0.3, shoulder=0.0005)
 COARSE = 0.02  # mm, a cell
@@ -171,13 +174,7 @@ def test_the_excess_converges_with_the_surroundings(found):
 def test_stations_and_their_place_and_cells_hardly_matter(smooth, found):
     each = zaretsky()
     excess, life = found.excess(each), found.relative_life(each, per_area=0.1)
-    changes = {
-        "place": {"cell": COARSE},
-        "stations": {"cell": COARSE, "station": 0.2},
-        "cells": {"cell": 0.75 * COARSE},
-    }
-    for name, tried in changes.items():
-        dent = replace(DENT, x=0.01) if name == "place" else DENT
+    for dent, tried in ((replace(DENT, x=0.01), {"cell": COARSE, "station": 0.2}), (DENT, {"cell": 0.75 * COARSE})):
         other = overrolled(smooth, dent, reach=2.0, **tried)
         assert other.excess(each) == pytest.approx(excess, rel=0.05)
         assert other.relative_life(each, per_area=0.1) == pytest.approx(life, rel=0.01)
