@@ -108,8 +108,7 @@ def test_the_calibrated_weight_goes_by_poissons_ratio_of_the_body(poisson, weigh
     assert body.face_weights == pytest.approx((weight, weight), rel=1e-12)
 
 
-@pytest.mark.parametrize("depth", ["none", "plane-strain", "diameter", 0.5, 7])
-@pytest.mark.parametrize("images", [1, 2, 100, 3.0])
+@pytest.mark.parametrize(("depth", "images"), [("none", 1), ("plane-strain", 2), ("diameter", 100), (0.5, 3.0), (7, 1)])
 def test_depths_and_numbers_of_images_are_kept(depth, images):
     body = roller(depth=depth, images=images)
     assert (body.depth, body.images) == (depth, images)

@@ -239,16 +239,14 @@ def test_a_sharp_end_in_contact_is_named_in_the_solution():
 
 @pytest.mark.parametrize("strips", [None, 41])
 @pytest.mark.parametrize("given", [{"load": 20e3}, {"approach": 0.01}, {"load": 20e3, "moment": 3e3}], ids=str)
-@pytest.mark.parametrize("depth", [1e-5, 0.01, 0.05, 0.1, 0.2])
-@pytest.mark.parametrize("plate_depth", ["none", "same"])
-def test_a_body_thinner_than_its_contact_is_refused_in_one_sentence(depth, plate_depth, given, strips):
+def test_a_body_thinner_than_its_contact_is_refused_in_one_sentence(given, strips):
     # Warnings are errors here: nothing may be divided by zero on the way to the sentence.
-    roller = nh.Roller(diameter=20, length=20, depth=depth)
-    plate = nh.Plate(depth=depth if plate_depth == "same" else "none")
-    with pytest.raises(
-        nh.InputError, match=r"body.a.depth = .* must be large compared with the half-width of the contact"
-    ):
-        nh.solve(nh.Contact(roller, plate), strips=strips, **given)
+    words = r"body.a.depth = .* must be large compared with the half-width of the contact"
+    for depth in (1e-5, 0.01, 0.05, 0.1, 0.2):
+        for beside in ("none", depth):
+            contact = nh.Contact(nh.Roller(diameter=20, length=20, depth=depth), nh.Plate(depth=beside))
+            with pytest.raises(nh.InputError, match=words):
+                nh.solve(contact, strips=strips, **given)
 
 
 def test_a_body_that_is_rather_thin_is_warned_of():
