@@ -458,9 +458,13 @@ def test_whether_a_body_bears_it(client, monkeypatch):
 
 
 def test_a_curve_in_pieces(client):
-    wanted = {"document": STARTING, "path": "load.load", "values": [1e4, 2e4]}
-    found = client.post("/curve", json=wanted).json()
-    assert [point["value"] for point in found["points"]] == [1e4, 2e4]
+    wanted, points = {"document": STARTING, "path": "load.load", "values": [1e4, 2e4]}, []
+    while wanted["values"]:  # a busy machine answers what half a second is enough for
+        points += (piece := client.post("/curve", json=wanted).json()["points"])
+        assert piece
+        wanted["values"] = wanted["values"][len(piece) :]
+    assert [point["value"] for point in points] == [1e4, 2e4]
+    wanted["values"] = [1e4, 2e4]
     wanted["document"] = STARTING | {"load": {"load": "20 kg"}}
     assert [each["path"] for each in client.post("/curve", json=wanted).json()["mistakes"]] == ["load.load"]
 
