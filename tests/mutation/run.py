@@ -44,7 +44,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 SOURCES = ROOT / "src" / "nonhertz"
 ENOUGH, NOISE = 0.9, 0.02  # of those that ran, where no share is recorded; and below one that is
-LONGEST_TEST, LONGEST_ROUND = 6.0, 12.0  # s, of one test and of all that a mutant meets
+LONGEST_ROUND = 12.0  # s, of all tests that a mutant meets; one alone may take longer
 FINDING_OUT = 30.0, 900.0  # s, for a test and a file of them on the sources as they are
 SLOWED = 6.0  # by other programs: waited for so many times as long as the processor is needed
 COMPILING_TIME = 240.0  # s, added to the time of the tests before a compiled mutant is taken to hang
@@ -68,8 +68,7 @@ class Survey:
         self._data = data
         self.seconds: dict[str, float] = {}
         for path in out.glob("*.json"):
-            seconds = json.loads(path.read_text(encoding="utf-8"))["seconds"]
-            self.seconds |= {test: each for test, each in seconds.items() if each <= LONGEST_TEST}
+            self.seconds |= json.loads(path.read_text(encoding="utf-8"))["seconds"]
         self._users: dict[str, set[tuple[str, int, str]]] = defaultdict(set)
         for file in sorted(SOURCES.rglob("*.py")):
             for name, line, user in users(ast.parse(file.read_text(encoding="utf-8"))):
@@ -111,14 +110,13 @@ class Survey:
         ranked = []
         for test in sorted(tests | beside, key=lambda each: (each in beside, self.seconds[each], each)):
             function = test.partition("-" if "/golden/" in test else "[")[0]  # a command's tests differ as functions do
-            ranked.append((test in beside, of_function[function], self.seconds[test], test))
+            ranked.append((of_function[function] + (test in beside), self.seconds[test], test))
             of_function[function] += 1
         total, of_file = 0.0, defaultdict(list)
         for *_, seconds, test in sorted(ranked):
-            total += seconds
-            if total > LONGEST_ROUND and of_file:
-                break
-            of_file[test.partition("::")[0]].append(test)
+            if not of_file or total + seconds <= LONGEST_ROUND:
+                of_file[test.partition("::")[0]].append(test)
+                total += seconds
         # The quickest file first, and its fixtures made once.
         return [
             test
@@ -235,7 +233,7 @@ class Campaign:
                 with contextlib.suppress(FileNotFoundError):
                     code = SOURCES / "__pycache__" / "machine-code"
                     shutil.copytree(code, folder / "cache" / "nonhertz", copy_function=os.link)
-            limit = 20.0 + 4.0 * LONGEST_ROUND + (COMPILING_TIME if mutant.compiled else 0.0)
+            limit = 20.0 + 4.0 * max(LONGEST_ROUND, FINDING_OUT[0]) + (COMPILING_TIME if mutant.compiled else 0.0)
             files = dict.fromkeys(str(ROOT / test.partition("::")[0]) for test in tests)
             code = self._pytest(names, limit, ["--exitfirst", *files])
             if code == 0:
