@@ -196,6 +196,9 @@ def test_json_is_one_strict_object_with_all_numbers(folder, capsys, few):
     assert result["life"]["no_reference"] == life.no_reference != ""
     assert result["life"]["life_factor"] is None
     assert result["units"] == UNITS
+    for name in ("roller_load", "displacement", "force", "stiffness"):  # each entry has its own
+        shape = np.shape(UNITS[name])
+        assert np.shape(result[name])[-len(shape) :] == shape, name
     assert UNITS.keys() <= result.keys()
     assert UNITS["life"].keys() <= result["life"].keys()
     Path("again.toml").write_text(nonhertz.io.casefile.as_toml(result["case"]), encoding="utf-8")

@@ -63,6 +63,13 @@ def test_examples_are_valid(file: Path) -> None:
     assert mistakes(kind_of(found), found) == [[], []]
 
 
+def test_so_are_changes_of_a_profile() -> None:
+    found = document("crowned-roller")
+    changes = {"shift": "20 um", "scale": 1.1, "flip": True, "drop": "9 um", "at": 8.0}
+    found["body"]["a"]["profile"] = {"kind": "crown", **changes}
+    assert mistakes("case", found) == [[], []]
+
+
 def test_so_are_the_files_to_start_from() -> None:
     assert mistakes("case", tomllib.loads(starting_case())) == [[], []]
     assert mistakes("bearing", tomllib.loads(starting_bearing())) == [[], []]

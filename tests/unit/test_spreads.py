@@ -37,6 +37,15 @@ def test_values_are_in_the_base_unit(parameter, given, values):
     assert [type(each) for each in found] == [type(each) for each in values]
 
 
+def test_the_ends_of_a_distribution_are_its_limits_where_it_has_any():
+    assert Distribution("uniform", (-1.0, 4.0)).ends == (-1.0, 4.0)
+    assert Distribution("triangular", (0.0, 1.0, 4.0)).ends == (0.0, 4.0)
+    assert Distribution("normal", (0.0, 1.0), (-1.0, 2.0)).ends == (-1.0, 2.0)
+    below, above = Distribution("normal", (5.0, 2.0)).ends
+    assert stats.norm(5.0, 2.0).cdf(below) == pytest.approx(1e-9, rel=0.02)  # one sample in 10^9 is beyond
+    assert stats.norm(5.0, 2.0).sf(above) == pytest.approx(1e-9, rel=0.02)
+
+
 @pytest.mark.parametrize(
     ("parameter", "given", "what"),
     [

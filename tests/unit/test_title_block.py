@@ -42,6 +42,12 @@ def test_all_mistakes_of_a_title_block_are_named(folder: Path) -> None:
     assert set(caught.value.places) == {f"report.{name}" for name in ("project", "author", "date", "authors")}
 
 
+def test_a_field_has_200_letters_at_most() -> None:
+    assert TitleBlock(project="A" * 200).project == "A" * 200
+    with pytest.raises(nh.InputError, match="200"):
+        TitleBlock(project="A" * 201)
+
+
 def test_the_page_has_the_fields() -> None:
     (group,) = [each for each in form({}).folded if each.path == "report"]
     assert [field.path for field in group.members] == ["report.project", "report.author", "report.date"]

@@ -69,6 +69,7 @@ def test_all_dialects_of_columns_are_the_same_line(name):
     assert_allclose(trace.y, Y, rtol=1e-12)
     assert_allclose(trace.height, 1e-3 * UM, rtol=1e-9)
     assert trace.gaps == ()
+    assert "mark beside" not in " ".join(trace.notes)
 
 
 @pytest.mark.parametrize(
@@ -103,7 +104,9 @@ def test_all_dialects_of_columns_are_the_same_line(name):
         ("X Millimeter;Z Mikrometer", 1.0, 1e-3),
         ("X in;Z mils", 25.4, 0.0254),
         ("Z..um.;Z..um.", 1e-3, 1e-3),
+        ("X uin;Z microinches", 25.4e-6, 25.4e-6),
         ("Units: mm, um", 1.0, 1e-3),
+        ("Units: um, nm", 1e-3, 1e-6),
         ("X unit = mm\nZ unit = um\nX;Z", 1.0, 1e-3),
         ("X mm;Z um\nLength;10 cm", 1.0, 1e-3),
     ],
@@ -194,7 +197,10 @@ def test_what_stands_below_the_points_is_left_out_with_a_note(footer):
 def test_marks_beside_numbers_are_left_out(mark):
     rows = [f"{y};{z}" for y, z in PAIRS]
     rows[2], rows[4] = mark.format(rows[2]), mark.format(rows[4])
-    assert_allclose(read_trace("\n".join(rows).encode(), height_unit="um").height, 1e-3 * UM, rtol=1e-12)
+    trace = read_trace("\n".join(rows).encode(), height_unit="um")
+    assert_allclose(trace.height, 1e-3 * UM, rtol=1e-12)
+    notes = " ".join(trace.notes)
+    assert ("mark beside" in notes) == ("2 lines have a mark beside" in notes)
 
 
 MISSING = ["", "NaN", "*****", "BAD", "-", "n/a", "1.#QNAN", "1.#QNAN00", "-1.#IND", "1.#INF", "1.#J", "1,#QNAN"]
@@ -288,6 +294,8 @@ def test_columns_are_chosen_by_number_or_name():
     for chosen in ((2, 4), ("2", "4"), ("y", "z"), ("Y [MM]", "z")):
         trace = read_trace(text, position_column=chosen[0], height_column=chosen[1])
         assert_allclose(trace.height, 1e-3 * UM, rtol=1e-12)
+    whole = b"n,z,y\n" + b"".join(b"%d,%d,%d\n" % (k, z, 10 * k) for k, z in enumerate((3, 1, 4, 1, 5)))
+    assert_allclose(read_trace(whole, position_column=3, height_column=2, height_unit="um").y, [0, 10, 20, 30, 40])
     two = read_trace(lines("{1};{0}"), height_column=1, height_unit="um")
     assert_allclose(two.height, 1e-3 * UM, rtol=1e-12)
 
