@@ -213,3 +213,18 @@ def test_a_shape_of_order_zero_is_clearance_at_any_contact_angle(degrees, ring):
     still = {"axial_displacement": 0.0, "radial_displacement": 0.0, "method": "slices"}
     tight = nh.bearing.solve(dataclasses.replace(smooth, clearance=-0.02), **still)
     np.testing.assert_allclose(nh.bearing.solve(shaped, **still).load, tight.load, rtol=1e-9)
+
+
+@pytest.mark.parametrize("washer", ["inner", "outer"])
+def test_a_washer_that_is_higher_all_around_moves_the_shaft_along_the_axis(washer):
+    plain = nh.bearing.CylindricalThrustBearing(
+        roller=nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(4000)),
+        inner=nh.Plate(),
+        outer=nh.Plate(),
+        rollers=12,
+        pitch_diameter=60.0,
+    )
+    higher = dataclasses.replace(plain, **{f"{washer}_shape": fourier_shape({0: 0.01})})
+    flat, found = (nh.bearing.solve(each, axial=5e3, method="slices") for each in (plain, higher))
+    assert found.displacement[0] == pytest.approx(flat.displacement[0] - 0.01, rel=1e-6)
+    np.testing.assert_allclose(found.load, flat.load, rtol=1e-6)
