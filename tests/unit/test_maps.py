@@ -20,6 +20,7 @@ from nonhertz.maps import ContactMap, loaded, pressed, pressures, share
 from nonhertz.maps.build import Building
 from nonhertz.maps.evaluation import tilt_coordinate
 from nonhertz.maps.spline import basis, cells, size
+from nonhertz.maps.spread import Spread
 from nonhertz.maps.touch import Relief
 
 MOST, TILT, ACCURACY = 10e3, 1e-3, 2e-3
@@ -52,15 +53,17 @@ def test_the_sampled_errors_are_those_of_points_that_the_map_has_not_seen(made):
     assert sampled.moment <= ACCURACY
     assert np.all(np.abs(found.load - load) <= sampled.load * light)
     assert np.all(np.abs(found.moment - solved.moment) <= sampled.moment * light * half)
-    stiffness = solved.stiffness[:, 0, 0] * np.cbrt(light / load)
+    stiffness, largest = solved.stiffness[:, 0, 0] * np.cbrt(light / load), 0.0
     for row, column in ((0, 0), (0, 1), (1, 1)):
         error = np.abs(found.stiffness[:, row, column] - solved.stiffness[:, row, column])
-        assert np.all(error <= sampled.stiffness * stiffness * half ** (row + column))
+        largest = max(largest, np.max(error / (stiffness * half ** (row + column))))
+    assert sampled.stiffness / 3.0 <= largest <= sampled.stiffness
     least = np.cbrt(0.01)
     for name, largest in (("max_pressure", sampled.max_pressure), ("max_half_width", sampled.max_half_width)):
         values = getattr(solved, name)
         error = np.abs(getattr(found, name) - values)
         assert np.all(error <= largest * np.maximum(values, least * values.max())), name
+        assert np.any(3.0 * error >= largest * np.maximum(values, least * values.max())), name  # nor far below
 
 
 def test_strip_loads_are_those_of_the_solver_and_sum_to_the_load(made):
@@ -81,11 +84,11 @@ def test_the_stiffness_is_the_derivative_of_load_and_moment(made, points):
     for column, (by, turn) in enumerate(((step[0], 0.0), (0.0, step[1]))):
         high = made.at(approach=approach + by, tilt=tilt + turn)
         low = made.at(approach=approach - by, tilt=tilt - turn)
-        # Central differences: their error is the third derivative times the step squared, below 1e-6 here.
+        # Central differences: their error is the third derivative times the step squared, below 1e-7 here.
         for row, name in enumerate(("load", "moment")):
             slope = (getattr(high, name) - getattr(low, name)) / (2.0 * (by + turn))
             scale = np.abs(at.stiffness[:, row, column]).max()
-            assert_allclose(at.stiffness[:, row, column], slope, rtol=1e-5, atol=1e-5 * scale)
+            assert_allclose(at.stiffness[:, row, column], slope, rtol=1e-7, atol=1e-7 * scale)
     assert_array_equal(at.stiffness[:, 0, 1], at.stiffness[:, 1, 0])
 
 
@@ -262,6 +265,8 @@ def test_tables_for_other_programs_hold_the_map(made, tmp_path):
     assert_allclose(values[:, 2], grid.load.ravel(), rtol=1e-9)
     assert_allclose(values[:, 7], grid.moment_by_tilt.ravel(), rtol=1e-9)
     made.to_mat(tmp_path / "k.mat", grid)
+    with pytest.raises(InputError, match="must be points of a map"):
+        made.to_mat(tmp_path / "other.mat", 3.0)
     content = scipy.io.loadmat(os.fspath(tmp_path / "k.mat"))
     assert_array_equal(content["moment"], grid.moment)
     assert content["strip_loads"].shape == (5, 3, 21)
@@ -280,14 +285,20 @@ def test_a_grid_of_one_tilt_is_in_the_middle_and_of_none_is_refused(made):
         made.grid(0)
 
 
-def test_a_range_of_approaches_includes_lift_off():
-    made = nh.map(CONTACT, approach=(-5e-3, 8e-3), tilt=3e-4, accuracy=1e-2, checks=20)
+def test_a_range_of_approaches_includes_lift_off(tmp_path):
+    made = nh.map(CONTACT, approach=(-5e-3, 8e-3), tilt=3e-4, accuracy=1e-2, checks=20, stations=1)
     grid = made.grid()
     assert grid.load.shape == (41, 21)
     assert np.all(np.isfinite(grid.load))
     assert grid.load[0].max() == 0.0
     solution = nh.solve(CONTACT, approach=8e-3, tilt=3e-4)
-    assert_allclose(made.at(approach=8e-3, tilt=3e-4).load, solution.load, rtol=made.sampled_error.load)
+    point = made.at(approach=8e-3, tilt=3e-4)
+    assert_allclose(point.load, solution.load, rtol=made.sampled_error.load)
+    # One strip bears it all, also of a map that was saved; one edge is none.
+    made.save(tmp_path / "one.npz")
+    assert_allclose(ContactMap.load(tmp_path / "one.npz").strip_loads(point), [point.load], rtol=1e-12)
+    with pytest.raises(InputError, match=r"stations = .* must be ascending"):
+        made.strip_loads(point, [0.0])
 
 
 @pytest.mark.slow
@@ -390,11 +401,24 @@ def test_polynomials_of_cells_are_the_spline():
 def test_a_straight_length_tips_over_and_a_crown_rolls():
     straight = Relief.between(nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate()), -10.0, 10.0)
     assert_allclose(straight.tipping(-1e-3, 2e-3)[:2], (0.0, 20.0), atol=1e-9)
+    conical = nh.Roller(diameter=20, length=20, profile=nh.profile.tabulated([-10, 10], [0, 0.01]))
+    inclined = Relief.between(nh.Contact(conical, nh.Plate()), -10.0, 10.0)
+    assert_allclose(inclined.tipping(-1e-3, 2e-3)[0], 5e-4, atol=1e-9)
     crowned = Relief.between(CONTACT, -10.0, 10.0)
     assert crowned.tipping(-1e-3, 1e-3)[1] == 0.0
     approach, place = crowned.touched(np.array([0.0, 1e-3, -5e-3]))
     assert_allclose(place, [0.0, 4.0, -10.0], atol=1e-3)
     assert_allclose(approach[:2], [0.0, -2e-3], atol=1e-8)
+
+
+def test_the_load_of_a_point_contact_spreads_as_hertz_says():
+    """Of an ellipsoid of pressure the share t of the semi-axis bears 1/2 + 3 t / 4 - t^3 / 4 up to there."""
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=400)), nh.Plate())
+    solution = nh.solve(contact, load=1e3)
+    t = np.linspace(-1.0, 1.0, 2001)
+    expected = np.interp(np.sin(np.arange(25) * np.pi / 48) ** 2, 0.5 + 0.75 * t - 0.25 * t**3, t)
+    along = nh.hertz.point_contact(radius_x=10.0, radius_y=400.0, compliance=contact.compliance, load=1e3).half_length
+    assert_allclose(Spread.of(contact, solution.edges, solution.line_load).places, along * expected, atol=0.002 * along)
 
 
 def test_a_range_whose_end_cannot_be_solved_is_refused_with_the_reason():
