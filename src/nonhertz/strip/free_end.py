@@ -147,7 +147,10 @@ def _directions(face: FreeFace) -> Array:
     inner, outer, whole = [], [], []
     for k in range(POWERS + 1):
         series = chebyshev.Chebyshev.fit(r, moments[:, k], 2 * DIRECTION_DEGREES[0], domain=[0.0, 1.0])
-        scale, degree = _scale(k), DIRECTION_DEGREES[k]
+        degree = DIRECTION_DEGREES[k]
+        # By which the k-th term is that of a difference of 1 / t^2k in the element's series.
+        binomial = math.prod(-(0.5 + i) / (i + 1) for i in range(k))
+        scale = (-1.0) ** (k + 1) * 2 * k / (math.factorial(2 * k) * binomial) if k else 1.0
         up_to = series.integ(lbnd=0.0)
         # r^-2k times the integral of G_k r^(2k-1), by Gauss's rule in r'/r; the logarithm of k = 0 is left out.
         node, weight = legendre.leggauss(24)
@@ -165,14 +168,6 @@ def _monomials(nodes: Array, values: Array, degree: int) -> Array:
     """Return the powers of 2 r - 1, highest first."""
     fitted = chebyshev.chebfit(nodes, values, degree)
     return np.asarray(chebyshev.cheb2poly(fitted)[::-1], dtype=float)
-
-
-def _scale(k: int) -> float:
-    """Return the factor by which the k-th term is that of a difference of 1 / t^2k in the element's series."""
-    if k == 0:
-        return 1.0
-    binomial = math.prod(-(0.5 + i) / (i + 1) for i in range(k))
-    return (-1.0) ** (k + 1) * 2 * k / (math.factorial(2 * k) * binomial)
 
 
 @compiled

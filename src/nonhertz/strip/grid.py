@@ -562,16 +562,7 @@ def _from_end(left: Array, right: Array, marks: Array, share: float) -> Array:
     for i in range(far.shape[1]):
         path[0, n + i], path[1, n + i] = far[0, i], near[1, n] + far[1, i]
     edges = _cut(path, path[0, 0], marks, share)
-    return edges if edges[0] < edges[edges.size - 1] else _reversed(edges)
-
-
-@compiled
-def _reversed(values: Array) -> Array:
-    n = values.size
-    turned = np.empty(n)
-    for i in range(n):
-        turned[i] = values[n - 1 - i]
-    return turned
+    return edges if edges[0] < edges[edges.size - 1] else edges[::-1].copy()
 
 
 @compiled

@@ -295,17 +295,6 @@ def added_by_face(y: float, low: float, high: float, inverse: float, law: Law, k
 
 
 @compiled
-def seen(y: float, low: float, high: float, inverse: float, law: Law) -> float:
-    """Return [A] at ``y`` of one strip with 1/a = ``inverse``, with its images and what free side faces add."""
-    total = 0.0
-    for k in range(law.terms.shape[0]):
-        total += _term(y, low, high, inverse, law.terms, k, law.table)
-    for k in range(law.faces.shape[0]):
-        total += law.faces[k, 2] * added_by_face(y, low, high, inverse, law, k)[0]
-    return total
-
-
-@compiled
 def _term(y: float, low: float, high: float, inverse: float, terms: Array, k: int, table: Array) -> float:
     sign, offset = terms[k, 0], terms[k, 1] - y
     upper = evaluate_displacement((sign * high + offset) * inverse, table)
@@ -335,9 +324,14 @@ def _on_the_surface(places: Array, edges: Array, r: Array, m: Array, law: Law) -
     result = np.zeros(places.size)
     for j in range(m.size):
         if m[j] > 0.0:
-            inverse, q = 1.0 / math.sqrt(m[j]), r[j] * m[j]
+            inverse, q, low, high = 1.0 / math.sqrt(m[j]), r[j] * m[j], edges[j], edges[j + 1]
             for i in range(places.size):
-                result[i] += q * seen(places[i], edges[j], edges[j + 1], inverse, law)
+                seen = 0.0
+                for k in range(law.terms.shape[0]):
+                    seen += _term(places[i], low, high, inverse, law.terms, k, law.table)
+                for k in range(law.faces.shape[0]):
+                    seen += law.faces[k, 2] * added_by_face(places[i], low, high, inverse, law, k)[0]
+                result[i] += q * seen
     return result
 
 

@@ -261,7 +261,7 @@ class Refinement:
 
     def incomplete(self, states: States) -> Flags:
         """Return which cases end where the bodies do not, or overlap where no strip is in contact."""
-        ends = np.broadcast_to(_ends(states), (states.status.size, 2))
+        ends = np.broadcast_to(states.edges[:, [0, -1]], (states.status.size, 2))
         low, high = self.interval
         missing: Flags = (reaching(states, -1) & (ends[:, 0] > low)) | (reaching(states, 1) & (ends[:, 1] < high))
         for row in np.flatnonzero(suspects(self.problem, states, self.finite) & ~missing):
@@ -284,7 +284,7 @@ class Refinement:
         return pointed
 
     def _terrain(self, states: States) -> Terrain:
-        low, high = np.broadcast_to(_ends(states), (states.status.size, 2)).T
+        low, high = np.broadcast_to(states.edges[:, [0, -1]], (states.status.size, 2)).T
         if np.all(low == self.finite[0]) and np.all(high == self.finite[1]):
             row, samples = np.zeros(low.size, dtype=np.int64), self.problem.sampled(*self.finite, SAMPLES)[1][None]
         else:
@@ -329,24 +329,14 @@ def _peaks(states: States, kinks: Array, accuracy: float) -> Array:
                     if reach > reached and _is_summit(pressure, i):
                         at, reached = i, reach
             if at > 0:
-                wanted = _wanted_at_peak(edges, pressure, at, accuracy)
-                place, wide = 0.5 * (edges[at] + edges[at + 1]), edges[at + 1] - edges[at]
-                for kink in kinks:
-                    if abs(place - kink) < AT_KINK * wide:
-                        wanted = np.nan  # there it has no limit
-                if not math.isnan(wanted):
+                sagitta, place = _sagitta(pressure, at), 0.5 * (edges[at] + edges[at + 1])
+                wide, pointed = edges[at + 1] - edges[at], sagitta > POINTED * accuracy
+                for kink in kinks:  # there it has no limit
+                    pointed = pointed and not abs(place - kink) < AT_KINK * wide
+                if pointed:
+                    wanted = wide * max(math.sqrt(POINTED * accuracy / sagitta), LEAST_AT_PEAK)
                     found[case, 0, side], found[case, 1, side], found[case, 2, side] = place, wanted, wide
     return found
-
-
-@compiled
-def _wanted_at_peak(edges: Array, pressure: Array, at: int, accuracy: float) -> float:
-    """Return the width wanted for a summit of the pressure at a strip, NaN if it is not too pointed."""
-    sagitta = _sagitta(pressure, at)
-    if not sagitta > POINTED * accuracy:
-        return np.nan
-    width = edges[at + 1] - edges[at]
-    return float(width * max(math.sqrt(POINTED * accuracy / sagitta), LEAST_AT_PEAK))
 
 
 @compiled
@@ -383,11 +373,6 @@ def _sagitta(pressure: Array, at: int) -> float:
     """Return by what share of itself the pressure bends within a strip; 0 without pressure."""
     peak = pressure[at]
     return (2.0 * peak - pressure[at - 1] - pressure[at + 1]) / (8.0 * peak) if peak > 0.0 else 0.0
-
-
-def _ends(states: States) -> Array:
-    """Return where the strips of every grid begin and end [mm], shape (grids, 2)."""
-    return np.stack([states.edges[:, 0], states.edges[:, -1]], axis=1)
 
 
 def _located(problem: Problem, interval: Interval, finite: Interval, targets: Array) -> States:
@@ -435,21 +420,16 @@ def _first_strips(problem: Problem, finite: Interval) -> Array:
         return edges
     refuse_arm_outside(problem, finite)
     regions = [_neighbourhood(problem, *finite)]
-    if np.all(problem.prescribed):
-        regions.append(_region_at_end(problem, finite))
+    if np.all(problem.prescribed):  # at one end of the bodies, centred on the resultant of load and moment
+        (low, high), arm = finite, float(problem.target[1] / problem.target[0])
+        at_high = high - arm < arm - low
+        regions.append((max(low, 2.0 * arm - high), high) if at_high else (low, min(high, 2.0 * arm - low)))
     for region, more in product(regions, MORE_STRIPS):
         edges = uniform(*region, more * COARSE_STRIPS)
         if feasible(problem, edges):
             break
     refuse_infeasible(problem, edges, chosen=False)
     return edges
-
-
-def _region_at_end(problem: Problem, finite: Interval) -> Interval:
-    """Return a region at one end of the bodies, centred on the resultant of load and moment."""
-    low, high = finite
-    arm = float(problem.target[1] / problem.target[0])
-    return (max(low, 2.0 * arm - high), high) if high - arm < arm - low else (low, min(high, 2.0 * arm - low))
 
 
 def _neighbourhood(problem: Problem, low: float, high: float) -> tuple[float, float]:

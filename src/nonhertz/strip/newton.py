@@ -208,7 +208,7 @@ def _weighed(
     scale, noise = _scales(strips, sought.rigid, active, half)
     _idle_gaps(strips, law, remote, sought)
     unsettled = worse((_largest(equations.unclosed) - noise) / scale, unbent)
-    return equations, scale, noise, worse(unsettled, _imbalance(given, equations))
+    return equations, scale, noise, worse(unsettled, _imbalance(given, equations.off, _sum(equations.weights)))
 
 
 @compiled
@@ -356,13 +356,8 @@ def _balance(given: Given, rigid: Array, load: float, moment: float, half: float
 
 
 @compiled
-def _imbalance(given: Given, equations: _Equations) -> float:
+def _imbalance(given: Given, off: Array, load: float) -> float:
     """Return the largest relative imbalance; a prescribed motion is met exactly after one step."""
-    return _relative(given, equations.off, _sum(equations.weights))
-
-
-@compiled
-def _relative(given: Given, off: Array, load: float) -> float:
     largest = 0.0
     reference = given.target[0] if given.by_force[0] else load
     for k in range(2):
@@ -576,4 +571,4 @@ def violation(strips: Strips, given: Given, law: Law, remote: Remote, sought: So
             worst = worse(worst, -sought.gap[i])
     off = _balance(given, sought.rigid, load, moment / half, half)
     _, noise = _scales(strips, sought.rigid, touching(sought.m), half)
-    return worse((worst - noise) / deepest, _relative(given, off, load))
+    return worse((worst - noise) / deepest, _imbalance(given, off, load))

@@ -89,14 +89,20 @@ def settle_all(
 @compiled
 def _from_before(strips: Strips, given: Given, found: States, case: int, sought: Sought) -> bool:
     """Begin where the case before ended; return whether it is similar enough."""
-    before, asked = case - 1, Given(given.by_force, given.target[case])
-    previous = sought_of(found, before, strips.y.size)
-    half = 0.5 * (strips.high[-1] - strips.low[0])
-    if found.status[before] != CONVERGED or not nearby(asked, given.target[before], previous.rigid[0], half):
+    target, before, by_force = given.target[case], given.target[case - 1], given.by_force
+    previous = sought_of(found, case - 1, strips.y.size)
+    half, scale = 0.5 * (strips.high[-1] - strips.low[0]), abs(target[1])
+    if not by_force[1]:
+        scale = abs(previous.rigid[0]) / half
+    elif by_force[0]:
+        scale = target[0] * half
+    near_first = abs(target[0] - before[0]) <= NEARBY * abs(target[0])
+    near_second = abs(target[1] - before[1]) <= NEARBY * scale
+    if found.status[case - 1] != CONVERGED or not (near_first and near_second):
         return False
     take(previous, sought)
     for k in range(2):
-        sought.rigid[k] = previous.rigid[k] if asked.by_force[k] else asked.target[k]
+        sought.rigid[k] = previous.rigid[k] if by_force[k] else target[k]
     return True
 
 
@@ -273,16 +279,3 @@ def within_reach(strips: Strips, given: Given) -> bool:
         return True
     arm = given.target[1] / given.target[0]
     return bool(strips.y[first] <= arm <= strips.y[last])
-
-
-@compiled
-def nearby(given: Given, before: Array, approach: float, half: float) -> bool:
-    """Return whether the case ``before``, with its ``approach``, is close enough to this one to be a good start."""
-    target = given.target
-    scale = abs(target[1])
-    if not given.by_force[1]:
-        scale = abs(approach) / half
-    elif given.by_force[0]:
-        scale = target[0] * half
-    near_first = abs(target[0] - before[0]) <= NEARBY * abs(target[0])
-    return bool(near_first and abs(target[1] - before[1]) <= NEARBY * scale)
