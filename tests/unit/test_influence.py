@@ -7,7 +7,8 @@ from scipy.integrate import quad
 
 import nonhertz as nh
 from nonhertz.bodies.depths.depth import PointsAtDepth
-from nonhertz.bodies.influence import HALF_SPACE, Influence
+from nonhertz.bodies.influence import HALF_SPACE, FreeSide, Influence
+from nonhertz.strip import influence
 from nonhertz.strip.influence import coefficients, displacements, lift, remote_of, self_displacement
 
 EDGES = np.array([-2.0, -1.4, -0.3, 0.1, 0.9, 3.0])
@@ -246,3 +247,11 @@ def test_displacements_are_those_of_the_surface_against_the_points_at_depth(elem
     found = displacements(influence, Y, EDGES, R, M, element)
     expected = blocks(element, terms=terms, at_depth=influence.at_depth(Y, EDGES))[0] @ (R * M)[ACTIVE]
     np.testing.assert_allclose(found[ACTIVE], expected, rtol=1e-13, atol=0.0)
+
+
+def test_contacts_with_and_without_free_faces_run_the_same_machine_code():
+    """What is compiled for arrays that can be written to is compiled again for those that cannot."""
+    faces = FreeSide(-2.0, -1, 0.5, 0.3), FreeSide(3.0, 1, 0.5, 0.25)
+    laws = [influence.law_of(Influence(np.atleast_2d(HALF_SPACE), faces=faces[:n]), nh.SEMI_ELLIPTIC) for n in range(3)]
+    kinds = [[(each.flags.writeable, each.flags.c_contiguous) for each in law if np.ndim(each)] for law in laws]
+    assert kinds[0] == kinds[1] == kinds[2]

@@ -307,8 +307,10 @@ def law_of(influence: Influence, element: Element) -> Law:
     materials = sorted({face.poisson for face in influence.faces})
     tables = [free_end_table(element, poisson) for poisson in materials]
     faces = [(face.y, face.side, face.share, TABLE_SIZE * materials.index(face.poisson)) for face in influence.faces]
-    # One table is long enough to be copied for nothing.
-    table = tables[0] if len(tables) == 1 else np.concatenate([np.zeros(0), *tables])
+    # One table is long enough to be copied for nothing. It is stored and read-only: none or several are, too, since all
+    # that reads them would be compiled again for arrays that can be written to.
+    table = tables[0].view() if len(tables) == 1 else np.concatenate([np.zeros(0), *tables])
+    table.flags.writeable = False
     rows = np.array(faces, dtype=float).reshape(-1, 4)
     return Law(influence.terms, element.table, element.line_factor, element.hertz_ratio, rows, table)
 
