@@ -18,6 +18,7 @@ import llvmlite
 import numba
 import numpy as np
 from numba.core.caching import CompileResultCacheImpl
+from numba.core.runtime import rtsys
 from numba.core.serialize import dumps
 
 from nonhertz.compiled import OPTIONS, Compiled
@@ -32,9 +33,9 @@ class Cache(CompileResultCacheImpl):
 
     def load_overload(self, signature: Any, target: Any) -> Any:
         """Return what was compiled for a signature, or None if it is missing, damaged or made from something else."""
-        target.refresh()
         content = read(*self._place(signature, target.codegen()))
         if content is not None:
+            rtsys.initialize(target)
             return CompileResultCacheImpl.rebuild(self, target, pickle.loads(content))
         if hasattr(sys, "ps1") or (sys.stderr is not None and sys.stderr.isatty()):  # in a notebook or at a terminal
             log_once("The first solve on a machine compiles the solver: a minute, or two for a whole bearing.")
