@@ -33,7 +33,7 @@ OPERATIONS = {
     ast.MatMult: None,
 }
 CALLS = {"min": "max", "max": "min", "minimum": "maximum", "maximum": "minimum", "any": "all", "all": "any"}
-COMPILING = ("compiled", "entry")
+COMPILING = ("compiled", "inlined")
 DROPPED_CALLS = {"abs", "sqrt", "cumsum", "sort", "copy"}
 
 

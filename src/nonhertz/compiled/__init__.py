@@ -19,18 +19,23 @@ OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
 _lock = threading.RLock()
 
 
-def compiled(function: Function) -> Function:
+def compiled(function: Function, inline: str = "never") -> Function:
     """Compile ``function`` to machine code when it is first called, unless ``NUMBA_DISABLE_JIT`` is set."""
     disabled = os.environ.get("NUMBA_DISABLE_JIT", "0") not in {"", "0"}
-    return function if disabled else cast(Function, Compiled(function))
+    return function if disabled else cast(Function, Compiled(function, inline))
+
+
+def inlined(function: Function) -> Function:
+    """As `compiled`, for a long function called in one place: it would be optimised again with each caller above."""
+    return compiled(function, "always")
 
 
 class Compiled:
     """A function that waits for Numba until it is called."""
 
-    def __init__(self, function: Callable[..., Any]) -> None:
+    def __init__(self, function: Callable[..., Any], inline: str) -> None:
         functools.update_wrapper(self, function)
-        self.py_func = function
+        self.py_func, self.targetoptions = function, {"inline": inline}  # by their names in Numba, which looks for them
         self._made: dict[str, Any] = {}
 
     def __call__(self, *arguments: Any) -> Any:

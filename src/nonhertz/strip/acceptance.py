@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, inlined
 from nonhertz.strip.element import POWERS, POWERS_AT, evaluate
 from nonhertz.strip.free_end import AWAY, far_terms, far_whole
 from nonhertz.strip.influence import added_by_face
@@ -211,7 +211,7 @@ def _lengths(strips: Strips, answer: Answer) -> tuple[float, float]:
     return (deepest if deepest > 0.0 else longest), longest
 
 
-@compiled
+@inlined
 def _lift_and_bend(strips: Strips, law: Law, answer: Answer) -> tuple[Array, Array]:
     """Return displacement [mm] and curvature [1/mm] of both surfaces together at every strip, on the centre line."""
     y, terms, q, n = strips.y, law.terms, answer.q, strips.y.size
@@ -248,7 +248,7 @@ def _looked_at(strips: Strips, answer: Answer) -> Indices:
     return found[:count]
 
 
-@compiled
+@inlined
 def _add_face(strips: Strips, law: Law, answer: Answer, k: int, lift: Array, bend: Array) -> None:
     """Add what a free side face adds: by its table where place and source are close to it, else by its series."""
     y, q, half_width, table, n = strips.y, answer.q, answer.half_width, law.table, strips.y.size

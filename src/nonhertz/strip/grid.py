@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, inlined
 from nonhertz.strip.records import Array, Flags, Indices, States
 
 # At a coarseness of 1, tuned on random contacts of all profiles; docs/explain/grid.md has the figures.
@@ -239,7 +239,7 @@ def lay_all(states: States, terrain: Terrain, extras: Array, fineness: Fineness)
     return count, edges
 
 
-@compiled
+@inlined
 def _laid(
     edges: Array, m: Array, rigid: Array, terrain: Terrain, case: int, extras: Array, fineness: Fineness
 ) -> Array:
@@ -272,7 +272,7 @@ def _laid(
     return joined
 
 
-@compiled
+@inlined
 def _sizes(
     edges: Array, m: Array, rigid: Array, contact: Array, terrain: Terrain, case: int, extras: Array, coarseness: float
 ) -> _Sizes:

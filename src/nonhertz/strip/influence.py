@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonhertz.bodies.influence import Influence
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, inlined
 from nonhertz.strip.element import POWERS, POWERS_AT, REMOTE, Element, evaluate, evaluate_displacement
 from nonhertz.strip.free_end import AWAY, TABLE_SIZE, Four, far_terms, far_whole, free_end, free_end_table
 from nonhertz.strip.records import Array, Flags, Indices, Law, Strips
@@ -163,7 +163,7 @@ def _add_far(
             power[i] += outer_power[i] - inner_power[i]
 
 
-@compiled
+@inlined
 def coefficients(strips: Strips, m: Array, active: Indices, law: Law, remote: Remote, out: Array) -> None:
     """Fill ``out[:, i, j]`` with [A], [t A'], [B], [t B'] of strip j at the centre of strip i.
 

@@ -26,7 +26,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, inlined
 from nonhertz.strip.influence import Remote, coefficients, lift, remote_of, self_displacement
 from nonhertz.strip.linear import blank, padded, solve_in_place, subtract_product
 from nonhertz.strip.records import (
@@ -89,7 +89,7 @@ class _Equations(NamedTuple):
     off: Array
 
 
-@compiled
+@inlined
 def newton(strips: Strips, given: Given, law: Law, sought: Sought, effort: Effort) -> tuple[int, int, float]:
     """Solve the contact of strips, starting from the r, m and rigid motion in ``sought`` and overwriting it.
 
@@ -196,7 +196,7 @@ def followed(
     return False, 0.0, 0.0, remote
 
 
-@compiled
+@inlined
 def _weighed(
     strips: Strips, given: Given, law: Law, remote: Remote, sought: Sought, active: Indices, half: float, eager: bool
 ) -> tuple[_Equations, float, float, float]:
@@ -308,7 +308,7 @@ def pair_lone_strip(strips: Strips, given: Given, sought: Sought) -> None:
         r[other] = r[alone]
 
 
-@compiled
+@inlined
 def _linearised(
     strips: Strips, given: Given, law: Law, remote: Remote, sought: Sought, active: Indices, half: float, eager: bool
 ) -> tuple[_Equations, float]:
@@ -375,7 +375,7 @@ def _loads(sought: Sought) -> Array:
     return q
 
 
-@compiled
+@inlined
 def _idle_gaps(strips: Strips, law: Law, remote: Remote, sought: Sought) -> None:
     """Fill the gap of the strips out of contact, zero for those in contact."""
     idle, some = np.empty(sought.m.size, np.bool_), False
@@ -409,7 +409,7 @@ def _curved(blocks: Array, curvature: Array, active: Indices) -> Array:
     return equations
 
 
-@compiled
+@inlined
 def _directions(found: _Equations) -> tuple[Array, Array]:
     """Return relative changes of r and of q for the residual and both rigid motions, shape (k, 3) each.
 
@@ -551,7 +551,7 @@ def _own_width(required: float, width: float, table: Array) -> float:
     return m
 
 
-@compiled
+@inlined
 def violation(strips: Strips, given: Given, law: Law, remote: Remote, sought: Sought) -> float:
     """Fill the gap everywhere and return the largest relative violation of contact and balance."""
     half, n = 0.5 * (strips.high[-1] - strips.low[0]), sought.m.size

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, inlined
 from nonhertz.strip.influence import Remote, remote_of
 from nonhertz.strip.newton import ROOM, TOLERANCE, followed, newton
 from nonhertz.strip.records import CONVERGED, STAGNATED, Array, Effort, Given, Grids, Law, Sought, States, Strips
@@ -106,7 +106,7 @@ def _from_before(strips: Strips, given: Given, found: States, case: int, sought:
     return True
 
 
-@compiled
+@inlined
 def _from_near(strips: Strips, asked: Given, near: States, case: int, sought: Sought) -> bool:
     """Begin with the solution on other strips; return whether any strip is in contact."""
     row = 0 if near.edges.shape[0] == 1 else case
@@ -117,7 +117,7 @@ def _from_near(strips: Strips, asked: Given, near: States, case: int, sought: So
     return prolong(y, sought_of(near, case, count), strips, asked, sought)
 
 
-@compiled
+@inlined
 def loop(
     strips: Strips, given: Given, law: Law, sought: Sought, shallowest: Array, effort: Effort, raised: bool
 ) -> tuple[int, int, float]:

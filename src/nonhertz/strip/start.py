@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, inlined
 from nonhertz.strip.newton import touching
 from nonhertz.strip.records import Array, Given, Law, Sought, Strips
 
@@ -153,7 +153,7 @@ def _excess_moment(bed: Bed, stiffness: float, tilt: float, given: Given) -> flo
     return float(stiffness * moment - given.target[1])
 
 
-@compiled
+@inlined
 def prolong(near_y: Array, near: Sought, strips: Strips, given: Given, sought: Sought) -> bool:
     """Fill ``sought`` from a solution on other strips, at ``near_y``; return whether any strip is in contact.
 
