@@ -12,9 +12,9 @@ import jinja2
 import pytest
 from form_reading import Inputs, document_in, parts_of, set_at, value_of
 
+from nonhertz.inputs.units import in_unit
 from nonhertz.io.casefile import case_in, schema, starting_case
 from nonhertz.io.mistakes import path_of
-from nonhertz.io.units import in_unit
 from nonhertz.life import MODELS, iso_16281
 from nonhertz.model.materials import MATERIALS
 from nonhertz.strip.element import ELEMENTS

@@ -17,9 +17,9 @@ from form_reading import document_in
 from numpy.testing import assert_allclose
 from serving import running
 
+from nonhertz.inputs.units import in_unit
 from nonhertz.io.bearingfile import BEARING_TEMPLATES, bearing_in, starting_bearing
 from nonhertz.io.casefile import TEMPLATES, starting_case
-from nonhertz.io.units import in_unit
 from nonhertz.result.reading import US, read_in
 from nonhertz.web.form.fields import FormField
 from nonhertz.web.form.form import form

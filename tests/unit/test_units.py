@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nonhertz.errors import InputError
-from nonhertz.io.units import in_unit
+from nonhertz.inputs.units import in_unit
 
 UNITS = ("mm", "N", "MPa", "1/MPa", "rad", "N mm")
 
@@ -199,7 +199,7 @@ def test_whatever_looks_like_a_quantity_is_read_or_refused(text: str) -> None:
 def test_pint_is_not_imported_for_numbers() -> None:
     program = (
         "import sys\n"
-        "from nonhertz.io.units import in_unit\n"
+        "from nonhertz.inputs.units import in_unit\n"
         "in_unit('field', 3, 'mm')\n"
         "assert 'pint' not in sys.modules\n"
         "in_unit('field', '3 um', 'mm')\n"

@@ -42,6 +42,7 @@ from nonhertz.bearing.standard import LAMINAE
 from nonhertz.bearing.verb import METHODS, refuse_load
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, one_line, one_of, whole
+from nonhertz.inputs.units import in_unit
 from nonhertz.io.bounds import FORMAT
 from nonhertz.io.document import (
     Angle,
@@ -68,7 +69,6 @@ from nonhertz.io.fits import mounted
 from nonhertz.io.mistakes import Mistake, TableError, missing, unknown
 from nonhertz.io.profiles import quantity_schema
 from nonhertz.io.shape_tables import ShapeInput, read_shape
-from nonhertz.io.units import in_unit
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
 from nonhertz.life.spectrum import at_most_whole
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter

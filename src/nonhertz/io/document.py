@@ -39,12 +39,12 @@ from nonhertz.bodies.sides.side_face import SideFace
 from nonhertz.bodies.sides.weighted import Weighted
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import MOST, above_zero, finite, one_line, one_of, positive, whole
+from nonhertz.inputs.units import begins_with_digits, in_unit
 from nonhertz.io.bounds import FORMAT, LOADS, MISTAKES
 from nonhertz.io.dimensions import BROKEN, dimensions
 from nonhertz.io.mistakes import Mistake, TableError, missing, mistake_in, mistakes_in, nearest, unknown
 from nonhertz.io.profiles import profile_schema, quantity_schema, read_profile
 from nonhertz.io.title_block import TitleBlock
-from nonhertz.io.units import begins_with_digits, in_unit
 from nonhertz.model.body import BODIES, Body, Plate, Ring, Roller, TabulatedDiameter, convex
 from nonhertz.model.contact import Contact
 from nonhertz.model.corner import Chamfer

@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.units import in_unit
 from nonhertz.io.paths import Keys
 from nonhertz.io.spreads import Distribution
-from nonhertz.io.units import in_unit
 
 Array = NDArray[np.float64]
 

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import whole
+from nonhertz.inputs.units import in_unit
 from nonhertz.io.paths import Keys
 from nonhertz.io.ranges import number_in
-from nonhertz.io.units import in_unit
 
 Array = NDArray[np.float64]
 

@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple
 
 from nonhertz.errors import InputError
-from nonhertz.io.units import in_unit
+from nonhertz.inputs.units import in_unit
 from nonhertz.result.numerals import digits
 
 MOST_VALUES = 10_000
@@ -37,7 +37,7 @@ def range_in(field: str, text: str, unit: str, example: str) -> Range:
     text : str
         Lowest and highest with units, and perhaps how many, with colons between them. Zero needs no unit.
     unit : str
-        As for `nonhertz.io.units.in_unit`.
+        As for `nonhertz.inputs.units.in_unit`.
     example : str
         A range without a count, for the message.
 

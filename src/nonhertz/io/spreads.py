@@ -27,9 +27,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, numbers, one_of, positive
+from nonhertz.inputs.units import begins_with_digits, in_unit
 from nonhertz.io.paths import FORM, Parameter
 from nonhertz.io.ranges import MOST_VALUES, number_in, range_in
-from nonhertz.io.units import begins_with_digits, in_unit
 
 Array = NDArray[np.float64]
 

@@ -394,7 +394,7 @@ class _Asked:
 
     def _now(self) -> Array | None:
         """Return the case as it is; None if it lies outside the bounds, or does not say."""
-        from nonhertz.io.units import in_unit
+        from nonhertz.inputs.units import in_unit
 
         found = []
         for variable in self.task.variables:

@@ -91,7 +91,7 @@ def in_mm(field: str, unit: str) -> float:
     """
     if (factor := millimetres(unit)) is not None:
         return factor
-    from nonhertz.io.units import in_unit
+    from nonhertz.inputs.units import in_unit
 
     try:
         return float(in_unit(field, f"1 {unit}", "mm"))

@@ -8,8 +8,8 @@ from dataclasses import replace
 from typing import Any, Final
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.units import in_unit
 from nonhertz.io.mistakes import Place, path_of
-from nonhertz.io.units import in_unit
 from nonhertz.result.reading import chosen
 from nonhertz.web.form.fields import FormField, Option, Slider, text_of
 from nonhertz.web.form.keys import Schema, alternatives, default_of, is_quantity, meaning_of, unit_of, words_for

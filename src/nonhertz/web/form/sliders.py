@@ -15,10 +15,10 @@ from typing import Any, Final
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.verb import refuse_load
 from nonhertz.errors import InputError
+from nonhertz.inputs.units import in_unit
 from nonhertz.io.bearing_document import PARTS
 from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.profiles import profile_tables
-from nonhertz.io.units import in_unit
 from nonhertz.model.body import Body
 from nonhertz.model.profile.catalogue import BY_DROP, CATALOGUE
 from nonhertz.model.profile.drop import determined

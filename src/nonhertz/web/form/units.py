@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Final
 
 from nonhertz.errors import InputError
-from nonhertz.io.units import in_unit, number_and_unit
+from nonhertz.inputs.units import in_unit, number_and_unit
 from nonhertz.result.reading import INCH, POUND_FORCE, chosen
 
 #: Per base unit, words as files have them and their size.
